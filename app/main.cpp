@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/CommandLine.h"
-#include "app/DecodeCommand.h"
-#include "app/SuddenEnd.h"
+#include "app/commands/DecodeCommand.h"
+#include "app/end/SuddenEnd.h"
 
 int main(int argc, char** argv)
 {

@@ -2,7 +2,7 @@
 #include "core/archive/UnpackedArchive.h"
 
 #include "core/archive/ArchiveReader.h"
-#include "core/base/FolderCache.h"
+#include "core/base/files/FolderCache.h"
 
 #include <QCryptographicHash>
 #include <QDateTime>

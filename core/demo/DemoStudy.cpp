@@ -2,10 +2,10 @@
 #include "core/demo/DemoStudy.h"
 
 #include "core/base/ParallelFor.h"
-#include "core/base/StagedFolder.h"
+#include "core/base/files/StagedFolder.h"
 #include "core/demo/HeadPhantom.h"
 #include "core/demo/Noise.h"
-#include "core/dicom/CtSeriesWriter.h"
+#include "core/dicom/write/CtSeriesWriter.h"
 #include "core/nifti/NiftiWriter.h"
 
 #include <QDir>

@@ -4,7 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/dicomweb/MultipartReader.h"
 #include "core/dicomweb/WebConnection.h"
-#include "core/pacs/DownloadFolder.h"
+#include "core/pacs/retrieve/DownloadFolder.h"
 
 #include <QFile>
 #include <QSet>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicomweb/WebQuery.h"
 
-#include "core/dicom/DicomText.h"
+#include "core/dicom/base/DicomText.h"
 #include "core/dicomweb/JsonSink.h"
 #include "core/dicomweb/WebConnection.h"
 

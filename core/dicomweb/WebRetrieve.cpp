@@ -4,8 +4,8 @@
 #include "core/dicomweb/WebConnection.h"
 #include "core/dicomweb/WebIntake.h"
 #include "core/dicomweb/WebQuery.h"
-#include "core/pacs/DownloadFolder.h"
-#include "core/pacs/RetrievePlan.h"
+#include "core/pacs/retrieve/DownloadFolder.h"
+#include "core/pacs/retrieve/RetrievePlan.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/dicomweb/WebNode.h"
-#include "core/pacs/PacsRetrieve.h"
+#include "core/pacs/retrieve/PacsRetrieve.h"
 
 namespace core {
 

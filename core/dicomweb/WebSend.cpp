@@ -3,8 +3,8 @@
 
 #include "core/dicomweb/JsonSink.h"
 #include "core/dicomweb/WebConnection.h"
-#include "core/pacs/DownloadFolder.h"
 #include "core/pacs/NodeStatus.h"
+#include "core/pacs/retrieve/DownloadFolder.h"
 
 #include <QFileInfo>
 #include <QJsonArray>

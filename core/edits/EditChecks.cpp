@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/ChunkVoxels.h"
-#include "core/edits/DocumentEdits.h"
-#include "core/edits/EngineEdits.h"
-#include "core/edits/SparedSegments.h"
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/ChunkVoxels.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/SparedSegments.h"
 
 namespace core {
 

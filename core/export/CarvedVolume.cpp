@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/CarvedVolume.h"
 
-#include "core/base/StagedFile.h"
-#include "core/base/StagedFolder.h"
-#include "core/dicom/CarvedSeriesWriter.h"
-#include "core/dicom/Deidentifier.h"
-#include "core/export/CheckCarved.h"
-#include "core/export/MaskSelection.h"
+#include "core/base/files/StagedFile.h"
+#include "core/base/files/StagedFolder.h"
+#include "core/dicom/deidentify/Deidentifier.h"
+#include "core/dicom/write/CarvedSeriesWriter.h"
+#include "core/export/checks/CheckCarved.h"
+#include "core/export/common/MaskSelection.h"
 #include "core/nifti/NiftiReader.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/repair/SeriesRepair.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/export/ExportMask.h"
+#include "core/export/common/ExportMask.h"
 
 #include <optional>
 #include <span>
@@ -23,11 +23,11 @@ struct CarvedRequest {
 /// compares every voxel and the grid. The target appears under its name only after that.
 ///
 /// NIfTI: int16 where every value is a whole number that fits, else float32. DICOM: one image a
-/// slice, derived from the study's own (core/dicom/CarvedSeriesWriter.h), a new series of the same
-/// study that nobody is sent. The report's sum is the file's, or that of the images one after the
-/// other by name. Any thread.
-/// Errors: NothingToExport (nothing is carved), UnsupportedFormat (argument 1: why), FileExists,
-/// FileUnwritable, ExportMismatch, Cancelled, and those of reading the sources.
+/// slice, derived from the study's own (core/dicom/write/CarvedSeriesWriter.h), a new series of the
+/// same study that nobody is sent. The report's sum is the file's, or that of the images one after
+/// the other by name. Any thread. Errors: NothingToExport (nothing is carved), UnsupportedFormat
+/// (argument 1: why), FileExists, FileUnwritable, ExportMismatch, Cancelled, and those of reading
+/// the sources.
 Result<ExportReport> exportCarvedVolume(
     const Volume& volume, const CarvedRequest& request, const Progress& progress);
 

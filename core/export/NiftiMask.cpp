@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/export/LabelMap.h"
+#include "core/export/common/LabelMap.h"
 #include "core/nifti/NiftiWriter.h"
 
 namespace core {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/ParallelFor.h"
-#include "core/dicom/RtStructWriter.h"
-#include "core/export/CheckSources.h"
-#include "core/export/MaskSelection.h"
+#include "core/dicom/write/RtStructWriter.h"
+#include "core/export/common/CheckSources.h"
+#include "core/export/common/MaskSelection.h"
 #include "core/surface/SliceContours.h"
 
 namespace core {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/ScreenshotExport.h"
 
-#include "core/base/StagedFile.h"
-#include "core/export/CheckSources.h"
-#include "core/export/MaskSelection.h"
+#include "core/base/files/StagedFile.h"
+#include "core/export/common/CheckSources.h"
+#include "core/export/common/MaskSelection.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/dicom/SecondaryCapture.h"
-#include "core/export/ExportMask.h"
+#include "core/dicom/write/SecondaryCapture.h"
+#include "core/export/common/ExportMask.h"
 
 namespace core {
 

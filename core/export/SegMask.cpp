@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/LabelMapSegWriter.h"
-#include "core/dicom/SegWriter.h"
-#include "core/export/CheckSources.h"
-#include "core/export/MaskSelection.h"
-#include "core/export/Occupancy.h"
+#include "core/dicom/write/LabelMapSegWriter.h"
+#include "core/dicom/write/SegWriter.h"
+#include "core/export/common/CheckSources.h"
+#include "core/export/common/MaskSelection.h"
+#include "core/export/common/Occupancy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/Deidentifier.h"
-#include "core/dicom/SrWriter.h"
-#include "core/export/StatisticsText.h"
+#include "core/dicom/deidentify/Deidentifier.h"
+#include "core/dicom/write/SrWriter.h"
+#include "core/export/common/StatisticsText.h"
 
 #include <QFile>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/export/CheckSources.h"
-#include "core/export/MaskSelection.h"
+#include "core/export/common/CheckSources.h"
+#include "core/export/common/MaskSelection.h"
 #include "core/meshfile/MeshWriter.h"
 #include "core/surface/SegmentSurface.h"
 #include "core/volume/UnevenSlices.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/RtStructFile.h"
+#include "core/dicom/objects/RtStructFile.h"
 #include "core/masks/MaskParts.h"
 #include "core/masks/PolygonFill.h"
 

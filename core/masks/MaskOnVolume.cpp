@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/masks/MaskOnVolume.h"
 
-#include "core/base/ReadableFile.h"
-#include "core/dicom/SopClass.h"
+#include "core/base/files/ReadableFile.h"
+#include "core/dicom/items/SopClass.h"
 #include "core/masks/MaskParts.h"
 #include "core/meshfile/MeshReader.h"
 #include "core/metaimage/MetaImageReader.h"

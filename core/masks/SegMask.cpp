@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/ParallelFor.h"
-#include "core/dicom/SegReader.h"
+#include "core/dicom/objects/SegReader.h"
 #include "core/masks/LatticeMap.h"
 #include "core/masks/MaskParts.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/masks/MaskParts.h"
-#include "core/masks/SurfaceFill.h"
 #include "core/meshfile/MeshReader.h"
+#include "core/refine/voxels/SurfaceFill.h"
 #include "core/volume/WorldToIndex.h"
 
 namespace core {

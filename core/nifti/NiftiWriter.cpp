@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nifti/NiftiWriter.h"
 
-#include "core/base/StagedFile.h"
+#include "core/base/files/StagedFile.h"
 #include "core/nifti/NiftiHeader.h"
 #include "core/voxelfile/PackedOutput.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pacs/Association.h"
 
-#include "core/dicom/Dcmtk.h"
+#include "core/dicom/base/Dcmtk.h"
 #include "core/pacs/AssociationParts.h"
 
 #include <dcmtk/config/osconfig.h>

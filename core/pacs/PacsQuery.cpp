@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pacs/PacsQuery.h"
 
-#include "core/dicom/DicomText.h"
-#include "core/dicom/Preflight.h"
-#include "core/dicom/TransferSyntax.h"
+#include "core/dicom/base/DicomText.h"
+#include "core/dicom/base/Preflight.h"
+#include "core/dicom/base/TransferSyntax.h"
 #include "core/pacs/Association.h"
 #include "core/pacs/NodeStatus.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pacs/PacsSend.h"
 
-#include "core/dicom/DicomFile.h"
-#include "core/dicom/TransferSyntax.h"
+#include "core/dicom/base/DicomFile.h"
+#include "core/dicom/base/TransferSyntax.h"
 #include "core/pacs/Association.h"
 #include "core/pacs/NodeStatus.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recipe/Recipe.h"
 
-#include "core/base/FileInUse.h"
-#include "core/base/ReadableFile.h"
-#include "core/edits/DocumentEdits.h"
+#include "core/base/files/FileInUse.h"
+#include "core/base/files/ReadableFile.h"
+#include "core/edits/document/DocumentEdits.h"
 #include "core/recipe/RepeatedKey.h"
 #include "core/volume/SurfaceThreshold.h"
 

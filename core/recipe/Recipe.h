@@ -5,7 +5,7 @@
 #include "core/document/Document.h"
 #include "core/recipe/RecipeExport.h"
 #include "core/recipe/RecipeStep.h"
-#include "core/session/SessionSource.h"
+#include "core/sessionfile/records/SessionSource.h"
 
 #include <QString>
 

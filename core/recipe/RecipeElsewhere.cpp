@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recipe/RecipeElsewhere.h"
 
-#include "core/edits/DocumentEdits.h"
+#include "core/edits/document/DocumentEdits.h"
 
 #include <type_traits>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recipe/RecipeExport.h"
 
-#include "core/base/StagedFile.h"
-#include "core/edits/EditFields.h"
+#include "core/base/files/StagedFile.h"
+#include "core/edits/schema/EditFields.h"
 #include "core/export/CarvedVolume.h"
-#include "core/export/StatisticsText.h"
+#include "core/export/common/StatisticsText.h"
 #include "core/nifti/NiftiReader.h"
 
 #include <QDir>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/dicom/Deidentifier.h"
-#include "core/export/ExportMask.h"
+#include "core/dicom/deidentify/Deidentifier.h"
+#include "core/export/common/ExportMask.h"
 
 #include <QJsonValue>
 #include <QString>

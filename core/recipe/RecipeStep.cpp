@@ -2,7 +2,7 @@
 #include "core/recipe/RecipeStep.h"
 
 #include "core/edits/EditJson.h"
-#include "core/edits/EditQuantise.h"
+#include "core/edits/schema/EditQuantise.h"
 
 #include <QJsonObject>
 

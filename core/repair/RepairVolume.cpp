@@ -5,7 +5,7 @@
 #include "core/base/StepCounter.h"
 #include "core/repair/RepairLattice.h"
 #include "core/volume/MemoryLimit.h"
-#include "core/volume/VolumeEncoder.h"
+#include "core/volume/encoding/VolumeEncoder.h"
 
 #include <algorithm>
 #include <atomic>

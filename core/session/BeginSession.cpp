@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/Guarded.h"
 #include "core/session/EditSession.h"
-#include "core/session/OperationQueue.h"
-#include "core/session/RestoreSession.h"
-#include "core/session/SessionUse.h"
+#include "core/session/operations/OperationQueue.h"
+#include "core/session/operations/RestoreSession.h"
+#include "core/sessionfile/records/SessionUse.h"
 #include "core/study/SourceFiles.h"
 
 #include <utility>

@@ -3,15 +3,15 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/EditJson.h"
-#include "core/edits/EditQuantise.h"
-#include "core/edits/EditSchema.h"
-#include "core/session/AuditReport.h"
-#include "core/session/EditOperation.h"
-#include "core/session/OperationQueue.h"
-#include "core/session/ReadLabels.h"
-#include "core/session/SurfaceOperation.h"
-#include "core/session/TouchSearch.h"
-#include "core/session/WalkOperation.h"
+#include "core/edits/schema/EditQuantise.h"
+#include "core/edits/schema/EditSchema.h"
+#include "core/session/operations/EditOperation.h"
+#include "core/session/operations/OperationQueue.h"
+#include "core/session/operations/ReadLabels.h"
+#include "core/session/operations/SurfaceOperation.h"
+#include "core/session/operations/WalkOperation.h"
+#include "core/session/questions/TouchSearch.h"
+#include "core/sessionfile/AuditReport.h"
 
 #include <utility>
 

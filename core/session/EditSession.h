@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/FileInUse.h"
 #include "core/base/Result.h"
+#include "core/base/files/FileInUse.h"
 #include "core/document/Document.h"
-#include "core/edits/Edits.h"
+#include "core/edits/kinds/Edits.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
-#include "core/refine/SurfaceUpdate.h"
-#include "core/session/SavedImages.h"
-#include "core/session/SketchedSeeds.h"
+#include "core/refine/mesh/SurfaceUpdate.h"
+#include "core/session/past/SketchedSeeds.h"
+#include "core/sessionfile/records/SavedImages.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -208,7 +208,7 @@ public:
     /// Display state is no step of undo.
     void setSegmentVisible(int label, bool visible);
     /// How the window looked at it, kept for the next time it is opened: an object that means
-    /// nothing here (ui/DisplayState). Empty: none was kept.
+    /// nothing here (ui/window/DisplayState). Empty: none was kept.
     [[nodiscard]] const QJsonObject& display() const;
     /// Goes to the file if it is another one; not for every movement of the mouse.
     void setDisplay(const QJsonObject& display);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/FolderCache.h"
-#include "core/pacs/PacsRetrieve.h"
+#include "core/base/files/FolderCache.h"
+#include "core/pacs/retrieve/PacsRetrieve.h"
 
 namespace core {
 

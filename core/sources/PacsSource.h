@@ -4,8 +4,8 @@
 #include "core/dicomweb/WebNode.h"
 #include "core/pacs/PacsNode.h"
 #include "core/pacs/PacsQuery.h"
-#include "core/pacs/PacsRetrieve.h"
 #include "core/pacs/PacsSend.h"
+#include "core/pacs/retrieve/PacsRetrieve.h"
 
 #include <QJsonArray>
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/Decoders.h"
 
-#include "core/dicom/FrameCodec.h"
+#include "core/dicom/codecs/FrameCodec.h"
 #include "core/images/ImageCodec.h"
 #include "core/images/TiffDecoder.h"
 

@@ -3,9 +3,9 @@
 
 #include "core/archive/ArchiveReader.h"
 #include "core/archive/UnpackedArchive.h"
-#include "core/base/ReadableFile.h"
-#include "core/dicom/DicomScan.h"
-#include "core/dicom/StackLoader.h"
+#include "core/base/files/ReadableFile.h"
+#include "core/dicom/stack/DicomScan.h"
+#include "core/dicom/stack/StackLoader.h"
 #include "core/images/ImagePage.h"
 #include "core/images/ImageStack.h"
 #include "core/repair/RepairLattice.h"
@@ -53,7 +53,7 @@ namespace {
 constexpr int deepestFolder = 32;
 
 /// Sessions lie beside studies. Opening and closing one as a plain file would take the lock of a
-/// session that this process has open (core/session/SessionUse.h).
+/// session that this process has open (core/sessionfile/records/SessionUse.h).
 bool isSession(const QString& file)
 {
     return file.endsWith(QLatin1String(".burin")) || file.contains(QLatin1String(".burin-"));

@@ -3,8 +3,8 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
-#include "core/volume/EarlySlice.h"
 #include "core/volume/StudyListing.h"
+#include "core/volume/encoding/EarlySlice.h"
 
 #include <QString>
 

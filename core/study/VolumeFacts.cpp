@@ -3,7 +3,7 @@
 
 #include "core/base/Sha256.h"
 #include "core/repair/SeriesRepair.h"
-#include "core/volume/VolumeEncoder.h"
+#include "core/volume/encoding/VolumeEncoder.h"
 
 #include <algorithm>
 

@@ -53,7 +53,8 @@ struct SourceSlice {
 };
 
 /// Headers of source files by the files' names, for a volume whose files may be missing: of DICOM a
-/// data set in explicit VR little endian (core/dicom/KeptHeaders.h), of NIfTI the header's bytes.
+/// data set in explicit VR little endian (core/dicom/source/KeptHeaders.h), of NIfTI the header's
+/// bytes.
 using KeptHeaders = std::map<QString, QByteArray>;
 
 /// Slices, counted from 1 along row × column direction, both ends included.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/voxelfile/StoredScalars.h"
 
-#include "core/volume/VolumeEncoder.h"
+#include "core/volume/encoding/VolumeEncoder.h"
 
 #include <QtEndian>
 

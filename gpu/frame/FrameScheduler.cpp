@@ -2,9 +2,9 @@
 #include "gpu/frame/FrameScheduler.h"
 
 #include "core/base/Guarded.h"
-#include "gpu/frame/SceneReach.h"
+#include "gpu/fields/textures/VolumeTextures.h"
 #include "gpu/gl/GlFailure.h"
-#include "gpu/textures/VolumeTextures.h"
+#include "gpu/scene/SceneReach.h"
 
 #include <algorithm>
 #include <chrono>
@@ -59,7 +59,8 @@ FrameScheduler::FrameScheduler(const Options& options)
     , m_wake(options.wake)
     , m_painter(options.volume, options.shaders)
     , m_resolve(options.shaders)
-    , m_cellKernel(options.shaders, {.label = "macro-cells", .path = "textures/macroCells.comp"})
+    , m_cellKernel(
+          options.shaders, {.label = "macro-cells", .path = "fields/textures/macroCells.comp"})
 {
     // Guesses of a software renderer; the first tiles correct them.
     m_cost[0] = {60.0, 500.0, 800.0, 800.0, 1500.0};

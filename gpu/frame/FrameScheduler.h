@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gpu/edit/EditWorker.h"
+#include "gpu/frame/EditWorker.h"
 #include "gpu/frame/FrameSource.h"
 #include "gpu/frame/FrameTargets.h"
-#include "gpu/frame/SurfaceInbox.h"
-#include "gpu/frame/TilePlan.h"
 #include "gpu/frame/ViewPainter.h"
 #include "gpu/gl/Fence.h"
+#include "gpu/scene/SurfaceInbox.h"
+#include "gpu/scene/TilePlan.h"
 
 #include <array>
 #include <bitset>

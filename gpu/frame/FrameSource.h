@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/refine/SurfaceUpdate.h"
-#include "gpu/frame/Scene.h"
+#include "core/refine/mesh/SurfaceUpdate.h"
+#include "gpu/scene/Scene.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/frame/ViewPainter.h"
 
-#include "gpu/textures/VolumeTextures.h"
+#include "gpu/fields/textures/VolumeTextures.h"
 
 namespace gpu {
 

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "gpu/frame/FrameTargets.h"
-#include "gpu/render/ChunkTextures.h"
-#include "gpu/render/Palette.h"
 #include "gpu/render/PlanePass.h"
-#include "gpu/render/RaycastPass.h"
 #include "gpu/render/SlicePass.h"
-#include "gpu/render/SurfaceBuffers.h"
 #include "gpu/render/SurfaceContour.h"
 #include "gpu/render/SurfacePass.h"
+#include "gpu/render/parts/ChunkTextures.h"
+#include "gpu/render/parts/Palette.h"
+#include "gpu/render/parts/SurfaceBuffers.h"
+#include "gpu/render/raycast/RaycastPass.h"
 
 #include <optional>
 

@@ -17,7 +17,7 @@ namespace gpu {
 
 struct ComputeProgramOptions {
     const char* label = "";
-    const char* path = ""; ///< below gpu/, e.g. "edit/drill.comp"
+    const char* path = ""; ///< below gpu/, e.g. "kernels/sculpt/laserCut.comp"
     ShaderDefines defines{};
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/render/SeedDots.h"
 
-#include "gpu/render/RayBlocks.h"
-#include "gpu/textures/VolumeTextures.h"
+#include "gpu/fields/textures/VolumeTextures.h"
+#include "gpu/render/parts/RayBlocks.h"
 
 #include <algorithm>
 

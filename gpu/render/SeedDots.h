@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gpu/edit/SparseRadiationKernel.h"
-#include "gpu/frame/Scene.h"
-#include "gpu/frame/TilePlan.h"
 #include "gpu/gl/Program.h"
 #include "gpu/gl/Texture3D.h"
-#include "gpu/render/PassTarget.h"
+#include "gpu/kernels/radiation/SparseRadiationKernel.h"
+#include "gpu/scene/PassTarget.h"
+#include "gpu/scene/Scene.h"
+#include "gpu/scene/TilePlan.h"
 
 #include <memory>
 #include <optional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/render/SlicePass.h"
 
-#include "gpu/edit/BrickField.h"
-#include "gpu/render/WindowMapping.h"
-#include "gpu/textures/VolumeTextures.h"
+#include "gpu/fields/bricks/BrickField.h"
+#include "gpu/fields/textures/VolumeTextures.h"
+#include "gpu/scene/WindowMapping.h"
 
 namespace gpu {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gpu/frame/Scene.h"
 #include "gpu/gl/Program.h"
-#include "gpu/render/ChunkTextures.h"
-#include "gpu/render/Palette.h"
-#include "gpu/render/PassTarget.h"
+#include "gpu/render/parts/ChunkTextures.h"
+#include "gpu/render/parts/Palette.h"
+#include "gpu/scene/PassTarget.h"
+#include "gpu/scene/Scene.h"
 
 #include <array>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/render/SurfaceContour.h"
 
-#include "gpu/render/SurfaceBuffers.h"
-#include "gpu/render/SurfaceColour.h"
+#include "gpu/render/parts/SurfaceBuffers.h"
+#include "gpu/render/parts/SurfaceColour.h"
 
 #include <algorithm>
 #include <cmath>

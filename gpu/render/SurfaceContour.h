@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gpu/frame/Scene.h"
-#include "gpu/frame/TilePlan.h"
 #include "gpu/gl/Buffer.h"
 #include "gpu/gl/Framebuffer.h"
 #include "gpu/gl/Program.h"
 #include "gpu/gl/Texture2D.h"
 #include "gpu/gl/VertexArray.h"
-#include "gpu/render/PassTarget.h"
-#include "gpu/render/SeenPlane.h"
+#include "gpu/render/parts/SeenPlane.h"
+#include "gpu/scene/PassTarget.h"
+#include "gpu/scene/Scene.h"
+#include "gpu/scene/TilePlan.h"
 
 #include <array>
 #include <cstdint>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/render/SurfacePass.h"
 
-#include "gpu/render/RayBlocks.h"
-#include "gpu/render/SurfaceBuffers.h"
-#include "gpu/render/SurfaceColour.h"
-#include "gpu/render/ViewFrame.h"
-#include "gpu/render/WindowMapping.h"
-#include "gpu/textures/VolumeTextures.h"
+#include "gpu/fields/textures/VolumeTextures.h"
+#include "gpu/render/parts/RayBlocks.h"
+#include "gpu/render/parts/SurfaceBuffers.h"
+#include "gpu/render/parts/SurfaceColour.h"
+#include "gpu/scene/ViewFrame.h"
+#include "gpu/scene/WindowMapping.h"
 
 #include <algorithm>
 #include <array>

@@ -8,13 +8,13 @@ layout(binding = 1) uniform sampler3D radiation; // ≥ 0.5: carved away
 layout(binding = 3) uniform usampler3D labels;
 layout(binding = 7) uniform sampler2D palette;   // rgb, shown
 #if BARRIERS || WARNED || AT_TOLERANCE || FORESEEN
-#include "edit/memberWords.glsl"
+#include "kernels/labels/memberWords.glsl"
 #endif
 #if AT_TOLERANCE
-#include "edit/toleranceLabel.glsl"
+#include "kernels/spread/toleranceLabel.glsl"
 #endif
 #if FORESEEN
-#include "render/foreseen.glsl"
+#include "render/raycast/foreseen.glsl"
 #endif
 #if CUBIC
 #include "render/cubic.glsl"

@@ -1,7 +1,7 @@
 // The surface that is being refined: its colour, and where the ray of the pixel meets it. WIRES: edges
 // alone; GREYS: values of the volume; HIDES: there are planes that hide parts of it. What discards
 // nothing is tested for its depth before it is computed.
-#include "render/light.glsl"
+#include "render/raycast/light.glsl"
 #include "render/surfaceColour.glsl"
 
 /* Textures */

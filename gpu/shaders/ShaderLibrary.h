@@ -29,7 +29,8 @@ struct ShaderSource {
     QByteArray text;
     QStringList files; ///< source string number n of #line → path below the root
 
-    /// A driver's log with "0:12", "0(12)" and their like turned into "render/raycast.frag:12".
+    /// A driver's log with "0:12", "0(12)" and their like turned into
+    /// "render/raycast/raycast.frag:12".
     [[nodiscard]] QString withFileNames(const QString& driverLog) const;
 };
 
@@ -38,7 +39,8 @@ struct ShaderSource {
 /// carry no #version of their own. Needs no GL.
 class ShaderLibrary {
 public:
-    /// The files built into the program, named by their path in gpu/ ("render/raycast.frag").
+    /// The files built into the program, named by their path in gpu/
+    /// ("render/raycast/raycast.frag").
     [[nodiscard]] static ShaderLibrary builtIn();
     /// Files below a folder of the file system or of the resources.
     explicit ShaderLibrary(QString root);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/Application.h"
-#include "core/session/SessionFile.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SyntheticSeries.h"
+#include "app/window/Application.h"
+#include "core/sessionfile/SessionFile.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/AuditSaver.h"
-#include "ui/AuthorName.h"
-#include "ui/MainWindow.h"
+#include "tests/support/series/SyntheticSeries.h"
+#include "ui/base/AuthorName.h"
 #include "ui/dialogs/AuthorDialog.h"
-#include "ui/panels/HistoryTimeline.h"
-#include "ui/panels/KeyframePopup.h"
+#include "ui/panels/history/HistoryTimeline.h"
+#include "ui/panels/history/KeyframePopup.h"
 #include "ui/report/AuditPages.h"
+#include "ui/report/AuditSaver.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
+#include "ui/window/MainWindow.h"
 
 #include <QApplication>
 #include <QDir>

@@ -3,13 +3,13 @@
 #include "core/session/EditSession.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/BurinProgram.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FileSizeLimit.h"
-#include "tests/support/SessionScript.h"
-#include "tests/support/SmallFileSystem.h"
-#include "tests/support/SmallStudy.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/faults/FileSizeLimit.h"
+#include "tests/support/faults/SmallFileSystem.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SessionScript.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/servers/BurinProgram.h"
 
 #include <QDir>
 #include <QElapsedTimer>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/CountingGl.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/Pen.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/faults/CountingGl.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
+#include "tests/support/fixtures/Pen.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/MainWindow.h"
-#include "ui/MessageBar.h"
+#include "ui/frame/MessageBar.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
+#include "ui/window/MainWindow.h"
 
 #include <QAbstractButton>
 #include <QAbstractSlider>

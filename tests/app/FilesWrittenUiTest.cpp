@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/export/ExportFormats.h"
-#include "tests/support/CommandFixture.h"
-#include "tests/support/FileShim.h"
-#include "tests/support/Python.h"
-#include "tests/support/SyntheticSeries.h"
+#include "core/export/common/ExportFormats.h"
+#include "tests/support/faults/FileShim.h"
+#include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/SyntheticSeries.h"
+#include "tests/support/servers/Python.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -56,7 +56,7 @@ QString companionsOwner(QString path)
 
 /// Every file that the command line and its window open for writing, rename, replace or remove is
 /// one of the kinds named here. Whatever else is written is found here first: it goes through
-/// core/base/StagedFile, or its kind gets a name and a reason.
+/// core/base/files/StagedFile, or its kind gets a name and a reason.
 class FilesWrittenUiTest : public QObject {
     Q_OBJECT
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/peers/ItkConnectedThreshold.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/RealGrowths.h"
-#include "tests/support/SculptStage.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/growth/RealGrowths.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SculptStage.h"
 
 #include <QTest>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/demo/DemoStudy.h"
 #include "core/demo/HeadPhantom.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/FigurePanels.h"
-#include "tests/support/GrowthFigure.h"
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/RealGrowths.h"
-#include "tests/support/SculptStage.h"
-#include "tests/support/SharedData.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/growth/GrowthFigure.h"
+#include "tests/support/cases/growth/RealGrowths.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/FigurePanels.h"
+#include "tests/support/scenes/SculptStage.h"
+#include "tests/support/scenes/SharedData.h"
+#include "tests/support/series/OpenedVolume.h"
 
 #include <QTest>
 

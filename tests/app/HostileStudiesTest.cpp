@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/HostileStudy.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/HostileStudy.h"
 
 #include <QFile>
 #include <QJsonArray>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/HostileStudy.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/MessageBar.h"
+#include "tests/support/series/HostileStudy.h"
+#include "ui/frame/MessageBar.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/CommandFixture.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/GoldenSessions.h"
-#include "tests/support/SessionFiles.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/GoldenSessions.h"
+#include "tests/support/series/SessionFiles.h"
 
 #include <QFile>
 #include <QJsonArray>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/ApplicationFixture.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/Actions.h"
+#include "ui/base/Actions.h"
 
 #include <QAction>
 #include <QMap>

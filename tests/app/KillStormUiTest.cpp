@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/SessionSalvage.h"
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/BurinProgram.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/SmallStudy.h"
-#include "tests/support/TestVolumes.h"
+#include "core/sessionfile/SessionSalvage.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/scenes/TestVolumes.h"
+#include "tests/support/servers/BurinProgram.h"
 
 #include <QDateTime>
 #include <QDir>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/Pen.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
+#include "tests/support/fixtures/Pen.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/Workspace.h"
-#include "ui/tools/Tool.h"
+#include "ui/input/Tool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QAction>
 #include <QtTest>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/BurinProgram.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/Pen.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
+#include "tests/support/fixtures/Pen.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/tools/Tool.h"
+#include "tests/support/servers/BurinProgram.h"
+#include "ui/input/Tool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
 

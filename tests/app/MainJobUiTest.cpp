@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/Application.h"
+#include "app/window/Application.h"
 #include "core/edits/EditJson.h"
-#include "core/export/ExportFormats.h"
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/Pen.h"
-#include "tests/support/SharedData.h"
-#include "tests/support/SyntheticSeries.h"
+#include "core/export/common/ExportFormats.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
+#include "tests/support/fixtures/Pen.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/MainWindow.h"
+#include "tests/support/scenes/SharedData.h"
+#include "tests/support/series/SyntheticSeries.h"
 #include "ui/dialogs/CodeDialog.h"
-#include "ui/dialogs/ExportDialog.h"
-#include "ui/panels/GrowthPanel.h"
-#include "ui/tools/Tool.h"
+#include "ui/dialogs/export/ExportDialog.h"
+#include "ui/input/Tool.h"
+#include "ui/panels/growth/GrowthPanel.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/window/MainWindow.h"
 
 #include <QAbstractButton>
 #include <QApplication>

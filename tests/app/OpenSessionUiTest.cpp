@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/Application.h"
+#include "app/window/Application.h"
 #include "core/session/EditSession.h"
-#include "core/session/SessionFile.h"
-#include "core/session/SessionStudy.h"
+#include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/SessionStudy.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/SessionFiles.h"
-#include "tests/support/SmallStudy.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/MainWindow.h"
-#include "ui/MessageBar.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SessionFiles.h"
+#include "ui/frame/MessageBar.h"
+#include "ui/window/MainWindow.h"
 
 #include <QDir>
 #include <QDropEvent>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/SessionFiles.h"
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/ImageFiles.h"
-#include "tests/support/SessionFiles.h"
-#include "tests/support/SyntheticSeries.h"
+#include "app/steps/SessionFiles.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/LoadingBar.h"
-#include "ui/RecentStudies.h"
-#include "ui/StartPage.h"
+#include "tests/support/series/ImageFiles.h"
+#include "tests/support/series/SessionFiles.h"
+#include "tests/support/series/SyntheticSeries.h"
+#include "ui/frame/LoadingBar.h"
+#include "ui/frame/StartPage.h"
+#include "ui/settings/RecentStudies.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QDir>

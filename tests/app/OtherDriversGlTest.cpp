@@ -3,10 +3,10 @@
 #include "core/session/EditSession.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/BurinProgram.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SmallStudy.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/servers/BurinProgram.h"
 
 #include <QScopeGuard>
 #include <QTemporaryDir>

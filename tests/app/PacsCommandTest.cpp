@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/BurinProgram.h"
-#include "tests/support/PacsServers.h"
-#include "tests/support/SyntheticSeries.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/PacsSources.h"
+#include "tests/support/series/SyntheticSeries.h"
+#include "tests/support/servers/BurinProgram.h"
+#include "tests/support/servers/PacsServers.h"
+#include "ui/settings/PacsSources.h"
 
 #include <QDir>
 #include <QFile>

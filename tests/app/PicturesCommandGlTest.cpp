@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/SessionImages.h"
-#include "core/session/SessionSalvage.h"
-#include "core/session/SessionStudy.h"
-#include "tests/support/CommandFixture.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/ImageFiles.h"
-#include "tests/support/OpenedVolume.h"
+#include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/SessionStudy.h"
+#include "core/sessionfile/records/SessionImages.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/ImageFiles.h"
+#include "tests/support/series/OpenedVolume.h"
 
 #include <QDir>
 #include <QFile>

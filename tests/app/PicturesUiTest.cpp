@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/GpuEngine.h"
-#include "tests/support/WindowFixture.h"
+#include "gpu/engine/GpuEngine.h"
+#include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/StatusLine.h"
-#include "ui/Theme.h"
-#include "ui/tools/PickQuestion.h"
-#include "ui/views/OrientationLetters.h"
+#include "ui/base/Theme.h"
+#include "ui/geometry/OrientationLetters.h"
+#include "ui/tools/aim/PickQuestion.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/window/StatusLine.h"
 
 #include <QFileInfo>
 #include <QTemporaryDir>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/export/ExportFormats.h"
-#include "tests/support/CommandFixture.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/FileShim.h"
-#include "tests/support/MarkedSeries.h"
+#include "core/export/common/ExportFormats.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/faults/FileShim.h"
+#include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/MarkedSeries.h"
 
 #include <QDir>
 #include <QDirIterator>

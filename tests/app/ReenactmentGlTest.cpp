@@ -2,13 +2,13 @@
 #include "core/demo/DemoStudy.h"
 #include "core/demo/HeadPhantom.h"
 #include "core/document/Piece.h"
-#include "core/edits/EngineEdits.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/FigurePanels.h"
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/SculptStage.h"
-#include "tests/support/SharedData.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/FigurePanels.h"
+#include "tests/support/scenes/SculptStage.h"
+#include "tests/support/scenes/SharedData.h"
+#include "tests/support/series/OpenedVolume.h"
 
 #include <QTest>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/StudyLoader.h"
-#include "tests/support/CommandFixture.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SmallStudy.h"
-#include "tests/support/SurfaceCases.h"
+#include "tests/support/cases/SurfaceCases.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/FailingLog.h"
-#include "tests/support/FigurePanels.h"
-#include "tests/support/ManualWindow.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/ManualWindow.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/CuttingPlane.h"
-#include "ui/Refinement.h"
-#include "ui/tools/RefineTool.h"
+#include "tests/support/scenes/FigurePanels.h"
+#include "ui/tools/refine/RefineTool.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/workspace/CuttingPlane.h"
+#include "ui/workspace/Refinement.h"
 
 #include <QPainter>
 #include <QtTest>
@@ -155,8 +155,8 @@ private Q_SLOTS:
         options.showSegments = false;
         workspace().setViewOptions(options);
         // Around it all is right.
-        for (const auto& [mark, radiusMm] : {std::pair(core::SurfaceMark::Green, 30.0),
-                 std::pair(core::SurfaceMark::Red, 17.0)})
+        for (const auto& [mark, radiusMm] :
+            {std::pair(core::SurfaceMark::Green, 30.0), std::pair(core::SurfaceMark::Red, 17.0)})
             apply(core::MarkSurface{
                 .mark = mark, .path = {.radiusMm = radiusMm, .pointsLps = {{8, 2, 66}}}});
         ui::Refinement& refinement = workspace().refinement();

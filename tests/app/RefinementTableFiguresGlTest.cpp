@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/refine/BoundaryForce.h"
-#include "core/refine/InitialFit.h"
-#include "core/refine/SurfaceUpdate.h"
+#include "core/refine/deform/BoundaryForce.h"
+#include "core/refine/fit/InitialFit.h"
+#include "core/refine/mesh/SurfaceUpdate.h"
 #include "tests/reenactment/Corruptor.h"
 #include "tests/reenactment/SurfaceRobot.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/FigurePanels.h"
-#include "tests/support/SculptStage.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/FigurePanels.h"
+#include "tests/support/scenes/SculptStage.h"
 
 #include <QTest>
 

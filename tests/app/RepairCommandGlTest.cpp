@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/SegReader.h"
-#include "tests/support/CommandFixture.h"
-#include "tests/support/DefectiveSeries.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SmallStudy.h"
+#include "core/dicom/objects/SegReader.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/DefectiveSeries.h"
 
 #include <QFile>
 #include <QJsonDocument>

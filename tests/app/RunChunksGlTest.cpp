@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/CommandFixture.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SmallStudy.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
 
 #include <QJsonDocument>
 #include <QTest>

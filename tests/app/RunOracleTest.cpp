@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
-#include "core/edits/EditQuantise.h"
+#include "core/edits/schema/EditQuantise.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/SharedData.h"
+#include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SharedData.h"
 
 #include <QFile>
 #include <QJsonArray>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/FileSizeLimit.h"
-#include "tests/support/SessionFiles.h"
-#include "tests/support/SmallStudy.h"
+#include "tests/support/faults/FileSizeLimit.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/SessionSaver.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SessionFiles.h"
+#include "ui/dialogs/session/SessionSaver.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>

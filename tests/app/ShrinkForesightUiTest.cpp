@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SmallStudy.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/Workspace.h"
-#include "ui/tools/ShrinkForesight.h"
-#include "ui/tools/ShrinkTool.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "ui/tools/growth/ShrinkForesight.h"
+#include "ui/tools/growth/ShrinkTool.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QtTest>
 

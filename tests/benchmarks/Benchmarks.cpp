@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/demo/DemoStudy.h"
-#include "gpu/GpuEngine.h"
+#include "gpu/engine/GpuEngine.h"
 #include "tests/benchmarks/DecodeBenchmark.h"
 #include "tests/benchmarks/FrameBenchmark.h"
 #include "tests/benchmarks/GrowBenchmark.h"
@@ -11,7 +11,7 @@
 #include "tests/benchmarks/RefineBenchmark.h"
 #include "tests/benchmarks/SculptBenchmark.h"
 #include "tests/benchmarks/SteeringBenchmark.h"
-#include "ui/ErrorText.h"
+#include "ui/base/ErrorText.h"
 
 #include <QCoreApplication>
 

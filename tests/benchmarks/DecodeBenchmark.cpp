@@ -2,12 +2,12 @@
 #include "tests/benchmarks/DecodeBenchmark.h"
 
 #include "core/base/ParallelFor.h"
-#include "core/dicom/FrameCodec.h"
-#include "core/dicom/FrameDecoder.h"
-#include "core/dicom/ImageHeaderReader.h"
+#include "core/dicom/codecs/FrameCodec.h"
+#include "core/dicom/codecs/FrameDecoder.h"
+#include "core/dicom/header/ImageHeaderReader.h"
 #include "core/fence/FencedDecoder.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/SyntheticSeries.h"
+#include "tests/support/series/SyntheticSeries.h"
 
 #include <QTemporaryDir>
 

@@ -153,7 +153,7 @@ QString registerFrames(gpu::GpuEngine& engine, const core::DemoStudy& study)
     encoding.rescaleIntercept = -1024.0;
     engine.setVolumeGeometry(study.geometry, encoding);
     const auto clock = std::make_shared<FrameClock>(engine);
-    // Burin's own step (gpu/render/RaycastPass.cpp).
+    // Burin's own step (gpu/render/raycast/RaycastPass.cpp).
     const double sampleMm = 0.8 * study.geometry.spacingMm().x;
 
     for (const Work& work : {

@@ -4,8 +4,8 @@
 #include "core/study/StudyLoader.h"
 #include "tests/benchmarks/PeerReport.h"
 #include "tests/peers/ItkConnectedThreshold.h"
-#include "tests/support/GrowToClosure.h"
-#include "tests/support/SharedData.h"
+#include "tests/support/cases/growth/GrowToClosure.h"
+#include "tests/support/scenes/SharedData.h"
 
 #include <algorithm>
 #include <array>

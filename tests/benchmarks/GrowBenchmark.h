@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/demo/DemoStudy.h"
-#include "gpu/GpuEngine.h"
+#include "gpu/engine/GpuEngine.h"
 
 #include <QString>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/HistoryBenchmark.h"
 
-#include "gpu/GpuEngine.h"
+#include "gpu/engine/GpuEngine.h"
 #include "tests/benchmarks/SessionDriver.h"
 #include "tests/benchmarks/TorsoVolume.h"
 #include "tests/benchmarks/WholeImageUndo.h"
-#include "tests/support/TypicalStrokes.h"
-#include "ui/ErrorText.h"
+#include "tests/support/scenes/TypicalStrokes.h"
+#include "ui/base/ErrorText.h"
 
 #include <QTemporaryDir>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/LoadBenchmark.h"
 
-#include "core/dicom/CtSeriesWriter.h"
+#include "core/dicom/write/CtSeriesWriter.h"
 #include "core/study/StudyLoader.h"
 #include "tests/benchmarks/TorsoVolume.h"
 #include "tests/peers/ItkSeries.h"
-#include "ui/ErrorText.h"
+#include "ui/base/ErrorText.h"
 
 #include <QDir>
 #include <QElapsedTimer>

@@ -2,12 +2,12 @@
 #include "tests/benchmarks/PlaneBenchmark.h"
 
 #include "core/demo/DemoStudy.h"
-#include "core/refine/SurfaceUpdate.h"
-#include "gpu/GpuEngine.h"
+#include "core/refine/mesh/SurfaceUpdate.h"
+#include "gpu/engine/GpuEngine.h"
 #include "tests/benchmarks/GrowBenchmark.h"
 #include "tests/benchmarks/VtkPlaneView.h"
-#include "tests/support/DemoHeadScene.h"
-#include "ui/ErrorText.h"
+#include "tests/support/fixtures/DemoHeadScene.h"
+#include "ui/base/ErrorText.h"
 
 #include <algorithm>
 #include <array>

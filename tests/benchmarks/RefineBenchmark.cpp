@@ -2,17 +2,17 @@
 #include "tests/benchmarks/RefineBenchmark.h"
 
 #include "core/chunks/ChunkMap.h"
-#include "core/refine/BoundaryForce.h"
-#include "core/refine/Deformation.h"
-#include "core/refine/InitialFit.h"
-#include "core/refine/SurfaceUpdate.h"
+#include "core/refine/deform/BoundaryForce.h"
+#include "core/refine/deform/Deformation.h"
+#include "core/refine/fit/InitialFit.h"
+#include "core/refine/mesh/SurfaceUpdate.h"
 #include "core/refine/tools/SurfaceStroke.h"
 #include "gpu/gl/EglContext.h"
-#include "gpu/render/SurfaceBuffers.h"
+#include "gpu/render/parts/SurfaceBuffers.h"
 #include "tests/benchmarks/PeerReport.h"
 #include "tests/peers/ItkSimplexDeformation.h"
-#include "tests/support/ShapedMask.h"
-#include "tests/support/SimplexShapes.h"
+#include "tests/support/scenes/ShapedMask.h"
+#include "tests/support/scenes/SimplexShapes.h"
 
 #include <algorithm>
 #include <array>

@@ -3,14 +3,14 @@
 
 #include "core/demo/DemoStudy.h"
 #include "core/document/Piece.h"
-#include "core/edits/DrillPathSampler.h"
-#include "core/edits/EngineEdits.h"
-#include "gpu/edit/EditTransaction.h"
+#include "core/edits/engine/DrillPathSampler.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "gpu/engine/EditTransaction.h"
 #include "gpu/gl/EglContext.h"
 #include "gpu/gl/Gl.h"
 #include "gpu/shaders/ShaderLibrary.h"
 #include "tests/benchmarks/PeerReport.h"
-#include "tests/support/SculptStage.h"
+#include "tests/support/scenes/SculptStage.h"
 
 #include <QImage>
 #include <QPainter>
@@ -113,7 +113,7 @@ class Block {
 public:
     Block(const gpu::ShaderLibrary& shaders, int side)
         : m_side(side)
-        , m_cells(shaders, {.label = "macro-cells", .path = "textures/macroCells.comp"})
+        , m_cells(shaders, {.label = "macro-cells", .path = "fields/textures/macroCells.comp"})
         , m_programs(shaders)
         , m_fieldPrograms(shaders)
         , m_radiation(m_fieldPrograms.radiation, {glm::ivec3(side)})

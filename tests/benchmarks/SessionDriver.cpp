@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/SessionDriver.h"
 
-#include "core/session/RecentSteps.h"
-#include "ui/ErrorText.h"
+#include "core/session/state/RecentSteps.h"
+#include "ui/base/ErrorText.h"
 
 #include <QFile>
 #include <QSqlDatabase>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/volume/VolumeGeometry.h"
-#include "gpu/frame/Scene.h"
+#include "gpu/scene/Scene.h"
 
 #include <cstdint>
 #include <memory>

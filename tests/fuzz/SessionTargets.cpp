@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/fuzz/FuzzTargets.h"
 
-#include "core/brick/BrickDelta.h"
-#include "core/session/SessionFile.h"
-#include "core/session/SessionPreview.h"
-#include "core/session/SessionSalvage.h"
+#include "core/delta/BrickDelta.h"
+#include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/SessionPreview.h"
+#include "core/sessionfile/SessionSalvage.h"
 
 namespace test {
 

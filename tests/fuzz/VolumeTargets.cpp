@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/fuzz/FuzzTargets.h"
 
-#include "core/dicom/RtStructFile.h"
-#include "core/dicom/SegReader.h"
+#include "core/dicom/objects/RtStructFile.h"
+#include "core/dicom/objects/SegReader.h"
 #include "core/masks/MaskOnVolume.h"
 #include "core/study/StudyLoader.h"
 

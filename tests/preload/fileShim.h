@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Preloaded into a program (LD_PRELOAD), for tests: tells what it does to the file system, and
-// makes some of it fail. tests/support/FileShim.h says what it is told and what it tells.
+// makes some of it fail. tests/support/faults/FileShim.h says what it is told and what it tells.
 //
 //   BURIN_SHIM_LOG    a file that lines are appended to: WHAT, PATH and more, with tabs between
 //   BURIN_SHIM_UNDER  a folder: only what lies in it counts for the failing

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/brick/VoxelRuns.h"
-#include "tests/support/TestVolumes.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 #include "tests/reenactment/OrganScenes.h"
 
 #include "tests/reenactment/CounterRandom.h"
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/SharedData.h"
+#include "tests/support/scenes/SharedData.h"
+#include "tests/support/series/OpenedVolume.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reenactment/RefinementBench.h"
 
-#include "core/refine/InitialFit.h"
-#include "core/refine/SurfaceVoxels.h"
+#include "core/refine/fit/InitialFit.h"
+#include "core/refine/voxels/SurfaceVoxels.h"
 
 #include <chrono>
 #include <thread>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/GrowthCut.h"
 
-#include "core/growth/GrowthCut.h"
 #include "core/growth/SeedWord.h"
+#include "core/growth/cut/GrowthCut.h"
 #include "tests/reference/FlowNetwork.h"
 #include "tests/reference/Growth.h"
 #include "tests/reference/LabelFamily.h"

@@ -7,8 +7,8 @@
 
 namespace reference {
 
-/// Takes back what grew through some places, by the rules in core/growth/GrowthCut.h, each written
-/// down as it stands there. @return the generation then
+/// Takes back what grew through some places, by the rules in core/growth/cut/GrowthCut.h, each
+/// written down as it stands there. @return the generation then
 core::Result<std::uint32_t> cutGrowth(DenseFields& fields, const core::CutGrowth& command);
 
 /// What it would take: the cut is made in a copy, and the two are compared.

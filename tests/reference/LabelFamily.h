@@ -11,8 +11,8 @@
 
 namespace reference {
 
-/// The members of one label among the seed words, by the rules in core/growth/GrowthCut.h that say
-/// who came from whom (2, 7), who is near to whom (9) and who comes when (10).
+/// The members of one label among the seed words, by the rules in core/growth/cut/GrowthCut.h that
+/// say who came from whom (2, 7), who is near to whom (9) and who comes when (10).
 class LabelFamily {
 public:
     using Words = DenseArray<std::uint32_t>;

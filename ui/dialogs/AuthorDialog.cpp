@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/AuthorDialog.h"
 
-#include "ui/AuthorName.h"
-#include "ui/Theme.h"
+#include "ui/base/AuthorName.h"
+#include "ui/base/Theme.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/CodeDetails.h"
 
-#include "ui/SegmentCodes.h"
+#include "ui/base/SegmentCodes.h"
 
 #include <QComboBox>
 #include <QFormLayout>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/CodeDialog.h"
 
-#include "ui/SegmentCodes.h"
-#include "ui/TabOrder.h"
-#include "ui/Theme.h"
+#include "ui/base/SegmentCodes.h"
+#include "ui/base/TabOrder.h"
+#include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDetails.h"
 
 #include <QDialogButtonBox>

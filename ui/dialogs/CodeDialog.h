@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/dicom/SegSettings.h"
+#include "core/dicom/write/SegSettings.h"
 #include "core/document/Document.h"
 
 #include <QDialog>

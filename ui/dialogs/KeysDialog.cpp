@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/KeysDialog.h"
 
-#include "ui/Actions.h"
-#include "ui/Theme.h"
+#include "ui/base/Actions.h"
+#include "ui/base/Theme.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>

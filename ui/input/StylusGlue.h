@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/tools/Tool.h"
+#include "ui/input/Tool.h"
 
 #include <optional>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/HistoryModel.h"
 
-#include "core/edits/DocumentEdits.h"
-#include "core/edits/SurfacePaths.h"
-#include "ui/CountText.h"
-#include "ui/Workspace.h"
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/SurfacePaths.h"
+#include "ui/base/CountText.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QLocale>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/LayerListModel.h"
 
-#include "ui/LayerLooks.h"
-#include "ui/Workspace.h"
+#include "ui/workspace/LayerLooks.h"
+#include "ui/workspace/Workspace.h"
 
 namespace ui {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/NumberedListModel.h"
 
-#include "ui/Workspace.h"
+#include "ui/workspace/Workspace.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/PieceListModel.h"
 
-#include "ui/Pieces.h"
-#include "ui/Workspace.h"
+#include "ui/workspace/Pieces.h"
+#include "ui/workspace/Workspace.h"
 
 namespace ui {
 

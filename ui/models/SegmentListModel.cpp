@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/SegmentListModel.h"
 
-#include "ui/CountText.h"
-#include "ui/Workspace.h"
+#include "ui/base/CountText.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QColor>
 #include <QLocale>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/CopiesRow.h"
 
-#include "ui/Theme.h"
+#include "ui/base/Theme.h"
 #include "ui/pacs/PacsCache.h"
 
 #include <QHBoxLayout>

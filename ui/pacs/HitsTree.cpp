@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/HitsTree.h"
 
-#include "ui/StudyTexts.h"
-#include "ui/Theme.h"
+#include "ui/base/StudyTexts.h"
+#include "ui/base/Theme.h"
 
 #include <QHeaderView>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/PacsBrowserDialog.h"
 
-#include "ui/ErrorText.h"
-#include "ui/PacsSources.h"
-#include "ui/TabOrder.h"
-#include "ui/Theme.h"
+#include "ui/base/ErrorText.h"
+#include "ui/base/TabOrder.h"
+#include "ui/base/Theme.h"
 #include "ui/pacs/CopiesRow.h"
 #include "ui/pacs/PacsCache.h"
 #include "ui/pacs/SearchForm.h"
 #include "ui/pacs/SeriesPreview.h"
 #include "ui/pacs/SourcesDialog.h"
+#include "ui/settings/PacsSources.h"
 #include "ui/widgets/StateLine.h"
 
 #include <QComboBox>

@@ -3,8 +3,8 @@
 
 #include "core/sources/DownloadCache.h"
 #include "core/sources/PacsSource.h"
-#include "ui/pacs/BackgroundJob.h"
 #include "ui/pacs/HitsTree.h"
+#include "ui/tasks/BackgroundJob.h"
 
 #include <QDialog>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/PacsCache.h"
 
-#include "ui/Workspace.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QSettings>
 #include <QStandardPaths>

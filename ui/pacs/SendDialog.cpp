@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/SendDialog.h"
 
-#include "ui/ErrorText.h"
-#include "ui/PacsSources.h"
-#include "ui/TabOrder.h"
-#include "ui/Theme.h"
+#include "ui/base/ErrorText.h"
+#include "ui/base/TabOrder.h"
+#include "ui/base/Theme.h"
 #include "ui/pacs/SourcesDialog.h"
+#include "ui/settings/PacsSources.h"
 #include "ui/widgets/StateLine.h"
 
 #include <QComboBox>

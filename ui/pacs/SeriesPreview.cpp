@@ -2,10 +2,10 @@
 #include "ui/pacs/SeriesPreview.h"
 
 #include "core/study/StudyLoader.h"
-#include "ui/ErrorText.h"
-#include "ui/StudyTexts.h"
-#include "ui/Theme.h"
-#include "ui/dialogs/ThumbnailLoader.h"
+#include "ui/base/ErrorText.h"
+#include "ui/base/StudyTexts.h"
+#include "ui/base/Theme.h"
+#include "ui/tasks/ThumbnailLoader.h"
 
 #include <QLabel>
 #include <QTemporaryDir>

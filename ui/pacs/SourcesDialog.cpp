@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/SourcesDialog.h"
-#include "ui/TabOrder.h"
+#include "ui/base/TabOrder.h"
 #include "ui/widgets/StateLine.h"
 
-#include "ui/ErrorText.h"
-#include "ui/Icons.h"
-#include "ui/PacsSources.h"
-#include "ui/Theme.h"
+#include "ui/base/ErrorText.h"
+#include "ui/base/Icons.h"
+#include "ui/base/Theme.h"
+#include "ui/settings/PacsSources.h"
 
 #include <QAction>
 #include <QDialogButtonBox>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/sources/PacsSource.h"
-#include "ui/pacs/BackgroundJob.h"
+#include "ui/tasks/BackgroundJob.h"
 
 #include <QDialog>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/ClippingPanel.h"
 
-#include "ui/ClipSteps.h"
-#include "ui/Icons.h"
-#include "ui/StudyTexts.h"
-#include "ui/Theme.h"
-#include "ui/Workspace.h"
-#include "ui/views/OrientationLetters.h"
+#include "ui/base/Icons.h"
+#include "ui/base/StudyTexts.h"
+#include "ui/base/Theme.h"
+#include "ui/geometry/OrientationLetters.h"
 #include "ui/views/VolumeView.h"
 #include "ui/widgets/RangeSlider.h"
+#include "ui/workspace/ClipSteps.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
 #include <QComboBox>

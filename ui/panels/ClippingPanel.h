@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/volume/ClipRegion.h"
-#include "ui/panels/Panel.h"
+#include "ui/frame/Panel.h"
 
 #include <array>
 

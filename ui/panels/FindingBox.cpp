@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/FindingBox.h"
 
-#include "ui/Icons.h"
-#include "ui/Theme.h"
+#include "ui/base/Icons.h"
+#include "ui/base/Theme.h"
 
 #include <QButtonGroup>
 #include <QComboBox>

@@ -3,10 +3,10 @@
 
 #include "core/repair/RepairLattice.h"
 #include "core/session/EditSession.h"
-#include "ui/StudyTexts.h"
-#include "ui/Theme.h"
-#include "ui/Workspace.h"
+#include "ui/base/StudyTexts.h"
+#include "ui/base/Theme.h"
 #include "ui/panels/FindingBox.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>

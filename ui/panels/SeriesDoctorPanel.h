@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/repair/SeriesFindings.h"
-#include "ui/panels/Panel.h"
+#include "ui/frame/Panel.h"
 
 #include <vector>
 

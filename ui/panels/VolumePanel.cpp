@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/VolumePanel.h"
 
-#include "ui/InitialDisplay.h"
-#include "ui/Theme.h"
-#include "ui/TransferPresets.h"
-#include "ui/Workspace.h"
-#include "ui/widgets/TransferFunctionEditor.h"
+#include "ui/base/Theme.h"
+#include "ui/frame/TransferFunctionEditor.h"
+#include "ui/settings/TransferPresets.h"
+#include "ui/workspace/InitialDisplay.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QButtonGroup>
 #include <QComboBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/panels/Panel.h"
+#include "ui/frame/Panel.h"
 
 class QButtonGroup;
 class QComboBox;

@@ -2,7 +2,7 @@
 #include "ui/report/AuditTexts.h"
 
 #include "core/repair/SeriesRepair.h"
-#include "ui/CountText.h"
+#include "ui/base/CountText.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/session/AuditReport.h"
+#include "core/sessionfile/AuditReport.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/report/WriteAudit.h"
 
-#include "core/base/StagedFile.h"
+#include "core/base/files/StagedFile.h"
 #include "ui/report/AuditHtml.h"
 #include "ui/report/AuditPages.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/session/AuditReport.h"
+#include "core/sessionfile/AuditReport.h"
 
 #include <QString>
 

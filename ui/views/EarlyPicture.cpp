@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/EarlyPicture.h"
 
-#include "gpu/render/WindowMapping.h"
+#include "gpu/scene/WindowMapping.h"
 
 #include <algorithm>
 #include <cmath>

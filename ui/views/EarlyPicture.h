@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/EarlySlice.h"
-#include "gpu/frame/Scene.h"
+#include "core/volume/encoding/EarlySlice.h"
+#include "gpu/scene/Scene.h"
 
 #include <QImage>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/ImageView.h"
 
-#include "ui/Theme.h"
-#include "ui/tools/Tool.h"
-#include "ui/views/Annotations.h"
-#include "ui/views/CautionStrip.h"
+#include "ui/base/Theme.h"
+#include "ui/input/Tool.h"
+#include "ui/overlays/Annotations.h"
+#include "ui/overlays/CautionStrip.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/EarlySlice.h"
-#include "ui/Workspace.h"
+#include "core/volume/encoding/EarlySlice.h"
+#include "ui/geometry/ViewContext.h"
 #include "ui/input/EveryPointerEvent.h"
 #include "ui/input/StylusGlue.h"
-#include "ui/tools/ViewContext.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QImage>
 #include <QPointer>

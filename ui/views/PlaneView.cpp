@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/PlaneView.h"
 
-#include "ui/CuttingPlane.h"
-#include "ui/Theme.h"
-#include "ui/views/Annotations.h"
+#include "ui/base/Theme.h"
+#include "ui/overlays/Annotations.h"
+#include "ui/workspace/CuttingPlane.h"
 
 #include <QPainter>
 

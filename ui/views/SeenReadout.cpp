@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/SeenReadout.h"
 
-#include "ui/Workspace.h"
-#include "ui/tools/SeenVoxels.h"
+#include "ui/tools/aim/SeenVoxels.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QPointer>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gpu/frame/Scene.h"
+#include "gpu/scene/Scene.h"
 
 #include <glm/glm.hpp>
 

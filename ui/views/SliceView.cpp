@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/SliceView.h"
 
-#include "ui/Chunks.h"
-#include "ui/CuttingPlane.h"
-#include "ui/InitialDisplay.h"
-#include "ui/Refinement.h"
-#include "ui/StudyTexts.h"
-#include "ui/Theme.h"
-#include "ui/TimeText.h"
-#include "ui/views/Annotations.h"
-#include "ui/views/ClipOutline.h"
+#include "ui/base/StudyTexts.h"
+#include "ui/base/Theme.h"
+#include "ui/base/TimeText.h"
+#include "ui/geometry/OrientationLetters.h"
+#include "ui/overlays/Annotations.h"
+#include "ui/overlays/ClipOutline.h"
+#include "ui/overlays/MeasurementLines.h"
+#include "ui/overlays/PlaneOutline.h"
 #include "ui/views/EarlyPicture.h"
-#include "ui/views/MeasurementLines.h"
-#include "ui/views/OrientationLetters.h"
-#include "ui/views/PlaneOutline.h"
+#include "ui/workspace/Chunks.h"
+#include "ui/workspace/CuttingPlane.h"
+#include "ui/workspace/InitialDisplay.h"
+#include "ui/workspace/Refinement.h"
 
 #include <QKeyEvent>
 #include <QPainter>

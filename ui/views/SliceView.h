@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/geometry/SlicePlane.h"
 #include "ui/views/ImageView.h"
-#include "ui/views/SlicePlane.h"
 
 namespace ui {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/ViewGrid.h"
 
-#include "ui/CuttingPlane.h"
+#include "ui/workspace/CuttingPlane.h"
 
 #include <QApplication>
 #include <QEvent>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/views/Camera.h"
+#include "ui/geometry/Camera.h"
+#include "ui/geometry/Stereo.h"
+#include "ui/overlays/OrientationCube.h"
 #include "ui/views/ImageView.h"
-#include "ui/views/OrientationCube.h"
 #include "ui/views/SeenReadout.h"
-#include "ui/views/Stereo.h"
 
 namespace ui {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/HistogramRange.h"
 
-#include "ui/Theme.h"
+#include "ui/base/Theme.h"
 #include "ui/widgets/HistogramRangePlot.h"
 
 #include <QDoubleSpinBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/StepSlider.h"
 
-#include "ui/Theme.h"
+#include "ui/base/Theme.h"
 
 #include <QMouseEvent>
 #include <QPainter>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/EditMasks.h"
+#include "core/edits/schema/EditMasks.h"
 #include "core/edits/schema/SchemaParts.h"
 
 namespace core::editSchema {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/EditFields.h"
-#include "core/edits/EditLists.h"
-#include "core/edits/EditQuantise.h"
-#include "core/edits/Edits.h"
+#include "core/edits/kinds/Edits.h"
+#include "core/edits/schema/EditFields.h"
+#include "core/edits/schema/EditLists.h"
+#include "core/edits/schema/EditQuantise.h"
 
 namespace core::editSchema {
 

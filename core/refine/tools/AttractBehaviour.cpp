@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/refine/InternalForces.h"
+#include "core/refine/mesh/InternalForces.h"
 #include "core/refine/tools/EdgeTracks.h"
-#include "core/refine/tools/GreyBox.h"
 #include "core/refine/tools/ToolBehaviour.h"
+#include "core/refine/voxels/GreyBox.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/refine/InternalForces.h"
+#include "core/refine/mesh/InternalForces.h"
 #include "core/refine/tools/ToolBehaviour.h"
 
 #include <algorithm>

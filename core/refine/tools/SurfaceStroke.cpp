@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/tools/SurfaceStroke.h"
 
-#include "core/refine/BoundaryForce.h"
-#include "core/refine/Deformation.h"
-#include "core/refine/MeshRestructuring.h"
+#include "core/refine/deform/BoundaryForce.h"
+#include "core/refine/deform/Deformation.h"
+#include "core/refine/repair/MeshRestructuring.h"
 #include "core/refine/tools/MarkPaint.h"
 #include "core/refine/tools/SurfaceHolds.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/refine/SimplexMesh.h"
+#include "core/refine/mesh/SimplexMesh.h"
 
 #include <variant>
 

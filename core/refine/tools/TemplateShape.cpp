@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/tools/TemplateShape.h"
 
-#include "core/refine/FaceShape.h"
-#include "core/refine/InternalForces.h"
+#include "core/refine/mesh/InternalForces.h"
+#include "core/refine/repair/FaceShape.h"
 #include "core/refine/tools/MarkPaint.h"
 #include "core/refine/tools/ToolBehaviour.h"
 

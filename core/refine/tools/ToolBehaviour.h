@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/refine/ExternalForce.h"
+#include "core/refine/deform/ExternalForce.h"
 #include "core/refine/tools/SurfaceTool.h"
 
 #include <memory>

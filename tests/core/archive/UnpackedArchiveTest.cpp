@@ -2,9 +2,9 @@
 #include "core/archive/UnpackedArchive.h"
 #include "core/archive/ArchiveReader.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/Python.h"
-#include "tests/support/SmallSeries.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/SmallSeries.h"
+#include "tests/support/servers/Python.h"
 
 #include <QDir>
 #include <QDirIterator>

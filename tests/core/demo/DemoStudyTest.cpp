@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/demo/DemoStudy.h"
 #include "core/demo/HeadPhantom.h"
-#include "tests/support/FailingLog.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/SyntheticSeries.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/OpenedVolume.h"
+#include "tests/support/series/SyntheticSeries.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

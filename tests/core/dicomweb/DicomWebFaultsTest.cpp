@@ -3,15 +3,15 @@
 #include "core/dicomweb/WebQuery.h"
 #include "core/dicomweb/WebRetrieve.h"
 #include "core/dicomweb/WebSend.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/FileSizeLimit.h"
-#include "tests/support/PacsServers.h"
-#include "tests/support/SmallFileSystem.h"
-#include "tests/support/SyntheticSeries.h"
-#include "tests/support/VerifyResult.h"
-#include "tests/support/WebServer.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/faults/FileSizeLimit.h"
+#include "tests/support/faults/SmallFileSystem.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/ErrorText.h"
+#include "tests/support/series/SyntheticSeries.h"
+#include "tests/support/series/VerifyResult.h"
+#include "tests/support/servers/PacsServers.h"
+#include "tests/support/servers/WebServer.h"
+#include "ui/base/ErrorText.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicomweb/WebQuery.h"
 #include "core/dicomweb/WebRetrieve.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/PacsServers.h"
-#include "tests/support/RudeServer.h"
-#include "tests/support/VerifyResult.h"
-#include "tests/support/WebServer.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/ErrorText.h"
+#include "tests/support/series/VerifyResult.h"
+#include "tests/support/servers/PacsServers.h"
+#include "tests/support/servers/RudeServer.h"
+#include "tests/support/servers/WebServer.h"
+#include "ui/base/ErrorText.h"
 
 #include <QDir>
 #include <QElapsedTimer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
-#include "core/edits/EditDocumentation.h"
-#include "core/edits/EditQuantise.h"
+#include "core/edits/schema/EditDocumentation.h"
+#include "core/edits/schema/EditQuantise.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QJsonArray>

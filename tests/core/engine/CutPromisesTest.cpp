@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/CutPromises.h"
-#include "core/growth/GrowthCut.h"
+#include "tests/support/cases/growth/CutPromises.h"
+#include "core/growth/cut/GrowthCut.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/EngineConformance.h"
-#include "tests/support/FailingLog.h"
+#include "tests/support/cases/EngineConformance.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>

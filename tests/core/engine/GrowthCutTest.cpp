@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/growth/GrowthCut.h"
-#include "core/growth/NarrowestCut.h"
+#include "core/growth/cut/GrowthCut.h"
+#include "core/growth/cut/NarrowestCut.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

@@ -2,8 +2,8 @@
 #include "core/growth/LeakGuard.h"
 #include "core/growth/SeedWord.h"
 #include "tests/reference/FrontWatch.h"
-#include "tests/support/TestVolumes.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QTest>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/DocumentEdits.h"
 #include "core/edits/EditJson.h"
-#include "core/edits/EngineEdits.h"
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/EngineEdits.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FailingLog.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QJsonDocument>

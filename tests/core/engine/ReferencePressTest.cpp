@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/DocumentEdits.h"
-#include "core/edits/DrillPathSampler.h"
-#include "core/edits/EngineEdits.h"
-#include "core/edits/SculptEdits.h"
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/DrillPathSampler.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/SculptEdits.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FailingLog.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>

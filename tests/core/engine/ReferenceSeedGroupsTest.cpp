@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/EngineConformance.h"
-#include "tests/support/FailingLog.h"
+#include "tests/support/cases/EngineConformance.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/SeedWord.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/EngineConformance.h"
-#include "tests/support/FailingLog.h"
+#include "tests/support/cases/EngineConformance.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>

@@ -2,9 +2,9 @@
 #include "core/export/CarvedVolume.h"
 
 #include "core/study/StudyLoader.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SyntheticSeries.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/SyntheticSeries.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

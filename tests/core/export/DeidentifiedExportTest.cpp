@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/Deidentifier.h"
-#include "core/dicom/RtStructFile.h"
-#include "core/dicom/SegReader.h"
-#include "core/dicom/SrReader.h"
+#include "core/dicom/deidentify/Deidentifier.h"
+#include "core/dicom/objects/RtStructFile.h"
+#include "core/dicom/objects/SegReader.h"
+#include "core/dicom/objects/SrReader.h"
 #include "core/export/CarvedVolume.h"
-#include "core/export/ExportMask.h"
+#include "core/export/common/ExportMask.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/MarkedSeries.h"
-#include "tests/support/Python.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/MarkedSeries.h"
+#include "tests/support/servers/Python.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/RtStructFile.h"
-#include "core/dicom/SegReader.h"
+#include "core/dicom/objects/RtStructFile.h"
+#include "core/dicom/objects/SegReader.h"
 #include "core/export/CarvedVolume.h"
-#include "core/export/ExportMask.h"
+#include "core/export/common/ExportMask.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/repair/WayBack.h"
-#include "tests/support/Affine.h"
-#include "tests/support/DefectiveSeries.h"
-#include "tests/support/OpenedVolume.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/Affine.h"
+#include "tests/support/series/DefectiveSeries.h"
+#include "tests/support/series/OpenedVolume.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/KeptHeaders.h"
-#include "core/dicom/RtStructFile.h"
-#include "core/export/CheckExport.h"
-#include "tests/support/AlterDicom.h"
-#include "tests/support/FileSizeLimit.h"
-#include "tests/support/LabelledSeries.h"
-#include "tests/support/Python.h"
+#include "core/dicom/objects/RtStructFile.h"
+#include "core/dicom/source/KeptHeaders.h"
+#include "core/export/common/CheckExport.h"
+#include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/AlterDicom.h"
+#include "tests/support/series/LabelledSeries.h"
+#include "tests/support/servers/Python.h"
 
 #include <QDir>
 #include <QFile>

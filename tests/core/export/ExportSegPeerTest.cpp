@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/SegReader.h"
-#include "core/export/ExportMask.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/Python.h"
-#include "tests/support/SmallSeries.h"
+#include "core/dicom/objects/SegReader.h"
+#include "core/export/common/ExportMask.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/SmallSeries.h"
+#include "tests/support/servers/Python.h"
 
 #include <QElapsedTimer>
 #include <QFile>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/KeptHeaders.h"
-#include "core/dicom/SegReader.h"
-#include "core/export/ExportMask.h"
-#include "tests/support/FileSizeLimit.h"
-#include "tests/support/LabelledSeries.h"
-#include "tests/support/Python.h"
+#include "core/dicom/objects/SegReader.h"
+#include "core/dicom/source/KeptHeaders.h"
+#include "core/export/common/ExportMask.h"
+#include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/LabelledSeries.h"
+#include "tests/support/servers/Python.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/SegReader.h"
-#include "core/export/CheckExport.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/LabelledSeries.h"
-#include "tests/support/Python.h"
+#include "core/dicom/objects/SegReader.h"
+#include "core/export/common/CheckExport.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/LabelledSeries.h"
+#include "tests/support/servers/Python.h"
 
 #include <QCryptographicHash>
 #include <QFile>

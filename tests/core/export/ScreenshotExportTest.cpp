@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/ScreenshotExport.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/Python.h"
-#include "tests/support/SmallSeries.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/SmallSeries.h"
+#include "tests/support/servers/Python.h"
 
 #include <QFile>
 #include <QJsonArray>

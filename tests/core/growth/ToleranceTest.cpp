@@ -3,10 +3,10 @@
 
 #include "core/growth/SeedWord.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/ToleranceScene.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/ToleranceScene.h"
 
 #include <QtTest>
 

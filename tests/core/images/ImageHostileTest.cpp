@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/StudyLoader.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/ImageFiles.h"
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/VolumeFiles.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/ImageFiles.h"
+#include "tests/support/series/OpenedVolume.h"
+#include "tests/support/series/VolumeFiles.h"
 
 #include <QDir>
 #include <QTest>

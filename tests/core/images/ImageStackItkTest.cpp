@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/StudyLoader.h"
 #include "tests/peers/ItkPictures.h"
-#include "tests/support/ImageFiles.h"
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/VolumeFiles.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/ImageFiles.h"
+#include "tests/support/series/OpenedVolume.h"
+#include "tests/support/series/VolumeFiles.h"
 
 #include <QTest>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/export/MaskSelection.h"
+#include "core/export/common/MaskSelection.h"
 #include "core/images/NaturalOrder.h"
 #include "core/repair/SeriesFindings.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/ImageFiles.h"
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/VolumeFiles.h"
+#include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/ImageFiles.h"
+#include "tests/support/series/OpenedVolume.h"
+#include "tests/support/series/VolumeFiles.h"
 
 #include <QDir>
 #include <QTest>

@@ -2,8 +2,8 @@
 #include "core/masks/MaskOnVolume.h"
 #include "core/masks/PolygonFill.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/SharedData.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SharedData.h"
 
 #include <QDir>
 #include <QTemporaryDir>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/export/ExportMask.h"
+#include "core/export/common/ExportMask.h"
 #include "core/masks/MaskOnVolume.h"
-#include "tests/support/NrrdFiles.h"
-#include "tests/support/SmallSeries.h"
-#include "tests/support/VolumeFiles.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/NrrdFiles.h"
+#include "tests/support/series/SmallSeries.h"
+#include "tests/support/series/VolumeFiles.h"
 
 #include <QTest>
 

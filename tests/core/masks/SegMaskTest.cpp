@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/export/ExportMask.h"
+#include "core/export/common/ExportMask.h"
 #include "core/masks/MaskOnVolume.h"
-#include "tests/support/SmallSeries.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/SmallSeries.h"
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/masks/MaskOnVolume.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/SharedData.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SharedData.h"
 
 #include <QDir>
 #include <QJsonArray>

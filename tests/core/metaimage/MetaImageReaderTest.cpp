@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/StudyLoader.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/NrrdFiles.h"
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/VolumeFiles.h"
+#include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/NrrdFiles.h"
+#include "tests/support/series/OpenedVolume.h"
+#include "tests/support/series/VolumeFiles.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nifti/NiftiHeader.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/SharedData.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SharedData.h"
 
 #include <QCryptographicHash>
 #include <QDir>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nifti/NiftiWriter.h"
 
-#include "tests/support/Affine.h"
-#include "tests/support/Python.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/Affine.h"
+#include "tests/support/servers/Python.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pacs/PacsQuery.h"
-#include "core/pacs/PacsRetrieve.h"
 #include "core/pacs/PacsSend.h"
+#include "core/pacs/retrieve/PacsRetrieve.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/PacsObjects.h"
-#include "tests/support/PacsServers.h"
-#include "tests/support/SharedData.h"
-#include "tests/support/SyntheticSeries.h"
-#include "tests/support/VerifyResult.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SharedData.h"
+#include "tests/support/series/PacsObjects.h"
+#include "tests/support/series/SyntheticSeries.h"
+#include "tests/support/series/VerifyResult.h"
+#include "tests/support/servers/PacsServers.h"
 
 #include <QDir>
 #include <QTemporaryDir>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pacs/PacsQuery.h"
-#include "core/pacs/PacsRetrieve.h"
 #include "core/pacs/PacsSend.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/PacsServers.h"
-#include "tests/support/SyntheticSeries.h"
-#include "tests/support/VerifyResult.h"
+#include "core/pacs/retrieve/PacsRetrieve.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/ErrorText.h"
+#include "tests/support/series/SyntheticSeries.h"
+#include "tests/support/series/VerifyResult.h"
+#include "tests/support/servers/PacsServers.h"
+#include "ui/base/ErrorText.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recipe/RecipeElsewhere.h"
-#include "core/edits/DocumentEdits.h"
 #include "core/edits/EditJson.h"
-#include "tests/support/SmallStudy.h"
+#include "core/edits/document/DocumentEdits.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
 

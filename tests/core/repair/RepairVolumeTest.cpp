@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/repair/RepairLattice.h"
 #include "core/repair/SeriesFindings.h"
-#include "tests/support/DefectiveSeries.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/OpenedVolume.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/DefectiveSeries.h"
+#include "tests/support/series/OpenedVolume.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sculpt/MaskPeel.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/TestVolumes.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QtTest>
 

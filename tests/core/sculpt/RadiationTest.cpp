@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sculpt/Radiation.h"
 #include "tests/reference/Radiation.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/TestVolumes.h"
+#include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QtTest>
 

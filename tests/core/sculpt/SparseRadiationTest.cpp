@@ -2,9 +2,9 @@
 #include "core/sculpt/SparseRadiation.h"
 #include "core/sculpt/Radiation.h"
 #include "tests/reference/SparseRadiation.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/TestVolumes.h"
+#include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QtTest>
 

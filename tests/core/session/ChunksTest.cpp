@@ -2,17 +2,17 @@
 #include "core/brick/VoxelRuns.h"
 #include "core/chunks/ChunkMap.h"
 #include "core/edits/EditJson.h"
-#include "core/session/ChunkWorker.h"
 #include "core/session/EditSession.h"
-#include "core/session/HistoryListing.h"
-#include "core/session/SessionFile.h"
+#include "core/session/state/ChunkWorker.h"
+#include "core/sessionfile/HistoryListing.h"
+#include "core/sessionfile/SessionFile.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/reference/RefusingEngine.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SessionFiles.h"
-#include "tests/support/TestVolumes.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/TestVolumes.h"
+#include "tests/support/series/SessionFiles.h"
 
 #include <QJsonArray>
 #include <QJsonObject>

@@ -3,10 +3,10 @@
 #include "core/session/EditSession.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/CommandFixture.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/GoldenSessions.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/GoldenSessions.h"
 
 #include <QFile>
 #include <QTemporaryDir>

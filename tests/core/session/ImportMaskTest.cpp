@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/DocumentEdits.h"
 #include "core/edits/EditJson.h"
-#include "core/edits/EditQuantise.h"
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/schema/EditQuantise.h"
 #include "core/masks/ReadImport.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SmallStudy.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
 
 #include <QFile>
 #include <QJsonDocument>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRunSets.h"
 #include "core/masks/MaskOnVolume.h"
-#include "core/refine/InternalForces.h"
-#include "core/refine/MeasuredFit.h"
+#include "core/refine/fit/MeasuredFit.h"
+#include "core/refine/mesh/InternalForces.h"
 #include "core/refine/tools/SurfaceStroke.h"
-#include "core/session/SurfaceWriteBack.h"
+#include "core/session/surface/SurfaceWriteBack.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/SharedData.h"
+#include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SharedData.h"
 
 #include <QDir>
 #include <QTest>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/export/ExportMask.h"
+#include "core/export/common/ExportMask.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/session/EditSession.h"
-#include "core/session/SessionImages.h"
-#include "core/session/SessionSalvage.h"
-#include "core/session/SessionStudy.h"
-#include "core/session/VolumeJson.h"
+#include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/SessionStudy.h"
+#include "core/sessionfile/records/SessionImages.h"
+#include "core/sessionfile/records/VolumeJson.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/DefectiveSeries.h"
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/SmallStudy.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/DefectiveSeries.h"
+#include "tests/support/series/OpenedVolume.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/BrickGrid.h"
-#include "core/edits/DrillPathSampler.h"
-#include "core/edits/EditQuantise.h"
-#include "core/edits/EngineEdits.h"
+#include "core/edits/engine/DrillPathSampler.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/schema/EditQuantise.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SmallStudy.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -2,9 +2,9 @@
 #include "core/session/EditSession.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SmallStudy.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
 #include <QTest>

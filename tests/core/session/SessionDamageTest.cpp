@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
-#include "core/session/SessionFile.h"
-#include "core/session/SessionSalvage.h"
+#include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/SessionSalvage.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SessionFiles.h"
-#include "tests/support/SmallStudy.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SessionFiles.h"
 
 #include <QDir>
 #include <QFile>

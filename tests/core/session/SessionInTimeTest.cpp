@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
-#include "core/session/SessionSalvage.h"
-#include "core/session/SessionStudy.h"
+#include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/SessionStudy.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/SmallStudy.h"
-#include "tests/support/SyntheticSeries.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/OpenedVolume.h"
+#include "tests/support/series/SyntheticSeries.h"
 
 #include <QDir>
 #include <QFile>

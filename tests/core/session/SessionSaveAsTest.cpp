@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
-#include "core/session/SessionFile.h"
-#include "core/session/SessionUse.h"
+#include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/records/SessionUse.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/FileSizeLimit.h"
-#include "tests/support/SessionFiles.h"
-#include "tests/support/SmallStudy.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SessionFiles.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/SmallStudy.h"
-#include "tests/support/SurfaceCases.h"
+#include "tests/support/cases/SurfaceCases.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -105,8 +105,8 @@ void SurfaceApartTest::partsNot_data()
     QTest::newRow("growth of another segment")
         << std::vector<Edit>{Edit(test::seedInBone(2)), Edit(test::growBone(3))};
     QTest::newRow("marks") << std::vector<Edit>{Edit(ChangeMarks{.way = ChangeMarks::Way::Invert})};
-    QTest::newRow("growth to where nothing is left to take")
-        << std::vector<Edit>{Edit(GrowSteps{.criteria = {.lower = 3000, .upper = 3001}, .steps = 1})};
+    QTest::newRow("growth to where nothing is left to take") << std::vector<Edit>{
+        Edit(GrowSteps{.criteria = {.lower = 3000, .upper = 3001}, .steps = 1})};
     QTest::newRow("drill") << std::vector<Edit>{Edit(test::drillAt(0.0))};
 }
 

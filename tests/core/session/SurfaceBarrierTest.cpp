@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
-#include "core/refine/SurfaceVoxels.h"
+#include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/EditSession.h"
-#include "core/session/RowWords.h"
-#include "core/session/SurfaceWriteBack.h"
+#include "core/session/past/RowWords.h"
+#include "core/session/surface/SurfaceWriteBack.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/SmallStudy.h"
-#include "tests/support/SurfaceCases.h"
-#include "tests/support/TestVolumes.h"
+#include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QTest>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/LabelRuns.h"
-#include "core/refine/SimplexMeshEdit.h"
-#include "core/refine/SurfaceDelta.h"
-#include "core/session/FollowedVoxels.h"
-#include "core/session/SurfaceWriteBack.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/SimplexShapes.h"
-#include "tests/support/TestVolumes.h"
+#include "core/refine/mesh/SimplexMeshEdit.h"
+#include "core/refine/mesh/SurfaceDelta.h"
+#include "core/session/surface/FollowedVoxels.h"
+#include "core/session/surface/SurfaceWriteBack.h"
+#include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SimplexShapes.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QTest>
 

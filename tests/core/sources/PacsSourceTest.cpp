@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sources/PacsSource.h"
-#include "tests/support/FailingLog.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/PacsSources.h"
+#include "ui/settings/PacsSources.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/StudyLoader.h"
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/SharedData.h"
-#include "tests/support/SyntheticSeries.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SharedData.h"
+#include "tests/support/series/OpenedVolume.h"
+#include "tests/support/series/SyntheticSeries.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/dicom/ImageHeaderReader.h"
+#include "core/dicom/header/ImageHeaderReader.h"
 #include "core/study/StudyLoader.h"
 #include "core/study/VolumeFacts.h"
-#include "tests/support/SharedData.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SharedData.h"
 
 #include <QDir>
 #include <QDirIterator>

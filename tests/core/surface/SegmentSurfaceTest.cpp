@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/SegmentSurface.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/TestVolumes.h"
+#include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QTest>
 

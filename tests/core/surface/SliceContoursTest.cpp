@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/SliceContours.h"
-#include "tests/support/TestVolumes.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QTest>
 

@@ -2,10 +2,10 @@
 #include "core/brick/VoxelRuns.h"
 #include "core/chunks/ChunkMap.h"
 #include "core/session/EditSession.h"
-#include "tests/support/EditEngineFixture.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/TestVolumes.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/EditEngineFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QElapsedTimer>
 #include <QtTest>

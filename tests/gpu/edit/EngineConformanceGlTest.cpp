@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/DrillPathSampler.h"
-#include "core/edits/EngineEdits.h"
+#include "core/edits/engine/DrillPathSampler.h"
+#include "core/edits/engine/EngineEdits.h"
 #include "core/growth/SeedWord.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/Radiation.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/EditEngineFixture.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/FailingLog.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/EditEngineFixture.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>

@@ -3,12 +3,12 @@
 #include "tests/peers/ItkConnectedThreshold.h"
 #include "tests/peers/ItkNeighborhoodConnected.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/EditEngineFixture.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/GrowToClosure.h"
-#include "tests/support/SharedData.h"
-#include "tests/support/TestVolumes.h"
+#include "tests/support/cases/growth/GrowToClosure.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/EditEngineFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SharedData.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QTest>
 

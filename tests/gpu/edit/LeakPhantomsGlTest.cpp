@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/EngineEdits.h"
+#include "core/edits/engine/EngineEdits.h"
 #include "core/growth/SeedWord.h"
-#include "tests/support/EditEngineFixture.h"
-#include "tests/support/EngineConformance.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/LeakPhantoms.h"
+#include "tests/support/cases/EngineConformance.h"
+#include "tests/support/cases/growth/LeakPhantoms.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/EditEngineFixture.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/DocumentEdits.h"
-#include "core/edits/EngineEdits.h"
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/EngineEdits.h"
 #include "core/growth/SeedWord.h"
-#include "tests/support/CutPromises.h"
-#include "tests/support/EditEngineFixture.h"
-#include "tests/support/EngineConformance.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/RealGrowths.h"
+#include "tests/support/cases/EngineConformance.h"
+#include "tests/support/cases/growth/CutPromises.h"
+#include "tests/support/cases/growth/RealGrowths.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/EditEngineFixture.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>

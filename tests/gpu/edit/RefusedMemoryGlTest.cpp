@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/EditEngineFixture.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/RandomHistory.h"
-#include "tests/support/RefusingGl.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/RandomHistory.h"
+#include "tests/support/faults/RefusingGl.h"
+#include "tests/support/fixtures/EditEngineFixture.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
@@ -278,8 +278,8 @@ void RefusedMemoryGlTest::aSessionGoesOn()
     QFETCH(uint, seed);
     RefusingGl refusing(seed, 30, 90);
     std::optional<RefusingGl::Pause> pause(std::in_place, refusing);
-    const test::RandomHistory history =
-        test::runRandomHistory(m_gpu.engine(), test::longRun() ? 1000 : 400, seed, [&](bool acting) {
+    const test::RandomHistory history = test::runRandomHistory(
+        m_gpu.engine(), test::longRun() ? 1000 : 400, seed, [&](bool acting) {
             if (acting)
                 pause.reset();
             else

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/FrameTest.h"
-#include "tests/support/RefusingGl.h"
+#include "tests/support/faults/RefusingGl.h"
+#include "tests/support/fixtures/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

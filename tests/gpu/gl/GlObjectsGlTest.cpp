@@ -6,7 +6,7 @@
 #include "gpu/gl/Texture3D.h"
 #include "gpu/gl/TimerQuery.h"
 #include "gpu/gl/VertexArray.h"
-#include "tests/support/GlTest.h"
+#include "tests/support/fixtures/GlTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QFile>

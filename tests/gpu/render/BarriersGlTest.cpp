@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/SeedWord.h"
-#include "gpu/edit/BarrierBricks.h"
-#include "gpu/edit/BrickImages.h"
-#include "tests/support/FrameTest.h"
+#include "gpu/fields/BrickImages.h"
+#include "gpu/fields/bricks/BarrierBricks.h"
+#include "tests/support/fixtures/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

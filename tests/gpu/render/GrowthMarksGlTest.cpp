@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/SeedWord.h"
-#include "gpu/edit/CutForesight.h"
-#include "tests/support/FrameTest.h"
+#include "gpu/kernels/shrink/CutForesight.h"
+#include "tests/support/fixtures/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/Radiation.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/FigurePanels.h"
-#include "tests/support/FrameTest.h"
-#include "tests/support/GrowToClosure.h"
-#include "tests/support/OpenedVolume.h"
-#include "tests/support/SharedData.h"
+#include "tests/support/cases/growth/GrowToClosure.h"
+#include "tests/support/fixtures/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/FigurePanels.h"
+#include "tests/support/scenes/SharedData.h"
+#include "tests/support/series/OpenedVolume.h"
 
 #include <QTest>
 

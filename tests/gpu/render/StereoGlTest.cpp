@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/refine/SurfaceUpdate.h"
-#include "tests/support/FrameTest.h"
-#include "tests/support/SimplexShapes.h"
-#include "tests/support/ViewRays.h"
+#include "core/refine/mesh/SurfaceUpdate.h"
+#include "tests/support/fixtures/FrameTest.h"
+#include "tests/support/fixtures/ViewRays.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SimplexShapes.h"
 
 #include <QTest>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/refine/SurfaceUpdate.h"
-#include "gpu/render/SurfaceBuffers.h"
+#include "core/refine/mesh/SurfaceUpdate.h"
 #include "gpu/render/SurfaceContour.h"
-#include "tests/support/FrameTest.h"
-#include "tests/support/SimplexShapes.h"
+#include "gpu/render/parts/SurfaceBuffers.h"
+#include "tests/support/fixtures/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SimplexShapes.h"
 
 #include <QDir>
 #include <QTest>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/ApplicationFixture.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/Theme.h"
+#include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDialog.h"
 
-#include "ui/SegmentCodes.h"
+#include "ui/base/SegmentCodes.h"
 
 #include <QDialogButtonBox>
 #include <QLineEdit>

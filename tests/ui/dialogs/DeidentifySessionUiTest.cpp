@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/SessionSalvage.h"
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/MarkedSeries.h"
-#include "tests/support/SmallStudy.h"
+#include "core/sessionfile/SessionSalvage.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/Theme.h"
-#include "ui/Workspace.h"
-#include "ui/dialogs/DeidentifySessionDialog.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/MarkedSeries.h"
+#include "ui/base/Theme.h"
+#include "ui/dialogs/export/DeidentifySessionDialog.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QApplication>
 #include <QFileInfo>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/HistoryModel.h"
 
-#include "core/session/HistoryListing.h"
-#include "tests/support/WorkspaceFixture.h"
+#include "core/sessionfile/HistoryListing.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QAbstractItemModelTester>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/SegmentListModel.h"
 
-#include "tests/support/WorkspaceFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/SegmentActions.h"
+#include "ui/workspace/SegmentActions.h"
 
 #include <QAbstractItemModelTester>
 #include <QColor>

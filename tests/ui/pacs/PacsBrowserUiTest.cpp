@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sources/PacsSource.h"
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/FailingLog.h"
-#include "tests/support/PacsServers.h"
-#include "tests/support/SyntheticSeries.h"
-#include "tests/support/WindowFixture.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
+#include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/ErrorText.h"
-#include "ui/PacsSources.h"
+#include "tests/support/series/SyntheticSeries.h"
+#include "tests/support/servers/PacsServers.h"
+#include "ui/base/ErrorText.h"
 #include "ui/pacs/PacsBrowserDialog.h"
 #include "ui/pacs/PacsCache.h"
 #include "ui/pacs/SendDialog.h"
 #include "ui/pacs/SourcesDialog.h"
+#include "ui/settings/PacsSources.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/FailingLog.h"
-#include "tests/support/SmallStudy.h"
-#include "tests/support/WorkspaceFixture.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/GrowSettings.h"
-#include "ui/SegmentActions.h"
-#include "ui/panels/GrowthPanel.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "ui/panels/growth/GrowthPanel.h"
+#include "ui/settings/GrowSettings.h"
 #include "ui/widgets/RangeSlider.h"
+#include "ui/workspace/SegmentActions.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>

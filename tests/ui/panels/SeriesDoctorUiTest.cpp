@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/ApplicationFixture.h"
-#include "tests/support/DefectiveSeries.h"
-#include "tests/support/SmallStudy.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/PanelSection.h"
-#include "ui/Workspace.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/DefectiveSeries.h"
+#include "ui/frame/PanelSection.h"
 #include "ui/panels/SeriesDoctorPanel.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QFile>
 #include <QLabel>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/report/AuditPages.h"
-#include "tests/support/FailingLog.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "ui/report/AuditHtml.h"
 #include "ui/report/WriteAudit.h"

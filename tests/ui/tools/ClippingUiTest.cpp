@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/Pen.h"
-#include "tests/support/WindowFixture.h"
-#include "tests/support/WorkspaceFixture.h"
+#include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/PanelSection.h"
+#include "ui/frame/PanelSection.h"
 #include "ui/panels/ClippingPanel.h"
-#include "ui/tools/ClipTool.h"
-#include "ui/tools/SeedTool.h"
+#include "ui/tools/growth/SeedTool.h"
+#include "ui/tools/view/ClipTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/widgets/RangeSlider.h"
 

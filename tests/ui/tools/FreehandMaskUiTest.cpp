@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/FailingLog.h"
-#include "tests/support/Pen.h"
-#include "tests/support/WindowFixture.h"
-#include "tests/support/WorkspaceFixture.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/MaskPresets.h"
-#include "ui/tools/DrillOptions.h"
-#include "ui/tools/LaserTool.h"
-#include "ui/tools/MaskPresetMenu.h"
+#include "ui/tools/sculpt/DrillOptions.h"
+#include "ui/tools/sculpt/LaserTool.h"
+#include "ui/tools/sculpt/MaskPresetMenu.h"
+#include "ui/tools/sculpt/MaskPresets.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QComboBox>

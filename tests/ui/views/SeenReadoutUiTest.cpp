@@ -2,11 +2,11 @@
 #include "ui/views/SeenReadout.h"
 
 #include "core/document/Piece.h"
-#include "tests/support/WindowFixture.h"
-#include "tests/support/WorkspaceFixture.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/StatusLine.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/window/StatusLine.h"
 
 #include <QtTest>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/Pen.h"
-#include "tests/support/WindowFixture.h"
+#include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/Theme.h"
-#include "ui/tools/Tool.h"
-#include "ui/views/OrientationLetters.h"
+#include "ui/base/Theme.h"
+#include "ui/geometry/OrientationLetters.h"
+#include "ui/input/Tool.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/tools/SurfaceStroke.h"
-#include "core/refine/BoundaryForce.h"
-#include "core/refine/MeshRestructuring.h"
-#include "core/refine/SelfIntersections.h"
-#include "core/refine/SimplexDual.h"
-#include "core/refine/SurfaceDelta.h"
-#include "core/refine/tools/GreyBox.h"
+#include "core/refine/deform/BoundaryForce.h"
+#include "core/refine/mesh/SimplexDual.h"
+#include "core/refine/mesh/SurfaceDelta.h"
+#include "core/refine/repair/MeshRestructuring.h"
+#include "core/refine/repair/SelfIntersections.h"
 #include "core/refine/tools/MarkPaint.h"
-#include "tests/support/EngineCases.h"
-#include "tests/support/ShapedMask.h"
-#include "tests/support/SimplexShapes.h"
+#include "core/refine/voxels/GreyBox.h"
+#include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/ShapedMask.h"
+#include "tests/support/scenes/SimplexShapes.h"
 
 #include <QElapsedTimer>
 #include <QTest>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/tools/TemplateShape.h"
-#include "core/refine/BoundaryForce.h"
-#include "core/refine/BoxMask.h"
-#include "core/refine/InitialFit.h"
-#include "core/refine/MeshRestructuring.h"
-#include "core/refine/SelfIntersections.h"
-#include "core/refine/SimplexDual.h"
+#include "core/refine/deform/BoundaryForce.h"
+#include "core/refine/fit/InitialFit.h"
+#include "core/refine/mesh/SimplexDual.h"
+#include "core/refine/repair/MeshRestructuring.h"
+#include "core/refine/repair/SelfIntersections.h"
 #include "core/refine/tools/SurfaceStroke.h"
-#include "tests/support/SimplexShapes.h"
+#include "core/refine/voxels/BoxMask.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SimplexShapes.h"
 
 #include <QTest>
 

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/CompareCommand.h"
+
+#include "app/steps/Arguments.h"
+#include "app/steps/JsonLine.h"
+#include "core/metrics/MaskComparison.h"
+#include "core/metrics/SegmentPairs.h"
+#include "core/study/StudyLoader.h"
+
+#include <cstdio>
+
+namespace app {
+
+namespace {
+
+/// Of both masks, as they lie on the study's grid.
+struct Compared {
+    core::MaskOnVolume mask;
+    core::MaskOnVolume reference;
+};
+
+QJsonValue number(const std::optional<double>& value)
+{
+    return value ? QJsonValue(*value) : QJsonValue();
+}
+
+QString text(const std::optional<double>& value, const char* unit)
+{
+    return value ? QString::number(*value, 'f', 3) + QLatin1Char(' ') + QLatin1String(unit)
+                 : QStringLiteral("–");
+}
+
+void print(const QString& segment, const QString& reference, const core::MaskComparison& comparison,
+    bool asJson)
+{
+    const auto& apart = comparison.distances;
+    const auto distance = [&apart](double core::SurfaceDistances::*which) {
+        return apart ? std::optional((*apart).*which) : std::nullopt;
+    };
+    const auto hd95 = distance(&core::SurfaceDistances::hausdorff95Mm);
+    const auto hausdorff = distance(&core::SurfaceDistances::hausdorffMm);
+    const auto mean = distance(&core::SurfaceDistances::meanMm);
+    const std::optional<double>& error = comparison.relativeVolumeError;
+    if (asJson) {
+        printJsonLine(
+            {{QStringLiteral("segment"), segment}, {QStringLiteral("reference"), reference},
+                {QStringLiteral("voxels"), qint64(comparison.voxels)},
+                {QStringLiteral("referenceVoxels"), qint64(comparison.referenceVoxels)},
+                {QStringLiteral("sharedVoxels"), qint64(comparison.sharedVoxels)},
+                {QStringLiteral("rVE"), number(error)}, {QStringLiteral("dice"), comparison.dice},
+                {QStringLiteral("hd95Mm"), number(hd95)},
+                {QStringLiteral("hausdorffMm"), number(hausdorff)},
+                {QStringLiteral("meanSurfaceDistanceMm"), number(mean)}});
+        return;
+    }
+    constexpr double percent = 100.0;
+    std::printf("%s against %s\n", qUtf8Printable(segment), qUtf8Printable(reference));
+    std::printf("  voxels                 %llu, reference %llu, shared %llu\n",
+        static_cast<unsigned long long>(comparison.voxels),
+        static_cast<unsigned long long>(comparison.referenceVoxels),
+        static_cast<unsigned long long>(comparison.sharedVoxels));
+    const auto inPercent = error ? std::optional(*error * percent) : std::nullopt;
+    std::printf("  relative volume error  %s\n", qUtf8Printable(text(inPercent, "%")));
+    std::printf("  Dice                   %.4f\n", comparison.dice);
+    std::printf("  surfaces apart         mean %s, 95 %% within %s, at most %s\n",
+        qUtf8Printable(text(mean, "mm")), qUtf8Printable(text(hd95, "mm")),
+        qUtf8Printable(text(hausdorff, "mm")));
+}
+
+void tellNotes(const QString& path, const QStringList& notes)
+{
+    for (const QString& note : notes)
+        std::fprintf(stderr, "%s: %s\n", qUtf8Printable(path), qUtf8Printable(note));
+}
+
+QString namesOf(const std::vector<core::MaskSegment>& segments)
+{
+    QStringList names;
+    for (const core::MaskSegment& segment : segments)
+        names.append(segment.name);
+    return names.join(QStringLiteral(", "));
+}
+
+core::Result<Compared> readBoth(const QStringList& paths, const core::Volume& volume)
+{
+    core::Result<core::MaskOnVolume> mask = core::readMask(paths[0], volume, {});
+    if (!mask)
+        return tl::unexpected(mask.error());
+    core::Result<core::MaskOnVolume> reference = core::readMask(paths[1], volume, {});
+    if (!reference)
+        return tl::unexpected(reference.error());
+    return Compared{.mask = std::move(*mask), .reference = std::move(*reference)};
+}
+
+} // namespace
+
+int runCompare(const QStringList& words)
+{
+    const Arguments arguments(words,
+        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("repair"),
+            QStringLiteral("segment"), QStringLiteral("reference")},
+        {QStringLiteral("json")});
+    if (!arguments.problem().isEmpty())
+        return tellUsage("compare", arguments.problem());
+    const QStringList paths = arguments.rest();
+    if (paths.size() != 2 || !arguments.has("study"))
+        return tellUsage(
+            "compare", QStringLiteral("it needs two masks and --study, whose grid they lie on"));
+    const QString study = arguments.value("study");
+    const auto loaded = core::loadVolume(study, seriesOf(arguments));
+    if (!loaded)
+        return tellFailure(loaded.error());
+    tellProblems(loaded->volume, study);
+    const core::Result<Compared> both = readBoth(paths, loaded->volume);
+    if (!both)
+        return tellFailure(both.error());
+    tellNotes(paths[0], both->mask.notes);
+    tellNotes(paths[1], both->reference.notes);
+
+    const std::vector<core::MaskSegment>& segments = both->mask.segments;
+    const std::vector<core::MaskSegment>& references = both->reference.segments;
+    const std::vector<core::SegmentPair> pairs = core::segmentPairs(segments, references,
+        {.segment = arguments.value("segment"), .reference = arguments.value("reference")});
+    if (pairs.empty())
+        return tellFailure({.code = core::ErrorCode::UnsupportedFormat,
+            .arguments = {paths[0],
+                QStringLiteral("its segments (%1) have no counterpart in %2 (%3); --segment and "
+                               "--reference say which belong together")
+                    .arg(namesOf(segments), paths[1], namesOf(references))}});
+    for (const core::SegmentPair& pair : pairs) {
+        const core::MaskSegment& segment = segments[pair.segment];
+        const core::MaskSegment& reference = references[pair.reference];
+        const core::Result<core::MaskComparison> comparison = core::compareMasks(
+            segment.voxels, reference.voxels, loaded->volume.geometry, core::Progress());
+        if (!comparison)
+            return tellFailure(comparison.error());
+        print(segment.name, reference.name, *comparison, arguments.has("json"));
+    }
+    return 0;
+}
+
+} // namespace app

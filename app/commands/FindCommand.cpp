@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/FindCommand.h"
+
+#include "app/steps/JsonLine.h"
+#include "app/steps/SourceArguments.h"
+#include "core/sources/PacsSource.h"
+#include "ui/base/ErrorText.h"
+
+#include <QJsonArray>
+
+#include <cstdio>
+
+namespace app {
+
+namespace {
+
+QString word(const char* text)
+{
+    return QLatin1String(text);
+}
+
+QJsonValue count(int number)
+{
+    return number < 0 ? QJsonValue() : QJsonValue(number);
+}
+
+QString countText(int number, const char* of)
+{
+    return QStringLiteral("%1 %2").arg(
+        number < 0 ? QStringLiteral("?") : QString::number(number), QLatin1String(of));
+}
+
+QJsonObject json(const core::StudyHit& hit)
+{
+    return {{word("studyUid"), hit.studyUid}, {word("patientName"), hit.patientName},
+        {word("patientId"), hit.patientId}, {word("birthDate"), hit.birthDate},
+        {word("studyDate"), hit.studyDate}, {word("accessionNumber"), hit.accessionNumber},
+        {word("description"), hit.description},
+        {word("modalities"), QJsonArray::fromStringList(hit.modalities)},
+        {word("seriesCount"), count(hit.series)}, {word("instanceCount"), count(hit.instances)}};
+}
+
+QJsonObject json(const core::SeriesHit& hit)
+{
+    return {{word("studyUid"), hit.studyUid}, {word("seriesUid"), hit.seriesUid},
+        {word("modality"), hit.modality}, {word("number"), hit.number},
+        {word("description"), hit.description}, {word("bodyPart"), hit.bodyPart},
+        {word("instanceCount"), count(hit.instances)}};
+}
+
+void print(const core::StudyHit& hit)
+{
+    std::printf("%s  %s  born %s  study of %s  %s  %s, %s\n    study    %s\n",
+        qUtf8Printable(hit.patientName), qUtf8Printable(hit.patientId),
+        qUtf8Printable(hit.birthDate), qUtf8Printable(hit.studyDate),
+        qUtf8Printable(hit.modalities.join(u'/') + u' ' + hit.description),
+        qUtf8Printable(countText(hit.series, "series")),
+        qUtf8Printable(countText(hit.instances, "images")), qUtf8Printable(hit.studyUid));
+}
+
+void print(const core::SeriesHit& hit)
+{
+    std::printf("%s %s  %s  %s\n    series   %s\n", qUtf8Printable(hit.modality),
+        qUtf8Printable(hit.number), qUtf8Printable(hit.description),
+        qUtf8Printable(countText(hit.instances, "images")), qUtf8Printable(hit.seriesUid));
+}
+
+template <class Hit> void tell(const std::vector<Hit>& hits, bool asJson)
+{
+    for (const Hit& hit : hits) {
+        if (asJson)
+            printJsonLine(json(hit));
+        else
+            print(hit);
+    }
+}
+
+int findSeriesOf(const core::PacsSource& source, const QString& studyUid, bool asJson)
+{
+    const core::Result<std::vector<core::SeriesHit>> found =
+        core::findSeries(source, studyUid, core::Progress());
+    if (!found)
+        return tellFailure(found.error());
+    tell(*found, asJson);
+    return 0;
+}
+
+} // namespace
+
+int runFind(const QStringList& words)
+{
+    const Arguments arguments(words,
+        sourceOptions({word("patient-name"), word("patient-id"), word("date"), word("modality"),
+            word("accession"), word("description"), word("study"), word("most")}),
+        {word("json")});
+    if (!arguments.problem().isEmpty())
+        return tellUsage("find", arguments.problem());
+    const core::Result<core::PacsSource> source = sourceOf(arguments);
+    if (!source)
+        return tellUsage("find", ui::errorText(source.error()));
+    if (arguments.rest().size() > 1)
+        return tellUsage("find", QStringLiteral("one source at a time"));
+    const bool asJson = arguments.has("json");
+    if (arguments.has("study"))
+        return findSeriesOf(*source, arguments.value("study"), asJson);
+    constexpr int usualMost = 500;
+    const int most = arguments.has("most") ? arguments.value("most").toInt() : usualMost;
+    if (most < 1)
+        return tellUsage("find", QStringLiteral("--most takes a number from 1"));
+    const core::StudyFilter filter{.patientName = arguments.value("patient-name"),
+        .patientId = arguments.value("patient-id"),
+        .studyDate = arguments.value("date"),
+        .modality = arguments.value("modality"),
+        .accessionNumber = arguments.value("accession"),
+        .description = arguments.value("description"),
+        .studyUid = {}};
+    const core::Result<core::HitList<core::StudyHit>> found =
+        core::findStudies(*source, filter, most, core::Progress());
+    if (!found)
+        return tellFailure(found.error());
+    tell(found->hits, asJson);
+    if (found->more)
+        std::fprintf(stderr, "burin: there are more than %d studies; --most shows more\n", most);
+    return 0;
+}
+
+} // namespace app

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/GetCommand.h"
+
+#include "app/steps/JsonLine.h"
+#include "app/steps/SourceArguments.h"
+#include "core/sources/PacsSource.h"
+#include "ui/base/ErrorText.h"
+
+#include <cstdio>
+
+namespace app {
+
+int runGet(const QStringList& words)
+{
+    const Arguments arguments(words,
+        sourceOptions({QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("to"),
+            QStringLiteral("move")}),
+        {QStringLiteral("json")});
+    if (!arguments.problem().isEmpty())
+        return tellUsage("get", arguments.problem());
+    core::Result<core::PacsSource> source = sourceOf(arguments);
+    if (!source)
+        return tellUsage("get", ui::errorText(source.error()));
+    if (arguments.rest().size() > 1)
+        return tellUsage("get", QStringLiteral("one source at a time"));
+    if (!arguments.has("study") || !arguments.has("to"))
+        return tellUsage("get", QStringLiteral("--study UID and --to FOLDER are needed"));
+    if (arguments.has("move")) {
+        if (source->isWeb())
+            return tellUsage("get", QStringLiteral("--move is for DICOM nodes"));
+        source->movePort = arguments.value("move").toInt();
+        if (*source->movePort < 1 || *source->movePort > 65535)
+            return tellUsage("get", QStringLiteral("--move takes a port"));
+    }
+    const QString folder = arguments.value("to");
+    const core::Result<core::Retrieved> done = core::retrieve(*source,
+        {.studyUid = arguments.value("study"), .seriesUid = arguments.value("series")}, folder,
+        core::Progress());
+    if (!done)
+        return tellFailure(done.error());
+    if (arguments.has("json")) {
+        printJsonLine({{QStringLiteral("folder"), folder},
+            {QStringLiteral("received"), done->received}, {QStringLiteral("kept"), done->kept}});
+    } else {
+        std::printf(
+            "%s  %d received, %d were here\n", qUtf8Printable(folder), done->received, done->kept);
+    }
+    return 0;
+}
+
+} // namespace app

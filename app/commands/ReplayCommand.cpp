@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/ReplayCommand.h"
+
+#include "app/end/ToldToEnd.h"
+#include "app/steps/Arguments.h"
+#include "app/steps/ExportFiles.h"
+#include "app/steps/JsonLine.h"
+#include "app/steps/SessionProblems.h"
+#include "core/session/EditSession.h"
+#include "core/sessionfile/HistoryListing.h"
+#include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/SessionStudy.h"
+#include "gpu/engine/GpuEngine.h"
+
+#include <QJsonObject>
+
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace app {
+
+namespace {
+
+using core::Result;
+
+/// A session file as far as it is sound.
+struct Recorded {
+    QString path;
+    core::SessionContents contents;
+
+    /// Why what a row changed cannot be read; empty: it can.
+    [[nodiscard]] QString lostDifference(core::RowId row) const
+    {
+        for (const core::SessionDamage& lost : contents.redo) {
+            if (lost.row == row)
+                return lost.reason;
+        }
+        return {};
+    }
+};
+
+tl::unexpected<core::Error> disagrees(
+    const Recorded& recorded, const core::HistoryRow& row, const QString& how)
+{
+    return core::failure(core::ErrorCode::SessionDamaged, recorded.path,
+        QStringLiteral("row %1 ('%2') does not agree: %3").arg(row.id).arg(row.name, how));
+}
+
+/// Carries out one row in @p session and compares.
+/// @param numbers rows of the file and what they are in the session
+Result<void> replay(const core::HistoryRow& row, const std::map<core::RowId, core::RowId>& numbers,
+    const Recorded& recorded, core::EditSession& session)
+{
+    if (const Result<void> moved = session.goTo(numbers.at(row.parent)); !moved)
+        return moved;
+    if (const Result<void> settled = session.settle(); !settled)
+        return settled;
+    const std::size_t before = session.history().rows().size();
+    if (const Result<void> applied = session.apply(core::renumbered(row.edit, numbers)); !applied)
+        return disagrees(recorded, row, QStringLiteral("it is refused now"));
+    if (const Result<void> settled = session.settle(); !settled)
+        return settled;
+    const std::vector<core::HistoryRow>& rows = session.history().rows();
+    if (rows.size() == before)
+        return disagrees(recorded, row, QStringLiteral("it changes nothing now"));
+    const QByteArray hash = rows.back().stateHash;
+    const bool finished = !row.stateHash.isEmpty();
+    if (finished && hash != row.stateHash)
+        return disagrees(recorded, row,
+            QStringLiteral("recorded %1, replayed %2")
+                .arg(QString::fromLatin1(row.stateHash), QString::fromLatin1(hash)));
+    const QString lost = recorded.lostDifference(row.id);
+    QJsonObject line{
+        {QStringLiteral("row"), qint64(row.id)},
+        {QStringLiteral("name"), row.name},
+        {QStringLiteral("hash"), QString::fromLatin1(hash)},
+        {QStringLiteral("agrees"), finished ? QJsonValue(lost.isEmpty()) : QJsonValue()},
+    };
+    if (!lost.isEmpty())
+        line[QStringLiteral("problem")] = lost;
+    printJsonLine(line);
+    return {};
+}
+
+struct Task {
+    std::optional<core::RowId> to; ///< none: every row, branches included
+    std::vector<core::RecipeExport> exports;
+    bool force = false;
+    bool verify = false;
+};
+
+/// The rows to carry out. Their parents come first, as ids ascend.
+std::vector<core::RowId> rowsOf(const core::SessionContents& contents, const Task& task)
+{
+    if (task.to)
+        return core::History::restored(contents.rows, contents.visited, contents.position)
+            .pathTo(*task.to);
+    std::vector<core::RowId> all;
+    for (const core::HistoryRow& row : contents.rows)
+        all.push_back(row.id);
+    return all;
+}
+
+int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& task,
+    const ReadStudy& readStudy, const core::Progress& progress)
+{
+    for (const core::RecipeExport& target : task.exports) {
+        if (const Result<void> fits = core::checkExportTarget(target, volume.volume, task.force);
+            !fits)
+            return tellFailure(fits.error());
+    }
+    const Result<std::unique_ptr<gpu::GpuEngine>> engine = gpu::GpuEngine::create();
+    if (!engine)
+        return tellFailure(engine.error());
+    const Result<std::unique_ptr<core::EditSession>> session =
+        core::EditSession::create((*engine)->edits(), std::move(volume), {});
+    if (!session)
+        return tellFailure(session.error());
+    const std::vector<core::RowId> rows = rowsOf(recorded.contents, task);
+    // On a path rows are numbered anew; here is what became of each.
+    std::map<core::RowId, core::RowId> replayed{{0, 0}};
+    int unfinished = 0;
+    int damaged = 0;
+    for (const core::RowId id : rows) {
+        if (progress.cancelled())
+            return tellFailure({core::ErrorCode::Cancelled, {}});
+        const core::HistoryRow& row = recorded.contents.rows[std::size_t(id - 1)];
+        if (const Result<void> done = replay(row, replayed, recorded, **session); !done)
+            return tellFailure(done.error());
+        replayed[id] = (*session)->history().position();
+        unfinished += row.stateHash.isEmpty() ? 1 : 0;
+        damaged += recorded.lostDifference(id).isEmpty() ? 0 : 1;
+    }
+    const auto count = int(rows.size());
+    std::fprintf(stderr, "%s: %d of %d rows agree", qUtf8Printable(recorded.path),
+        count - unfinished - damaged, count);
+    if (unfinished > 0)
+        std::fprintf(stderr, "; %d were not finished when the session was left", unfinished);
+    std::fprintf(stderr, "\n");
+    if (const Result<void> exported =
+            exportFiles(task.exports, **session, task.force, readStudy, progress);
+        !exported)
+        return tellFailure(exported.error());
+    const bool lost = !task.to && recorded.contents.damage;
+    return lost || (task.verify && damaged > 0) ? 1 : 0;
+}
+
+/// Why the rows that are asked for cannot be carried out: they are lost with others.
+Result<void> checkSound(const Arguments& arguments, const Recorded& recorded)
+{
+    const std::optional<core::SessionDamage>& damage = recorded.contents.damage;
+    const qlonglong to = arguments.value("to").toLongLong();
+    if (damage && damage->row > 0 && arguments.has("to") && to >= damage->row
+        && (damage->after < 0 || to <= damage->row + damage->after))
+        return core::failure(core::ErrorCode::SessionDamaged, recorded.path, damage->text());
+    // Another state than the one that is asked for is not to go under its name.
+    if (recorded.contents.positionLost && arguments.has("export") && !arguments.has("to"))
+        return core::failure(core::ErrorCode::SessionDamaged, recorded.path,
+            QStringLiteral("%1; --to says which of the rows 0 to %2 is exported")
+                .arg(damage->text())
+                .arg(recorded.contents.rows.size()));
+    return {};
+}
+
+/// ".dcm, .nii.gz, … or .seg.nrrd"
+QString knownEndings()
+{
+    QStringList endings;
+    for (const core::ExportFormatFacts& facts : core::exportFormats()) {
+        for (const char* ending : {facts.ending, facts.otherEnding}) {
+            if (*ending != '\0' && !endings.contains(QLatin1String(ending)))
+                endings += QLatin1String(ending);
+        }
+    }
+    const QString last = endings.takeLast();
+    return endings.join(QStringLiteral(", ")) + QStringLiteral(" or ") + last;
+}
+
+/// The words of an export are those of one in a recipe.
+/// @return what is wrong with them; empty if nothing
+QString readExport(const Arguments& arguments, Task& task)
+{
+    const QString file = arguments.value("export");
+    QString format = arguments.value("format");
+    if (format.isEmpty()) {
+        const std::optional<core::ExportFormat> known = core::exportFormatOfFile(file);
+        if (!known)
+            return QStringLiteral("--export: the name ends in %1").arg(knownEndings());
+        format = QLatin1String(core::factsOf(*known).name);
+    }
+    QJsonObject words{{QStringLiteral("format"), format}, {QStringLiteral("file"), file}};
+    if (arguments.has("space"))
+        words[QStringLiteral("space")] = arguments.value("space");
+    for (const char* wish : {"deidentify", "deflated"}) {
+        if (arguments.has(wish))
+            words[QLatin1String(wish)] = true;
+    }
+    for (const char* number : {"layer", "fill"}) {
+        if (!arguments.has(number))
+            continue;
+        bool isNumber = false;
+        const double value = arguments.value(number).toDouble(&isNumber);
+        if (!isNumber)
+            return QStringLiteral("--%1: must be a number").arg(QLatin1String(number));
+        words[QLatin1String(number)] = value;
+    }
+    const Result<core::RecipeExport> target = core::exportFromJson(words);
+    if (target) {
+        task.exports.push_back(*target);
+        return {};
+    }
+    QString option = target.error().arguments.value(0);
+    option.replace(QStringLiteral("export."), QStringLiteral("--"));
+    const QString reason = target.error().arguments.value(1);
+    return reason == QLatin1String("unknown field")
+        ? QStringLiteral("%1 means nothing to --format %2").arg(option, format)
+        : QStringLiteral("%1: %2").arg(option, reason);
+}
+
+/// @return what is wrong with the words; empty if nothing
+QString readTask(const Arguments& arguments, const core::SessionContents& contents, Task& task)
+{
+    task.force = arguments.has("force");
+    task.verify = arguments.has("verify");
+    if (arguments.has("to")) {
+        bool isNumber = false;
+        const qlonglong row = arguments.value("to").toLongLong(&isNumber);
+        if (!isNumber || row < 0 || row > qlonglong(contents.rows.size()))
+            return QStringLiteral("--to: the history has rows 0 to %1").arg(contents.rows.size());
+        task.to = row;
+    }
+    if (!arguments.has("export"))
+        return {};
+    if (!task.to)
+        task.to = contents.position;
+    return readExport(arguments, task);
+}
+
+} // namespace
+
+int runReplay(const QStringList& words)
+{
+    const Arguments arguments(words,
+        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("to"),
+            QStringLiteral("export"), QStringLiteral("format"), QStringLiteral("layer"),
+            QStringLiteral("fill"), QStringLiteral("space")},
+        {QStringLiteral("verify"), QStringLiteral("force"), QStringLiteral("deidentify"),
+            QStringLiteral("deflated")});
+    if (!arguments.problem().isEmpty())
+        return tellUsage("replay", arguments.problem());
+    if (arguments.rest().size() != 1)
+        return tellUsage("replay", QStringLiteral("it needs one session file"));
+    if (!arguments.has("verify") && !arguments.has("export"))
+        return tellUsage("replay", QStringLiteral("--verify or --export is missing"));
+    for (const char* detail : {"format", "layer", "fill", "space", "deidentify", "deflated"}) {
+        if (arguments.has(detail) && !arguments.has("export"))
+            return tellUsage(
+                "replay", QStringLiteral("--%1 is for --export").arg(QLatin1String(detail)));
+    }
+
+    const QString path = arguments.rest().first();
+    Result<core::SessionContents> contents = core::checkSession(path);
+    if (!contents)
+        return tellFailure(contents.error());
+    const Recorded recorded{.path = path, .contents = *std::move(contents)};
+    if (const Result<void> sound = checkSound(arguments, recorded); !sound)
+        return tellFailure(sound.error());
+    Task task;
+    if (const QString problem = readTask(arguments, recorded.contents, task); !problem.isEmpty())
+        return tellUsage("replay", problem);
+    tellProblems(path, recorded.contents);
+    ToldToEnd told;
+    Result<core::LoadedVolume> volume = core::loadSessionStudy(path, recorded.contents.source,
+        arguments.value("study"), arguments.value("series"), told.progress());
+    if (!volume)
+        return told.status(tellFailure(volume.error()));
+    tellNotFromStudy(volume->notFromStudy, path);
+    const auto readStudy = [&] {
+        return core::loadSessionStudy(
+            path, recorded.contents.source, arguments.value("study"), arguments.value("series"));
+    };
+    return told.status(replayRows(recorded, *std::move(volume), task, readStudy, told.progress()));
+}
+
+} // namespace app

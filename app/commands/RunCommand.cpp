@@ -1,0 +1,460 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/RunCommand.h"
+
+#include "app/end/ToldToEnd.h"
+#include "app/steps/Arguments.h"
+#include "app/steps/ExportFiles.h"
+#include "app/steps/RunKeyframes.h"
+#include "app/steps/RunSteps.h"
+#include "app/steps/SessionPlan.h"
+#include "core/base/Guarded.h"
+#include "core/base/files/FileInUse.h"
+#include "core/base/files/ReadableFile.h"
+#include "core/base/files/StagedFile.h"
+#include "core/edits/document/DocumentEdits.h"
+#include "core/recipe/Recipe.h"
+#include "core/session/EditSession.h"
+#include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/SessionStudy.h"
+#include "core/sessionfile/records/CloseSessionFiles.h"
+#include "core/sessionfile/records/SessionImages.h"
+#include "core/sessionfile/records/SessionUse.h"
+#include "core/study/SourceFiles.h"
+#include "core/study/StudyLoader.h"
+#include "gpu/engine/GpuEngine.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QMap>
+#include <QScopeGuard>
+
+#include <cstdio>
+#include <optional>
+
+namespace app {
+
+namespace {
+
+using core::Result;
+
+/// Fields whose mistakes are the recipe's, not a file's.
+QString recipeIfAtFault(const core::Error& error, const core::Recipe& recipe)
+{
+    using core::ErrorCode;
+    switch (error.code) {
+    case ErrorCode::UnknownEdit:
+    case ErrorCode::InvalidField:
+    case ErrorCode::SeedOutsideVolume:
+    case ErrorCode::UnknownSegment:
+    case ErrorCode::SegmentNotCoded:
+    case ErrorCode::SegmentLocked:
+    case ErrorCode::SegmentProtected:
+    case ErrorCode::SeedsStay:
+    case ErrorCode::NothingGrown:
+    case ErrorCode::StepsEntangled:
+        return recipe.path;
+    default:
+        return {};
+    }
+}
+
+/// What can be known without loading anything, and once more when it is known which files the study
+/// is made of.
+Result<void> checkSessionTarget(const QString& file, bool force, bool append)
+{
+    if (append && !QFileInfo::exists(file))
+        return core::failure(core::ErrorCode::FileNotFound, file);
+    if (append)
+        return core::checkReadsToAnEnd(file);
+    if (const Result<void> target = core::checkFileTarget(file, force); !target)
+        return target;
+    // One that was left open is closed as it would be by opening it; what cannot be is refused.
+    if (core::isSessionUnfinished(file) && core::isSessionFile(file) && !core::isSessionInUse(file))
+        static_cast<void>(core::SessionFile::open(file, core::SessionAccess::ReadWrite));
+    return core::checkReplacedSession(file);
+}
+
+/// A name that is free, for what was done of a session that was to replace another one.
+QString nameForUnfinished(const QString& file)
+{
+    const QFileInfo info(file);
+    QString path;
+    int count = 1;
+    do {
+        const QString number = count == 1 ? QString() : QStringLiteral(" %1").arg(count);
+        path = info.absoluteDir().filePath(
+            QStringLiteral("%1 (unfinished%2).burin").arg(info.completeBaseName(), number));
+        ++count;
+    } while (QFileInfo::exists(path));
+    return path;
+}
+
+QString counted(const QMap<QString, int>& steps)
+{
+    QStringList words;
+    for (auto step = steps.constBegin(); step != steps.constEnd(); ++step)
+        words.append(QStringLiteral("%1 %2").arg(step.value()).arg(step.key()));
+    return words.isEmpty() ? QStringLiteral("nothing") : words.join(QStringLiteral(", "));
+}
+
+/// What of a recipe is carried out on another study, told on stderr.
+/// @return what is left out; nothing where the user has to agree first
+std::optional<std::vector<core::RecipeElsewhere::LeftOut>> tellElsewhere(
+    const core::RecipeElsewhere& elsewhere, const core::Volume& volume, bool agreed)
+{
+    const core::Recipe& recipe = elsewhere.recorded();
+    core::RecipeElsewhere::Foreseen foreseen = elsewhere.foreseen(core::initialDocument(volume));
+    QMap<QString, int> applied;
+    for (const core::RecipeStep& step : foreseen.recipe.steps)
+        ++applied[core::stepName(step)];
+    QMap<QString, int> bound;
+    QStringList wanting;
+    for (const core::RecipeElsewhere::LeftOut& left : foreseen.leftOut) {
+        const QString name = core::stepName(recipe.steps[std::size_t(left.entry - 1)]);
+        if (left.bound)
+            ++bound[name];
+        else
+            wanting += QStringLiteral("edit %1 (%2): %3").arg(left.entry).arg(name, left.why);
+    }
+    QString sentence =
+        QStringLiteral("%1 %2; skipped, bound to places in that study: %3")
+            .arg(agreed ? QStringLiteral("applied:") : QStringLiteral("it would apply"),
+                counted(applied), counted(bound));
+    if (!wanting.isEmpty())
+        sentence += QStringLiteral("; skipped for want of what they are about: ")
+            + wanting.join(QStringLiteral(", "));
+    std::fprintf(stderr, "%s: it was recorded on another study (%s); %s\n",
+        qUtf8Printable(recipe.path), qUtf8Printable(recipe.study->differenceFrom(volume)),
+        qUtf8Printable(sentence));
+    if (agreed)
+        return std::move(foreseen.leftOut);
+    std::fprintf(stderr, "burin run: --apply-elsewhere does so\n");
+    return {};
+}
+
+/// @param repair of the series, where the recipe says that it was recorded on a repaired one
+Result<core::LoadedVolume> load(const Arguments& arguments,
+    const std::optional<core::SessionContents>& goesOn, const core::Progress& progress,
+    const QString& repair = {})
+{
+    if (!goesOn)
+        return core::loadVolume(arguments.value("study"), seriesOf(arguments, repair), progress);
+    return core::loadSessionStudy(arguments.value("session"), goesOn->source,
+        arguments.value("study"), arguments.value("series"), progress);
+}
+
+/// A session that goes on, and how.
+struct Continued {
+    SessionPlan plan;
+    std::unique_ptr<core::EditSession> session;
+};
+
+/// As the window does: a damaged file keeps its bytes, and its sound rows go on in a new one.
+Result<Continued> goOn(core::EditEngine& engine, core::LoadedVolume loaded,
+    const Arguments& arguments, const core::SessionContents& contents)
+{
+    const QString file = arguments.value("session");
+    if (contents.isWhole()) {
+        auto session = core::EditSession::open(engine, std::move(loaded), file);
+        if (!session)
+            return tl::unexpected(session.error());
+        return Continued{{.file = file}, *std::move(session)};
+    }
+    for (const bool redo : {true, false}) {
+        if (!redo) {
+            Result<core::LoadedVolume> again = load(arguments, contents, core::Progress());
+            if (!again)
+                return tl::unexpected(again.error());
+            loaded = *std::move(again);
+        }
+        const Result<SessionPlan> plan = planFor(file, contents, redo);
+        if (!plan)
+            return tl::unexpected(plan.error());
+        auto session = openPlanned(engine, std::move(loaded), *plan);
+        if (session)
+            return Continued{*plan, *std::move(session)};
+        withdraw(*plan, file);
+        if (plan->redo.empty())
+            return tl::unexpected(session.error());
+    }
+    return core::failure(core::ErrorCode::SessionDamaged, file);
+}
+
+/// A new session.
+Result<std::unique_ptr<core::EditSession>> begin(
+    core::EditEngine& engine, core::LoadedVolume loaded, const QString& file, bool withImages)
+{
+    if (!withImages)
+        return core::EditSession::create(engine, std::move(loaded), {.file = file});
+    Result<core::StagedFile> staged = core::stageImages(file, false, loaded);
+    if (!staged)
+        return tl::unexpected(staged.error());
+    if (const Result<void> placed = staged->commit(); !placed)
+        return tl::unexpected(placed.error());
+    return core::EditSession::open(engine, std::move(loaded), file);
+}
+
+/// The session may not be there yet, so nobody else knows its name.
+Result<void> checkExportsBeside(const core::Recipe& recipe, const QString& session)
+{
+    const std::optional<core::FileIdentity> own = core::FileIdentity::of(session);
+    for (const core::RecipeExport& target : recipe.exports) {
+        for (const QString& file : core::filesWritten(target)) {
+            if (own && core::FileIdentity::of(file) == own)
+                return core::failure(core::ErrorCode::FileUnwritable, file,
+                    QStringLiteral("it is the session's own name"));
+        }
+    }
+    return {};
+}
+
+/// The files that readMasks() will read.
+QStringList masksOf(const core::Recipe& recipe)
+{
+    QStringList files;
+    for (const core::RecipeStep& step : recipe.steps) {
+        const auto* edit = std::get_if<core::Edit>(&step);
+        const auto* mask = edit ? std::get_if<core::ImportMask>(edit) : nullptr;
+        if (mask && !mask->segments)
+            files += {mask->file, QFileInfo(recipe.path).dir().filePath(mask->file)};
+    }
+    return files;
+}
+
+/// Of a session that was closed on a disk that fails; empty: it is one file.
+QString whyNotOneFile(const QString& file)
+{
+    if (core::isSessionUnfinished(file))
+        return QStringLiteral("it could not be closed as one file: what was done last lies in "
+                              "'%1' beside it; keep both together and open it once")
+            .arg(QFileInfo(file).fileName() + QStringLiteral("-wal"));
+    return core::sessionLoss(file).leftOpen;
+}
+
+/// By the name that the user gave it.
+core::Error ofTarget(core::Error error, const QString& place, const QString& file)
+{
+    for (QString& argument : error.arguments)
+        argument.replace(place, file);
+    return error;
+}
+
+void closeSessions()
+{
+    core::closeSessionFiles({core::ErrorCode::Cancelled, {}});
+}
+
+/// The new session that was to take the place of @p file is kept under another name.
+void keepUnfinished(const QString& place, const QString& file)
+{
+    const QString kept = nameForUnfinished(file);
+    const auto move = [](const QString& from, const QString& to) {
+        return !QFileInfo::exists(from) || QFile::rename(from, to);
+    };
+    // What could not be folded back goes with it, and stays with it.
+    const QString wal = QStringLiteral("-wal");
+    bool named = move(place + wal, kept + wal);
+    if (named && !QFile::rename(place, kept)) {
+        static_cast<void>(move(kept + wal, place + wal));
+        named = false;
+    }
+    std::fprintf(stderr, "%s: stays as it was; what was done is in %s\n", qUtf8Printable(file),
+        qUtf8Printable(named ? kept : place));
+}
+
+int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
+{
+    const QString file = arguments.value("session");
+    const bool force = arguments.has("force");
+    // A session that is to be replaced stays until the new one is whole.
+    const bool replaces = force && QFileInfo::exists(file);
+    const QString place = replaces ? core::temporaryNameBeside(file) : file;
+    if (const Result<void> beside = checkExportsBeside(recipe, file); !beside)
+        return tellFailure(beside.error());
+    std::optional<core::SessionContents> goesOn;
+    if (arguments.has("append")) {
+        Result<core::SessionContents> contents = core::checkSession(file);
+        if (!contents)
+            return tellFailure(contents.error());
+        goesOn = *std::move(contents);
+        if (!goesOn->leftOpen.isEmpty())
+            tellFailure({core::ErrorCode::SessionDamaged, {file, goesOn->leftOpen}});
+    }
+    // What another study was recorded with may make no sense on this one.
+    const QString repair =
+        recipe.study && !arguments.has("apply-elsewhere") ? recipe.study->repair : QString();
+    Result<core::LoadedVolume> loaded = load(arguments, goesOn, told.progress(), repair);
+    if (!loaded)
+        return tellFailure(loaded.error());
+    tellNotFromStudy(loaded->notFromStudy, file);
+    tellProblems(loaded->volume, arguments.has("study") ? arguments.value("study") : file);
+    core::fillSurfaces(recipe, loaded->volume);
+    const core::FileInUse sources(core::sourceFiles(loaded->volume), core::FileInUse::As::Study);
+    const core::FileInUse masks(masksOf(recipe), core::FileInUse::As::Mask);
+    if (!goesOn) {
+        if (const Result<void> target = checkSessionTarget(file, force, false); !target)
+            return tellFailure(target.error());
+    }
+    const Result<QStringList> notes = core::readMasks(recipe, loaded->volume);
+    if (!notes)
+        return tellFailure(notes.error());
+    for (const QString& note : *notes)
+        std::fprintf(stderr, "%s\n", qUtf8Printable(note));
+    std::optional<core::RecipeElsewhere> elsewhere;
+    std::vector<core::RecipeElsewhere::LeftOut> leftOut;
+    if (recipe.study && !recipe.study->differenceFrom(loaded->volume).isEmpty()) {
+        elsewhere.emplace(recipe);
+        auto foretold = tellElsewhere(*elsewhere, loaded->volume, arguments.has("apply-elsewhere"));
+        if (!foretold)
+            return 1;
+        leftOut = *std::move(foretold);
+    }
+    const auto fits = [&](const core::Document& document) {
+        return core::checkRecipe(
+            elsewhere ? elsewhere->foreseen(document).recipe : recipe, document, force);
+    };
+    if (!goesOn) {
+        if (const Result<void> fit = fits(core::initialDocument(loaded->volume)); !fit)
+            return tellFailure(fit.error(), recipeIfAtFault(fit.error(), recipe));
+    }
+
+    const Result<std::unique_ptr<gpu::GpuEngine>> engine = gpu::GpuEngine::create();
+    if (!engine)
+        return tellFailure(engine.error());
+    (*engine)->setVolumeGeometry(loaded->volume.geometry, loaded->volume.encoding);
+    SessionPlan plan;
+    std::unique_ptr<core::EditSession> session;
+    if (goesOn) {
+        Result<Continued> continued =
+            goOn((*engine)->edits(), *std::move(loaded), arguments, *goesOn);
+        if (!continued)
+            return tellFailure(continued.error());
+        plan = std::move(continued->plan);
+        session = std::move(continued->session);
+    } else {
+        auto begun =
+            begin((*engine)->edits(), *std::move(loaded), place, arguments.has("with-images"));
+        if (!begun)
+            return tellFailure(ofTarget(begun.error(), place, file));
+        session = *std::move(begun);
+    }
+    told.setClosing([replaces, place, file] {
+        closeSessions();
+        if (replaces)
+            keepUnfinished(place, file);
+    });
+    const auto leaving = qScopeGuard([&told] { told.setClosing({}); });
+    session->setOrigin(
+        [author = arguments.value("author")] { return core::presentOrigin(author); });
+    const std::size_t rowsBefore = session->history().rows().size();
+    Result<void> done = goesOn ? fits(session->document()) : Result<void>();
+    if (done) {
+        if (plan.damage)
+            tellFailure(*plan.damage);
+        done = core::guarded([&] {
+            RunKeyframes keyframes((*engine)->frames(), *session);
+            return elsewhere
+                ? carryOutElsewhere(*elsewhere, leftOut, *session, keyframes, told.progress())
+                : carryOut(recipe, *session, keyframes, told.progress());
+        });
+    }
+    if (!done) {
+        told.setClosing({});
+        const core::Error error = ofTarget(done.error(), place, file);
+        const int status = tellFailure(error, recipeIfAtFault(error, recipe));
+        // A line that was printed is a promise: what it tells of stays.
+        const bool promised = session->history().rows().size() > rowsBefore;
+        session.reset();
+        if (!goesOn && !promised) {
+            core::removeSession(place);
+        } else if (replaces) {
+            keepUnfinished(place, file);
+        } else if (!plan.damaged.isEmpty() && !promised)
+            withdraw(plan, file);
+        return status;
+    }
+    if (replaces) {
+        // From here on it is the session of that name.
+        told.setClosing(closeSessions);
+        if (const Result<void> placed = session->renameFile(file); !placed) {
+            const int status = tellFailure(placed.error());
+            std::fprintf(stderr, "%s: the new session is in %s\n", qUtf8Printable(file),
+                qUtf8Printable(session->file()));
+            return status;
+        }
+    }
+    // The session is whole by now and stays, whatever becomes of the exports.
+    const std::vector<core::RecipeExport> exports =
+        elsewhere ? elsewhere->exports() : recipe.exports;
+    const auto readStudy = [&session] {
+        return core::loadSessionStudy(
+            session->file(), core::SessionSource::of(session->document().volumes.front()));
+    };
+    const Result<void> exported = core::guarded(
+        [&] { return exportFiles(exports, *session, force, readStudy, told.progress()); });
+    if (!exported)
+        return tellFailure(exported.error());
+    told.setClosing({});
+    const QString whole = session->file();
+    session.reset();
+    if (const QString why = whyNotOneFile(whole); !why.isEmpty())
+        return tellFailure({core::ErrorCode::FileUnwritable, {whole, why}});
+    // The steps stand, but not where they were meant to.
+    return goesOn && goesOn->positionLost ? 1 : 0;
+}
+
+} // namespace
+
+int runRecipe(const QStringList& words)
+{
+    const Arguments arguments(words,
+        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("repair"),
+            QStringLiteral("spacing"), QStringLiteral("session"), QStringLiteral("author")},
+        {QStringLiteral("force"), QStringLiteral("append"), QStringLiteral("apply-elsewhere"),
+            QStringLiteral("with-images")});
+    if (!arguments.problem().isEmpty())
+        return tellUsage("run", arguments.problem());
+    if (arguments.rest().size() != 1)
+        return tellUsage("run", QStringLiteral("it needs one recipe"));
+    if (const QString wrong = spacingProblem(arguments); !wrong.isEmpty())
+        return tellUsage("run", wrong);
+    const bool append = arguments.has("append");
+    if (append && arguments.has("force"))
+        return tellUsage("run", QStringLiteral("--append and --force exclude each other"));
+    if (append && (arguments.has("repair") || arguments.has("spacing")))
+        return tellUsage("run",
+            QStringLiteral("--repair and --spacing are for a new session; one that goes on "
+                           "keeps those that it was made with"));
+    if (append && arguments.has("with-images"))
+        return tellUsage("run",
+            QStringLiteral("--with-images is for a new session; one that goes on keeps what it "
+                           "holds"));
+    for (const char* needed : {"study", "session"}) {
+        const bool spared = append && qstrcmp(needed, "study") == 0;
+        if (!arguments.has(needed) && !spared)
+            return tellUsage("run", QStringLiteral("--%1 is missing").arg(QLatin1String(needed)));
+    }
+    const QString path = arguments.rest().first();
+    const core::FileInUse recipeFile({path}, core::FileInUse::As::Recipe);
+    // Of a folder it is known later which of its files are the study's.
+    const QString study = arguments.value("study");
+    const core::FileInUse studyFile(
+        QFileInfo(study).isFile() ? QStringList{study} : QStringList(), core::FileInUse::As::Study);
+    const Result<core::Recipe> recipe = core::readRecipe(path);
+    if (!recipe) {
+        const core::ErrorCode code = recipe.error().code;
+        const bool namesFile = code == core::ErrorCode::FileNotFound
+            || code == core::ErrorCode::FileUnreadable || code == core::ErrorCode::InvalidRecipe;
+        return tellFailure(recipe.error(), namesFile ? QString() : path);
+    }
+    const Result<void> target =
+        checkSessionTarget(arguments.value("session"), arguments.has("force"), append);
+    if (!target)
+        return tellFailure(target.error());
+    ToldToEnd told;
+    return told.status(run(*recipe, arguments, told));
+}
+
+} // namespace app

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/steps/ExportFiles.h"
+
+#include "app/steps/JsonLine.h"
+#include "core/export/CarvedVolume.h"
+#include "core/export/common/ExportChoices.h"
+#include "core/session/past/SegmentLayers.h"
+
+#include <QUuid>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace app {
+
+using core::Result;
+
+namespace {
+
+/// Writes one after the other; what more than one of them needs is read once.
+class Exports {
+public:
+    Exports(core::EditSession& session, bool force, const ReadStudy& readStudy,
+        const core::Progress& progress)
+        : m_session(session)
+        , m_volume(session.document().volumes.front())
+        , m_force(force)
+        , m_readStudy(readStudy)
+        , m_progress(progress)
+    {
+    }
+
+    Result<core::ExportReport> write(const core::RecipeExport& target)
+    {
+        switch (target.what) {
+        case core::RecipeExport::What::Coverage:
+            return coverage(target);
+        case core::RecipeExport::What::CarvedVolume:
+            return carvedVolume(target);
+        case core::RecipeExport::What::Segments:
+            break;
+        }
+        return segments(target);
+    }
+
+private:
+    Result<core::ExportReport> segments(const core::RecipeExport& target)
+    {
+        if (m_labels.empty()) {
+            Result<std::vector<std::uint8_t>> labels = m_session.labels(0);
+            if (!labels)
+                return tl::unexpected(labels.error());
+            m_labels = *std::move(labels);
+        }
+        core::ExportRequest request;
+        request.format = target.format;
+        request.file = target.file;
+        request.force = m_force;
+        request.space = target.space;
+        request.seg = target.seg;
+        request.deidentifier = deidentifier(target);
+        request.planes = {{.plane = 0, .labels = m_labels}};
+        for (const core::ExportChoice& choice : core::exportChoices(m_session.document(), {})) {
+            if (choice.chosen)
+                request.segments.push_back(choice.segment);
+        }
+        if (const Result<void> coded = addCodes(request, target); !coded)
+            return tl::unexpected(coded.error());
+        if (core::factsOf(target.format).isStatistics) {
+            if (const Result<void> read = readValues(); !read)
+                return tl::unexpected(read.error());
+            request.codes = m_study->codes;
+        }
+        if (target.format == core::ExportFormat::DicomSegFractional) {
+            if (const Result<void> added = addCoverages(request); !added)
+                return tl::unexpected(added.error());
+        }
+        return core::exportMask(m_volume, request, m_progress);
+    }
+
+    /// One mapping for all exports of a run that ask for the same.
+    std::shared_ptr<const core::Deidentifier> deidentifier(const core::RecipeExport& target)
+    {
+        if (!target.deidentify)
+            return {};
+        return std::make_shared<core::Deidentifier>(*target.deidentify, m_volume.identity,
+            target.secret.isEmpty() ? m_secret : target.secret);
+    }
+
+    static Result<void> addCodes(core::ExportRequest& request, const core::RecipeExport& target)
+    {
+        for (const auto& [name, codes] : target.codes) {
+            const auto segment = std::find_if(request.segments.begin(), request.segments.end(),
+                [&name = name](const core::Segment& each) { return each.name == name; });
+            if (segment == request.segments.end())
+                return core::failure(core::ErrorCode::InvalidField, QStringLiteral("export.codes"),
+                    QStringLiteral("no segment '%1' is exported").arg(name));
+            request.seg.codes[segment->label] = codes;
+        }
+        return {};
+    }
+
+    /// The engine has the values; the study's files are where they can be had from exactly.
+    Result<void> readValues()
+    {
+        if (m_study)
+            return {};
+        Result<core::LoadedVolume> study = m_readStudy();
+        if (!study)
+            return tl::unexpected(study.error());
+        m_study = *std::move(study);
+        return {};
+    }
+
+    /// Of the layers that the segments were made of.
+    Result<void> addCoverages(core::ExportRequest& request)
+    {
+        const core::Document& document = m_session.document();
+        for (const auto& [label, id] : core::layersOfSegments(m_session.history(), document)) {
+            if (!m_coverages.contains(id)) {
+                Result<std::vector<std::uint8_t>> bytes = m_session.coverage(std::uint8_t(id));
+                if (!bytes)
+                    return tl::unexpected(bytes.error());
+                m_coverages[id] = *std::move(bytes);
+            }
+            request.coverages.push_back({.label = std::uint8_t(label),
+                .layer = document.layer(id)->name,
+                .coverage = m_coverages[id]});
+        }
+        return {};
+    }
+
+    Result<core::ExportReport> coverage(const core::RecipeExport& target)
+    {
+        const core::SculptLayer* layer = m_session.document().layer(target.layer);
+        if (!layer)
+            return core::failure(core::ErrorCode::InvalidField, QStringLiteral("export.layer"),
+                QStringLiteral("there is no sculpt layer %1").arg(target.layer));
+        const Result<std::vector<std::uint8_t>> bytes = m_session.coverage(layer->id);
+        if (!bytes)
+            return tl::unexpected(bytes.error());
+        return core::exportCoverage(m_volume,
+            {.file = target.file, .force = m_force, .layer = layer->name, .coverage = *bytes},
+            m_progress);
+    }
+
+    Result<core::ExportReport> carvedVolume(const core::RecipeExport& target)
+    {
+        std::vector<std::uint8_t> carved(m_volume.geometry.voxelCount(), 0);
+        for (const core::SculptLayer& layer : m_session.document().layers) {
+            if (!m_session.document().carves(layer))
+                continue;
+            const Result<std::vector<std::uint8_t>> bytes = m_session.coverage(layer.id);
+            if (!bytes)
+                return tl::unexpected(bytes.error());
+            std::transform(carved.begin(), carved.end(), bytes->begin(), carved.begin(),
+                [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+        }
+        if (const Result<void> read = readValues(); !read)
+            return tl::unexpected(read.error());
+        return core::exportCarvedVolume(m_study->volume,
+            {.target = target.file,
+                .force = m_force,
+                .coverage = carved,
+                .codes = m_study->codes,
+                .fill = target.fill,
+                .deidentifier = deidentifier(target)},
+            m_progress);
+    }
+
+    core::EditSession& m_session;
+    const core::Volume& m_volume;
+    bool m_force = false;
+    const ReadStudy& m_readStudy;
+    const core::Progress& m_progress;
+    std::vector<std::uint8_t> m_labels;
+    std::map<int, std::vector<std::uint8_t>> m_coverages; ///< by layer
+    std::optional<core::LoadedVolume> m_study;
+    QByteArray m_secret =
+        QUuid::createUuid().toRfc4122() + QUuid::createUuid().toRfc4122(); ///< of this run
+};
+
+} // namespace
+
+Result<void> exportFiles(const std::vector<core::RecipeExport>& targets, core::EditSession& session,
+    bool force, const ReadStudy& readStudy, const core::Progress& progress)
+{
+    Exports exports(session, force, readStudy, progress);
+    for (const core::RecipeExport& target : targets) {
+        if (progress.cancelled())
+            return core::failure(core::ErrorCode::Cancelled);
+        const Result<core::ExportReport> report = exports.write(target);
+        if (!report)
+            return tl::unexpected(report.error());
+        const auto list = [](const QStringList& sentences) {
+            return QJsonValue(sentences.join(QStringLiteral(" ")));
+        };
+        QJsonObject line{
+            {QStringLiteral("export"), report->file},
+            {QStringLiteral("written"), list(report->written)},
+            {QStringLiteral("checked"), list(report->checked)},
+            {QStringLiteral("cautions"), list(report->cautions)},
+        };
+        if (!report->sha256.isEmpty())
+            line[QStringLiteral("sha256")] = report->sha256;
+        printJsonLine(line);
+    }
+    return {};
+}
+
+} // namespace app

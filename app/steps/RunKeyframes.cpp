@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/steps/RunKeyframes.h"
+
+#include "core/session/EditSession.h"
+#include "gpu/frame/FrameSource.h"
+#include "ui/workspace/InitialDisplay.h"
+#include "ui/workspace/OpeningView.h"
+
+#include <chrono>
+
+namespace app {
+
+namespace {
+
+constexpr gpu::ViewId view = 0;
+constexpr QSize size = ui::KeyframeRule::pictureSize;
+/// A picture is no truth: the work does not hang on it.
+constexpr std::chrono::seconds longest{30};
+
+} // namespace
+
+RunKeyframes::RunKeyframes(gpu::FrameSource& frames, core::EditSession& session)
+    : m_frames(frames)
+    , m_session(session)
+    , m_rows(session.history().rows().size())
+{
+    m_rule.begin(m_rows, session.history().position(), !session.keyframes().empty(),
+        ui::steadyMilliseconds());
+    m_frames.setListener([this](const gpu::Frame& frame) { take(frame); });
+}
+
+RunKeyframes::~RunKeyframes()
+{
+    m_frames.setListener({});
+}
+
+void RunKeyframes::follow()
+{
+    const std::size_t rows = m_session.history().rows().size();
+    const bool committed = rows > m_rows;
+    m_rows = rows;
+    if (committed && m_rule.dueAfterStep(rows, ui::steadyMilliseconds()))
+        keep();
+}
+
+void RunKeyframes::close()
+{
+    if (m_rule.dueAtEnd(m_session.history().position()))
+        keep();
+}
+
+/// On the engine's thread.
+void RunKeyframes::take(const gpu::Frame& frame)
+{
+    const bool last = frame.failure || frame.quality == gpu::Frame::Quality::Refined;
+    if (frame.view != view || !last)
+        return;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_picture = frame.rgba;
+        m_answered = true;
+    }
+    m_arrived.notify_one();
+}
+
+void RunKeyframes::keep()
+{
+    const core::Document& document = m_session.document();
+    const core::Volume& volume = document.volumes.front();
+    ui::Camera camera = ui::openingCamera(volume.geometry);
+    camera.heightMm = ui::fittingHeightMm(camera, volume.geometry, size);
+    gpu::VolumeScene scene = ui::volumeScene(camera, ui::initialVolumeDisplay(volume));
+    for (const core::Piece& piece : document.pieces)
+        scene.pieces.push_back(ui::scenePiece(piece, document));
+    m_frames.request({.view = view,
+        .sizePixels = {size.width(), size.height()},
+        .scene = scene,
+        .segments = ui::segmentDisplay(document)});
+    std::shared_ptr<const std::vector<std::uint8_t>> picture;
+    {
+        std::unique_lock lock(m_mutex);
+        m_arrived.wait_for(lock, longest, [this] { return m_answered; });
+        picture.swap(m_picture);
+        m_answered = false;
+    }
+    // Else every later step would be drawn too.
+    m_frames.forget(view);
+    const core::RowId row = m_session.history().position();
+    m_rule.kept(row, m_rows, ui::steadyMilliseconds());
+    if (!picture)
+        return;
+    const QImage image(
+        picture->data(), size.width(), size.height(), 4 * size.width(), QImage::Format_RGBX8888);
+    m_session.addKeyframe(row, ui::keyframePng(image));
+}
+
+} // namespace app

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/steps/SessionProblems.h"
+
+#include "app/steps/Arguments.h"
+#include "core/sessionfile/records/SessionContents.h"
+
+#include <QStringList>
+
+namespace app {
+
+void tellProblems(const QString& file, const core::SessionContents& contents)
+{
+    const std::vector<QString> problems = contents.problems();
+    if (!problems.empty())
+        tellFailure({core::ErrorCode::SessionDamaged,
+            {file, QStringList(problems.begin(), problems.end()).join(QStringLiteral("; "))}});
+}
+
+} // namespace app

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/window/GuardedApplication.h"
+
+#include "app/steps/Arguments.h"
+#include "core/base/Guarded.h"
+
+#include <utility>
+
+namespace app {
+
+bool GuardedApplication::notify(QObject* receiver, QEvent* event)
+{
+    try {
+        return QApplication::notify(receiver, event);
+    } catch (...) {
+        escaped(core::errorBeingHandled());
+        return true;
+    }
+}
+
+void GuardedApplication::setRescue(std::function<void(const core::Error&)> rescue)
+{
+    m_rescue = std::move(rescue);
+}
+
+void GuardedApplication::escaped(const core::Error& error)
+{
+    static_cast<void>(tellFailure(error));
+    if (!m_rescue || m_state == Rescue::UnderWay)
+        return QCoreApplication::exit(EXIT_FAILURE);
+    if (m_state == Rescue::Queued)
+        return;
+    m_state = Rescue::Queued;
+    QMetaObject::invokeMethod(
+        this,
+        [this, error] {
+            m_state = Rescue::UnderWay;
+            m_rescue(error);
+            m_state = Rescue::NotNeeded;
+        },
+        Qt::QueuedConnection);
+}
+
+} // namespace app

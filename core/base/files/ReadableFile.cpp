@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/files/ReadableFile.h"
+
+#include <QFile>
+
+#include <sys/stat.h>
+
+namespace core {
+
+Result<void> checkReadsToAnEnd(const QString& path)
+{
+    if (path.contains(QChar::Null))
+        return failure(ErrorCode::FileUnreadable,
+            QString(path).replace(QChar::Null, QLatin1String("\\0")),
+            QStringLiteral("no name holds a NUL character"));
+    struct stat status { };
+    if (::stat(QFile::encodeName(path).constData(), &status) != 0)
+        return {};
+    if (S_ISREG(status.st_mode) || S_ISDIR(status.st_mode))
+        return {};
+    return failure(ErrorCode::FileUnreadable, path,
+        QStringLiteral("it is no plain file but a pipe, a socket or a device"));
+}
+
+} // namespace core

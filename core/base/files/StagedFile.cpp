@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/files/StagedFile.h"
+
+#include "core/base/files/FileInUse.h"
+#include "core/base/files/SystemFile.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QUuid>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace core {
+
+namespace {
+
+QString endingOf(const QString& fileName)
+{
+    if (fileName.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive))
+        return QStringLiteral(".nii.gz");
+    const QString suffix = QFileInfo(fileName).suffix();
+    return suffix.isEmpty() ? QString() : QLatin1Char('.') + suffix;
+}
+
+} // namespace
+
+Result<void> checkFileTarget(const QString& target, bool replaceExisting, bool overSession)
+{
+    if (target.contains(QChar::Null))
+        return failure(ErrorCode::FileUnwritable,
+            QString(target).replace(QChar::Null, QLatin1String("\\0")),
+            QStringLiteral("no name holds a NUL character"));
+    // What is not UTF-8 has become this sign, and would be written under another name.
+    if (target.contains(QChar::ReplacementCharacter))
+        return failure(ErrorCode::FileUnwritable, target, QStringLiteral("its name is not UTF-8"));
+    const QFileInfo info(target);
+    if (info.fileName().isEmpty())
+        return failure(ErrorCode::FileUnwritable, target, QStringLiteral("it is a folder"));
+    const QDir folder = info.absoluteDir();
+    struct stat status { };
+    if (::lstat(QFile::encodeName(target).constData(), &status) != 0) {
+        if (errno == ENOENT && folder.exists())
+            return {};
+        return failure(ErrorCode::FileUnwritable, target,
+            folder.exists() ? systemReason(errno)
+                            : QStringLiteral("the folder %1 does not exist").arg(folder.path()));
+    }
+    if (S_ISDIR(status.st_mode))
+        return failure(ErrorCode::FileUnwritable, target, QStringLiteral("it is a folder"));
+    if (S_ISLNK(status.st_mode))
+        return failure(ErrorCode::FileUnwritable, target,
+            QStringLiteral("it is a link; name the file that it leads to"));
+    if (!S_ISREG(status.st_mode))
+        return failure(ErrorCode::FileUnwritable, target,
+            QStringLiteral("it is no plain file but a pipe, a socket or a device"));
+    const std::optional<FileInUse::As> use = FileInUse::whatIs(target);
+    if (use && !(overSession && use == FileInUse::As::Session))
+        return failure(ErrorCode::FileUnwritable, target, FileInUse::text(*use));
+    if (!replaceExisting)
+        return failure(ErrorCode::FileExists, target);
+    return {};
+}
+
+QString temporaryNameBeside(const QString& target)
+{
+    const QFileInfo info(target);
+    return info.absoluteDir().filePath(QStringLiteral(".burin-")
+        + QUuid::createUuid().toString(QUuid::Id128).left(12) + endingOf(info.fileName()));
+}
+
+Result<StagedFile> StagedFile::create(const QString& target, bool replaceExisting, bool overSession)
+{
+    if (const Result<void> checked = checkFileTarget(target, replaceExisting, overSession);
+        !checked)
+        return tl::unexpected(checked.error());
+    StagedFile staged;
+    const QString path = temporaryNameBeside(target);
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
+        return failure(ErrorCode::FileUnwritable, target, file.errorString());
+    staged.m_path = path;
+    staged.m_target = QFileInfo(target).absoluteFilePath();
+    staged.m_replaceExisting = replaceExisting;
+    staged.m_overSession = overSession;
+    return staged;
+}
+
+StagedFile StagedFile::adopt(const QString& path, const QString& target)
+{
+    StagedFile staged;
+    staged.m_path = QFileInfo(path).absoluteFilePath();
+    staged.m_target = QFileInfo(target).absoluteFilePath();
+    staged.m_replaceExisting = true;
+    return staged;
+}
+
+StagedFile::StagedFile(StagedFile&& other) noexcept
+    : m_path(std::exchange(other.m_path, QString()))
+    , m_target(std::move(other.m_target))
+    , m_replaceExisting(other.m_replaceExisting)
+    , m_overSession(other.m_overSession)
+    , m_committed(other.m_committed)
+{
+}
+
+StagedFile& StagedFile::operator=(StagedFile&& other) noexcept
+{
+    std::swap(m_path, other.m_path);
+    std::swap(m_target, other.m_target);
+    std::swap(m_replaceExisting, other.m_replaceExisting);
+    std::swap(m_overSession, other.m_overSession);
+    std::swap(m_committed, other.m_committed);
+    return *this;
+}
+
+StagedFile::~StagedFile()
+{
+    if (m_path.isEmpty())
+        return;
+    // With what SQLite kept beside it, where it was a session whose disk failed.
+    for (const char* part : {"", "-wal", "-shm", "-journal"})
+        QFile::remove(m_path + QLatin1String(part));
+}
+
+Result<void> StagedFile::commit()
+{
+    // A session whose disk failed as it was closed would lose what it has beside it.
+    for (const char* part : {"-wal", "-journal"}) {
+        if (QFileInfo(m_path + QLatin1String(part)).size() > 0)
+            return failure(ErrorCode::FileUnwritable, m_target,
+                QStringLiteral("it could not be closed as one file"));
+    }
+    if (!syncToDisk(m_path))
+        return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
+    // What lies there may be another thing by now.
+    if (const Result<void> still = checkFileTarget(m_target, m_replaceExisting, m_overSession);
+        !still)
+        return still;
+    const QByteArray from = QFile::encodeName(m_path);
+    const QByteArray to = QFile::encodeName(m_target);
+    if (m_replaceExisting && QFileInfo::exists(m_target)) {
+        if (!exchange(from, to))
+            return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
+    } else {
+        int result =
+            ::renameat2(AT_FDCWD, from.constData(), AT_FDCWD, to.constData(), RENAME_NOREPLACE);
+        if (result != 0 && errno == EEXIST)
+            return failure(ErrorCode::FileExists, m_target);
+        // Not every file system knows the flag; there the look just before the rename must do.
+        if (result != 0 && (errno == EINVAL || errno == ENOSYS))
+            result = std::rename(from.constData(), to.constData());
+        if (result != 0)
+            return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
+        m_path.clear();
+    }
+    m_committed = true;
+    // The file is in place; a folder that cannot be synchronised (some network mounts) is no error.
+    syncToDisk(QFileInfo(m_target).absolutePath());
+    return {};
+}
+
+/// The new file takes the name and the old one the temporary name, at once where the file system
+/// can do that.
+bool StagedFile::exchange(const QByteArray& from, const QByteArray& to)
+{
+    if (::renameat2(AT_FDCWD, from.constData(), AT_FDCWD, to.constData(), RENAME_EXCHANGE) == 0)
+        return true;
+    if (errno != EINVAL && errno != ENOSYS)
+        return false;
+    const QString aside = temporaryNameBeside(m_target);
+    const QByteArray old = QFile::encodeName(aside);
+    if (std::rename(to.constData(), old.constData()) != 0)
+        return false;
+    if (std::rename(from.constData(), to.constData()) != 0) {
+        const int error = errno;
+        static_cast<void>(std::rename(old.constData(), to.constData()));
+        errno = error;
+        return false;
+    }
+    m_path = aside;
+    return true;
+}
+
+void StagedFile::takeBack()
+{
+    if (!std::exchange(m_committed, false))
+        return;
+    const QByteArray target = QFile::encodeName(m_target);
+    if (m_path.isEmpty())
+        QFile::remove(m_target);
+    else if (std::rename(QFile::encodeName(m_path).constData(), target.constData()) == 0)
+        m_path.clear();
+    syncToDisk(QFileInfo(m_target).absolutePath());
+}
+
+} // namespace core

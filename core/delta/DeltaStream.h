@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/delta/BrickDelta.h"
+
+#include <memory>
+
+struct ZSTD_CCtx_s;
+struct ZSTD_DCtx_s;
+
+namespace core {
+
+/// The bytes of a difference on their way into a zstd stream, cut into pieces as they come.
+class DeltaWriter {
+public:
+    DeltaWriter();
+    ~DeltaWriter();
+    void add(const void* data, std::size_t size);
+    template <typename Bytes> void add(const Bytes& bytes) { add(bytes.data(), bytes.size()); }
+    [[nodiscard]] std::vector<QByteArray> finish();
+
+private:
+    void feed(const void* data, std::size_t size, bool end);
+
+    std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)> m_stream;
+    std::vector<QByteArray> m_pieces;
+    std::size_t m_filled = 0; ///< of the last piece
+};
+
+/// The way back. Whatever the pieces hold, it gives no more bytes than it is asked for.
+class DeltaReader {
+public:
+    explicit DeltaReader(const BrickDelta& delta); ///< which lives as long
+    ~DeltaReader();
+    /// @return the number of bytes that there were, up to @p size
+    [[nodiscard]] std::size_t take(void* data, std::size_t size);
+    /// Takes as many as the container has. @return false: there were fewer
+    template <typename Bytes> [[nodiscard]] bool fill(Bytes& bytes)
+    {
+        return take(bytes.data(), bytes.size()) == bytes.size();
+    }
+    /// All was taken, and the stream ended as it should.
+    [[nodiscard]] bool complete();
+
+private:
+    const BrickDelta& m_delta;
+    std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> m_stream;
+    std::size_t m_piece = 0;
+    std::size_t m_position = 0; ///< in the piece
+    bool m_failed = false;
+    bool m_complete = false;
+};
+
+} // namespace core

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/dicom/base/ImageHeader.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace core {
+
+class DicomFile;
+
+/// Why Burin cannot decode this image, in words; empty if it can (as far as the header tells).
+[[nodiscard]] QString undecodableReason(const ImageHeader& header);
+
+/// An open file whose frames are decoded one by one: checked and mapped once, however many frames
+/// it has. All calls on one of them may come from several threads.
+class FrameFile {
+public:
+    /// FileTruncated, UnsupportedFormat, FileUnreadable; all errors name the file.
+    [[nodiscard]] static Result<FrameFile> open(const QString& path);
+    FrameFile(FrameFile&&) noexcept;
+    FrameFile& operator=(FrameFile&&) noexcept;
+    ~FrameFile();
+
+    /// Decodes the frame that @p header tells of into stored values (extractStoredBits), columns
+    /// first. No parser but our own sees more of the file than its pixel data.
+    [[nodiscard]] Result<void> decode(
+        const ImageHeader& header, std::span<std::uint16_t> stored) const;
+
+    /// The same for pixels that are floating-point numbers (PixelLayout::floatBits).
+    [[nodiscard]] Result<void> decodeFloats(
+        const ImageHeader& header, std::span<double> values) const;
+
+private:
+    explicit FrameFile(std::unique_ptr<const DicomFile> file);
+
+    std::unique_ptr<const DicomFile> m_file;
+};
+
+/// Opens a file for one of its frames.
+[[nodiscard]] Result<void> decodeFrame(const ImageHeader& header, std::span<std::uint16_t> stored);
+
+} // namespace core

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/codecs/StoredBits.h"
+
+#include <bit>
+#include <cstring>
+
+namespace core {
+
+void extractStoredBits(
+    std::span<const std::uint8_t> cells, const PixelLayout& layout, std::span<std::uint16_t> stored)
+{
+    const int shift = layout.highBit + 1 - layout.bitsStored;
+    const std::uint32_t mask = (1u << layout.bitsStored) - 1u;
+    const std::uint32_t sign = layout.isSigned ? 1u << (layout.bitsStored - 1) : 0u;
+    const auto valueOf = [=](std::uint32_t cell) {
+        const std::uint32_t value = (cell >> shift) & mask;
+        // Flipping the sign bit and subtracting it extends it to the left.
+        return std::uint16_t((value ^ sign) - sign);
+    };
+    if (layout.bitsAllocated == 8) {
+        for (std::size_t pixel = 0; pixel < stored.size(); ++pixel)
+            stored[pixel] = valueOf(cells[pixel]);
+        return;
+    }
+    static_assert(std::endian::native == std::endian::little);
+    std::memcpy(stored.data(), cells.data(), stored.size_bytes());
+    if (layout.bitsStored == 16)
+        return;
+    for (std::uint16_t& pixel : stored)
+        pixel = valueOf(pixel);
+}
+
+} // namespace core

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/items/ItemReader.h"
+
+#include <QStringList>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <charconv>
+#include <cmath>
+
+namespace core {
+
+QString ItemReader::text(const DcmTagKey& tag) const
+{
+    OFString value;
+    if (m_item == nullptr || m_item->findAndGetOFStringArray(tag, value).bad())
+        return {};
+    QString text = QString::fromUtf8(value.data(), qsizetype(value.size()));
+    while (text.endsWith(QChar(0)))
+        text.chop(1);
+    return text.trimmed();
+}
+
+std::optional<int> ItemReader::integer(const DcmTagKey& tag) const
+{
+    bool known = false;
+    const int value = text(tag).toInt(&known);
+    return known ? std::optional(value) : std::nullopt;
+}
+
+template <std::size_t N>
+std::optional<std::array<double, N>> ItemReader::numbers(const DcmTagKey& tag) const
+{
+    const QStringList parts = text(tag).split(QLatin1Char('\\'));
+    if (parts.size() != int(N))
+        return std::nullopt;
+    std::array<double, N> values{};
+    for (std::size_t i = 0; i < N; ++i) {
+        QByteArray part = parts[int(i)].trimmed().toLatin1();
+        if (part.startsWith('+'))
+            part.remove(0, 1);
+        const char* end = part.constData() + part.size();
+        const auto parsed = std::from_chars(part.constData(), end, values[i]);
+        if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(values[i]))
+            return std::nullopt;
+    }
+    return values;
+}
+
+std::optional<std::array<double, 2>> ItemReader::pair(const DcmTagKey& tag) const
+{
+    return numbers<2>(tag);
+}
+
+std::optional<std::array<double, 3>> ItemReader::triple(const DcmTagKey& tag) const
+{
+    return numbers<3>(tag);
+}
+
+std::optional<std::array<double, 6>> ItemReader::sextuple(const DcmTagKey& tag) const
+{
+    return numbers<6>(tag);
+}
+
+ItemReader ItemReader::item(const DcmTagKey& sequence, int index) const
+{
+    DcmItem* found = nullptr;
+    if (m_item == nullptr || m_item->findAndGetSequenceItem(sequence, found, index).bad())
+        return ItemReader(nullptr);
+    return ItemReader(found);
+}
+
+int ItemReader::itemCount(const DcmTagKey& sequence) const
+{
+    DcmSequenceOfItems* found = nullptr;
+    if (m_item == nullptr || m_item->findAndGetSequence(sequence, found).bad() || found == nullptr)
+        return 0;
+    return int(found->card());
+}
+
+ItemReader ItemReader::functionalGroup(const DcmTagKey& macro, int frame) const
+{
+    const ItemReader own = item(DCM_PerFrameFunctionalGroupsSequence, frame).item(macro);
+    return own.valid() ? own : item(DCM_SharedFunctionalGroupsSequence).item(macro);
+}
+
+} // namespace core

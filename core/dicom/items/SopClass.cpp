@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/items/SopClass.h"
+
+#include "core/dicom/base/DicomFile.h"
+#include "core/dicom/items/ItemReader.h"
+
+#include <QLatin1String>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+namespace core {
+
+namespace {
+
+struct Kind {
+    const char* uid; ///< the class, or the beginning of a family of classes
+    const char* name;
+};
+
+constexpr const char* parametricMap = "1.2.840.10008.5.1.4.1.1.30";
+
+// PS3.4 annex B.5 and PS3.3 annex F.
+constexpr Kind kinds[] = {
+    {"1.2.840.10008.1.3.10", "DICOMDIR"},
+    {"1.2.840.10008.5.1.4.1.1.66.4", "DICOM SEG"},
+    {"1.2.840.10008.5.1.4.1.1.66.7", "DICOM SEG"},
+    {"1.2.840.10008.5.1.4.1.1.66.5", "surface segmentation"},
+    {"1.2.840.10008.5.1.4.1.1.66", "registration"},
+    {"1.2.840.10008.5.1.4.1.1.67", "real world value mapping"},
+    {"1.2.840.10008.5.1.4.1.1.481.2", "RT dose"},
+    {"1.2.840.10008.5.1.4.1.1.481.3", "RT structure set"},
+    {"1.2.840.10008.5.1.4.1.1.481.5", "RT plan"},
+    {"1.2.840.10008.5.1.4.1.1.481.8", "RT plan"},
+    {"1.2.840.10008.5.1.4.1.1.88", "structured report"},
+    {"1.2.840.10008.5.1.4.1.1.11", "presentation state"},
+    {"1.2.840.10008.5.1.4.1.1.104", "encapsulated document"},
+    {parametricMap, "parametric map of whole numbers"},
+    {"1.2.840.10008.5.1.4.1.1.9", "waveform"},
+};
+
+} // namespace
+
+QString kindWithoutSlices(const ImageHeader& header)
+{
+    for (const Kind& kind : kinds) {
+        const QLatin1String uid(kind.uid);
+        if (header.sopClassUid == uid
+            || (header.sopClassUid.startsWith(uid)
+                && header.sopClassUid.at(uid.size()) == QLatin1Char('.'))) {
+            // A map of floating-point numbers is a volume like others.
+            if (header.layout.floatBits == 0 || uid != QLatin1String(parametricMap))
+                return QString::fromLatin1(kind.name);
+        }
+    }
+    if (!header.hasPixels)
+        return QStringLiteral("object without an image");
+    if (header.hasModalityLut && !header.modalityLut)
+        return QStringLiteral("image with a damaged modality lookup table");
+    return {};
+}
+
+Result<QString> sopClassOf(const QString& path)
+{
+    const Result<DicomFile> file = DicomFile::open(path);
+    if (!file)
+        return tl::unexpected<Error>(file.error());
+    if (!file->mediaSopClassUid().isEmpty())
+        return file->mediaSopClassUid();
+    DcmDataset dataset;
+    if (const Result<void> parsed = file->readInto(dataset); !parsed)
+        return tl::unexpected<Error>(parsed.error());
+    return ItemReader(&dataset).text(DCM_SOPClassUID);
+}
+
+} // namespace core

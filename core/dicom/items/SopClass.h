@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/dicom/base/ImageHeader.h"
+
+namespace core {
+
+/// What a DICOM object is if it can hold no slices of a volume ("DICOM SEG", "RT structure set",
+/// "DICOMDIR", "report" …); empty if it may be an image.
+[[nodiscard]] QString kindWithoutSlices(const ImageHeader& header);
+
+/// The SOP class of a DICOM file, by its header. Errors: those of DicomFile::open().
+[[nodiscard]] Result<QString> sopClassOf(const QString& path);
+
+} // namespace core

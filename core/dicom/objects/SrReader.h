@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/dicom/source/SourceHeader.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <map>
+#include <vector>
+
+namespace core {
+
+/// One measurement group (PS3.16 TID 1411) of a report.
+struct SrFileGroup {
+    QString name; ///< tracking identifier
+    QString segUid;
+    int segmentNumber = 0;
+    QString sourceSeriesUid;
+    /// By code value: of the derivation where a number has one, else of its concept.
+    std::map<QString, double> numbers;
+};
+
+/// What of a measurement report (TID 1500) the check of exports compares.
+struct SrFile {
+    HeaderPatient patient;
+    QString studyUid;
+    QStringList evidence; ///< SOP instances
+    std::vector<SrFileGroup> groups;
+};
+
+/// Errors: FileNotFound, FileUnreadable, UnsupportedFormat (no such report).
+[[nodiscard]] Result<SrFile> readSr(const QString& path);
+
+} // namespace core

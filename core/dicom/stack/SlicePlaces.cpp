@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/stack/SlicePlaces.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+QByteArray fileHash(const QString& path)
+{
+    QFile file(path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
+        return {};
+    return hash.result();
+}
+
+} // namespace
+
+std::vector<SlicePlace> sortIntoPlaces(std::vector<ImageHeader> images)
+{
+    // Scanners round positions; slices of micro-CT may be closer than their rounding.
+    const glm::dvec2 pixel = *images.front().spacing;
+    const double samePlaceMm = std::min(0.01, 0.05 * std::min(pixel.x, pixel.y));
+    const glm::dvec3 normal = images.front().plane->normal();
+    const auto along = [&](const ImageHeader& image) { return glm::dot(*image.position, normal); };
+    std::stable_sort(images.begin(), images.end(),
+        [&](const ImageHeader& a, const ImageHeader& b) { return along(a) < along(b); });
+    std::vector<SlicePlace> places;
+    for (ImageHeader& image : images) {
+        const double here = along(image);
+        if (places.empty() || here - places.back().along > samePlaceMm)
+            places.push_back({.along = here});
+        places.back().images.push_back(std::move(image));
+    }
+    return places;
+}
+
+std::vector<VolumeProblem> dropDuplicates(std::vector<SlicePlace>& places)
+{
+    std::vector<VolumeProblem> problems;
+    std::vector<SliceSpan> equal;
+    std::vector<SliceSpan> ofContradicting;
+    QStringList contradicting;
+    int slice = 0;
+    for (SlicePlace& place : places) {
+        ++slice;
+        std::vector<ImageHeader> kept;
+        for (ImageHeader& image : place.images) {
+            const auto twin = std::find_if(kept.begin(), kept.end(), [&](const ImageHeader& other) {
+                if (image.sopInstanceUid != other.sopInstanceUid || image.frame != other.frame)
+                    return false;
+                return !image.sopInstanceUid.isEmpty()
+                    || fileHash(image.file) == fileHash(other.file);
+            });
+            if (twin == kept.end()) {
+                kept.push_back(std::move(image));
+                continue;
+            }
+            if (fileHash(image.file) == fileHash(twin->file))
+                equal.push_back({.first = slice, .last = slice});
+            else {
+                contradicting.append(QFileInfo(image.file).fileName());
+                ofContradicting.push_back({.first = slice, .last = slice});
+            }
+        }
+        place.images = std::move(kept);
+    }
+    if (!equal.empty()) {
+        problems.push_back({.kind = VolumeProblem::Kind::DuplicateSlices,
+            .text = equal.size() == 1
+                ? QStringLiteral("1 duplicate file was left out, of %1.").arg(slicesInWords(equal))
+                : QStringLiteral("%1 duplicate files were left out, of %2.")
+                      .arg(equal.size())
+                      .arg(slicesInWords(equal)),
+            .slices = equal});
+    }
+    if (!contradicting.isEmpty()) {
+        problems.push_back({.kind = VolumeProblem::Kind::DuplicateSlices,
+            .text =
+                QStringLiteral("Files with the identity of another but other content were left "
+                               "out: %1 (%2).")
+                    .arg(contradicting.join(QLatin1String(", ")), slicesInWords(ofContradicting)),
+            .caution = true,
+            .slices = ofContradicting});
+    }
+    return problems;
+}
+
+} // namespace core

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/stack/StackLoader.h"
+
+#include "core/base/LargePages.h"
+#include "core/base/ParallelFor.h"
+#include "core/base/StepCounter.h"
+#include "core/dicom/codecs/FrameDecoder.h"
+#include "core/dicom/header/ModalityLut.h"
+#include "core/dicom/stack/StackGeometry.h"
+#include "core/volume/MemoryLimit.h"
+#include "core/volume/encoding/StoredEncoder.h"
+#include "core/volume/encoding/VolumeEncoder.h"
+
+#include <algorithm>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+
+namespace core {
+
+namespace {
+
+/// Exact values of a stack of floating-point numbers. Fails with the first slice that does.
+Result<std::vector<double>> decodeFloats(const SliceStack& stack, const Progress& progress)
+{
+    const std::size_t size =
+        std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+    // Four times what the codes take, for as long as they are made.
+    if (const Result<void> fits = checkMemory(5 * stack.geometry.voxelCount()); !fits)
+        return tl::unexpected<Error>(fits.error());
+    std::vector<double> values(stack.geometry.voxelCount());
+    int done = 0;
+    for (std::size_t k = 0; k < stack.slices.size(); ++k) {
+        if (progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        const ImageHeader& image = stack.slices[k];
+        const Result<FrameFile> file = FrameFile::open(image.file);
+        if (!file)
+            return tl::unexpected<Error>(file.error());
+        const std::span<double> slice = std::span(values).subspan(k * size, size);
+        if (const Result<void> read = file->decodeFloats(image, slice); !read)
+            return tl::unexpected<Error>(read.error());
+        for (double& value : slice)
+            value = image.slope * value + image.intercept;
+        progress.report(QStringLiteral("Reading slices"), ++done, int(stack.slices.size()));
+    }
+    return values;
+}
+
+/// The files that hold several of a stack's slices, each opened when its first slice is decoded and
+/// then used by all threads.
+class SharedFiles {
+public:
+    explicit SharedFiles(const std::vector<ImageHeader>& slices)
+    {
+        for (const ImageHeader& image : slices) {
+            if (image.frames > 1 && !m_files.contains(image.file))
+                m_files.emplace(image.file, std::make_unique<Slot>());
+        }
+    }
+
+    /// What is stored, through its lookup table where there is one.
+    [[nodiscard]] Result<void> decode(const ImageHeader& image, std::span<std::uint16_t> stored)
+    {
+        Result<void> decoded = decodeStored(image, stored);
+        if (decoded && image.modalityLut)
+            image.modalityLut->apply(stored, image.layout.isSigned);
+        return decoded;
+    }
+
+private:
+    [[nodiscard]] Result<void> decodeStored(
+        const ImageHeader& image, std::span<std::uint16_t> stored)
+    {
+        const auto found = m_files.find(image.file);
+        if (found == m_files.end())
+            return decodeFrame(image, stored);
+        Slot& slot = *found->second;
+        std::call_once(slot.once, [&] { slot.file.emplace(FrameFile::open(image.file)); });
+        if (!*slot.file)
+            return tl::unexpected<Error>(slot.file->error());
+        return (*slot.file)->decode(image, stored);
+    }
+
+    struct Slot {
+        std::once_flag once;
+        std::optional<Result<FrameFile>> file;
+    };
+    std::map<QString, std::unique_ptr<Slot>> m_files; ///< does not change while threads look
+};
+
+int middleOf(const SliceStack& stack)
+{
+    return int(stack.slices.size() / 2);
+}
+
+using Stored = std::vector<std::uint16_t>;
+using Errors = std::vector<std::optional<Error>>;
+
+std::size_t sliceSize(const SliceStack& stack)
+{
+    return std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
+}
+
+/// Decodes all slices into the codes of @p loaded.
+/// @param decode of slice k @param there told of each that is decoded, on the thread that did it
+/// @return per slice
+Errors decodeAll(const SliceStack& stack, LoadedVolume& loaded, const Progress& progress,
+    const std::function<Result<void>(int k, std::span<std::uint16_t> stored)>& decode,
+    const std::function<void(int k)>& there)
+{
+    const std::size_t size = sliceSize(stack);
+    Errors errors(stack.slices.size());
+    StepCounter counter(progress, QStringLiteral("Reading slices"), int(stack.slices.size()));
+    parallelFor(int(stack.slices.size()), [&](int k) {
+        if (progress.cancelled())
+            return;
+        const auto slot = std::size_t(k);
+        const Result<void> decoded = decode(k, std::span(loaded.codes).subspan(slot * size, size));
+        if (decoded)
+            there(k);
+        else
+            errors[slot] = decoded.error();
+        counter.stepDone();
+    });
+    return errors;
+}
+
+/// Leaves out the slices that failed; the rest is placed anew.
+SliceStack withoutFailed(
+    const SliceStack& stack, std::vector<std::uint16_t>& codes, const Errors& errors)
+{
+    const std::size_t size = sliceSize(stack);
+    std::vector<ImageHeader> sound;
+    std::vector<UndecodedSlice> failed;
+    for (std::size_t k = 0; k < stack.slices.size(); ++k) {
+        if (const std::optional<Error>& error = errors[k]) {
+            failed.push_back({.number = int(k) + 1,
+                .image = imageName(stack.slices[k]),
+                .reason = error->arguments.value(1)});
+            continue;
+        }
+        std::copy_n(codes.begin() + std::ptrdiff_t(k * size), size,
+            codes.begin() + std::ptrdiff_t(sound.size() * size));
+        sound.push_back(stack.slices[k]);
+    }
+    codes.resize(sound.size() * size);
+    SliceStack rest = stackOf(std::move(sound));
+    rest.part = stack.part;
+    rest.time = stack.time;
+    rest.problems.push_back(undecodedSlices(failed));
+    return rest;
+}
+
+/// All but the voxels and what follows from them.
+Volume describe(const ListedStack& listed, const SliceStack& stack)
+{
+    Volume volume;
+    volume.identity = listed.entry.identity;
+    volume.geometry = stack.geometry;
+    volume.unit = listed.entry.unit;
+    volume.sourceFormat = QStringLiteral("DICOM");
+    volume.problems = stack.problems;
+    const ImageHeader& middle = stack.slices[std::size_t(middleOf(stack))];
+    volume.displayInverted = middle.inverted;
+    if (middle.window)
+        volume.defaultWindow = *middle.window;
+    for (const ImageHeader& image : stack.slices) {
+        volume.sources.push_back({.file = image.file,
+            .sopInstanceUid = image.sopInstanceUid,
+            .sopClassUid = image.sopClassUid,
+            .frame = image.frame,
+            .instanceNumber = image.instanceNumber});
+    }
+    return volume;
+}
+
+bool hasWindow(const SliceStack& stack)
+{
+    return stack.slices[std::size_t(middleOf(stack))].window.has_value();
+}
+
+std::vector<SliceRescale> rescalesOf(const SliceStack& stack)
+{
+    std::vector<SliceRescale> rescales;
+    for (const ImageHeader& image : stack.slices) {
+        rescales.push_back({.slope = image.slope,
+            .intercept = image.intercept,
+            .isSigned = image.layout.isSigned && !image.modalityLut,
+            .padding = image.modalityLut ? std::nullopt : image.padding});
+    }
+    return rescales;
+}
+
+std::shared_ptr<const EarlySlice> earlySlice(const ListedStack& listed, const SliceStack& stack,
+    const SliceRescale& rescale, const Stored& stored)
+{
+    auto early = std::make_shared<EarlySlice>();
+    early->volume = describe(listed, stack);
+    early->slice = middleOf(stack);
+    early->codes = stored;
+    encodeSlice(early->volume, early->codes, rescale);
+    return early;
+}
+
+Result<LoadedVolume> loadStored(const ListedStack& listed, const SliceStack& wanted,
+    const Progress& progress, const EarlySliceListener& early)
+{
+    if (const Result<void> fits = checkMemory(wanted.geometry.voxelCount()); !fits)
+        return tl::unexpected<Error>(fits.error());
+    const std::vector<SliceRescale> rescales = rescalesOf(wanted);
+    const auto middle = std::size_t(middleOf(wanted));
+    LoadedVolume loaded;
+    loaded.volume.geometry = wanted.geometry;
+    SharedFiles files(wanted.slices);
+    // It takes the system a while to find that much memory: who waits sees a slice meanwhile.
+    std::future<Result<Stored>> first;
+    if (early && hasWindow(wanted)) {
+        // Where no thread can be had it is decoded when it is asked for.
+        const auto beside = std::launch::async | std::launch::deferred;
+        first = std::async(beside, [&]() -> Result<Stored> {
+            Stored stored(sliceSize(wanted));
+            const Result<void> decoded = files.decode(wanted.slices[middle], stored);
+            if (!decoded)
+                return tl::unexpected<Error>(decoded.error());
+            if (!progress.cancelled())
+                early(earlySlice(listed, wanted, rescales[middle], stored));
+            return stored;
+        });
+    }
+    resizeInLargePages(loaded.codes, wanted.geometry.voxelCount());
+    StoredEncoder encoder(loaded, rescales);
+    const auto decode = [&](int k, std::span<std::uint16_t> codes) -> Result<void> {
+        if (std::size_t(k) != middle || !first.valid())
+            return files.decode(wanted.slices[std::size_t(k)], codes);
+        // Not a second time: a slice on which the decoder hangs costs enough.
+        const Result<Stored> stored = first.get();
+        if (!stored)
+            return tl::unexpected<Error>(stored.error());
+        std::copy(stored->begin(), stored->end(), codes.begin());
+        return {};
+    };
+    const Errors errors =
+        decodeAll(wanted, loaded, progress, decode, [&](int k) { encoder.sliceIsThere(k); });
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+
+    const auto failures = std::count_if(errors.begin(), errors.end(),
+        [](const std::optional<Error>& error) { return error.has_value(); });
+    if (failures == std::ptrdiff_t(errors.size()))
+        return tl::unexpected<Error>(*errors.front());
+    if (failures == 0) {
+        loaded.volume = describe(listed, wanted);
+        encoder.finish(hasWindow(wanted));
+        return loaded;
+    }
+    const SliceStack stack = withoutFailed(wanted, loaded.codes, errors);
+    loaded.volume = describe(listed, stack);
+    encodeStoredValues(loaded, rescalesOf(stack), hasWindow(stack));
+    return loaded;
+}
+
+Result<LoadedVolume> loadFloats(
+    const ListedStack& listed, const SliceStack& stack, const Progress& progress)
+{
+    const Result<std::vector<double>> values = decodeFloats(stack, progress);
+    if (!values)
+        return tl::unexpected<Error>(values.error());
+    LoadedVolume loaded{.volume = describe(listed, stack)};
+    const auto writeSlice = [&](int k, std::span<double> slice) {
+        const auto first = values->begin() + std::ptrdiff_t(std::size_t(k) * slice.size());
+        std::copy_n(first, slice.size(), slice.begin());
+    };
+    encodeValues(loaded, writeSlice, hasWindow(stack));
+    return loaded;
+}
+
+} // namespace
+
+Result<LoadedVolume> loadStack(
+    const ListedStack& listed, int time, const Progress& progress, const EarlySliceListener& early)
+{
+    const SliceStack& wanted =
+        time == 0 ? listed.stack : listed.stack.laterTimes.at(std::size_t(time - 1));
+    return wanted.slices.front().layout.floatBits != 0
+        ? loadFloats(listed, wanted, progress)
+        : loadStored(listed, wanted, progress, early);
+}
+
+} // namespace core

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+#include "core/dicom/source/SourceHeader.h"
+#include "core/volume/Volume.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace core {
+
+/// A picture of a screen.
+struct ScreenPicture {
+    int width = 0;
+    int height = 0;
+    std::span<const std::uint8_t> rgb; ///< row after row from the top, three bytes a pixel
+    bool showsPatient = true; ///< its pixels show text that may name the patient
+};
+
+struct SecondaryCaptureContent {
+    StudyIdentity identity; ///< of the study that is shown
+    std::vector<SourceSlice> sources;
+    std::shared_ptr<const KeptHeaders> keptHeaders; ///< of these; null: their files are read
+    ScreenPicture picture;
+};
+
+/// Writes a Secondary Capture image (PS3.3 A.8.1) of the sources' patient and study, in a series of
+/// its own, at @p path, which it creates or overwrites.
+/// @returns what of the source's header was normalised or left out, in sentences
+/// Errors: as writeSeg(); UnsupportedFormat for more than 65535 pixels a side.
+[[nodiscard]] Result<QStringList> writeSecondaryCapture(
+    const QString& path, const SecondaryCaptureContent& content, const Progress& progress);
+
+/// What the check compares.
+struct SecondaryCaptureFile {
+    HeaderPatient patient;
+    QString studyUid;
+    QString seriesUid;
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb;
+};
+
+/// Errors: FileNotFound, FileUnreadable, FileTruncated, UnsupportedFormat.
+[[nodiscard]] Result<SecondaryCaptureFile> readSecondaryCapture(const QString& path);
+
+} // namespace core

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/write/SegParts.h"
+
+#include "core/dicom/deidentify/Deidentifier.h"
+#include "core/dicom/items/PatientHeader.h"
+#include "core/dicom/write/MadeObject.h"
+#include "core/dicom/write/SaveDicom.h"
+#include "core/dicom/write/SegCompletion.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmiod/cielabutil.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+SegCodes segCodesOf(const SegContent& content, const Segment& segment)
+{
+    const auto found = content.settings.codes.find(segment.label);
+    SegCodes codes = found == content.settings.codes.end() ? SegCodes() : found->second;
+    if (!codes.category.isSet())
+        codes.category = content.category;
+    return codes;
+}
+
+Result<void> checkSegCodes(const Segment& segment, const SegCodes& codes)
+{
+    bool fits = fitsCodeSequence(segment.code) && fitsCodeSequence(codes.category);
+    for (const CodedConcept* code : {&codes.modifier, &codes.region, &codes.regionModifier})
+        fits = fits && (!code->isSet() || fitsCodeSequence(*code));
+    if (fits)
+        return {};
+    return failure(ErrorCode::InvalidField, QStringLiteral("code"),
+        QStringLiteral("DICOM cannot hold the code of segment '%1': scheme and value take 1 "
+                       "to 16 characters, the meaning 1 to 64")
+            .arg(segment.name));
+}
+
+void putSegDetails(DcmItem* segment, const SegCodes& codes, const ItemWriter& items)
+{
+    const auto inner = [](DcmItem* item, const DcmTagKey& sequence) {
+        DcmItem* found = nullptr;
+        if (item != nullptr)
+            item->findAndGetSequenceItem(sequence, found);
+        return found;
+    };
+    if (codes.modifier.isSet())
+        items.putCode(inner(segment, DCM_SegmentedPropertyTypeCodeSequence),
+            DCM_SegmentedPropertyTypeModifierCodeSequence, codes.modifier);
+    if (!codes.region.isSet())
+        return;
+    items.putCode(segment, DCM_AnatomicRegionSequence, codes.region);
+    if (codes.regionModifier.isSet())
+        items.putCode(inner(segment, DCM_AnatomicRegionSequence),
+            DCM_AnatomicRegionModifierSequence, codes.regionModifier);
+}
+
+std::string algorithmTypeText(const SegSettings& settings)
+{
+    switch (settings.algorithm) {
+    case SegAlgorithm::Manual:
+        return "MANUAL";
+    case SegAlgorithm::Automatic:
+        return "AUTOMATIC";
+    case SegAlgorithm::Semiautomatic:
+        break;
+    }
+    return "SEMIAUTOMATIC";
+}
+
+std::string algorithmName(const SegSettings& settings)
+{
+    if (settings.algorithm == SegAlgorithm::Manual)
+        return {};
+    const std::string name = placeholder(singleValueText(settings.algorithmName, 64));
+    return name.empty() ? "Burin" : name;
+}
+
+std::array<std::uint16_t, 3> cieLabOf(std::uint32_t rgb)
+{
+    double l = 0.0;
+    double a = 0.0;
+    double b = 0.0;
+    IODCIELabUtil::rgb2Lab(l, a, b, double((rgb >> 16) & 255U) / 255.0,
+        double((rgb >> 8) & 255U) / 255.0, double(rgb & 255U) / 255.0);
+    IODCIELabUtil::lab2DicomLab(l, a, b, l, a, b);
+    const auto word = [](double value) {
+        return std::uint16_t(std::clamp(std::lround(value), 0L, 65535L));
+    };
+    return {word(l), word(a), word(b)};
+}
+
+int segSeriesNumber(const StudyIdentity& source)
+{
+    return madeSeriesNumber(1000, source);
+}
+
+Result<SegWritten> saveSeg(
+    const QString& path, const SegContent& content, DcmFileFormat& format, QStringList notes)
+{
+    if (content.deidentifier)
+        content.deidentifier->apply(*format.getDataset());
+    const Result<void> saved = saveDicom(format, path,
+        content.settings.deflated ? UID_DeflatedExplicitVRLittleEndianTransferSyntax
+                                  : UID_LittleEndianExplicitTransferSyntax);
+    if (!saved)
+        return tl::unexpected(saved.error());
+    return SegWritten{std::move(notes)};
+}
+
+} // namespace core

@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/document/DocumentEdits.h"
+
+#include "core/edits/document/ApplyEdits.h"
+#include "core/edits/engine/EngineEdits.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+constexpr int lastLabel = 255;
+constexpr int mostPieces = 64; // what one ray can meet (gpu/render)
+constexpr int lastLayer = 254; // 255 is where strokes of the past are tried (PastCoverage)
+
+using applyEdits::apply;
+using applyEdits::isOneOf;
+using applyEdits::unknownSegment;
+
+Result<bool> apply(const AddSegment& edit, Document& document)
+{
+    const int label = document.lastLabelGiven() + 1;
+    if (label > lastLabel)
+        return failure(ErrorCode::InvalidField, QStringLiteral("addSegment"),
+            QStringLiteral("a label plane has room for %1 segments, those deleted included")
+                .arg(lastLabel));
+    document.segments.push_back(
+        {.label = std::uint8_t(label), .name = edit.name, .rgb = edit.rgb, .code = edit.code});
+    return true;
+}
+
+tl::unexpected<Error> unknownLayer(const char* field, int id)
+{
+    return failure(ErrorCode::InvalidField, QLatin1String(field),
+        QStringLiteral("there is no sculpt layer %1").arg(id));
+}
+
+/// Takes what is given and differs. @return whether there was any
+template <class T> bool assign(T& target, const std::optional<T>& value)
+{
+    if (!value || target == *value)
+        return false;
+    target = *value;
+    return true;
+}
+
+/// Puts a member of a list to a place counted from 1. @return whether it was elsewhere
+template <class T>
+bool move(std::vector<T>& list, typename std::vector<T>::iterator from, int place)
+{
+    const auto to = list.begin() + (std::min<std::ptrdiff_t>(place, std::ssize(list)) - 1);
+    if (from < to)
+        std::rotate(from, from + 1, to + 1);
+    else
+        std::rotate(to, from, from + 1);
+    return from != to;
+}
+
+Result<bool> apply(const ChangeSegment& edit, Document& document)
+{
+    Segment* segment = document.segment(edit.segment);
+    if (!segment)
+        return unknownSegment(edit.segment);
+    bool changed = assign(segment->name, edit.name);
+    changed |= assign(segment->rgb, edit.rgb);
+    changed |= assign(segment->code, edit.code);
+    changed |= assign(segment->locked, edit.locked);
+    changed |= assign(segment->uncarvable, edit.uncarvable);
+    return changed;
+}
+
+Result<bool> apply(const MoveSegment& edit, Document& document)
+{
+    const Segment* segment = document.segment(edit.segment);
+    if (!segment)
+        return unknownSegment(edit.segment);
+    std::vector<Segment>& segments = document.segments;
+    return move(segments, segments.begin() + (segment - segments.data()), edit.place);
+}
+
+/// What was measured on them stays, at its true place.
+template <class Which> void removePieces(Document& document, const Which& which)
+{
+    for (const Piece& piece : document.pieces) {
+        if (!which(piece))
+            continue;
+        document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
+        for (Measurement& measurement : document.measurements) {
+            if (measurement.piece == piece.id)
+                measurement.piece = 0;
+        }
+    }
+    std::erase_if(document.pieces, which);
+}
+
+Result<bool> apply(const RemoveSegment& edit, Document& document)
+{
+    const Segment* segment = document.segment(edit.segment);
+    if (!segment)
+        return unknownSegment(edit.segment);
+    if (segment->locked)
+        return failure(ErrorCode::SegmentLocked, segment->name);
+    document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, edit.segment);
+    removePieces(document, [&](const Piece& piece) { return piece.segment == edit.segment; });
+    if (document.surface && document.surface->segment == edit.segment)
+        document.surface.reset();
+    if (document.chunks && document.chunks->segment == edit.segment) {
+        document.greatestRemovedChunks = document.chunks->id;
+        document.chunks.reset();
+    }
+    document.segments.erase(document.segments.begin() + (segment - document.segments.data()));
+    return true;
+}
+
+Result<bool> apply(const AddLayer& edit, Document& document)
+{
+    const int id = document.lastLayerGiven() + 1;
+    if (id > lastLayer)
+        return failure(ErrorCode::InvalidField, QStringLiteral("addLayer"),
+            QStringLiteral("there are at most %1 sculpt layers, those deleted included")
+                .arg(lastLayer));
+    document.layers.push_back({.id = std::uint8_t(id), .name = edit.name});
+    return true;
+}
+
+Result<bool> apply(const ChangeLayer& edit, Document& document)
+{
+    SculptLayer* layer = document.layer(edit.layer);
+    if (!layer)
+        return unknownLayer("changeLayer.layer", edit.layer);
+    bool changed = assign(layer->name, edit.name);
+    changed |= assign(layer->muted, edit.muted);
+    changed |= assign(layer->solo, edit.solo);
+    return changed;
+}
+
+void remove(const SculptLayer* layer, Document& document)
+{
+    document.greatestRemovedLayer = std::max<int>(document.greatestRemovedLayer, layer->id);
+    removePieces(document, [id = layer->id](const Piece& piece) { return piece.layer == id; });
+    document.layers.erase(document.layers.begin() + (layer - document.layers.data()));
+}
+
+Result<bool> apply(const RemoveLayer& edit, Document& document)
+{
+    const SculptLayer* layer = document.layer(edit.layer);
+    if (!layer)
+        return unknownLayer("removeLayer.layer", edit.layer);
+    if (document.layers.size() == 1)
+        return failure(ErrorCode::InvalidField, QStringLiteral("removeLayer.layer"),
+            QStringLiteral("'%1' is the only sculpt layer").arg(layer->name));
+    remove(layer, document);
+    return true;
+}
+
+Result<bool> apply(const MergeLayers& edit, Document& document)
+{
+    const SculptLayer* from = document.layer(edit.from);
+    if (!from)
+        return unknownLayer("mergeLayers.from", edit.from);
+    const SculptLayer* into = document.layer(edit.into);
+    if (!into)
+        return unknownLayer("mergeLayers.into", edit.into);
+    if (from == into)
+        return failure(ErrorCode::InvalidField, QStringLiteral("mergeLayers.into"),
+            QStringLiteral("a layer cannot be merged into itself"));
+    if (document.carves(*from) != document.carves(*into)) {
+        const SculptLayer& silent = document.carves(*from) ? *into : *from;
+        return failure(ErrorCode::InvalidField, QStringLiteral("mergeLayers.into"),
+            QStringLiteral("sculpt layer '%1' %2 and the other is not: what is seen would change")
+                .arg(silent.name, document.whyItDoesNotCarve(silent)));
+    }
+    remove(from, document);
+    return true;
+}
+
+/// Only what takes voxels is carried out at all (takesVoxelsOrNothing()), so a new segment is.
+Result<bool> addNewSegment(const SegmentChoice& choice, Document& document)
+{
+    if (choice.segment)
+        return false;
+    return apply(AddSegment{.name = choice.name, .rgb = choice.rgb, .code = {}}, document);
+}
+
+Result<bool> apply(const LayerToSegment& edit, Document& document)
+{
+    return addNewSegment(edit.target, document);
+}
+
+Result<bool> apply(const SegmentSeen& edit, Document& document)
+{
+    return addNewSegment(edit.target, document);
+}
+
+Result<bool> apply(const ImportMask& edit, Document& document)
+{
+    const Result<ImportTargets> where = importTargets(edit, document);
+    if (!where)
+        return tl::unexpected(where.error());
+    if (!where->isNew)
+        return false;
+    const std::vector<ImportedSegment>& segments = *edit.segments;
+    for (std::size_t i = 0; i < (edit.as ? 1 : segments.size()); ++i) {
+        const bool alone = !edit.as || segments.size() == 1;
+        const Result<bool> added =
+            apply(AddSegment{.name = edit.as ? edit.as->name : segments[i].name,
+                      .rgb = segments[i].rgb,
+                      .code = alone ? segments[i].code : CodedConcept{}},
+                document);
+        if (!added)
+            return added;
+    }
+    return true;
+}
+
+Result<bool> apply(const MoveLayer& edit, Document& document)
+{
+    const SculptLayer* layer = document.layer(edit.layer);
+    if (!layer)
+        return unknownLayer("moveLayer.layer", edit.layer);
+    std::vector<SculptLayer>& layers = document.layers;
+    return move(layers, layers.begin() + (layer - layers.data()), edit.place);
+}
+
+Result<bool> apply(const AddBookmark& edit, Document& document)
+{
+    if (const Result<glm::dmat3> axes = viewAxes(edit.view, QStringLiteral("addBookmark.view"));
+        !axes)
+        return tl::unexpected(axes.error());
+    document.bookmarks.push_back({.id = document.lastBookmarkGiven() + 1,
+        .name = edit.name,
+        .view = edit.view,
+        .crosshairLps = edit.crosshairLps});
+    return true;
+}
+
+Result<bool> apply(const RemoveBookmark& edit, Document& document)
+{
+    const CameraBookmark* bookmark = document.bookmark(edit.bookmark);
+    if (!bookmark)
+        return failure(ErrorCode::InvalidField, QStringLiteral("removeBookmark.bookmark"),
+            QStringLiteral("there is no bookmark %1").arg(edit.bookmark));
+    document.greatestRemovedBookmark = std::max(document.greatestRemovedBookmark, edit.bookmark);
+    document.bookmarks.erase(document.bookmarks.begin() + (bookmark - document.bookmarks.data()));
+    return true;
+}
+
+Result<bool> append(Piece piece, const char* edit, Document& document)
+{
+    if (std::ssize(document.pieces) >= mostPieces)
+        return failure(ErrorCode::InvalidField, QLatin1String(edit),
+            QStringLiteral("there are at most %1 pieces").arg(mostPieces));
+    piece.id = document.lastPieceGiven() + 1;
+    document.pieces.push_back(std::move(piece));
+    return true;
+}
+
+Result<bool> apply(const CutPiece& edit, Document& document)
+{
+    const SculptLayer* layer = document.layer(edit.layer);
+    if (!layer)
+        return unknownLayer("cutPiece.layer", edit.layer);
+    if (const Piece* other = document.pieceOfLayer(edit.layer))
+        return failure(ErrorCode::InvalidField, QStringLiteral("cutPiece.layer"),
+            QStringLiteral("sculpt layer '%1' is the piece '%2' already")
+                .arg(layer->name, other->name));
+    return append(
+        {.name = edit.name, .layer = edit.layer, .pivotLps = edit.pivotLps}, "cutPiece", document);
+}
+
+Result<bool> apply(const PastePiece& edit, Document& document)
+{
+    if (!document.segment(edit.segment))
+        return unknownSegment(edit.segment);
+    return append(
+        {.name = edit.name, .segment = edit.segment, .pivotLps = edit.pivotLps, .pose = edit.pose},
+        "pastePiece", document);
+}
+
+tl::unexpected<Error> unknownPiece(const char* field, int id)
+{
+    return failure(ErrorCode::InvalidField, QLatin1String(field),
+        QStringLiteral("there is no piece %1").arg(id));
+}
+
+Result<bool> apply(const ChangePiece& edit, Document& document)
+{
+    Piece* piece = document.piece(edit.piece);
+    if (!piece)
+        return unknownPiece("changePiece.piece", edit.piece);
+    bool changed = assign(piece->name, edit.name);
+    changed |= assign(piece->pose.offsetMm, edit.offsetMm);
+    changed |= assign(piece->pose.rotationDegrees, edit.rotationDegrees);
+    changed |= assign(piece->pose.zoom, edit.zoom);
+    return changed;
+}
+
+Result<bool> apply(const SendPiecesHome&, Document& document)
+{
+    bool changed = false;
+    for (Piece& piece : document.pieces) {
+        changed |= !piece.pose.isHome();
+        piece.pose = {};
+    }
+    return changed;
+}
+
+Result<bool> apply(const RemovePiece& edit, Document& document)
+{
+    if (!document.piece(edit.piece))
+        return unknownPiece("removePiece.piece", edit.piece);
+    removePieces(document, [&edit](const Piece& each) { return each.id == edit.piece; });
+    return true;
+}
+
+Result<bool> apply(const AddMeasurement& edit, Document& document)
+{
+    if (edit.fromLps == edit.toLps)
+        return failure(ErrorCode::InvalidField, QStringLiteral("addMeasurement.toLps"),
+            QStringLiteral("is the same point as fromLps"));
+    if (edit.piece && !document.piece(*edit.piece))
+        return unknownPiece("addMeasurement.piece", *edit.piece);
+    document.measurements.push_back({.id = document.lastMeasurementGiven() + 1,
+        .fromLps = edit.fromLps,
+        .toLps = edit.toLps,
+        .piece = edit.piece.value_or(0)});
+    return true;
+}
+
+Result<bool> apply(const RemoveMeasurement& edit, Document& document)
+{
+    const Measurement* known = document.measurement(edit.measurement);
+    if (!known)
+        return failure(ErrorCode::InvalidField, QStringLiteral("removeMeasurement.measurement"),
+            QStringLiteral("there is no measurement %1").arg(edit.measurement));
+    document.greatestRemovedMeasurement =
+        std::max(document.greatestRemovedMeasurement, edit.measurement);
+    document.measurements.erase(
+        document.measurements.begin() + (known - document.measurements.data()));
+    return true;
+}
+
+/// What changes voxels only, or by the history.
+template <class E>
+requires isOneOf<E, ChunkToggle, SeedStroke, GrowSteps, ShrinkSteps, ChangeInterval, ResumeGrowth,
+    ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, DrillStroke, LaserStroke, RevertRows,
+    ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, SegmentToLayer>
+    Result<bool> apply(const E&, Document&)
+{
+    return false;
+}
+
+/// Whether it is a segment's voxels that an edit is about. What growth does to it is not known
+/// before; nor what others take from it.
+bool writesTo(const Edit& edit, int segment)
+{
+    return std::visit(
+        [segment](const auto& known) {
+            using E = std::decay_t<decltype(known)>;
+            if constexpr (isOneOf<E, PaintStroke, ChunkToggle>)
+                return known.segment == segment;
+            else if constexpr (isOneOf<E, LayerToSegment, SegmentSeen>)
+                return known.target.segment == segment;
+            else if constexpr (isOneOf<E, ImportMask>)
+                return known.as && known.as->number == segment;
+            else
+                return false;
+        },
+        edit);
+}
+
+} // namespace
+
+bool changesDocumentOnly(const Edit& edit)
+{
+    return std::visit(
+        [&edit](const auto& known) {
+            using E = std::decay_t<decltype(known)>;
+            return changedPart(edit)
+                && !isOneOf<E, RemoveSegment, RemoveLayer, MergeLayers, LayerToSegment, SegmentSeen,
+                    ImportMask, WriteBack>;
+        },
+        edit);
+}
+
+bool takesVoxelsOrNothing(const Edit& edit)
+{
+    return std::holds_alternative<LayerToSegment>(edit) || std::holds_alternative<ImportMask>(edit)
+        || std::holds_alternative<SegmentSeen>(edit);
+}
+
+std::optional<DocumentChange::What> changedPart(const Edit& edit)
+{
+    return std::visit(
+        [](const auto& known) -> std::optional<DocumentChange::What> {
+            using E = std::decay_t<decltype(known)>;
+            using What = DocumentChange::What;
+            if constexpr (isOneOf<E, AddSegment, ChangeSegment, MoveSegment, RemoveSegment>)
+                return What::Segments;
+            else if constexpr (isOneOf<E, LayerToSegment, SegmentSeen>)
+                return known.target.segment ? std::nullopt : std::optional(What::Segments);
+            else if constexpr (isOneOf<E, ImportMask>)
+                return known.as && known.as->number ? std::nullopt : std::optional(What::Segments);
+            else if constexpr (isOneOf<E, AddLayer, ChangeLayer, MoveLayer, RemoveLayer,
+                                   MergeLayers>)
+                return What::Layers;
+            else if constexpr (isOneOf<E, AddBookmark, RemoveBookmark>)
+                return What::Bookmarks;
+            else if constexpr (isOneOf<E, AddMeasurement, RemoveMeasurement>)
+                return What::Measurements;
+            else if constexpr (isOneOf<E, LaySurface, DropSurface, FollowMask, MarkSurface,
+                                   ChangeMarks, SpherePush, PlaneScrape, PointDrag, ApplyTemplate,
+                                   SmoothSurface, AttractSurface, WriteBack>)
+                return What::Surface;
+            else if constexpr (isOneOf<E, Chunks>)
+                return What::Chunks;
+            else if constexpr (isOneOf<E, CutPiece, PastePiece, ChangePiece, SendPiecesHome,
+                                   RemovePiece>)
+                return What::Pieces;
+            else
+                return std::nullopt;
+        },
+        edit);
+}
+
+Result<bool> applyToDocument(const Edit& edit, Document& document)
+{
+    const Result<bool> applied =
+        std::visit([&document](const auto& known) { return apply(known, document); }, edit);
+    if (applied && document.surface && writesTo(edit, document.surface->segment))
+        document.surface->differs = true;
+    return applied;
+}
+
+Document initialDocument(Volume volume)
+{
+    Document document;
+    document.volumes.push_back(std::move(volume));
+    document.layers.push_back({.id = 1, .name = QStringLiteral("Sculpt 1")});
+    document.growths.push_back({.plane = 0, .generation = 0});
+    return document;
+}
+
+} // namespace core

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/engine/EngineEdits.h"
+
+#include "core/edits/engine/MaskFrames.h"
+#include "core/edits/engine/ToolMasks.h"
+
+namespace core {
+
+namespace {
+
+Result<void> checkRange(const char* field, double value, double minimum, double maximum)
+{
+    if (value >= minimum && value <= maximum)
+        return {};
+    return failure(ErrorCode::InvalidField, QStringLiteral("drill.") + QLatin1String(field),
+        QStringLiteral("%1 is outside %2 … %3").arg(value).arg(minimum).arg(maximum));
+}
+
+} // namespace
+
+Result<glm::dmat3> viewAxes(const OrthographicView& view, const QString& field)
+{
+    const glm::dvec3 towards = view.targetLps - view.eyeLps;
+    if (!(glm::length(towards) > 1e-6))
+        return failure(ErrorCode::InvalidField, field,
+            QStringLiteral("eyeLps and targetLps are the same point"));
+    const glm::dvec3 forward = glm::normalize(towards);
+    const glm::dvec3 across = glm::cross(forward, view.up);
+    if (!(glm::length(across) > 1e-6))
+        return failure(ErrorCode::InvalidField, field + QStringLiteral(".up"),
+            QStringLiteral("points along the view direction"));
+    const glm::dvec3 right = glm::normalize(across);
+    return glm::dmat3(right, glm::cross(right, forward), forward);
+}
+
+Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
+{
+    const bool rate = stroke.mode == DrillMode::Rate;
+    for (const Result<void>& check :
+        {checkRange("mask.radiusMm", stroke.mask.radiusMm, 0.01, 200.0),
+            checkRange("mask.softnessMm", stroke.mask.softnessMm, 0.0, 200.0),
+            checkRange("depthMm", stroke.depthMm, 0.0, 500.0),
+            checkRange("floorMm", stroke.floorMm, 0.0, 500.0),
+            checkRange("guardMm", stroke.guardMm, 0.0, 500.0),
+            checkRange("pressureExponent", stroke.pressureExponent, 1, 3),
+            checkRange("layer", stroke.layer, 1, 254)}) {
+        if (!check)
+            return tl::unexpected(check.error());
+    }
+    const Result<MaskFrame> frame =
+        maskFrame({.view = stroke.view,
+                      .surfaceThreshold = stroke.surfaceThreshold,
+                      .maskReachMm = reachMm(stroke.mask),
+                      .maxDepthMm = rate ? stroke.floorMm : stroke.depthMm,
+                      .throughGaps = stroke.throughGaps,
+                      .restore = stroke.restore,
+                      .hidden = stroke.hidden,
+                      .spared = stroke.spared},
+            document, QStringLiteral("drill"));
+    if (!frame)
+        return tl::unexpected(frame.error());
+    DrillCut cut{.layer = std::uint8_t(stroke.layer), .frame = *frame};
+    cut.mode = stroke.mode;
+    cut.laying = stroke.restore ? Laying::Refill : Laying::Carve;
+    if (stroke.guardMm > 0.0 && !stroke.throughGaps && !stroke.restore)
+        cut.guard = frame->maxDepth + mm16(stroke.guardMm);
+    if (isRound(stroke.mask) && stroke.mask.softnessMm == 0.0) {
+        cut.maskRadius = mm16(stroke.mask.radiusMm);
+        return cut;
+    }
+    Result<MaskRaster> mask =
+        maskUnderSample(stroke.mask, frame->pitch, QStringLiteral("drill.mask"));
+    if (!mask)
+        return tl::unexpected(mask.error());
+    cut.mask = *std::move(mask);
+    return cut;
+}
+
+} // namespace core

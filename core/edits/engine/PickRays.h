@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/Edits.h"
+#include "core/engine/EngineCommands.h"
+#include "core/volume/ClipRegion.h"
+#include "core/volume/VolumeGeometry.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace core {
+
+/// Rays of an orthographic view in the integers of PickVoxels::Ray.
+struct PickRays {
+    /// One per point, in the order of the points; a ray that misses the volume has no samples.
+    std::vector<PickVoxels::Ray> rays;
+    double sampleMm = 0.0; ///< distance of neighbouring samples: half the finest spacing
+};
+
+/// @param planeMm points in the view plane: right of and above the target, mm
+/// Each ray starts at its first sample inside the volume and the clip region and ends at its last.
+[[nodiscard]] PickRays pickRays(const OrthographicView& view,
+    const std::vector<glm::dvec2>& planeMm, const VolumeGeometry& geometry,
+    const ClipRegion& clip = {});
+
+} // namespace core

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/document/Document.h"
+#include "core/edits/kinds/Edits.h"
+#include "core/sculpt/SparedLabels.h"
+
+namespace core {
+
+/// What an edit that carves spares: its own list. Null: it carves nothing, or restores.
+[[nodiscard]] SparedSegments* sparedBy(Edit& edit);
+[[nodiscard]] const SparedSegments* sparedBy(const Edit& edit);
+
+/// Adds the segments that are protected to what an edit spares, as it is carried out. From then on
+/// the edit says by itself what it reads: neither replay nor a revision asks what is protected.
+void spareProtected(Edit& edit, const Document& document);
+void spareProtected(SparedSegments& spared, const Document& document);
+
+/// In an engine's form, in the label plane that the document has.
+[[nodiscard]] SparedLabels sparedLabels(const SparedSegments& spared, const Document& document);
+
+/// Errors: InvalidField, where a cut that restores is told to spare something.
+/// @param edit its name, for errors
+[[nodiscard]] Result<void> checkSpared(
+    const SparedSegments& spared, bool restore, const QString& edit);
+
+} // namespace core

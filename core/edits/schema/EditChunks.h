@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/schema/EditFields.h"
+
+#include <vector>
+
+namespace core::editFields {
+
+// Fields of the edits that divide and take chunks: kinds as in EditFields.h.
+
+/// [{"label", "voxels"}, …], at least one, labels ascending; voxels in base 64.
+struct ChunkOwnerList {
+    using Value = std::vector<ChunkOwner>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[{label, voxels}, …]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+/// [brick, …]: numbers of bricks of the volume, from 0, each greater than the one before; may be
+/// empty.
+struct BrickList {
+    using Value = std::vector<std::int64_t>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[brick, …]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+} // namespace core::editFields

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/Edits.h"
+
+#include <QJsonValue>
+#include <QString>
+
+#include <array>
+#include <optional>
+
+namespace core::editFields {
+
+// What a field of an edit can hold. Each kind below knows one JSON form, one range and one
+// rounding:
+//
+//   type(), unit()   for the documentation
+//   write(value)     the JSON form
+//   read(json, out)  empty if it went well, else the reason ("must be a number")
+//   check(value)     empty if the value is allowed, else the reason
+//   rounded(value)   the nearest value of the field's grid; idempotent (EditQuantise.h)
+
+/// A number; NaN and infinities are never allowed.
+struct Number {
+    using Value = double;
+    const char* unitName = "";
+    double minimum = 0.0;
+    double maximum = 0.0;
+    double stepsPerUnit = 0.0; ///< values are multiples of 1 / stepsPerUnit; 0: kept exactly
+
+    [[nodiscard]] QString type() const;
+    [[nodiscard]] QString unit() const;
+    [[nodiscard]] QJsonValue write(Value value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Value rounded(Value value) const;
+};
+
+struct WholeNumber {
+    using Value = int;
+    int minimum = 0;
+    int maximum = 0;
+
+    [[nodiscard]] QString type() const;
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const { return value; }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
+/// How many neighbours a voxel has.
+struct Connectivity {
+    using Value = int;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("6, 18 or 26"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const { return value; }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
+struct Flag {
+    using Value = bool;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("true or false"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const { return value; }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value) const { return {}; }
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
+/// A name: 1 to 256 characters of valid Unicode without control characters.
+struct Text {
+    using Value = QString;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("text"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const { return value; }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+/// "#rrggbb".
+struct Colour {
+    using Value = std::uint32_t;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("\"#rrggbb\""); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
+/// [scheme, value, meaning]; [] is "not coded yet".
+struct Code {
+    using Value = CodedConcept;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[scheme, value, meaning]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+/// Takes exactly count numbers out of a JSON list; empty if it went well, else the reason.
+[[nodiscard]] QString readNumbers(const QJsonValue& json, double* numbers, int count);
+
+/// [x, y, z], each by the same rule.
+struct Point {
+    using Value = glm::dvec3;
+    Number component;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[x, y, z]"); }
+    [[nodiscard]] QString unit() const { return component.unit(); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
+/// One of some names, in the order of the enumerators.
+template <class E, std::size_t N> struct Choice {
+    using Value = E;
+    std::array<const char*, N> names{};
+
+    [[nodiscard]] QString type() const
+    {
+        QString text;
+        for (const char* name : names)
+            text += (text.isEmpty() ? QStringLiteral("\"") : QStringLiteral(" or \""))
+                + QLatin1String(name) + QLatin1Char('"');
+        return text;
+    }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const
+    {
+        return QLatin1String(names[std::size_t(value)]);
+    }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const
+    {
+        const QString text = json.toString();
+        for (std::size_t i = 0; i < N; ++i) {
+            if (text == QLatin1String(names[i])) {
+                value = E(i);
+                return {};
+            }
+        }
+        return QStringLiteral("must be ") + type();
+    }
+    [[nodiscard]] QString check(Value) const { return {}; }
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
+/// A row of the history.
+struct Row {
+    using Value = std::int64_t;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("row"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(Value value) const { return qint64(value); }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Value rounded(Value value) const { return value; }
+};
+
+/// A count of growth steps, or "toClosure".
+struct StepCount {
+    using Value = std::optional<int>;
+    const char* all = "toClosure"; ///< the word for no value
+
+    [[nodiscard]] QString type() const;
+    [[nodiscard]] QString unit() const { return QStringLiteral("steps"); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+} // namespace core::editFields

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/schema/EditFields.h"
+
+#include <vector>
+
+namespace core::editFields {
+
+// Fields that hold lists: kinds as in EditFields.h.
+
+/// [[x, y, z], …], at least one.
+struct PointList {
+    using Value = std::vector<glm::dvec3>;
+    Point point;
+    bool mayBeEmpty = false;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z], …]"); }
+    [[nodiscard]] QString unit() const { return point.unit(); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
+/// [[[x, y, z], …], …], at least one list, each of three points or more.
+struct ContourList {
+    using Value = std::vector<std::vector<glm::dvec3>>;
+    Point point;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[[x, y, z], …], …]"); }
+    [[nodiscard]] QString unit() const { return point.unit(); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
+/// [[x, y], …], at least three.
+struct Outline {
+    using Value = std::vector<glm::dvec2>;
+    Number component;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y], …]"); }
+    [[nodiscard]] QString unit() const { return component.unit(); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
+/// [[x, y, z, offset], …]: sides of planes, at least one, at most 16.
+struct HiddenSideList {
+    using Value = std::vector<HiddenSide>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z, offset], …]"); }
+    [[nodiscard]] QString unit() const { return QStringLiteral("direction, mm"); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
+/// [[x, y, pressure, t], …], at least one, t never falling.
+struct SampleList {
+    using Value = std::vector<PenSample>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, pressure, t], …]"); }
+    [[nodiscard]] QString unit() const { return QStringLiteral("mm, mm, 0 … 1, s"); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
+/// [row, …]: rows of the history, at least one, each greater than the one before.
+struct RowList {
+    using Value = std::vector<std::int64_t>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[row, …]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+/// [place, …]: places in another list, from 1, each greater than the one before; may be empty.
+struct PlaceList {
+    using Value = std::vector<std::int64_t>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[place, …]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+/// [[x, y, z], [x, y, z]]: opposite corners of a box.
+struct CornerPair {
+    using Value = GrowBox;
+    Point point;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z], [x, y, z]]"); }
+    [[nodiscard]] QString unit() const { return point.unit(); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
+/// [segment, …]: numbers of segments, at least one, each greater than the one before.
+struct SegmentList {
+    using Value = std::vector<int>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[segment, …]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+} // namespace core::editFields

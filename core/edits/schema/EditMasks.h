@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/schema/EditFields.h"
+
+#include <vector>
+
+namespace core::editFields {
+
+// Fields of the edit that brings a mask in: kinds as in EditFields.h.
+
+/// The name of a file, with its folder or without.
+struct FileName {
+    using Value = QString;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("text"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const { return value; }
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+/// A segment by its number or by its name.
+struct SegmentReference {
+    using Value = SegmentWord;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("text, or whole number 1 … 255"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+/// [columns, rows, slices].
+struct GridSize {
+    using Value = glm::ivec3;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[x, y, z]"); }
+    [[nodiscard]] QString unit() const { return QStringLiteral("voxels"); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+/// [{"name", "color", "code", "voxels"}, …], at least one; voxels in base 64.
+struct ImportedSegmentList {
+    using Value = std::vector<ImportedSegment>;
+
+    [[nodiscard]] QString type() const
+    {
+        return QStringLiteral("[{name, color, code, voxels}, …]");
+    }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+} // namespace core::editFields

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/schema/EditQuantise.h"
+
+#include "core/edits/schema/EditSchema.h"
+
+namespace core {
+
+using editSchema::Presence;
+
+namespace {
+
+class Rounder {
+public:
+    template <class Kind>
+    void field(const char*, Presence, typename Kind::Value& value, const Kind& kind, const char*)
+    {
+        value = kind.rounded(value);
+    }
+    template <class Kind>
+    void maybe(const char*, std::optional<typename Kind::Value>& value, const Kind& kind,
+        const char*, const char* = nullptr)
+    {
+        if (value)
+            value = kind.rounded(*value);
+    }
+    void constant(const char*, Presence, const QJsonValue&, const char*) { }
+    template <class Inside> void group(const char*, const char*, const Inside& visitInside)
+    {
+        visitInside(*this);
+    }
+    template <class Inside> void when(bool condition, const Inside& visitInside)
+    {
+        if (condition)
+            visitInside();
+    }
+};
+
+} // namespace
+
+Edit quantised(const Edit& edit)
+{
+    Edit result = edit;
+    Rounder rounder;
+    std::visit([&rounder](auto& fields) { editSchema::visitFields(rounder, fields); }, result);
+    return result;
+}
+
+std::vector<PenSample> quantised(const std::vector<PenSample>& samples)
+{
+    return editFields::SampleList().rounded(samples);
+}
+
+std::vector<glm::dvec3> quantised(const std::vector<glm::dvec3>& pointsLps)
+{
+    return editFields::PointList{editSchema::positionLps}.rounded(pointsLps);
+}
+
+} // namespace core

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/common/CheckExport.h"
+
+#include "core/export/common/CheckSources.h"
+#include "core/export/common/LabelMap.h"
+#include "core/nrrd/NrrdHeader.h"
+#include "core/nrrd/NrrdReader.h"
+
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace core {
+
+namespace {
+
+/// Its numbers have all their digits: the grid is the volume's but for rounding.
+constexpr double writtenToleranceMm = 1e-6;
+
+using Keys = std::map<QByteArray, QByteArray>;
+
+QString valueOf(const Keys& keys, const QByteArray& key)
+{
+    const auto found = keys.find(key);
+    return found == keys.end() ? QString() : QString::fromUtf8(found->second);
+}
+
+/// "0.5 1 0" → 0x80ff00
+std::optional<std::uint32_t> colourOf(const QString& text)
+{
+    const QStringList parts = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    std::uint32_t rgb = 0;
+    for (const QString& part : parts) {
+        bool isNumber = false;
+        const double share = part.toDouble(&isNumber);
+        if (!isNumber || !(share >= 0.0 && share <= 1.0))
+            return std::nullopt;
+        rgb = (rgb << 8U) | std::uint32_t(std::lround(share * 255.0));
+    }
+    return parts.size() == 3 ? std::optional(rgb) : std::nullopt;
+}
+
+/// Letters as they are: a header knows no control characters, and a tag not those that part it.
+QString comparable(const QString& text, bool inTag)
+{
+    QString plain;
+    for (const QChar character : text) {
+        const bool control = character.category() == QChar::Other_Control && character != u'\n';
+        const bool parting = inTag && (character == u'^' || character == u'~' || character == u'|');
+        plain += control || parting ? QChar(u' ') : character;
+    }
+    return plain;
+}
+
+/// The type that the tags of a segment name; nothing where there is none.
+std::optional<CodedConcept> codeOf(const QString& tags)
+{
+    const QString name = QStringLiteral("TerminologyEntry:");
+    for (const QString& tag : tags.split(QLatin1Char('|'))) {
+        if (!tag.startsWith(name))
+            continue;
+        const QStringList parts = tag.mid(name.size()).split(QLatin1Char('~'));
+        const QStringList code = parts.value(2).split(QLatin1Char('^'));
+        if (parts.size() != 7 || code.size() != 3)
+            return std::nullopt;
+        return CodedConcept{.scheme = code[0], .value = code[1], .meaning = code[2]};
+    }
+    return CodedConcept{};
+}
+
+/// What a segment's keys say that is not so, as a word; empty if all is.
+QString differenceOfSegment(
+    const Keys& keys, const QByteArray& prefix, const Segment& segment, const QString& extent)
+{
+    if (valueOf(keys, prefix + "Name") != comparable(segment.name, false))
+        return QStringLiteral("name");
+    if (valueOf(keys, prefix + "LabelValue") != QString::number(segment.label))
+        return QStringLiteral("label value");
+    if (valueOf(keys, prefix + "Layer") != QLatin1String("0"))
+        return QStringLiteral("layer");
+    if (valueOf(keys, prefix + "Extent") != extent)
+        return QStringLiteral("extent");
+    if (colourOf(valueOf(keys, prefix + "Color")) != (segment.rgb & 0xffffffU))
+        return QStringLiteral("colour");
+    CodedConcept code;
+    if (segment.code.isSet())
+        code = {.scheme = comparable(segment.code.scheme, true),
+            .value = comparable(segment.code.value, true),
+            .meaning = comparable(segment.code.meaning, true)};
+    if (codeOf(valueOf(keys, prefix + "Tags")) != code)
+        return QStringLiteral("code");
+    return {};
+}
+
+/// What the keys of the header say that is not so, as a clause; empty if all is.
+QString differenceOfKeys(const Keys& keys, const ExportExpectation& expected)
+{
+    const glm::ivec3 size = expected.volume.geometry.size;
+    const QString extent =
+        QStringLiteral("0 %1 0 %2 0 %3").arg(size.x - 1).arg(size.y - 1).arg(size.z - 1);
+    std::set<QString> ids;
+    for (std::size_t i = 0; i < expected.segments.size(); ++i) {
+        const QByteArray prefix = "Segment" + QByteArray::number(qulonglong(i)) + '_';
+        const QString id = valueOf(keys, prefix + "ID");
+        if (id.isEmpty() || !ids.insert(id).second)
+            return QStringLiteral("the ID of segment %1").arg(i + 1);
+        const QString what = differenceOfSegment(keys, prefix, expected.segments[i], extent);
+        if (!what.isEmpty())
+            return QStringLiteral("the %1 of segment %2").arg(what).arg(i + 1);
+    }
+    const QByteArray next =
+        "Segment" + QByteArray::number(qulonglong(expected.segments.size())) + "_ID";
+    if (keys.contains(next))
+        return QStringLiteral("the number of segments");
+    for (const char* key : {"MasterRepresentation", "SourceRepresentation"}) {
+        if (valueOf(keys, QByteArray("Segmentation_") + key) != QLatin1String("Binary labelmap"))
+            return QStringLiteral("the representation");
+    }
+    if (valueOf(keys, "Segmentation_ReferenceImageExtentOffset") != QLatin1String("0 0 0"))
+        return QStringLiteral("the offset of the extent");
+    return {};
+}
+
+} // namespace
+
+Result<QStringList> checkSegNrrdExport(
+    const QString& file, const ExportExpectation& expected, const Progress& progress)
+{
+    const VolumeGeometry& geometry = expected.volume.geometry;
+    const auto mismatch = [&](const QString& what) {
+        return failure(ErrorCode::ExportMismatch, file, what);
+    };
+    const Result<NrrdHeader> header = readNrrdHeader(file);
+    if (!header)
+        return tl::unexpected(header.error());
+    const Result<GridFile> grid = readNrrd(file);
+    if (!grid)
+        return tl::unexpected(grid.error());
+    if (grid->geometry.size != geometry.size || grid->voxels.type != ScalarType::UInt8)
+        return mismatch(QStringLiteral("size or type of the voxels"));
+    if (header->field("space") != "left-posterior-superior")
+        return mismatch(QStringLiteral("the space is not left-posterior-superior"));
+    if (const QString what = differenceOfKeys(header->keyValues, expected); !what.isEmpty())
+        return mismatch(what);
+
+    const auto place = labelMapPlace(file, expected.volume, progress);
+    if (!place)
+        return tl::unexpected(place.error());
+    const GridCorners corners = cornersOf(grid->geometry.indexToWorld, geometry.size);
+    const double off = farthest(corners, place->corners);
+    if (off > place->toleranceMm)
+        return mismatch(QStringLiteral("the space directions put a corner %1 mm away from where "
+                                       "the source has it")
+                            .arg(off));
+    if (farthest(corners, cornersOf(geometry.indexToWorld, geometry.size)) > writtenToleranceMm)
+        return mismatch(QStringLiteral("the space directions are not those of the volume"));
+
+    const Result<VoxelBytes> bytes = readVoxels(grid->voxels, progress);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    if (bytes->surplus)
+        return mismatch(QStringLiteral("the file holds more than its voxels"));
+    const auto* voxels = reinterpret_cast<const std::uint8_t*>(bytes->data.get());
+    const std::size_t wrong = wrongVoxels({voxels, bytes->size}, expected);
+    if (wrong != 0)
+        return mismatch(QStringLiteral("%1 voxels are not as drawn").arg(wrong));
+    return QStringList{
+        QStringLiteral("The eight corners land on the source's millimetres (at most %1 mm off, "
+                       "source header read again).")
+            .arg(off, 0, 'f', 4),
+        QStringLiteral("Names, colours, labels and codes of %1 are as given.")
+            .arg(counted(int(expected.segments.size()), "segment")),
+        QStringLiteral("All %1 voxels are as drawn.").arg(bytes->size)};
+}
+
+} // namespace core

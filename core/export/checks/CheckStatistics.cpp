@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/deidentify/Deidentifier.h"
+#include "core/dicom/objects/SegReader.h"
+#include "core/dicom/objects/SrReader.h"
+#include "core/export/common/CheckSources.h"
+
+#include <QFile>
+#include <QHash>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace core {
+
+namespace {
+
+constexpr double relativeTolerance = 1e-9;
+/// A decimal string has 16 characters.
+constexpr double reportTolerance = 1e-8;
+
+using Numbers = std::map<QString, double>;
+
+/// What can be said of a segment by looking at one voxel after the other, in no clever way.
+Numbers countedAnew(const ExportExpectation& expected, const Segment& segment)
+{
+    const Volume& volume = expected.volume;
+    const glm::ivec3 size = volume.geometry.size;
+    std::span<const std::uint8_t> labels;
+    for (const LabelPlaneView& plane : expected.planes) {
+        if (plane.plane == segment.plane)
+            labels = plane.labels;
+    }
+    std::vector<double> values;
+    glm::dvec3 sum(0.0);
+    glm::ivec3 first = size;
+    glm::ivec3 last(-1);
+    std::size_t i = 0;
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x, ++i) {
+                if (i >= labels.size() || labels[i] != segment.label)
+                    continue;
+                values.push_back(volume.encoding.value(expected.codes[i]));
+                sum += sliceOrigin(volume.geometry, z)
+                    + glm::dmat3(volume.geometry.indexToWorld) * glm::dvec3(x, y, 0);
+                first = glm::min(first, glm::ivec3(x, y, z));
+                last = glm::max(last, glm::ivec3(x, y, z));
+            }
+        }
+    }
+    std::sort(values.begin(), values.end());
+    const auto count = double(values.size());
+    double total = 0.0;
+    for (const double value : values)
+        total += value;
+    double squares = 0.0;
+    for (const double value : values)
+        squares += (value - total / count) * (value - total / count);
+    const auto share = [&](double percent) {
+        return values[std::size_t(std::max(1.0, std::ceil(count * percent / 100.0))) - 1];
+    };
+    Numbers numbers{{QStringLiteral("voxels"), count}, {QStringLiteral("firstColumn"), first.x},
+        {QStringLiteral("firstRow"), first.y}, {QStringLiteral("firstSlice"), first.z},
+        {QStringLiteral("lastColumn"), last.x}, {QStringLiteral("lastRow"), last.y},
+        {QStringLiteral("lastSlice"), last.z}, {QStringLiteral("centroidLeftMm"), sum.x / count},
+        {QStringLiteral("centroidPosteriorMm"), sum.y / count},
+        {QStringLiteral("centroidSuperiorMm"), sum.z / count},
+        {QStringLiteral("minimum"), values.front()}, {QStringLiteral("maximum"), values.back()},
+        {QStringLiteral("mean"), total / count},
+        {QStringLiteral("standardDeviation"), std::sqrt(squares / count)},
+        {QStringLiteral("median"), share(50)}};
+    for (const int percent : {5, 10, 25, 75, 90, 95})
+        numbers[QStringLiteral("percentile%1").arg(percent)] = share(percent);
+    // Without gaps between slices to heed, every voxel is as large as the grid's.
+    if (volume.geometry.slicePositions.empty())
+        numbers[QStringLiteral("volumeMl")] = count * volume.geometry.voxelVolumeMm3() / 1000.0;
+    return numbers;
+}
+
+/// One cell after the other of a line of RFC 4180.
+QStringList cellsOf(const QString& line)
+{
+    QStringList cells(1);
+    bool quoted = false;
+    for (qsizetype i = 0; i < line.size(); ++i) {
+        const QChar c = line[i];
+        if (quoted && c == QLatin1Char('"') && i + 1 < line.size()
+            && line[i + 1] == QLatin1Char('"'))
+            cells.back() += line[++i];
+        else if (c == QLatin1Char('"'))
+            quoted = !quoted;
+        else if (c == QLatin1Char(',') && !quoted)
+            cells += QString();
+        else
+            cells.back() += c;
+    }
+    return cells;
+}
+
+/// What a text file says of a segment.
+struct Said {
+    int label = 0;
+    QString name;
+    Numbers numbers;
+};
+
+std::vector<Said> saidInCsv(const QByteArray& text)
+{
+    QStringList lines = QString::fromUtf8(text).split(QStringLiteral("\r\n"), Qt::SkipEmptyParts);
+    if (lines.isEmpty())
+        return {};
+    const QStringList names = cellsOf(lines.takeFirst());
+    std::vector<Said> all;
+    for (const QString& line : lines) {
+        const QStringList cells = cellsOf(line);
+        if (cells.size() != names.size())
+            return {};
+        Said said{.label = cells[0].toInt(), .name = cells[1], .numbers = {}};
+        for (qsizetype i = 0; i < cells.size(); ++i) {
+            bool isNumber = false;
+            const double number = cells[i].toDouble(&isNumber);
+            if (isNumber)
+                said.numbers[names[i]] = number;
+        }
+        all.push_back(said);
+    }
+    return all;
+}
+
+std::vector<Said> saidInJson(const QByteArray& text)
+{
+    std::vector<Said> all;
+    const QJsonArray segments =
+        QJsonDocument::fromJson(text).object()[QLatin1String("segments")].toArray();
+    for (const QJsonValue& value : segments) {
+        const QJsonObject entry = value.toObject();
+        Said said{.label = entry[QLatin1String("label")].toInt(),
+            .name = entry[QLatin1String("name")].toString(),
+            .numbers = {}};
+        for (auto field = entry.constBegin(); field != entry.constEnd(); ++field) {
+            if (field->isDouble())
+                said.numbers[field.key()] = field->toDouble();
+        }
+        all.push_back(said);
+    }
+    return all;
+}
+
+bool agree(double a, double b, double tolerance)
+{
+    return std::abs(a - b) <= tolerance * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+/// @return what differs; empty if nothing does
+QString differenceOf(const Said& said, const Numbers& right, double tolerance)
+{
+    for (const auto& [name, number] : right) {
+        const auto found = said.numbers.find(name);
+        if (found == said.numbers.end())
+            return QStringLiteral("%1 of '%2' is missing").arg(name, said.name);
+        if (!agree(found->second, number, tolerance))
+            return QStringLiteral("%1 of '%2' is %3 instead of %4")
+                .arg(name, said.name)
+                .arg(found->second)
+                .arg(number);
+    }
+    return {};
+}
+
+Result<std::vector<Said>> saidInReport(
+    const QString& file, const ExportExpectation& expected, const Progress& progress)
+{
+    const auto mismatch = [&](const QString& what) {
+        return failure(ErrorCode::ExportMismatch, file, what);
+    };
+    const auto headers = checkedSourceHeaders(file, expected, progress);
+    if (!headers)
+        return tl::unexpected(headers.error());
+    const auto report = readSr(file);
+    if (!report)
+        return tl::unexpected(report.error());
+    if (const QString what = differenceOfPatients(report->patient, headers->front().patient);
+        !what.isEmpty())
+        return mismatch(what);
+    if (report->studyUid != headers->front().studyUid)
+        return mismatch(QStringLiteral("study"));
+    for (const SourceHeader& header : *headers) {
+        if (!report->evidence.contains(header.sopInstanceUid))
+            return mismatch(QStringLiteral("a source image is not among the evidence"));
+    }
+    std::vector<Said> all;
+    for (std::size_t i = 0; i < report->groups.size() && i < expected.segments.size(); ++i) {
+        const SrFileGroup& group = report->groups[i];
+        if (group.segmentNumber != int(i) + 1 || !report->evidence.contains(group.segUid)
+            || group.sourceSeriesUid != headers->front().seriesUid)
+            return mismatch(QStringLiteral("what measurement group %1 refers to").arg(i + 1));
+        Said said{.label = expected.segments[i].label, .name = group.name, .numbers = {}};
+        const std::map<QString, QString> names{
+            {QStringLiteral("118565006"), QStringLiteral("volumeMl")},
+            {QStringLiteral("373098007"), QStringLiteral("mean")},
+            {QStringLiteral("386136009"), QStringLiteral("standardDeviation")},
+            {QStringLiteral("255605001"), QStringLiteral("minimum")},
+            {QStringLiteral("56851009"), QStringLiteral("maximum")},
+            {QStringLiteral("373099004"), QStringLiteral("median")}};
+        for (const auto& [code, number] : group.numbers) {
+            const auto name = names.find(code);
+            if (name != names.end())
+                said.numbers[name->second] = number;
+        }
+        all.push_back(said);
+    }
+    if (report->groups.size() != expected.segments.size())
+        return mismatch(QStringLiteral("the number of measurement groups"));
+    return all;
+}
+
+} // namespace
+
+Result<QStringList> checkStatisticsExport(
+    const QString& file, const ExportExpectation& expected, const Progress& progress)
+{
+    const auto mismatch = [&](const QString& what) {
+        return failure(ErrorCode::ExportMismatch, file, what);
+    };
+    const bool isReport = expected.format == ExportFormat::Sr;
+    std::vector<Said> all;
+    if (isReport) {
+        auto said = saidInReport(file, expected, progress);
+        if (!said)
+            return tl::unexpected(said.error());
+        all = *std::move(said);
+    } else {
+        if (!expected.volume.sources.empty()) {
+            if (const auto headers = checkedSourceHeaders(file, expected, progress); !headers)
+                return tl::unexpected(headers.error());
+        }
+        QFile in(file);
+        if (!in.open(QIODevice::ReadOnly))
+            return failure(ErrorCode::FileUnreadable, file, in.errorString());
+        const QByteArray text = in.readAll();
+        all = expected.format == ExportFormat::Csv ? saidInCsv(text) : saidInJson(text);
+    }
+    if (all.size() != expected.segments.size())
+        return mismatch(QStringLiteral("the number of segments"));
+    std::size_t numbers = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Segment& segment = expected.segments[i];
+        if (all[i].label != segment.label || (!isReport && all[i].name != segment.name))
+            return mismatch(QStringLiteral("name or label of segment %1").arg(i + 1));
+        Numbers right = countedAnew(expected, segment);
+        if (isReport) {
+            std::erase_if(right, [](const auto& each) {
+                static const QStringList kept{QStringLiteral("volumeMl"), QStringLiteral("mean"),
+                    QStringLiteral("standardDeviation"), QStringLiteral("minimum"),
+                    QStringLiteral("maximum"), QStringLiteral("median")};
+                return !kept.contains(each.first);
+            });
+        }
+        const QString what =
+            differenceOf(all[i], right, isReport ? reportTolerance : relativeTolerance);
+        if (!what.isEmpty())
+            return mismatch(what);
+        numbers += right.size();
+    }
+    return QStringList{
+        QStringLiteral("%1 of %2 equal those counted anew, voxel by voxel.")
+            .arg(counted(int(numbers), "number"), counted(int(all.size()), "segment"))};
+}
+
+} // namespace core

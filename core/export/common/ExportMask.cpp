@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/common/ExportMask.h"
+
+#include "core/base/files/FileInUse.h"
+#include "core/base/files/StagedFile.h"
+#include "core/dicom/deidentify/Deidentifier.h"
+#include "core/export/common/CheckExport.h"
+#include "core/export/common/CheckWayBack.h"
+#include "core/export/common/MaskSelection.h"
+#include "core/export/common/StatisticsText.h"
+#include "core/repair/SeriesRepair.h"
+#include "core/repair/WayBack.h"
+#include "core/study/SourceFiles.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace core {
+
+Result<QString> sha256OfFile(const QString& path)
+{
+    QFile file(path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
+        return failure(ErrorCode::FileUnreadable, path, file.errorString());
+    return QString::fromLatin1(hash.result().toHex());
+}
+
+bool isSourceFile(const Volume& volume, const QString& file)
+{
+    if (!QFileInfo::exists(file))
+        return false;
+    const std::optional<FileIdentity> target = FileIdentity::of(file);
+    const QStringList sources = sourceFiles(volume);
+    return std::any_of(sources.begin(), sources.end(),
+        [&target](const QString& source) { return FileIdentity::of(source) == target; });
+}
+
+namespace {
+
+/// Names the user's file where a step knew only the temporary one.
+Error renamed(Error error, const StagedFile& staged, const QString& file)
+{
+    for (QString& argument : error.arguments) {
+        if (argument == staged.path())
+            argument = file;
+    }
+    return error;
+}
+
+Result<QStringList> write(const QString& path, const Volume& volume, const ExportRequest& request,
+    const MaskSelection& selection, const StagedExport* beside, const Progress& progress,
+    ExportReport& report)
+{
+    switch (request.format) {
+    case ExportFormat::DicomSeg:
+    case ExportFormat::DicomSegFractional:
+    case ExportFormat::DicomSegLabelMap:
+        return writeSegMask(path, volume, request, selection, progress, report);
+    case ExportFormat::RtStruct:
+        return writeRtStructMask(path, volume, request, selection, progress, report);
+    case ExportFormat::Nifti:
+        return writeNiftiMask(path, volume, request, selection, report);
+    case ExportFormat::SegNrrd:
+        return writeSegNrrdMask(path, volume, request, selection, report);
+    case ExportFormat::Csv:
+    case ExportFormat::Json:
+    case ExportFormat::Sr:
+        return writeStatistics(path, volume, request, selection, beside, progress, report);
+    case ExportFormat::Stl:
+    case ExportFormat::Obj:
+    case ExportFormat::Ply:
+    case ExportFormat::Gltf:
+        break;
+    }
+    return writeSurfaces(path, volume, request, selection, progress, report);
+}
+
+Result<QStringList> check(
+    const QString& path, const ExportExpectation& expected, const Progress& progress)
+{
+    switch (expected.format) {
+    case ExportFormat::DicomSeg:
+    case ExportFormat::DicomSegFractional:
+    case ExportFormat::DicomSegLabelMap:
+        return checkSegExport(path, expected, progress);
+    case ExportFormat::RtStruct:
+        return checkRtStructExport(path, expected, progress);
+    case ExportFormat::Nifti:
+        return checkNiftiExport(path, expected, progress);
+    case ExportFormat::SegNrrd:
+        return checkSegNrrdExport(path, expected, progress);
+    case ExportFormat::Csv:
+    case ExportFormat::Json:
+    case ExportFormat::Sr:
+        return checkStatisticsExport(path, expected, progress);
+    case ExportFormat::Stl:
+    case ExportFormat::Obj:
+    case ExportFormat::Ply:
+    case ExportFormat::Gltf:
+        break;
+    }
+    return checkSurfaceExport(expected.format, path, expected, progress);
+}
+
+/// What is written in place of names that may say who the patient is.
+ExportRequest neutral(ExportRequest request)
+{
+    if (request.deidentifier) {
+        for (Segment& segment : request.segments)
+            segment.name = request.deidentifier->segmentName(
+                segment.label, segment.name, segment.code.meaning);
+        for (SegmentCoverage& coverage : request.coverages)
+            coverage.layer = request.deidentifier->options().keepDescriptions
+                ? request.deidentifier->cleanText(coverage.layer)
+                : QStringLiteral("its own");
+    }
+    return request;
+}
+
+Result<StagedExport> stageOn(const Volume& volume, const ExportRequest& request,
+    const Progress& progress, ExportReport report)
+{
+    if (const QString obstacle = exportNameObstacle(request.format, request.file);
+        !obstacle.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, request.file, obstacle);
+    const auto selection = selectMask(volume, request);
+    if (!selection)
+        return tl::unexpected(selection.error());
+    if (factsOf(request.format).isSeg) {
+        for (const Segment& segment : selection->segments) {
+            if (!segment.code.isSet())
+                return failure(ErrorCode::SegmentNotCoded, segment.name);
+        }
+    }
+    if (factsOf(request.format).isStatistics
+        && request.codes.size() != volume.geometry.voxelCount())
+        return failure(ErrorCode::UnsupportedFormat, request.file,
+            QStringLiteral("the values of the study are not at hand"));
+    if (isSourceFile(volume, request.file))
+        return failure(ErrorCode::FileUnwritable, request.file,
+            QStringLiteral("it is a file of the study itself"));
+    auto staged = StagedFile::create(request.file, request.force);
+    if (!staged)
+        return tl::unexpected(staged.error());
+
+    std::shared_ptr<StagedExport> beside;
+    if (request.format == ExportFormat::Sr) {
+        // What a report speaks of is written with it, and comes and goes with it.
+        ExportRequest seg = request;
+        seg.format = ExportFormat::DicomSeg;
+        seg.file = segBeside(request.file);
+        auto stagedSeg = stageOn(volume, seg, progress, {});
+        if (!stagedSeg)
+            return tl::unexpected(stagedSeg.error());
+        stagedSeg->report.file = seg.file;
+        beside = std::make_shared<StagedExport>(*std::move(stagedSeg));
+    }
+    const auto written =
+        write(staged->path(), volume, request, *selection, beside.get(), progress, report);
+    if (!written)
+        return tl::unexpected(renamed(written.error(), *staged, request.file));
+    report.written = *written + report.written;
+    const ExportExpectation expected{.volume = volume,
+        .segments = selection->segments,
+        .planes = request.planes,
+        .space = request.space,
+        .format = request.format,
+        .coverages = request.coverages,
+        .codes = request.codes,
+        .deidentifier = request.deidentifier.get()};
+    const auto checked = check(staged->path(), expected, progress);
+    if (!checked)
+        return tl::unexpected(renamed(checked.error(), *staged, request.file));
+    report.checked = *checked + report.checked;
+    if (request.deidentifier) {
+        if (factsOf(request.format).namesSourceImages) {
+            const auto clean = checkDeidentified(staged->path(), *request.deidentifier);
+            if (!clean)
+                return tl::unexpected(renamed(clean.error(), *staged, request.file));
+            report.checked += *clean;
+        }
+        report.written +=
+            QStringLiteral("De-identified: %1; patient '%2'; UIDs are new.")
+                .arg(request.deidentifier->method(), request.deidentifier->patientId());
+    }
+    const auto sum = sha256OfFile(staged->path());
+    if (!sum)
+        return tl::unexpected(renamed(sum.error(), *staged, request.file));
+    report.sha256 = *sum;
+    if (volume.keptHeaders)
+        report.cautions += QStringLiteral("The study's own files were not at hand; the export was "
+                                          "checked against the headers that the session holds.");
+    for (const QString& name : selection->empty)
+        report.cautions += QStringLiteral("Segment '%1' is empty and was left out.").arg(name);
+    if (!volume.repair.isEmpty())
+        report.cautions += QStringLiteral("The series was repaired on loading (%1).")
+                               .arg(SeriesRepair::fromText(volume.repair)->inWords());
+    for (const VolumeProblem& problem : volume.problems) {
+        if (problem.caution)
+            report.cautions += problem.text;
+    }
+    return StagedExport{*std::move(staged), std::move(report), std::move(beside)};
+}
+
+/// Writes and checks on the voxels of @p volume.
+Result<ExportReport> exportOn(const Volume& volume, const ExportRequest& request,
+    const Progress& progress, ExportReport report)
+{
+    auto staged = stageOn(volume, request, progress, std::move(report));
+    if (!staged)
+        return tl::unexpected(staged.error());
+    if (staged->beside) {
+        if (const Result<void> placed = staged->beside->file.commit(); !placed)
+            return tl::unexpected(placed.error());
+    }
+    if (const Result<void> placed = staged->file.commit(); !placed) {
+        if (staged->beside)
+            staged->beside->file.takeBack();
+        return tl::unexpected(placed.error());
+    }
+    return std::move(staged->report);
+}
+
+/// Labels of the repaired voxels on the slices of the images that they were made of.
+Result<ExportReport> exportOnSlices(const WayBack& back, const Volume& volume,
+    const ExportRequest& request, const Progress& progress)
+{
+    if (factsOf(request.format).isStatistics)
+        return failure(ErrorCode::UnsupportedFormat, request.file,
+            QStringLiteral("a report names the images, on which the repaired voxels do not lie; "
+                           "CSV and JSON can be written"));
+    std::vector<std::vector<std::uint8_t>> labels;
+    ExportRequest onSlices = request;
+    for (SegmentCoverage& coverage : onSlices.coverages) {
+        labels.push_back(back.labels(coverage.coverage));
+        coverage.coverage = labels.back();
+    }
+    for (LabelPlaneView& plane : onSlices.planes) {
+        if (plane.labels.size() != volume.geometry.voxelCount())
+            return failure(ErrorCode::UnknownSegment, QString(),
+                QStringLiteral("its label plane is not there"));
+        labels.push_back(back.labels(plane.labels));
+        plane.labels = labels.back();
+    }
+    if (const QString wrong = differenceOfWayBack(back, volume, onSlices, request);
+        !wrong.isEmpty())
+        return failure(ErrorCode::ExportMismatch, request.file, wrong);
+    ExportReport report;
+    report.file = request.file;
+    report.written = {QStringLiteral("Written on the images' own slices, %1 of them: each of "
+                                     "their voxels takes what the nearest voxel of the repaired "
+                                     "volume holds.")
+                          .arg(back.slices().geometry.size.z)};
+    report.checked = {QStringLiteral("Every voxel of every slice was found again in the repaired "
+                                     "volume by its place in the patient, at most half a voxel "
+                                     "away.")};
+    report.cautions = beyondSlices(back, volume, request);
+    return exportOn(back.slices(), onSlices, progress, std::move(report));
+}
+
+} // namespace
+
+CodedConcept anatomicalStructure()
+{
+    return {.scheme = QStringLiteral("SCT"),
+        .value = QStringLiteral("123037004"),
+        .meaning = QStringLiteral("Anatomical Structure")};
+}
+
+QString dicomSegObstacle(const Volume& volume)
+{
+    if (const std::optional<WayBack> back = WayBack::of(volume))
+        return dicomSegObstacle(back->slices());
+    const QString instead = QStringLiteral("; NIfTI can be exported instead");
+    if (volume.sourceFormat != QLatin1String("DICOM")
+        || volume.sources.size() != std::size_t(volume.geometry.size.z))
+        return QStringLiteral("the study was not read from DICOM images, which a DICOM SEG or "
+                              "RTSTRUCT must name")
+            + instead;
+    if (volume.identity.studyUid.isEmpty())
+        return QStringLiteral("the source images carry no Study Instance UID, so a DICOM SEG or "
+                              "RTSTRUCT could not say to which study it belongs")
+            + instead;
+    if (volume.identity.seriesUid.isEmpty())
+        return QStringLiteral("the source images carry no Series Instance UID, so a DICOM SEG or "
+                              "RTSTRUCT could not say on which series it was drawn")
+            + instead;
+    for (const SourceSlice& slice : volume.sources) {
+        if (slice.sopInstanceUid.isEmpty() || slice.sopClassUid.isEmpty())
+            return QStringLiteral("the source images carry no SOP Instance UID, so a DICOM SEG or "
+                                  "RTSTRUCT could not say on which image it was drawn")
+                + instead;
+    }
+    if (std::max(volume.geometry.size.x, volume.geometry.size.y) > 65535)
+        return QStringLiteral("DICOM holds at most 65535 rows and columns") + instead;
+    return {};
+}
+
+Result<ExportReport> exportMask(
+    const Volume& volume, const ExportRequest& asked, const Progress& progress)
+{
+    const ExportRequest request = neutral(asked);
+    if (factsOf(request.format).namesSourceImages) {
+        if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
+            return failure(ErrorCode::UnsupportedFormat, request.file, obstacle);
+        if (const std::optional<WayBack> back = WayBack::of(volume))
+            return exportOnSlices(*back, volume, request, progress);
+    }
+    ExportReport report;
+    report.file = request.file;
+    return exportOn(volume, request, progress, std::move(report));
+}
+
+} // namespace core

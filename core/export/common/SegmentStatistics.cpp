@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/common/SegmentStatistics.h"
+
+#include "core/export/common/CheckSources.h"
+#include "core/surface/SegmentSurface.h"
+#include "core/volume/UnevenSlices.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+namespace {
+
+/// What one pass over the voxels counts; whole numbers only.
+struct Counts {
+    std::vector<std::int64_t> ofCode = std::vector<std::int64_t>(VoxelEncoding::codeCount, 0);
+    std::vector<std::int64_t> ofSlice;
+    std::vector<std::int64_t> columnSums; ///< per slice
+    std::vector<std::int64_t> rowSums;
+    glm::ivec3 first{0};
+    glm::ivec3 last{-1};
+    std::int64_t voxels = 0;
+};
+
+Counts countsOf(std::span<const std::uint8_t> labels, std::uint8_t label,
+    std::span<const std::uint16_t> codes, const glm::ivec3& size)
+{
+    Counts counts;
+    const auto slices = std::size_t(size.z);
+    counts.ofSlice.resize(slices);
+    counts.columnSums.resize(slices);
+    counts.rowSums.resize(slices);
+    counts.first = size;
+    std::size_t i = 0;
+    for (int z = 0; z < size.z; ++z) {
+        const auto k = std::size_t(z);
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x, ++i) {
+                if (labels[i] != label)
+                    continue;
+                ++counts.ofCode[codes[i]];
+                ++counts.ofSlice[k];
+                counts.columnSums[k] += x;
+                counts.rowSums[k] += y;
+                counts.first = glm::min(counts.first, glm::ivec3(x, y, z));
+                counts.last = glm::max(counts.last, glm::ivec3(x, y, z));
+            }
+        }
+        counts.voxels += counts.ofSlice[k];
+    }
+    return counts;
+}
+
+/// The least code that @p share percent of the voxels do not exceed.
+int percentileCode(const Counts& counts, int share)
+{
+    const std::int64_t wanted =
+        std::max<std::int64_t>(1, (counts.voxels * share + 99) / 100); // rounded up
+    std::int64_t reached = 0;
+    for (int code = 0; code < VoxelEncoding::codeCount; ++code) {
+        reached += counts.ofCode[std::size_t(code)];
+        if (reached >= wanted)
+            return code;
+    }
+    return VoxelEncoding::codeCount - 1;
+}
+
+void measureValues(SegmentStatistics& found, const Counts& counts, const VoxelEncoding& encoding)
+{
+    std::int64_t sum = 0;
+    int least = VoxelEncoding::codeCount;
+    int greatest = 0;
+    for (int code = 0; code < VoxelEncoding::codeCount; ++code) {
+        const std::int64_t many = counts.ofCode[std::size_t(code)];
+        if (many == 0)
+            continue;
+        sum += many * code;
+        least = std::min(least, code);
+        greatest = code;
+    }
+    const double meanCode = double(sum) / double(counts.voxels);
+    double squares = 0.0;
+    for (int code = least; code <= greatest; ++code)
+        squares += double(counts.ofCode[std::size_t(code)]) * (code - meanCode) * (code - meanCode);
+    // Values are linear in codes.
+    const double step = encoding.rescaleSlope * encoding.storedStep;
+    found.minimum = encoding.value(least);
+    found.maximum = encoding.value(greatest);
+    found.mean = encoding.value(0) + step * meanCode;
+    found.deviation = std::abs(step) * std::sqrt(squares / double(counts.voxels));
+    found.median = encoding.value(percentileCode(counts, 50));
+    for (std::size_t i = 0; i < statisticsPercentiles.size(); ++i)
+        found.percentiles[i] = encoding.value(percentileCode(counts, statisticsPercentiles[i]));
+}
+
+void measurePlace(SegmentStatistics& found, const Counts& counts, const VolumeGeometry& geometry)
+{
+    found.first = counts.first;
+    found.last = counts.last;
+    const glm::dmat3 axes(geometry.indexToWorld);
+    const double pixelMm2 = glm::length(glm::cross(axes[0], axes[1]));
+    const std::vector<double> thickness = sliceThicknessesMm(geometry);
+    glm::dvec3 sum(0.0);
+    for (std::size_t k = 0; k < counts.ofSlice.size(); ++k) {
+        const auto many = double(counts.ofSlice[k]);
+        found.millilitres += many * pixelMm2 * thickness[k] / 1000.0;
+        sum += many * sliceOrigin(geometry, int(k)) + double(counts.columnSums[k]) * axes[0]
+            + double(counts.rowSums[k]) * axes[1];
+    }
+    found.centroidLps = sum / double(counts.voxels);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 index((corner & 1) != 0 ? counts.last.x : counts.first.x,
+            (corner & 2) != 0 ? counts.last.y : counts.first.y,
+            (corner & 4) != 0 ? counts.last.z : counts.first.z);
+        const glm::dvec3 place =
+            sliceOrigin(geometry, index.z) + double(index.x) * axes[0] + double(index.y) * axes[1];
+        found.lowestLps = corner == 0 ? place : glm::min(found.lowestLps, place);
+        found.highestLps = corner == 0 ? place : glm::max(found.highestLps, place);
+    }
+}
+
+double areaMm2(const SegmentSurface& surface, const VolumeGeometry& geometry)
+{
+    double twice = 0.0;
+    for (const glm::uvec3& triangle : surface.triangles) {
+        const auto at = [&](unsigned corner) {
+            return worldBetweenSlices(geometry, glm::dvec3(surface.vertices[corner]));
+        };
+        const glm::dvec3 a = at(triangle.x);
+        twice += glm::length(glm::cross(at(triangle.y) - a, at(triangle.z) - a));
+    }
+    return twice / 2.0;
+}
+
+} // namespace
+
+Result<std::vector<SegmentStatistics>> segmentStatistics(const Volume& volume,
+    const ExportRequest& request, const MaskSelection& selection, const Progress& progress)
+{
+    std::vector<SegmentStatistics> all;
+    for (const Segment& segment : selection.segments) {
+        if (progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        progress.report(
+            QStringLiteral("Measuring"), int(all.size()), int(selection.segments.size()));
+        const auto labels = planeOf(request, segment)->labels;
+        const Counts counts = countsOf(labels, segment.label, request.codes, volume.geometry.size);
+        SegmentStatistics found;
+        found.segment = segment;
+        found.voxels = counts.voxels;
+        measureValues(found, counts, volume.encoding);
+        measurePlace(found, counts, volume.geometry);
+        found.surfaceMm2 =
+            areaMm2(segmentSurface(labels, segment.label, volume.geometry.size), volume.geometry);
+        all.push_back(found);
+    }
+    return all;
+}
+
+} // namespace core

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/common/StatisticsText.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <charconv>
+
+namespace core {
+
+namespace {
+
+/// As short as brings the same number back.
+QByteArray numberText(double value)
+{
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {text.data(), qsizetype(end.ptr - text.data())};
+}
+
+QByteArray cell(const QString& text)
+{
+    QByteArray bytes = text.toUtf8();
+    if (!bytes.contains(',') && !bytes.contains('"') && !bytes.contains('\n')
+        && !bytes.contains('\r'))
+        return bytes;
+    return '"' + bytes.replace("\"", "\"\"") + '"';
+}
+
+} // namespace
+
+std::vector<StatisticsNumber> numbersOf(const SegmentStatistics& s)
+{
+    static constexpr std::array percentileNames{"percentile5", "percentile10", "percentile25",
+        "percentile75", "percentile90", "percentile95"};
+    static_assert(percentileNames.size() == statisticsPercentiles.size());
+    std::vector<StatisticsNumber> numbers{{"voxels", double(s.voxels)}, {"volumeMl", s.millilitres},
+        {"surfaceMm2", s.surfaceMm2}, {"firstColumn", double(s.first.x)},
+        {"firstRow", double(s.first.y)}, {"firstSlice", double(s.first.z)},
+        {"lastColumn", double(s.last.x)}, {"lastRow", double(s.last.y)},
+        {"lastSlice", double(s.last.z)}, {"lowestLeftMm", s.lowestLps.x},
+        {"lowestPosteriorMm", s.lowestLps.y}, {"lowestSuperiorMm", s.lowestLps.z},
+        {"highestLeftMm", s.highestLps.x}, {"highestPosteriorMm", s.highestLps.y},
+        {"highestSuperiorMm", s.highestLps.z}, {"centroidLeftMm", s.centroidLps.x},
+        {"centroidPosteriorMm", s.centroidLps.y}, {"centroidSuperiorMm", s.centroidLps.z},
+        {"minimum", s.minimum}, {"maximum", s.maximum}, {"mean", s.mean},
+        {"standardDeviation", s.deviation}, {"median", s.median}};
+    for (std::size_t i = 0; i < percentileNames.size(); ++i)
+        numbers.push_back({percentileNames[i], s.percentiles[i]});
+    return numbers;
+}
+
+QByteArray statisticsCsv(const std::vector<SegmentStatistics>& all, const Volume& volume)
+{
+    QByteArray text = "label,name,codingScheme,code,meaning,unit";
+    for (const StatisticsNumber& number : numbersOf(SegmentStatistics()))
+        text += QByteArray(",") + number.name;
+    text += "\r\n";
+    for (const SegmentStatistics& each : all) {
+        const Segment& segment = each.segment;
+        text += QByteArray::number(int(segment.label));
+        for (const QString& word : {segment.name, segment.code.scheme, segment.code.value,
+                 segment.code.meaning, volume.unit})
+            text += ',' + cell(word);
+        for (const StatisticsNumber& number : numbersOf(each))
+            text += ',' + numberText(number.value);
+        text += "\r\n";
+    }
+    return text;
+}
+
+QByteArray statisticsJson(
+    const std::vector<SegmentStatistics>& all, const Volume& volume, const StudyIdentity& identity)
+{
+    QJsonArray segments;
+    for (const SegmentStatistics& each : all) {
+        const Segment& segment = each.segment;
+        QJsonObject entry{
+            {QStringLiteral("label"), int(segment.label)}, {QStringLiteral("name"), segment.name}};
+        if (segment.code.isSet())
+            entry[QStringLiteral("code")] =
+                QJsonArray{segment.code.scheme, segment.code.value, segment.code.meaning};
+        for (const StatisticsNumber& number : numbersOf(each))
+            entry[QLatin1String(number.name)] = number.value;
+        segments.append(entry);
+    }
+    const QJsonObject study{{QStringLiteral("studyUid"), identity.studyUid},
+        {QStringLiteral("seriesUid"), identity.seriesUid},
+        {QStringLiteral("modality"), identity.modality}};
+    return QJsonDocument(
+        QJsonObject{{QStringLiteral("study"), study}, {QStringLiteral("unit"), volume.unit},
+            {QStringLiteral("segments"), segments}})
+        .toJson();
+}
+
+} // namespace core

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/growth/cut/GrowthCut.h"
+
+#include "core/growth/cut/CutWriting.h"
+#include "core/growth/cut/LabelCut.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+using Voxel = WordBricks::Voxel;
+using Voxels = std::vector<Voxel>;
+using WordChanges = LabelCut::WordChanges;
+
+/// Rule 11, for the voxels of one label that leave.
+void write(CutWriting& writing, const WordBricks& words, const std::vector<std::uint8_t>& marks,
+    const Voxels& leaving, std::uint32_t label, bool barrier)
+{
+    std::vector<glm::ivec3> shut;
+    for (const Voxel voxel : leaving) {
+        writing.leave(voxel, seedWord::wasHeld(words[voxel]) ? 0 : label);
+        bool bounds = false;
+        words.forNeighbours(voxel, 0, barrier ? seedWord::directions : 0,
+            [&](Voxel neighbour, std::uint32_t word, std::uint32_t) {
+                bounds = bounds
+                    || (seedWord::isMember(word) && seedWord::label(word) == label
+                        && (marks[neighbour] & LabelCut::leaves) == 0);
+            });
+        if (bounds)
+            shut.push_back(words.positionOf(voxel));
+    }
+    for (const glm::ivec3& place : shut)
+        writing.shut(place);
+    for (const glm::ivec3& place : shut)
+        writing.shutEmptyAround(place);
+}
+
+/// Rule 1.
+Result<LeavingVoxels> sketches(const WordBricks& words, const CutGrowth& command)
+{
+    LeavingVoxels sketches;
+    Voxels roots;
+    for (const glm::ivec3& place : command.voxels) {
+        const Voxel voxel = words.find(place);
+        if (voxel == WordBricks::none)
+            continue;
+        const std::uint32_t word = words[voxel];
+        if (!seedWord::isMember(word) || command.frozen[seedWord::label(word)])
+            continue;
+        if (LabelMembers::isRoot(word))
+            roots.push_back(voxel);
+        else
+            sketches[seedWord::label(word)].push_back(voxel);
+    }
+    const auto once = [](Voxels& voxels) {
+        std::sort(voxels.begin(), voxels.end());
+        voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+    };
+    once(roots);
+    if (!roots.empty())
+        return failure(ErrorCode::SeedsStay, QString::number(roots.size()));
+    if (sketches.empty())
+        return failure(ErrorCode::NothingGrown);
+    for (auto& [label, sketch] : sketches)
+        once(sketch);
+    return sketches;
+}
+
+/// @param marks of each voxel; LabelCut::leaves is set where it leaves
+Result<LeavingVoxels> markLeaving(const WordBricks& words, const CutGrowth& command,
+    std::vector<std::uint8_t>& marks, WordChanges& retimed)
+{
+    Result<LeavingVoxels> leaving = sketches(words, command);
+    if (!leaving)
+        return leaving;
+    for (auto& [label, sketch] : *leaving)
+        sketch = LabelCut(words, command, label, marks).run(sketch, retimed);
+    return leaving;
+}
+
+} // namespace
+
+Result<LeavingVoxels> leavingVoxels(const WordBricks& words, const CutGrowth& command)
+{
+    std::vector<std::uint8_t> marks(words.count(), 0);
+    WordChanges retimed;
+    return markLeaving(words, command, marks, retimed);
+}
+
+Result<GrowthCutOutcome> cutGrowth(const WordBricks& words, const CutGrowth& command)
+{
+    std::vector<std::uint8_t> marks(words.count(), 0);
+    WordChanges retimed;
+    const Result<LeavingVoxels> leaving = markLeaving(words, command, marks, retimed);
+    if (!leaving)
+        return tl::unexpected(leaving.error());
+    GrowthCutOutcome outcome{.bricks = {}, .generation = command.generation};
+    CutWriting writing(words);
+    for (const auto& [voxel, word] : retimed)
+        writing.replace(voxel, word);
+    for (const auto& [label, voxels] : *leaving)
+        write(writing, words, marks, voxels, label, command.barrier);
+    outcome.bricks = writing.take();
+    if (outcome.bricks.empty())
+        return outcome;
+    outcome.generation = 0;
+    for (std::size_t voxel = 0; voxel < words.count(); ++voxel) {
+        const std::uint32_t word = words[Voxel(voxel)];
+        if (seedWord::isMember(word) && (marks[voxel] & LabelCut::leaves) == 0)
+            outcome.generation = std::max(outcome.generation, seedWord::generation(word));
+    }
+    for (const auto& [voxel, word] : retimed)
+        outcome.generation = std::max(outcome.generation, seedWord::generation(word));
+    return outcome;
+}
+
+} // namespace core

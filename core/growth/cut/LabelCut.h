@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/growth/cut/GrowthCut.h"
+#include "core/growth/cut/LabelMembers.h"
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace core {
+
+/// What leaves of one label, by the rules of GrowthCut.h.
+class LabelCut {
+public:
+    using Voxel = WordBricks::Voxel;
+    using Voxels = std::vector<Voxel>;
+    /// Words that change of members that stay.
+    using WordChanges = std::vector<std::pair<Voxel, std::uint32_t>>;
+
+    /// @param words, command, marks outlive this
+    /// @param marks of each voxel; those of the label's members are this one's
+    LabelCut(const WordBricks& words, const CutGrowth& command, std::uint32_t label,
+        std::vector<std::uint8_t>& marks);
+
+    /// Sets `leaves` in the marks of what leaves.
+    /// @param sketch ascending; members that are no roots
+    /// @return what leaves, each once
+    Voxels run(const Voxels& sketch, WordChanges& changes);
+
+    static constexpr std::uint8_t leaves = 1;
+
+private:
+    class Generations;
+    struct Neck {
+        std::uint32_t generation = 0;
+        std::size_t wide = 0; ///< the numerator of q
+        std::uint32_t wideFrom = 0; ///< the lowest later generation that is as wide
+    };
+    // Further marks:
+    static constexpr std::uint8_t onWay = 4;
+    static constexpr std::uint8_t beyond = 8;
+    static constexpr std::uint8_t liesBehind = 16; ///< of what behind() was asked for last
+    static constexpr std::uint8_t looked = 32; ///< by behind()
+
+    [[nodiscard]] bool has(Voxel voxel, std::uint8_t mark) const
+    {
+        return (m_marks[voxel] & mark) != 0;
+    }
+    [[nodiscard]] std::optional<Voxels> narrowestOf(const Voxels& sketch);
+    [[nodiscard]] Voxels near(const Voxels& all, const Voxels& sketch) const;
+    void completeFronts(Voxels& front, std::uint8_t mark);
+    [[nodiscard]] Generations wayTo(const Voxels& sketch);
+    [[nodiscard]] std::vector<Neck> findNecks(Generations& way, const Voxels& sketch);
+    [[nodiscard]] static std::vector<Neck> necksOf(
+        const Generations& way, const std::vector<std::size_t>& width);
+    [[nodiscard]] static bool isNarrowest(const Generations& way, std::uint32_t n);
+    [[nodiscard]] Voxels cutAt(const Neck& neck, const Voxels& front);
+    [[nodiscard]] Voxels behind(const Voxels& from, std::uint32_t latest);
+    void forgetBehind();
+
+    const WordBricks& m_words;
+    const CutGrowth& m_command;
+    LabelMembers m_members;
+    std::vector<std::uint8_t>& m_marks;
+    Voxels m_seen; ///< marked by behind()
+};
+
+} // namespace core

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/pacs/retrieve/DownloadFolder.h"
+
+#include "core/base/ParallelFor.h"
+#include "core/base/files/FolderCache.h"
+#include "core/dicom/base/DicomFile.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace core {
+
+namespace {
+
+/// A UID names its file itself where it is one; else a hash does.
+QString fileName(const QString& uid)
+{
+    const bool plain = !uid.isEmpty() && uid.size() <= 64 && uid[0] != u'.'
+        && std::all_of(
+            uid.begin(), uid.end(), [](QChar c) { return (c >= u'0' && c <= u'9') || c == u'.'; });
+    if (plain)
+        return uid + QStringLiteral(".dcm");
+    const QByteArray hash = QCryptographicHash::hash(uid.toUtf8(), QCryptographicHash::Sha256);
+    return QString::fromLatin1(hash.toHex()) + QStringLiteral(".dcm");
+}
+
+constexpr const char* partPrefix = ".part-";
+/// What can be believed of a gathering folder: of this start of the system everything, since it
+/// reads what it was told to write; of an earlier one what was brought to the disk.
+constexpr const char* noteName = ".download";
+constexpr const char* onDisk = "on disk";
+
+QByteArray thisStart()
+{
+    QFile file(QStringLiteral("/proc/sys/kernel/random/boot_id"));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed() : QByteArray();
+}
+
+QByteArray readNote(const QDir& folder)
+{
+    QFile file(folder.filePath(QLatin1String(noteName)));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+bool writeNote(const QDir& folder, const QByteArray& note)
+{
+    QFile file(folder.filePath(QLatin1String(noteName)));
+    return file.open(QIODevice::WriteOnly) && file.write(note) == note.size();
+}
+
+/// @return what the system says against it (errno); 0: it is done
+int bringToDisk(const QString& path, int (*sync)(int))
+{
+    const int descriptor = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        return errno;
+    const int trouble = sync(descriptor) == 0 ? 0 : errno;
+    ::close(descriptor);
+    return trouble;
+}
+
+/// The folder with all its files. Several at a time, which the disk's journal takes together; not
+/// by syncfs(), which waits for whatever all others write.
+int bringToDisk(const QDir& folder)
+{
+    const QStringList names = folder.entryList(QDir::Files);
+    std::atomic<int> trouble = 0;
+    constexpr int atOnce = 8;
+    parallelFor(
+        int(names.size()),
+        [&](int i) {
+            if (const int one = bringToDisk(folder.filePath(names[i]), ::fdatasync))
+                trouble = one;
+        },
+        atOnce);
+    return trouble != 0 ? int(trouble) : bringToDisk(folder.path(), ::fsync);
+}
+
+/// Has the system begin to write a file that is complete: less is left to wait for at the end.
+void beginToWrite(const QByteArray& path)
+{
+    const int descriptor = ::open(path.constData(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    ::sync_file_range(descriptor, 0, 0, SYNC_FILE_RANGE_WRITE);
+    ::close(descriptor);
+}
+
+/// What an earlier download left and nobody can believe.
+void removeUnbelievable(const QDir& folder)
+{
+    const QByteArray note = readNote(folder);
+    const bool believed = note == onDisk || (!note.isEmpty() && note == thisStart());
+    for (const QString& name : folder.entryList(QDir::Files | QDir::Hidden)) {
+        if (!believed || name.startsWith(QLatin1String(partPrefix)))
+            QFile::remove(folder.filePath(name));
+    }
+}
+
+tl::unexpected<Error> taken(const QString& target)
+{
+    return failure(ErrorCode::FileUnwritable, target,
+        QStringLiteral("there is something else, which stays as it is"));
+}
+
+} // namespace
+
+Result<DownloadFolder> DownloadFolder::open(const QString& target)
+{
+    const QFileInfo info(QDir::cleanPath(QFileInfo(target).absoluteFilePath()));
+    const bool isEmptyFolder = info.isDir() && QDir(info.filePath()).isEmpty();
+    if ((info.exists() || info.isSymLink()) && !isEmptyFolder)
+        return taken(target);
+    DownloadFolder folder;
+    folder.m_target = info.filePath();
+    const QDir parent = info.dir();
+    folder.m_gathering = FolderCache::gatheringPlaceOf(info.filePath());
+    if (!parent.mkpath(folder.m_gathering))
+        return failure(ErrorCode::FileUnwritable, target, QString::fromLocal8Bit(strerror(errno)));
+    QFile::setPermissions(
+        folder.m_gathering, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    folder.m_lock = std::make_unique<QLockFile>(folder.m_gathering + QStringLiteral(".lock"));
+    folder.m_lock->setStaleLockTime(0);
+    if (!folder.m_lock->tryLock()) {
+        return failure(
+            ErrorCode::FileUnwritable, target, QStringLiteral("another download goes there"));
+    }
+    removeUnbelievable(QDir(folder.m_gathering));
+    writeNote(QDir(folder.m_gathering), thisStart());
+    return folder;
+}
+
+DownloadFolder::~DownloadFolder()
+{
+    if (m_gathering.isEmpty())
+        return;
+    const QDir folder(m_gathering);
+    if (folder.entryList(QDir::Files).isEmpty()) {
+        QFile::remove(folder.filePath(QLatin1String(noteName)));
+        QDir().rmdir(m_gathering);
+    } else if (bringToDisk(folder) == 0) {
+        writeNote(folder, onDisk);
+    }
+}
+
+bool DownloadFolder::isWhole(const QString& target, const QStringList& sopInstanceUids)
+{
+    const QDir folder(target);
+    return !sopInstanceUids.isEmpty() && folder.exists()
+        && std::all_of(sopInstanceUids.begin(), sopInstanceUids.end(), [&](const QString& uid) {
+               return checkObject(folder.filePath(fileName(uid)), uid).has_value();
+           });
+}
+
+QString DownloadFolder::pathOf(const QString& sopInstanceUid) const
+{
+    return QDir(m_gathering).filePath(fileName(sopInstanceUid));
+}
+
+QString DownloadFolder::partPathOf(const QString& sopInstanceUid) const
+{
+    return QDir(m_gathering).filePath(QLatin1String(partPrefix) + fileName(sopInstanceUid));
+}
+
+bool DownloadFolder::holds(const QString& sopInstanceUid) const
+{
+    const QString path = pathOf(sopInstanceUid);
+    if (!QFileInfo::exists(path))
+        return false;
+    if (checkObject(path, sopInstanceUid))
+        return true;
+    QFile::remove(path);
+    return false;
+}
+
+Result<void> DownloadFolder::finish()
+{
+    if (const int trouble = bringToDisk(QDir(m_gathering))) {
+        return failure(
+            ErrorCode::FileUnwritable, m_target, QString::fromLocal8Bit(std::strerror(trouble)));
+    }
+    QFile::remove(QDir(m_gathering).filePath(QLatin1String(noteName)));
+    const QByteArray from = QFile::encodeName(m_gathering);
+    const QByteArray to = QFile::encodeName(m_target);
+    // Replaces an empty folder, nothing else.
+    if (std::rename(from.constData(), to.constData()) != 0) {
+        if (errno == EEXIST || errno == ENOTEMPTY || errno == ENOTDIR)
+            return taken(m_target);
+        return failure(
+            ErrorCode::FileUnwritable, m_target, QString::fromLocal8Bit(strerror(errno)));
+    }
+    m_gathering.clear();
+    return {};
+}
+
+Result<void> DownloadFolder::accept(const QString& partPath, const QString& sopInstanceUid) const
+{
+    const QByteArray from = QFile::encodeName(partPath);
+    const QByteArray to = QFile::encodeName(pathOf(sopInstanceUid));
+    beginToWrite(from);
+    if (std::rename(from.constData(), to.constData()) != 0) {
+        return failure(
+            ErrorCode::FileUnwritable, m_target, QString::fromLocal8Bit(std::strerror(errno)));
+    }
+    return {};
+}
+
+Result<QString> soundObject(const QString& path)
+{
+    const Result<DicomFile> file = DicomFile::openWithPixels(path);
+    if (!file)
+        return tl::unexpected<Error>(file.error());
+    if (file->pixelsCut()) {
+        return failure(
+            ErrorCode::FileTruncated, path, QStringLiteral("its pixel data are incomplete"));
+    }
+    DcmDataset set;
+    if (const Result<void> read = file->readInto(set); !read)
+        return tl::unexpected<Error>(read.error());
+    OFString uid;
+    set.findAndGetOFString(DCM_SOPInstanceUID, uid);
+    return QString::fromLatin1(uid.c_str());
+}
+
+Result<void> checkObject(const QString& path, const QString& sopInstanceUid)
+{
+    const Result<QString> uid = soundObject(path);
+    if (!uid)
+        return tl::unexpected<Error>(uid.error());
+    if (*uid != sopInstanceUid) {
+        return failure(
+            ErrorCode::FileUnreadable, path, QStringLiteral("it is another object than was asked"));
+    }
+    return {};
+}
+
+} // namespace core

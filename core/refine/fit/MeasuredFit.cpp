@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/refine/fit/MeasuredFit.h"
+
+#include "core/brick/VoxelRunSets.h"
+#include "core/refine/fit/InitialFit.h"
+#include "core/refine/repair/SelfIntersections.h"
+#include "core/refine/voxels/SurfaceVoxels.h"
+#include "core/volume/WorldToIndex.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+/// Another try is worth its time only with so many times the vertices of the first.
+constexpr double leastGain = 1.25;
+/// In voxels.
+constexpr int farthestLaying = 4;
+constexpr int mostRepairRounds = 20;
+
+class Fitting {
+public:
+    Fitting(const VoxelRuns& voxels, const VolumeGeometry& geometry, const Progress& progress)
+        : m_voxels(voxels)
+        , m_mask(BoxMask::of(voxels, geometry.size))
+        , m_geometry(geometry)
+        , m_progress(progress)
+    {
+    }
+
+    [[nodiscard]] Result<MeasuredFit> ofAbout(int vertices, bool mendsCrossings = true) const
+    {
+        Result<SimplexMesh> mesh = initialFit(m_mask, m_geometry,
+            {.vertices = vertices, .mendsCrossings = mendsCrossings}, m_progress);
+        if (!mesh)
+            return tl::unexpected(mesh.error());
+        return measured(*std::move(mesh));
+    }
+
+    [[nodiscard]] Result<MeasuredFit> asTheMaskTakes() const
+    {
+        const glm::u64vec3 faces = m_mask.borderFaces();
+        const double all = double(faces.x + faces.y + faces.z);
+        const auto bounded = [](double vertices) {
+            return int(std::clamp(vertices, double(leastVertices), double(mostVertices)));
+        };
+        if (leastGain * all > double(mostVertices))
+            return ofAbout(bounded(all));
+        // Mending takes long where it is of no use: in surfaces too coarse for their mask.
+        Result<MeasuredFit> fit = ofAbout(bounded(all), false);
+        if (fit && isGood(*fit))
+            fit = mended(std::move(fit->mesh));
+        if (!fit || isGood(*fit))
+            return fit;
+        Result<MeasuredFit> finer = voxelByVoxel(bounded(2.0 * all));
+        if (!finer || finer->voxelsOff < fit->voxelsOff)
+            return finer;
+        return mended(std::move(fit->mesh));
+    }
+
+private:
+    [[nodiscard]] static bool isGood(const MeasuredFit& fit)
+    {
+        return double(fit.voxelsOff) <= mostOffShare * double(fit.voxels);
+    }
+
+    /// The voxels in which what it encloses is not the mask.
+    [[nodiscard]] Result<VoxelRuns> offIn(const SimplexMesh& mesh) const
+    {
+        const Result<VoxelRuns> inside = voxelsOf(mesh, m_geometry, m_progress);
+        if (!inside)
+            return inside;
+        return differing(*inside, m_voxels);
+    }
+
+    [[nodiscard]] Result<MeasuredFit> measured(SimplexMesh&& mesh) const
+    {
+        const Result<VoxelRuns> off = offIn(mesh);
+        if (!off)
+            return tl::unexpected(off.error());
+        return MeasuredFit{.mesh = std::move(mesh),
+            .voxels = m_voxels.voxelCount(),
+            .voxelsOff = off->voxelCount()};
+    }
+
+    [[nodiscard]] Result<MeasuredFit> mended(SimplexMesh&& mesh) const
+    {
+        SimplexMeshEdit edit(mesh);
+        repairSelfIntersections(edit, m_geometry, mostRepairRounds);
+        edit.commit();
+        return measured(std::move(mesh));
+    }
+
+    /// As it is laid, such a surface encloses every voxel; forces even it out.
+    [[nodiscard]] Result<MeasuredFit> voxelByVoxel(int vertices) const
+    {
+        Result<SimplexMesh> laid = refineSurfaceOf(m_mask, m_geometry, vertices, m_progress);
+        if (!laid)
+            return tl::unexpected(laid.error());
+        SimplexMesh mesh = *laid;
+        if (const Result<void> done =
+                fitToMask(mesh, m_mask, m_geometry, {.restructureEvery = 0}, m_progress);
+            !done)
+            return tl::unexpected(done.error());
+        Result<MeasuredFit> best = measured(std::move(mesh));
+        for (int reach = 1; best && !isGood(*best) && reach <= farthestLaying; ++reach) {
+            const Result<VoxelRuns> off = offIn(best->mesh);
+            if (!off)
+                return tl::unexpected(off.error());
+            mesh = best->mesh;
+            layAgain(mesh, *laid, BoxMask::of(*off, m_geometry.size), reach);
+            SimplexMesh crossed = mesh;
+            Result<MeasuredFit> next = mended(std::move(mesh));
+            // Where the two are at odds the voxels count for more.
+            if (next && !isGood(*next)) {
+                Result<MeasuredFit> unmended = measured(std::move(crossed));
+                if (!unmended || isGood(*unmended))
+                    next = std::move(unmended);
+            }
+            if (!next || next->voxelsOff < best->voxelsOff)
+                best = std::move(next);
+        }
+        return best;
+    }
+
+    /// Brings the vertices within so many voxels of one that is off back to where they were laid.
+    void layAgain(SimplexMesh& mesh, const SimplexMesh& laid, const BoxMask& off, int reach) const
+    {
+        const WorldToIndex toIndex(m_geometry);
+        const auto isNear = [&](const glm::dvec3& placeLps) {
+            const glm::ivec3 middle(glm::round(toIndex(placeLps)));
+            for (int z = -reach; z <= reach; ++z)
+                for (int y = -reach; y <= reach; ++y)
+                    for (int x = -reach; x <= reach; ++x)
+                        if (off.contains(middle + glm::ivec3(x, y, z)))
+                            return true;
+            return false;
+        };
+        SimplexMeshEdit edit(mesh);
+        for (const VertexId id : laid.vertexIds()) {
+            if (isNear(mesh.position(id)) || isNear(laid.position(id)))
+                edit.move(id, laid.position(id));
+        }
+        edit.commit();
+    }
+
+    const VoxelRuns& m_voxels;
+    BoxMask m_mask;
+    const VolumeGeometry& m_geometry;
+    const Progress& m_progress;
+};
+
+} // namespace
+
+Result<MeasuredFit> measuredFit(const VoxelRuns& mask, const VolumeGeometry& geometry,
+    std::optional<int> vertices, const Progress& progress)
+{
+    const Fitting fitting(mask, geometry, progress);
+    return vertices ? fitting.ofAbout(*vertices) : fitting.asTheMaskTakes();
+}
+
+} // namespace core

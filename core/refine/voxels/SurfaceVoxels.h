@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+#include "core/brick/VoxelRuns.h"
+#include "core/refine/mesh/SimplexMesh.h"
+#include "core/refine/voxels/SurfaceFill.h"
+#include "core/volume/VolumeGeometry.h"
+
+namespace core {
+
+/// The triangles of a mesh, rounded to the lattice on which whole numbers decide voxels; by the
+/// point numbers of trianglesOf().
+[[nodiscard]] LatticeSurface onLattice(const SimplexMesh& mesh, const VolumeGeometry& geometry);
+
+/// The voxels with their centres inside (SurfaceFill.h). Errors: those of fillSurface().
+[[nodiscard]] Result<VoxelRuns> voxelsOf(
+    const SimplexMesh& mesh, const VolumeGeometry& geometry, const Progress& progress);
+
+} // namespace core

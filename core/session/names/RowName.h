@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "core/document/Document.h"
+#include "core/edits/kinds/Edits.h"
+#include "core/engine/EngineCommands.h"
+#include "core/history/History.h"
+#include "core/session/past/SketchedSeeds.h"
+
+#include <optional>
+
+namespace core {
+
+/// A row's name for people: "Drill 6.2 mm, 214 bricks", "Grow 'Skull' 41 steps, +18 204 voxels".
+/// @param document as it is before the edit
+/// @param history before the row; it names the rows that an edit speaks of
+/// @param sketched of a SeedStroke; none: nobody asked
+[[nodiscard]] QString rowName(const Edit& edit, const EditStatistics& statistics,
+    const std::vector<BrickChange>& changes, const Document& document, const History& history,
+    const std::optional<SketchedSeeds>& sketched);
+
+} // namespace core

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/operations/ChunkOperation.h"
+
+#include "core/edits/document/DocumentEdits.h"
+
+#include <utility>
+
+namespace core {
+
+DivideOperation::DivideOperation(Chunks edit, RowId again)
+    : m_edit(std::move(edit))
+    , m_again(again)
+{
+}
+
+bool DivideOperation::foresee(Document& document) const
+{
+    return bool(applyToDocument(m_edit, document));
+}
+
+void DivideOperation::start(SessionState& state)
+{
+    if (m_again != 0) {
+        m_done = true;
+        return state.complete(m_again, {});
+    }
+    // What waited in line may meet another document than the one it was checked against.
+    if (const Result<void> checked = checkAgainst(state.document, m_edit); !checked)
+        return giveUp(state, checked.error());
+    if (m_edit.owners)
+        return commit(state);
+    m_reader.emplace(state.document.volumes.front().geometry.size,
+        state.document.segment(m_edit.segment)->plane);
+    readNext(state);
+}
+
+void DivideOperation::readNext(SessionState& state)
+{
+    if (std::optional<ReadBricks> question = m_reader->next()) {
+        m_asked = state.engine.submit(*std::move(question));
+        return;
+    }
+    Result<std::vector<ChunkOwner>> owners =
+        chunkOwners(m_edit, state.document.volumes.front().geometry, m_reader->takeLabels());
+    if (!owners)
+        return giveUp(state, owners.error());
+    m_edit.owners = *std::move(owners);
+    commit(state);
+}
+
+void DivideOperation::takeResult(SessionState& state, EngineResult&& result)
+{
+    if (!m_asked || result.ticket != *m_asked)
+        return;
+    m_asked.reset();
+    if (const Result<void> taken = m_reader->take(result); !taken)
+        return giveUp(state, taken.error());
+    readNext(state);
+}
+
+void DivideOperation::commit(SessionState& state)
+{
+    m_done = true;
+    const RowId newest = state.divisionRow();
+    if (newest == 0 || !(std::get<Chunks>(state.history.row(newest).edit) == m_edit))
+        state.commit(m_edit, {}, {}, {});
+}
+
+void DivideOperation::giveUp(SessionState& state, const Error& error)
+{
+    state.fail(error);
+    m_done = true;
+}
+
+ToggleChunks::ToggleChunks(ChunkToggle edit, RowId again)
+    : m_edit(std::move(edit))
+    , m_again(again)
+{
+}
+
+void ToggleChunks::start(SessionState& state)
+{
+    Result<ChunkClick> click = chunkClick(m_edit, state.document);
+    if (!click)
+        return giveUp(state, click.error());
+    m_click = *std::move(click);
+    m_awaited = state.divisionRow();
+    state.chunks->forgetFailure();
+    state.wantChunks();
+    takeChunks(state);
+}
+
+void ToggleChunks::takeChunks(SessionState& state)
+{
+    if (!m_awaited)
+        return;
+    if (const std::optional<Error> why = state.chunks->whyNot(*m_awaited)) {
+        static_cast<void>(state.chunks->takeUntold()); // it is told here
+        return giveUp(state, *why);
+    }
+    if (const ChunkWorker::Map map = state.chunks->map(*m_awaited)) {
+        m_awaited.reset();
+        click(state, *map);
+    }
+}
+
+void ToggleChunks::click(SessionState& state, const ChunkMap& map)
+{
+    m_clicked.emplace(map, m_edit, m_click);
+    if (m_clicked->empty())
+        return leaveNoRow(state);
+    const std::vector<std::uint32_t> bricks = m_clicked->bricks();
+    m_edit.bricks.emplace(bricks.begin(), bricks.end());
+    if (m_edit.mode != ChunkToggle::Mode::Toggle)
+        return relabel(state, {});
+    ReadBricks read;
+    for (const std::uint32_t brick : bricks)
+        read.keys.push_back({Field::Labels, m_click.target.plane, brick});
+    m_asked = state.engine.submit(std::move(read));
+}
+
+void ToggleChunks::relabel(SessionState& state, const std::vector<BrickChange>& labels)
+{
+    m_begun = state.engine.submit(BeginEdit{m_clicked->relabelled(labels)});
+    m_ended = state.engine.submit(EndEdit{});
+}
+
+void ToggleChunks::takeResult(SessionState& state, EngineResult&& result)
+{
+    if (m_asked && result.ticket == *m_asked) {
+        m_asked.reset();
+        return result.error ? giveUp(state, *result.error) : relabel(state, result.changes);
+    }
+    if (m_begun && result.ticket == *m_begun) // it never opened, and its end tells so again
+        state.fail(*result.error);
+    else if (m_ended && result.ticket == *m_ended)
+        finish(state, std::move(result));
+}
+
+void ToggleChunks::finish(SessionState& state, EngineResult&& result)
+{
+    if (result.error) {
+        m_done = true;
+        return;
+    }
+    if (result.changes.empty())
+        return leaveNoRow(state);
+    m_done = true;
+    if (m_again != 0)
+        state.complete(m_again, std::move(result.changes));
+    else
+        state.commit(m_edit, std::move(result.changes), result.statistics, {});
+}
+
+void ToggleChunks::leaveNoRow(SessionState& state)
+{
+    m_done = true;
+    if (m_again != 0)
+        state.fail({ErrorCode::SessionDamaged,
+            {state.file ? state.file->path() : QString(),
+                QStringLiteral("row %1 changes nothing when it is carried out again")
+                    .arg(m_again)}});
+}
+
+void ToggleChunks::giveUp(SessionState& state, const Error& error)
+{
+    state.fail(error);
+    m_done = true;
+}
+
+} // namespace core

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/engine/ChunkVoxels.h"
+#include "core/session/past/LabelReader.h"
+#include "core/session/state/Operation.h"
+
+namespace core {
+
+/// A division into chunks: one row, which names the labels that the division goes by. They are read
+/// here, where the edit does not name them yet. The chunks themselves are worked out when somebody
+/// wants them (ChunkWorker). Dividing the same again leaves no row.
+class DivideOperation final : public Operation {
+public:
+    /// @param again as in VoxelOperation
+    explicit DivideOperation(Chunks edit, RowId again = 0);
+
+    void start(SessionState& state) override;
+    void takeResult(SessionState& state, EngineResult&& result) override;
+    [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool foresee(Document& document) const override;
+
+private:
+    void readNext(SessionState& state);
+    void commit(SessionState& state);
+    void giveUp(SessionState& state, const Error& error);
+
+    Chunks m_edit;
+    RowId m_again = 0;
+    std::optional<LabelReader> m_reader;
+    std::optional<Ticket> m_asked;
+    bool m_done = false;
+};
+
+/// Clicks on chunks of the newest division: one engine transaction, one row if it changed anything.
+/// Waits for the chunks where they are not there.
+class ToggleChunks final : public Operation {
+public:
+    explicit ToggleChunks(ChunkToggle edit, RowId again = 0);
+
+    void start(SessionState& state) override;
+    void takeChunks(SessionState& state) override;
+    void takeResult(SessionState& state, EngineResult&& result) override;
+    [[nodiscard]] bool done() const override { return m_done; }
+
+private:
+    void click(SessionState& state, const ChunkMap& map);
+    void relabel(SessionState& state, const std::vector<BrickChange>& labels);
+    void finish(SessionState& state, EngineResult&& result);
+    void leaveNoRow(SessionState& state);
+    void giveUp(SessionState& state, const Error& error);
+
+    ChunkToggle m_edit;
+    RowId m_again = 0;
+    ChunkClick m_click;
+    std::optional<RowId> m_awaited; ///< the division whose chunks are not there yet
+    std::optional<ClickedChunks> m_clicked;
+    std::optional<Ticket> m_asked; ///< what their bricks hold
+    std::optional<Ticket> m_begun;
+    std::optional<Ticket> m_ended;
+    bool m_done = false;
+};
+
+} // namespace core

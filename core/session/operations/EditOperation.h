@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/state/Operation.h"
+
+#include <memory>
+
+namespace core {
+
+/// What carries out a whole edit.
+/// @param again a row that is carried out again (opening a session); 0: a new one
+[[nodiscard]] std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again = 0);
+
+} // namespace core

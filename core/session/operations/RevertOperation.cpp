@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/operations/RevertOperation.h"
+
+#include "core/edits/document/DocumentEdits.h"
+#include "core/growth/SeedWord.h"
+#include "core/history/StandingStrokes.h"
+#include "core/session/past/ProtectedVoxels.h"
+
+#include <algorithm>
+#include <bitset>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+/// Of the members that these changes leave.
+std::uint32_t greatestGeneration(const std::vector<BrickChange>& changes)
+{
+    std::uint32_t greatest = 0;
+    for (const BrickChange& change : changes) {
+        if (change.key.field != Field::SeedWords)
+            continue;
+        const std::vector<std::uint8_t>& bytes = change.after;
+        for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
+            const std::uint32_t word = std::uint32_t(bytes[i]) | std::uint32_t(bytes[i + 1]) << 8
+                | std::uint32_t(bytes[i + 2]) << 16 | std::uint32_t(bytes[i + 3]) << 24;
+            if (seedWord::isMember(word))
+                greatest = std::max(greatest, seedWord::generation(word));
+        }
+    }
+    return greatest;
+}
+
+tl::unexpected<Error> refused(const QString& reason)
+{
+    return failure(ErrorCode::StepsEntangled, reason);
+}
+
+QString titled(const HistoryRow& row)
+{
+    return QStringLiteral("'%1' (row %2)").arg(row.name).arg(row.id);
+}
+
+/// What an edit of the document changes there, in words.
+QString listOf(DocumentChange::What part)
+{
+    switch (part) {
+    case DocumentChange::What::Segments:
+        return QStringLiteral("what the list of segments says");
+    case DocumentChange::What::Layers:
+        return QStringLiteral("what the list of sculpt layers says");
+    case DocumentChange::What::Pieces:
+        return QStringLiteral("pieces");
+    case DocumentChange::What::Bookmarks:
+        return QStringLiteral("bookmarks");
+    case DocumentChange::What::Measurements:
+        return QStringLiteral("measurements");
+    case DocumentChange::What::Surface:
+        return QStringLiteral("the surface");
+    case DocumentChange::What::Chunks:
+        return QStringLiteral("what is divided into chunks");
+    default:
+        return QStringLiteral("the document");
+    }
+}
+
+tl::unexpected<Error> entangled(const HistoryRow& later, const HistoryRow& earlier)
+{
+    return refused(QStringLiteral("%1 wrote or read the same place after %2")
+                       .arg(titled(later), titled(earlier)));
+}
+
+std::vector<BrickKey> keysOf(const std::vector<BrickImage>& images)
+{
+    std::vector<BrickKey> keys;
+    keys.reserve(images.size());
+    for (const BrickImage& image : images)
+        keys.push_back(image.key);
+    return keys;
+}
+
+/// What must not have been written by later rows that take back or revise, though the bricks of the
+/// row itself say nothing of it.
+struct Claim {
+    RowReach reach;
+    RowId row = 0; ///< which is taken back
+    RowId returning = 0; ///< a step that comes back: what it read must be as it was
+
+    [[nodiscard]] bool isHurtBy(const Edit& later) const
+    {
+        // What took back only rows after this one cancels with them.
+        const auto* revert = std::get_if<RevertRows>(&later);
+        return std::holds_alternative<ReviseStroke>(later)
+            || (revert && returning != 0 && revert->rows.front() < row);
+    }
+};
+
+/// Every row that "undo only" takes back or brings back, itself or by rows that it took back.
+void addDecided(const History& history, RowId revert, std::set<RowId>& decided)
+{
+    const auto* edit = std::get_if<RevertRows>(&history.row(revert).edit);
+    if (!edit)
+        return;
+    for (const RowId taken : edit->rows) {
+        decided.insert(taken);
+        addDecided(history, taken, decided);
+    }
+}
+
+/// Taking back "undo only" brings steps back.
+/// @param written the bricks that differ when they come back
+void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
+    const std::vector<BrickKey>& written, std::vector<Claim>& claims)
+{
+    const auto* revert = std::get_if<RevertRows>(&state.history.row(row).edit);
+    if (!revert)
+        return;
+    for (const RowId id : revert->rows) {
+        const Edit& edit = state.history.row(id).edit;
+        if (!std::holds_alternative<RevertRows>(edit))
+            claims.push_back({RowReach(edit, state.document, written), taken, id});
+        if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
+            for (const SculptEdit& form : formsOf(state.history, revise->row))
+                claims.push_back({RowReach(plainEdit(form), state.document, {}), taken, id});
+        }
+        claimWhatReturns(state, id, taken, written, claims);
+    }
+}
+
+/// A revision folds in all cuts that lie where it writes, also those hidden under others: in the
+/// forms that the stroke has had.
+void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims)
+{
+    const Edit& edit = state.history.row(row).edit;
+    const auto* revise = std::get_if<ReviseStroke>(&edit);
+    for (const SculptEdit& form : formsOf(state.history, revise ? revise->row : row))
+        claims.push_back({RowReach(plainEdit(form), state.document, {}), row, 0});
+}
+
+/// A revision folds in the cuts, and carved segments, that lie wherever its own stroke reaches,
+/// also where nothing came of it: taking one of them back after it would leave what lay hidden
+/// below.
+bool foldedIn(const SessionState& state, const Edit& taken, const std::vector<BrickKey>& written,
+    const Edit& later)
+{
+    const auto* revise = std::get_if<ReviseStroke>(&later);
+    if (!revise || !(sculptEdit(taken) || std::holds_alternative<SegmentToLayer>(taken)))
+        return false;
+    for (const SculptEdit& form : formsOf(state.history, revise->row)) {
+        const RowReach reach(plainEdit(form), state.document, {});
+        if (std::any_of(written.begin(), written.end(),
+                [&reach](const BrickKey& key) { return reach.covers(key); }))
+            return true;
+    }
+    return false;
+}
+
+/// Whether segments that are locked keep their voxels.
+Result<void> checkLocks(const Document& document, const std::vector<BrickChange>& now,
+    const std::vector<BrickImage>& then)
+{
+    std::bitset<256> touched; // labels that lose or gain a voxel
+    for (std::size_t brick = 0; brick < now.size(); ++brick) {
+        if (now[brick].key.field != Field::Labels)
+            continue;
+        const std::vector<std::uint8_t>& held = now[brick].after;
+        const std::vector<std::uint8_t>& coming = then[brick].bytes;
+        for (std::size_t i = 0; i < std::size_t(BrickGrid::voxelsPerBrick); ++i) {
+            const std::uint8_t a = held.empty() ? 0 : held[i];
+            const std::uint8_t b = coming.empty() ? 0 : coming[i];
+            if (a != b)
+                touched.set(a).set(b);
+        }
+    }
+    for (const Segment& segment : document.segments) {
+        if (segment.locked && touched.test(segment.label))
+            return failure(ErrorCode::SegmentLocked, segment.name);
+    }
+    return {};
+}
+
+} // namespace
+
+RevertOperation::RevertOperation(RevertRows edit, RowId again)
+    : m_edit(std::move(edit))
+    , m_again(again)
+{
+}
+
+bool RevertOperation::isTakenBack(RowId row) const
+{
+    return std::binary_search(m_edit.rows.begin(), m_edit.rows.end(), row);
+}
+
+void RevertOperation::start(SessionState& state)
+{
+    if (const Result<void> checked = checkRows(state); !checked)
+        return giveUp(state, checked.error());
+    const std::vector<RowId> path = state.history.pathTo(state.history.position());
+    m_path.assign(std::find(path.begin(), path.end(), m_edit.rows.front()), path.end());
+    for (const RowId row : m_path) {
+        if (isNeeded(row, state.history.row(row).edit))
+            m_toLoad.push_back(row);
+    }
+    // Where a later growth asked follows from where seed words stood or came by then.
+    const auto growth = std::find_if(m_path.rbegin(), m_path.rend(), [&](RowId row) {
+        return !isTakenBack(row) && GrowthTrace::isOf(state.history.row(row).edit);
+    });
+    for (const RowId row : path) {
+        if (growth == m_path.rend() || row > *growth)
+            break;
+        const Edit& edit = state.history.row(row).edit;
+        if (GrowthTrace::mayNeed(edit) && !(row >= m_path.front() && isNeeded(row, edit)))
+            m_toLoad.push_back(row);
+    }
+    loadNext(state);
+}
+
+bool RevertOperation::isNeeded(RowId row, const Edit& edit) const
+{
+    return isTakenBack(row) || std::holds_alternative<RevertRows>(edit)
+        || std::holds_alternative<ReviseStroke>(edit);
+}
+
+RowTrace RevertOperation::traceOf(const SessionState& state, RowId row) const
+{
+    const HistoryRow& traced = state.history.row(row);
+    RowTrace trace{.searchedTo = traced.statistics.searchedTo};
+    if (GrowthTrace::isOf(traced.edit))
+        trace.grownBeside = m_growth.bricksUpTo(row);
+    return trace;
+}
+
+Result<void> RevertOperation::checkRows(const SessionState& state) const
+{
+    const std::vector<RowId> path = state.history.pathTo(state.history.position());
+    const std::vector<RowId> standing = state.history.standing();
+    std::map<RowId, RowId> deciding; // by row that is decided on
+    for (const RowId id : m_edit.rows) {
+        if (std::find(path.begin(), path.end(), id) == path.end())
+            return refused(QStringLiteral("row %1 is not among the steps done so far").arg(id));
+        const HistoryRow& row = state.history.row(id);
+        if (!std::binary_search(standing.begin(), standing.end(), id))
+            return refused(QStringLiteral("%1 was taken back before").arg(titled(row)));
+        if (changesDocumentOnly(row.edit))
+            return refused(
+                QStringLiteral("%1 changed no voxel, only %2; change that back by itself")
+                    .arg(titled(row), listOf(*changedPart(row.edit))));
+        if (changedPart(row.edit))
+            return refused(changedPart(row.edit) == DocumentChange::What::Layers
+                    ? QStringLiteral("%1 changed the list of sculpt layers too").arg(titled(row))
+                    : QStringLiteral("%1 changed the list of segments too").arg(titled(row)));
+        std::set<RowId> decided;
+        addDecided(state.history, id, decided);
+        for (const RowId other : m_edit.rows) {
+            if (decided.count(other) != 0)
+                return refused(QStringLiteral("taking back %1 decides on %2 too")
+                                   .arg(titled(row), titled(state.history.row(other))));
+        }
+        // One after the other is clear; at once it is not whether such a row stands then.
+        for (const RowId other : decided) {
+            const auto [known, isNew] = deciding.emplace(other, id);
+            if (!isNew)
+                return refused(QStringLiteral("taking back %1 and %2 both decides on %3")
+                                   .arg(titled(state.history.row(known->second)), titled(row),
+                                       titled(state.history.row(other))));
+        }
+    }
+    return {};
+}
+
+void RevertOperation::loadNext(SessionState& state)
+{
+    if (!m_toLoad.empty()) {
+        state.worker->load(m_toLoad.back());
+        return;
+    }
+    if (const Result<void> checked = checkReach(state); !checked)
+        return giveUp(state, checked.error());
+    layOver(state);
+}
+
+void RevertOperation::takeDifferences(
+    SessionState& state, Result<std::vector<BrickImage>>&& differences)
+{
+    if (!differences)
+        return giveUp(state, differences.error());
+    const RowId row = m_toLoad.back();
+    m_toLoad.pop_back();
+    m_growth.note(row, *differences, state.document);
+    if (row >= m_path.front() && isNeeded(row, state.history.row(row).edit))
+        m_differences[row] = *std::move(differences);
+    loadNext(state);
+}
+
+Result<void> RevertOperation::checkReach(const SessionState& state) const
+{
+    const History& history = state.history;
+    const std::vector<RowId> standing = history.standing();
+    std::map<BrickKey, RowId> taken; // and the row that wrote it first
+    std::vector<Claim> claims;
+    for (const RowId id : m_path) {
+        const HistoryRow& row = history.row(id);
+        const auto differences = m_differences.find(id);
+        if (isTakenBack(id)) {
+            if (differences->second.empty())
+                return refused(QStringLiteral("%1 changed no voxel, only what later growths go by")
+                                   .arg(titled(row)));
+            for (const BrickKey& key : keysOf(differences->second))
+                taken.emplace(key, id);
+            claimWhatReturns(state, id, id, keysOf(differences->second), claims);
+            claimForms(state, id, claims);
+            continue;
+        }
+        // A step that was taken back and what took it back cancel each other.
+        if (changesDocumentOnly(row.edit)
+            || !std::binary_search(standing.begin(), standing.end(), id))
+            continue;
+        for (const RowId before : m_edit.rows) {
+            if (before < id
+                && foldedIn(
+                    state, history.row(before).edit, keysOf(m_differences.at(before)), row.edit))
+                return entangled(row, history.row(before));
+        }
+        for (const Claim& claim : claims) {
+            if (!claim.isHurtBy(row.edit))
+                continue;
+            for (const BrickKey& key : keysOf(differences->second)) {
+                if (claim.reach.covers(key))
+                    return entangled(row, history.row(claim.row));
+            }
+        }
+        if (std::holds_alternative<RevertRows>(row.edit))
+            continue;
+        const RowReach reach(row.edit, state.document,
+            differences == m_differences.end() ? std::vector<BrickKey>()
+                                               : keysOf(differences->second),
+            traceOf(state, id));
+        for (const auto& [key, first] : taken) {
+            if (reach.covers(key))
+                return entangled(row, history.row(first));
+        }
+    }
+    // Nor may what comes back have read what goes with the same step.
+    for (const Claim& claim : claims) {
+        for (const auto& [key, first] : taken) {
+            if (first < claim.returning && first != claim.row && claim.reach.covers(key))
+                return entangled(history.row(claim.returning), history.row(first));
+        }
+    }
+    return {};
+}
+
+void RevertOperation::layOver(SessionState& state)
+{
+    std::vector<BrickImage> taken;
+    for (auto& [row, differences] : m_differences) {
+        if (isTakenBack(row))
+            std::move(differences.begin(), differences.end(), std::back_inserter(taken));
+    }
+    m_differences.clear();
+    const std::vector<std::uint8_t> same(std::size_t(BrickGrid::voxelsPerBrick), 0);
+    for (const BrickKey& key : labelsOverCoverage(state.document, taken))
+        taken.push_back({key, same});
+    m_swap.start(
+        state, std::move(taken), [&state](const auto& now, const auto& then) -> Result<void> {
+            if (const Result<void> checked = checkLocks(state.document, now, then); !checked)
+                return checked;
+            return checkProtected(state.document, now, then);
+        });
+}
+
+void RevertOperation::takeResult(SessionState& state, EngineResult&& result)
+{
+    std::optional<Result<EngineResult>> swapped = m_swap.takeResult(state, std::move(result));
+    if (!swapped)
+        return;
+    if (*swapped)
+        finish(state, **std::move(swapped));
+    else
+        giveUp(state, swapped->error());
+}
+
+void RevertOperation::finish(SessionState& state, EngineResult&& result)
+{
+    m_done = true;
+    if (m_again != 0) {
+        state.complete(m_again, std::move(result.changes));
+    } else if (!result.changes.empty()) {
+        // A shrinking that is undone brings members of later generations back.
+        const std::uint32_t counter =
+            std::max(state.document.growths.front().generation, greatestGeneration(result.changes));
+        state.commit(m_edit, std::move(result.changes), result.statistics, counter);
+    }
+    state.tell(DocumentChange::What::Growth);
+}
+
+void RevertOperation::giveUp(SessionState& state, const Error& error)
+{
+    state.fail(error);
+    m_done = true;
+}
+
+} // namespace core

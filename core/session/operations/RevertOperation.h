@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/past/GrowthTrace.h"
+#include "core/session/past/RowReach.h"
+#include "core/session/questions/DifferenceSwap.h"
+#include "core/session/state/Operation.h"
+
+#include <map>
+
+namespace core {
+
+/// "Undo only here": lays the differences of older rows over the bricks as they are now, which is a
+/// new row. Refused, naming the row, where a later one wrote or read the same place (RowReach).
+class RevertOperation final : public Operation {
+public:
+    /// @param again a row that is carried out again (opening a session); 0: a new one
+    explicit RevertOperation(RevertRows edit, RowId again = 0);
+
+    void start(SessionState& state) override;
+    void takeResult(SessionState& state, EngineResult&& result) override;
+    void takeDifferences(
+        SessionState& state, Result<std::vector<BrickImage>>&& differences) override;
+    [[nodiscard]] bool done() const override { return m_done; }
+
+private:
+    [[nodiscard]] Result<void> checkRows(const SessionState& state) const;
+    [[nodiscard]] Result<void> checkReach(const SessionState& state) const;
+    [[nodiscard]] bool isTakenBack(RowId row) const;
+    /// Whether a row's difference itself is needed, not only where it changed seed words.
+    [[nodiscard]] bool isNeeded(RowId row, const Edit& edit) const;
+    void loadNext(SessionState& state);
+    [[nodiscard]] RowTrace traceOf(const SessionState& state, RowId row) const;
+    void layOver(SessionState& state);
+    void finish(SessionState& state, EngineResult&& result);
+    void giveUp(SessionState& state, const Error& error);
+
+    RevertRows m_edit;
+    RowId m_again = 0;
+    std::vector<RowId> m_path; ///< from the first row that is taken back to the position
+    std::vector<RowId> m_toLoad; ///< the last is loaded next
+    std::map<RowId, std::vector<BrickImage>> m_differences;
+    GrowthTrace m_growth;
+    DifferenceSwap m_swap;
+    bool m_done = false;
+};
+
+} // namespace core

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/operations/ReviseOperation.h"
+
+#include "core/edits/EditJson.h"
+#include "core/edits/engine/SparedSegments.h"
+#include "core/sculpt/MaskFrame.h"
+#include "core/session/past/ProtectedVoxels.h"
+#include "core/session/past/RowReach.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+tl::unexpected<Error> refused(RowId row, const char* reason)
+{
+    return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.row"),
+        QStringLiteral("row %1 %2").arg(row).arg(QLatin1String(reason)));
+}
+
+std::vector<StandingStroke> before(const std::vector<StandingStroke>& strokes, RowId row)
+{
+    std::vector<StandingStroke> result;
+    std::copy_if(strokes.begin(), strokes.end(), std::back_inserter(result),
+        [row](const StandingStroke& stroke) { return stroke.row < row; });
+    return result;
+}
+
+bool spares(const StandingStroke& stroke)
+{
+    const Edit edit = plainEdit(stroke.form);
+    const SparedSegments* spared = sparedBy(edit);
+    return spared && *spared;
+}
+
+/// The first stroke that counts otherwise now than it did; 0: none.
+RowId firstDifference(
+    const std::vector<StandingStroke>& then, const std::vector<StandingStroke>& now)
+{
+    const auto [a, b] = std::mismatch(then.begin(), then.end(), now.begin(), now.end());
+    RowId first = 0;
+    if (a != then.end())
+        first = a->row;
+    if (b != now.end())
+        first = first == 0 ? b->row : std::min(first, b->row);
+    return first;
+}
+
+} // namespace
+
+ReviseOperation::ReviseOperation(ReviseStroke edit, RowId again)
+    : m_edit(std::move(edit))
+    , m_again(again)
+{
+}
+
+void ReviseOperation::start(SessionState& state)
+{
+    if (const Result<void> found = findStrokes(state); !found) {
+        state.fail(found.error());
+        m_done = true;
+        return;
+    }
+    m_past = PastCoverage(
+        m_path, spares(m_before) || std::any_of(m_strokes.begin(), m_strokes.end(), spares));
+    m_toLoad = m_path;
+    loadNext(state);
+}
+
+Result<void> ReviseOperation::findStrokes(const SessionState& state)
+{
+    const History& history = state.history;
+    const std::vector<RowId> path = history.pathTo(history.position());
+    if (std::find(path.begin(), path.end(), m_edit.row) == path.end())
+        return refused(m_edit.row, "is not among the steps done so far");
+    const std::optional<SculptEdit> drawn = sculptEdit(history.row(m_edit.row).edit);
+    if (!drawn)
+        return refused(m_edit.row, "is no cut");
+    m_strokes = standingStrokes(history, history.position());
+    const auto target = std::find_if(m_strokes.begin(), m_strokes.end(),
+        [this](const StandingStroke& stroke) { return stroke.row == m_edit.row; });
+    if (target == m_strokes.end())
+        return refused(m_edit.row, "was taken back");
+    m_before = *target;
+    const Result<SculptEdit> after = revised(*drawn, m_edit);
+    if (!after)
+        return tl::unexpected(after.error());
+    m_after = {.row = m_edit.row, .form = *after, .removed = m_edit.removed};
+    const int layer = layerOf(*after);
+    if (!state.document.layer(layer))
+        return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.layer"),
+            QStringLiteral("there is no sculpt layer %1").arg(layer));
+    // Its ranges are those of the cut that is revised.
+    if (const Result<Edit> known = editFromJson(editToJson(plainEdit(*after))); !known)
+        return tl::unexpected(known.error());
+    if (const Result<WholeCut> cut = cutAlone(*after, state.document, std::uint8_t(layer)); !cut)
+        return tl::unexpected(cut.error());
+    *target = m_after;
+
+    // What is recorded before a row serves as the ground to fold on only if the strokes until then
+    // still count as they did.
+    RowId first = m_edit.row;
+    for (RowId earlier = first; earlier != 0;) {
+        first = earlier;
+        earlier = firstDifference(
+            standingStrokes(history, history.row(first).parent), before(m_strokes, first));
+    }
+    if (const Result<void> checked = checkLayers(state, first); !checked)
+        return checked;
+    m_strokes.erase(std::remove_if(m_strokes.begin(), m_strokes.end(),
+                        [first](const StandingStroke& s) { return s.row < first || s.removed; }),
+        m_strokes.end());
+    m_path.assign(std::find(path.begin(), path.end(), first), path.end());
+    return {};
+}
+
+Result<void> ReviseOperation::checkLayers(const SessionState& state, RowId first) const
+{
+    const History& history = state.history;
+    const auto writes = [&](RowId row) {
+        const Edit& edit = history.row(row).edit;
+        return writesLayer(edit, layerOf(m_before.form))
+            || writesLayer(edit, layerOf(m_after.form));
+    };
+    const auto writers = [&](RowId at) {
+        std::vector<RowId> rows = history.standing(at);
+        rows.erase(
+            std::remove_if(rows.begin(), rows.end(), [&writes](RowId row) { return !writes(row); }),
+            rows.end());
+        return rows;
+    };
+    // Of those that are part of the ground none may be gone, and none may have come since.
+    const std::vector<RowId> ground = writers(history.row(first).parent);
+    const std::vector<RowId> now = writers(history.position());
+    std::vector<RowId> differing;
+    std::set_symmetric_difference(
+        ground.begin(), ground.end(), now.begin(), now.end(), std::back_inserter(differing));
+    if (differing.empty())
+        return {};
+    const RowId row = differing.back();
+    return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.row"),
+        QStringLiteral("row %1 cannot be worked out anew, because '%2' (row %3) has written its "
+                       "layer otherwise than by cutting")
+            .arg(m_edit.row)
+            .arg(history.row(row).name)
+            .arg(row));
+}
+
+void ReviseOperation::loadNext(SessionState& state)
+{
+    if (!m_toLoad.empty())
+        return state.worker->load(m_toLoad.back());
+    await(state.engine.submit(ReadBricks{m_past.keys()}),
+        [this](SessionState& now, EngineResult&& read) {
+            m_past.addImages(read.changes);
+            cutTarget(now);
+        });
+}
+
+void ReviseOperation::takeDifferences(
+    SessionState& state, Result<std::vector<BrickImage>>&& differences)
+{
+    if (!differences)
+        return giveUp(state, differences.error());
+    m_past.addDifferences(m_toLoad.back(), *std::move(differences));
+    m_toLoad.pop_back();
+    loadNext(state);
+}
+
+void ReviseOperation::await(Ticket ticket, Then then)
+{
+    m_awaited = ticket;
+    m_then = std::move(then);
+}
+
+void ReviseOperation::takeResult(SessionState& state, EngineResult&& result)
+{
+    if (!m_then)
+        return;
+    if (result.error && !m_refused)
+        m_refused = result.error;
+    if (result.ticket != m_awaited)
+        return;
+    if (m_refused) {
+        // All that was asked for until then has been done or refused by now.
+        m_past.discard(result);
+        return giveUp(state, *std::exchange(m_refused, std::nullopt));
+    }
+    std::exchange(m_then, nullptr)(state, std::move(result));
+}
+
+void ReviseOperation::cut(SessionState& state, const StandingStroke& stroke,
+    std::function<void(SessionState&, StrokeCut)> then)
+{
+    if (stroke.removed)
+        return then(state, {});
+    const Result<Ticket> ticket = m_past.cut(state, stroke.form);
+    if (!ticket)
+        return giveUp(state, ticket.error());
+    await(*ticket, [this, then = std::move(then)](SessionState& now, EngineResult&& result) {
+        then(now, m_past.cutOf(result));
+    });
+}
+
+void ReviseOperation::cutTarget(SessionState& state)
+{
+    m_past.goBefore(state, m_edit.row);
+    cut(state, m_before, [this](SessionState& now, StrokeCut cutBefore) {
+        m_cutBefore = std::move(cutBefore);
+        // The layer that the cut stands in is emptied before the next one.
+        m_past.goBefore(now, m_edit.row);
+        cut(now, m_after, [this](SessionState& then, StrokeCut cutAfter) {
+            m_cutAfter = std::move(cutAfter);
+            chooseBricks(then);
+        });
+    });
+}
+
+void ReviseOperation::chooseBricks(SessionState& state)
+{
+    if (layerOf(m_before.form) != layerOf(m_after.form) || m_cutBefore != m_cutAfter) {
+        for (const auto* each : {&m_before, &m_after}) {
+            for (const auto& [brick, bytes] : each == &m_before ? m_cutBefore : m_cutAfter) {
+                const BrickKey key{Field::Coverage, std::uint8_t(layerOf(each->form)), brick};
+                m_folded[key] = {key, {}};
+            }
+        }
+    }
+    const auto misses = [&](const StandingStroke& stroke) {
+        if (stroke.row == m_edit.row)
+            return false;
+        const RowReach reach(plainEdit(stroke.form), state.document, {});
+        return std::none_of(m_folded.begin(), m_folded.end(),
+            [&reach](const auto& brick) { return reach.covers(brick.first); });
+    };
+    m_strokes.erase(std::remove_if(m_strokes.begin(), m_strokes.end(), misses), m_strokes.end());
+
+    ReadBricks unknown;
+    for (const auto& [key, image] : m_folded) {
+        if (!m_past.knows(key))
+            unknown.keys.push_back(key);
+    }
+    await(state.engine.submit(std::move(unknown)), [this](SessionState& now, EngineResult&& read) {
+        m_past.addImages(read.changes);
+        beginFold(now);
+    });
+}
+
+void ReviseOperation::beginFold(SessionState& state)
+{
+    m_past.goBefore(state, m_path.front());
+    for (auto& [key, image] : m_folded)
+        image = m_past.image(key);
+    foldNext(state);
+}
+
+void ReviseOperation::foldNext(SessionState& state)
+{
+    if (m_folded.empty() || m_next == m_strokes.size())
+        return put(state);
+    const StandingStroke& stroke = m_strokes[m_next++];
+    if (stroke.row == m_edit.row) {
+        lay(m_cutAfter, stroke);
+        return foldNext(state);
+    }
+    m_past.goBefore(state, stroke.row);
+    cut(state, stroke, [this, &stroke](SessionState& now, StrokeCut recorded) {
+        if (stroke.row > m_edit.row && startsOnSurface(stroke.form))
+            return compare(now, stroke, std::move(recorded));
+        lay(recorded, stroke);
+        foldNext(now);
+    });
+}
+
+void ReviseOperation::compare(SessionState& state, const StandingStroke& stroke, StrokeCut recorded)
+{
+    m_past.goBefore(state, stroke.row);
+    m_past.overlay(state, m_folded);
+    cut(state, stroke,
+        [this, &stroke, recorded = std::move(recorded)](SessionState& now, StrokeCut anew) {
+            if (anew != recorded)
+                m_begunInside.push_back(stroke.row);
+            lay(recorded, stroke);
+            foldNext(now);
+        });
+}
+
+void ReviseOperation::lay(const StrokeCut& cut, const StandingStroke& stroke)
+{
+    for (const auto& [brick, bytes] : cut) {
+        const auto found =
+            m_folded.find({Field::Coverage, std::uint8_t(layerOf(stroke.form)), brick});
+        if (found == m_folded.end())
+            continue;
+        std::vector<std::uint8_t>& held = found->second.bytes;
+        if (restores(stroke.form)) {
+            std::transform(held.begin(), held.end(), bytes.begin(), held.begin(),
+                [](std::uint8_t a, std::uint8_t b) { return refilled(a, b); });
+            if (std::all_of(held.begin(), held.end(), [](std::uint8_t a) { return a == 0; }))
+                held.clear(); // an empty brick has no bytes
+            continue;
+        }
+        if (held.empty())
+            held = bytes;
+        std::transform(held.begin(), held.end(), bytes.begin(), held.begin(),
+            [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+    }
+}
+
+void ReviseOperation::put(SessionState& state)
+{
+    m_past.restore(state);
+    state.afterRequired([this](SessionState& now) { putFolded(now); });
+}
+
+void ReviseOperation::putFolded(SessionState& state)
+{
+    std::vector<BrickImage> bricks;
+    for (auto& [key, image] : m_folded)
+        bricks.push_back(std::move(image));
+    ReadBricks read{labelsOverCoverage(state.document, bricks)};
+    if (read.keys.empty())
+        return swap(state, std::move(bricks));
+    for (const BrickImage& brick : bricks)
+        read.keys.push_back(brick.key);
+    await(state.engine.submit(std::move(read)),
+        [this, bricks = std::move(bricks)](SessionState& now, EngineResult&& result) mutable {
+            const Result<void> checked = checkProtected(now.document, result.changes, bricks);
+            if (!checked)
+                return giveUp(now, checked.error());
+            swap(now, std::move(bricks));
+        });
+}
+
+void ReviseOperation::swap(SessionState& state, std::vector<BrickImage> bricks)
+{
+    await(state.engine.submit(SwapBricks{std::move(bricks)}),
+        [this](SessionState& now, EngineResult&& result) { finish(now, std::move(result)); });
+}
+
+void ReviseOperation::finish(SessionState& state, EngineResult&& result)
+{
+    m_done = true;
+    if (m_again != 0)
+        state.complete(m_again, std::move(result.changes));
+    else if (result.changes.empty())
+        return; // no row, so nothing changed for anybody
+    else
+        state.commit(m_edit, std::move(result.changes), result.statistics, std::nullopt);
+    state.lastRevision = {state.history.position(), std::move(m_begunInside)};
+}
+
+void ReviseOperation::giveUp(SessionState& state, const Error& error)
+{
+    m_then = nullptr;
+    m_past.restore(state);
+    state.fail(error);
+    m_done = true;
+}
+
+} // namespace core

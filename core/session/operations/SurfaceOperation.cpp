@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/operations/SurfaceOperation.h"
+
+#include "core/base/Guarded.h"
+#include "core/edits/document/DocumentEdits.h"
+
+#include <utility>
+
+namespace core {
+
+SurfaceOperation::SurfaceOperation(Edit edit, Kind kind, RowId again)
+    : m_edit(std::move(edit))
+    , m_kind(kind)
+    , m_again(again)
+{
+    if (m_kind == Kind::Whole)
+        m_ending = Ending::Commit;
+}
+
+bool SurfaceOperation::foresee(Document& document) const
+{
+    return bool(applyToDocument(m_edit, document));
+}
+
+void SurfaceOperation::start(SessionState& state)
+{
+    // What waited in line may meet another document than the one it was checked against.
+    if (const Result<void> checked = checkAgainst(state.document, m_edit); !checked)
+        return giveUp(state, checked.error());
+    if (const std::optional<VoxelBox> grey = greyBoxOf(m_edit, state.surface)) {
+        m_read.greyBox = *grey;
+        m_asked = state.engine.submit(ReadCodes{*grey});
+        return;
+    }
+    if (!readsLabels(m_edit))
+        return work(state);
+    const int label = std::holds_alternative<LaySurface>(m_edit)
+        ? std::get<LaySurface>(m_edit).segment
+        : state.document.surface->segment;
+    m_reader.emplace(state.surface.geometry().size, state.document.segment(label)->plane);
+    readOn(state);
+}
+
+void SurfaceOperation::readOn(SessionState& state)
+{
+    if (auto question = m_reader->next())
+        m_asked = state.engine.submit(*std::move(question));
+    else
+        work(state);
+}
+
+void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
+{
+    if (m_asked && result.ticket == *m_asked) {
+        m_asked.reset();
+        if (!m_reader) {
+            if (result.error)
+                return giveUp(state, *result.error);
+            m_read.codes = std::move(result.codes);
+            return work(state);
+        }
+        if (const Result<void> taken = m_reader->take(result); !taken)
+            return giveUp(state, taken.error());
+        readOn(state);
+    } else if (m_written && result.ticket == *m_written) {
+        m_done = true;
+        if (result.error)
+            return state.fail(*result.error);
+        if (m_again != 0)
+            state.complete(m_again, std::move(result.changes));
+        else if (!result.changes.empty()
+            || (std::holds_alternative<WriteBack>(m_edit) && state.document.surface->isApart()))
+            state.commit(m_edit, std::move(result.changes), result.statistics, {});
+    } else if (result.error) {
+        giveUp(state, *result.error);
+    }
+}
+
+void SurfaceOperation::work(SessionState& state)
+{
+    if (m_reader)
+        m_read.labels = m_reader->takeLabels();
+    m_reader.reset();
+    if (std::holds_alternative<WriteBack>(m_edit))
+        m_read.past = surfacePast(state.history, state.surface);
+    m_work =
+        std::make_shared<SurfaceWork>(state.surface, m_edit, state.document, std::move(m_read));
+    const SurfacePath* path = surfacePathOf(m_edit);
+    post(state, [this, work = m_work, points = path ? path->pointsLps : std::vector<glm::dvec3>()] {
+        const Result<void> begun = work->begin();
+        work->add(points);
+        if (begun)
+            return SideThread::Sequel();
+        // It is told at once: whoever looks at what he began waits for something to be seen.
+        return SideThread::Sequel(
+            [this, why = begun.error()](SessionState& known) { tell(known, why); });
+    });
+    if (m_ending)
+        end(state, *m_ending);
+}
+
+void SurfaceOperation::extendPath(
+    SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool)
+{
+    if (!open() || pointsLps.empty())
+        return;
+    std::vector<glm::dvec3>& told = surfacePathOf(m_edit)->pointsLps;
+    told.insert(told.end(), pointsLps.begin(), pointsLps.end());
+    // What waits in line still gets them with the edit.
+    if (m_work) {
+        post(state, [work = m_work, pointsLps] {
+            work->add(pointsLps);
+            return SideThread::Sequel();
+        });
+    }
+}
+
+void SurfaceOperation::end(SessionState& state, Ending ending)
+{
+    m_ending = ending;
+    if (!m_work)
+        return;
+    state.side->post(
+        [this, work = m_work, ending] {
+            auto outcome = std::make_shared<Result<SurfaceWork::Outcome>>(work->end(ending));
+            return SideThread::Sequel(
+                [this, outcome](SessionState& known) { finish(known, std::move(*outcome)); });
+        },
+        [this](SessionState& known, const Error& error) { finish(known, tl::unexpected(error)); });
+}
+
+/// What is thrown before the end is what the end says, too.
+void SurfaceOperation::post(SessionState& state, std::function<SideThread::Sequel()> work)
+{
+    state.side->post(
+        [work = std::move(work), surface = m_work] {
+            try {
+                return work();
+            } catch (...) {
+                surface->fail(errorBeingHandled());
+                throw;
+            }
+        },
+        [this](SessionState& known, const Error& error) { tell(known, error); });
+}
+
+void SurfaceOperation::finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome)
+{
+    m_work.reset();
+    if (!outcome && !state.surface.isIntact())
+        state.lose(outcome.error());
+    if (!outcome)
+        return giveUp(state, outcome.error());
+    if (outcome->voxels)
+        return write(state, *std::move(outcome->voxels));
+    m_done = true;
+    if (outcome->step && m_again != 0)
+        state.completeSurface(m_again, outcome->step);
+    else if (outcome->step)
+        state.commitSurface(m_edit, outcome->step, outcome->remark);
+}
+
+void SurfaceOperation::write(SessionState& state, EngineEdit&& edit)
+{
+    state.engine.submit(BeginEdit{std::move(edit)});
+    m_written = state.engine.submit(EndEdit{Ending::Commit});
+}
+
+void SurfaceOperation::giveUp(SessionState& state, const Error& error)
+{
+    if (!m_done)
+        tell(state, error);
+    m_done = true;
+}
+
+void SurfaceOperation::tell(SessionState& state, const Error& error)
+{
+    if (!m_told)
+        state.fail(error);
+    m_told = true;
+}
+
+ShowSurface::ShowSurface(SurfaceState::Listener listener)
+    : m_listener(std::move(listener))
+{
+}
+
+void ShowSurface::start(SessionState& state)
+{
+    state.surface.setListener(std::move(m_listener));
+    state.surface.showAll(state.document.surface.has_value());
+    m_done = true;
+}
+
+} // namespace core

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/SurfacePaths.h"
+#include "core/session/past/LabelReader.h"
+#include "core/session/state/Operation.h"
+#include "core/session/surface/SurfaceWork.h"
+
+#include <memory>
+#include <optional>
+
+namespace core {
+
+/// An edit of the surface that is being refined: its mesh is deformed on the side thread, and what
+/// is shown follows from there; one row. Laying a surface, following the mask and writing back ask
+/// the engine for the labels first; writing back and shutting to growth are one engine transaction,
+/// too.
+class SurfaceOperation final : public OpenOperation {
+public:
+    enum class Kind {
+        Whole, ///< everything is in the edit
+        Interactive, ///< the user goes on telling until end()
+    };
+    /// @param again as in VoxelOperation
+    SurfaceOperation(Edit edit, Kind kind, RowId again = 0);
+
+    void start(SessionState& state) override;
+    void takeResult(SessionState& state, EngineResult&& result) override;
+    [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool foresee(Document& document) const override;
+
+    [[nodiscard]] bool isTemplate() const { return std::holds_alternative<ApplyTemplate>(m_edit); }
+    [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
+    [[nodiscard]] bool standsOpen() const override { return isTemplate() && open(); }
+    void extendPath(
+        SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted) override;
+    void end(SessionState& state, Ending ending) override;
+
+private:
+    void readOn(SessionState& state);
+    void work(SessionState& state);
+    void finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome);
+    void write(SessionState& state, EngineEdit&& edit);
+    void post(SessionState& state, std::function<SideThread::Sequel()> work);
+    void giveUp(SessionState& state, const Error& error);
+    void tell(SessionState& state, const Error& error);
+
+    Edit m_edit;
+    Kind m_kind;
+    RowId m_again = 0;
+    std::optional<LabelReader> m_reader; ///< while labels are read
+    std::optional<Ticket> m_asked;
+    SurfaceWork::Read m_read;
+    std::shared_ptr<SurfaceWork> m_work; ///< from when it goes on on the side thread
+    std::optional<Ending> m_ending;
+    std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
+    bool m_told = false; ///< why nothing comes of it
+    bool m_done = false;
+};
+
+/// From now on somebody else is told what is to be drawn of the surface: in its place in line, when
+/// nothing deforms it.
+class ShowSurface final : public Operation {
+public:
+    explicit ShowSurface(SurfaceState::Listener listener);
+    void start(SessionState& state) override;
+    [[nodiscard]] bool done() const override { return m_done; }
+
+private:
+    SurfaceState::Listener m_listener;
+    bool m_done = false;
+};
+
+} // namespace core

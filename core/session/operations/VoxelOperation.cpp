@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/operations/VoxelOperation.h"
+
+#include "core/edits/EditJson.h"
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/SparedSegments.h"
+#include "core/session/past/GrownSteps.h"
+#include "core/session/past/RecentGrowth.h"
+#include "core/session/past/SeedStrokes.h"
+
+#include <utility>
+
+namespace core {
+
+namespace {
+
+/// The samples of a stroke of drill or laser; null for other edits.
+std::vector<PenSample>* samplesOf(Edit& edit)
+{
+    if (auto* drill = std::get_if<DrillStroke>(&edit))
+        return &drill->samples;
+    auto* laser = std::get_if<LaserStroke>(&edit);
+    return laser ? &laser->samples : nullptr;
+}
+
+/// How far a growth goes; null for other edits.
+std::optional<int>* stepsOf(Edit& edit)
+{
+    if (auto* grow = std::get_if<GrowSteps>(&edit))
+        return &grow->steps;
+    auto* change = std::get_if<ChangeInterval>(&edit);
+    return change ? &change->steps : nullptr;
+}
+
+/// The way of a brush; null for other edits.
+BrushPath* pathOf(Edit& edit)
+{
+    if (auto* paint = std::get_if<PaintStroke>(&edit))
+        return &paint->path;
+    if (auto* barrier = std::get_if<BarrierStroke>(&edit))
+        return &barrier->path;
+    auto* brush = std::get_if<BrushStroke>(&edit);
+    return brush ? &brush->path : nullptr;
+}
+
+std::vector<BrickImage> imagesBefore(const std::vector<BrickChange>& changes)
+{
+    std::vector<BrickImage> images;
+    for (const BrickChange& change : changes)
+        images.push_back({change.key, change.before});
+    return images;
+}
+
+template <class Command> Result<EngineEdit> asEngineEdit(Result<Command> command)
+{
+    if (!command)
+        return tl::unexpected(command.error());
+    return EngineEdit(*std::move(command));
+}
+
+} // namespace
+
+VoxelOperation::VoxelOperation(Edit edit, Kind kind, RowId again)
+    : m_edit(std::move(edit))
+    , m_kind(kind)
+    , m_again(again)
+{
+}
+
+Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
+{
+    if (const auto* seed = std::get_if<SeedStroke>(&m_edit))
+        return asEngineEdit(seedPlacement(*seed, document));
+    if (const auto* grow = std::get_if<GrowSteps>(&m_edit))
+        return asEngineEdit(growBurst(*grow, document));
+    if (const auto* change = std::get_if<ChangeInterval>(&m_edit))
+        return asEngineEdit(growBurst(*change, document));
+    if (const auto* barrier = std::get_if<BarrierStroke>(&m_edit))
+        return asEngineEdit(paintBarrier(*barrier, document));
+    if (const auto* shrink = std::get_if<ShrinkSteps>(&m_edit)) {
+        Result<ShrinkGrowth> command = shrinkGrowth(*shrink, document);
+        if (command)
+            m_firstGeneration = command->generation;
+        return asEngineEdit(std::move(command));
+    }
+    if (const auto* shrinkAt = std::get_if<ShrinkAt>(&m_edit))
+        return asEngineEdit(cutGrowth(*shrinkAt, document));
+    if (const auto* plug = std::get_if<PlugLeak>(&m_edit))
+        return asEngineEdit(cutGrowth(*plug, document));
+    if (const auto* fromSeeds = std::get_if<GrowFromSeeds>(&m_edit))
+        return asEngineEdit(spreadLabels(*fromSeeds, document));
+    if (const auto* remove = std::get_if<RemoveSegment>(&m_edit))
+        return asEngineEdit(eraseLabel(*remove, document));
+    if (const auto* paint = std::get_if<PaintStroke>(&m_edit))
+        return asEngineEdit(paintLabel(*paint, document));
+    if (const auto* brush = std::get_if<BrushStroke>(&m_edit))
+        return asEngineEdit(capsuleCut(*brush, document));
+    if (const auto* peel = std::get_if<PeelCut>(&m_edit))
+        return asEngineEdit(maskPeel(*peel, document));
+    if (const auto* scissors = std::get_if<ScissorsCut>(&m_edit))
+        return asEngineEdit(maskScissors(*scissors, document));
+    if (const auto* carved = std::get_if<LayerToSegment>(&m_edit))
+        return asEngineEdit(labelCarved(*carved, document));
+    if (const auto* seen = std::get_if<SegmentSeen>(&m_edit))
+        return asEngineEdit(labelSeen(*seen, document));
+    if (const auto* mask = std::get_if<ImportMask>(&m_edit))
+        return asEngineEdit(labelListed(*mask, document));
+    if (const auto* segment = std::get_if<SegmentToLayer>(&m_edit))
+        return asEngineEdit(coverLabel(*segment, document));
+    const auto* removed = std::get_if<RemoveLayer>(&m_edit);
+    const auto* merged = std::get_if<MergeLayers>(&m_edit);
+    if (removed || merged) {
+        // What waited in line may meet another document than the one it was checked against.
+        if (const Result<void> checked = checkAgainst(document, m_edit); !checked)
+            return tl::unexpected(checked.error());
+        return EngineEdit(removed ? foldLayer(*removed) : foldLayer(*merged));
+    }
+    if (const auto* laser = std::get_if<LaserStroke>(&m_edit)) {
+        Result<LaserCut> cut = laserCut(*laser, document);
+        if (cut)
+            m_path.emplace(*laser, *cut);
+        return asEngineEdit(std::move(cut));
+    }
+    const auto& drill = std::get<DrillStroke>(m_edit);
+    Result<DrillCut> cut = drillCut(drill, document);
+    if (cut)
+        m_path.emplace(drill, *cut);
+    return asEngineEdit(std::move(cut));
+}
+
+bool VoxelOperation::foresee(Document& document) const
+{
+    return bool(applyToDocument(m_edit, document));
+}
+
+void VoxelOperation::start(SessionState& state)
+{
+    if (m_again == 0)
+        spareProtected(m_edit, state.document);
+    const std::vector<PenSample>* samples = samplesOf(m_edit);
+    const Result<void> named = nameWhatGrowthReads(m_edit, state.history, state.document);
+    Result<EngineEdit> edit =
+        named ? engineEdit(state.document) : Result<EngineEdit>(tl::unexpected(named.error()));
+    if (!edit) {
+        state.fail(edit.error());
+        m_refused = true;
+        m_finished = m_kind == Kind::Whole;
+        return;
+    }
+    if (auto* burst = std::get_if<GrowBurst>(&*edit))
+        addSeedStrokes(*burst, m_edit, state.history, state.document);
+    // Samples of a stroke that had to wait in line are all in the edit by now.
+    if (samples && !samples->empty())
+        m_waiting.push_front(DrillPath{m_path->add(*samples)});
+    if (const auto* peel = std::get_if<PeelCut>(&m_edit))
+        m_waiting.push_front(peelDepth(*peel));
+    if (const BrushPath* path = pathOf(m_edit))
+        m_waiting.push_front(CapsulePath{capsules(*path, state.document.volumes.front().geometry)});
+    const std::optional<int>* steps = stepsOf(m_edit);
+    if (steps && m_kind == Kind::Whole && steps->value_or(1) > 0)
+        m_waiting.push_back(GrowAdvance{.steps = steps->value_or(GrowAdvance::toClosure)});
+    if (m_kind == Kind::Whole)
+        m_ending = Ending::Commit;
+    if (m_ending)
+        liftPen();
+    askBefore(state, *edit);
+    m_begun = state.engine.submit(BeginEdit{*std::move(edit)});
+    submitWaiting(state);
+}
+
+/// A seed that is not taken changes no voxel, so what there was is asked before.
+void VoxelOperation::askBefore(SessionState& state, const EngineEdit& edit)
+{
+    const auto* stroke = std::get_if<SeedPlacement>(&edit);
+    if (!stroke || m_again != 0)
+        return;
+    m_seeds = *stroke;
+    const BrickGrid grid{state.document.volumes.front().geometry.size};
+    m_asked = state.engine.submit(ReadBricks{wordBricks(*stroke, grid)});
+}
+
+void VoxelOperation::takeBefore(SessionState& state, const EngineResult& result)
+{
+    const BrickGrid grid{state.document.volumes.front().geometry.size};
+    if (!result.error)
+        m_sketched = sketchedSeeds(m_seeds, grid, result.changes);
+    m_seeds = {};
+}
+
+void VoxelOperation::extendDrill(SessionState& state, const std::vector<PenSample>& samples)
+{
+    std::vector<PenSample>* told = samplesOf(m_edit);
+    if (!told || !open() || samples.empty())
+        return;
+    const double last = told->empty() ? 0.0 : told->back().tSeconds;
+    const std::vector<PenSample> sound = soundSamples(samples, last);
+    if (m_path)
+        m_waiting.push_back(DrillPath{m_path->add(sound)});
+    told->insert(told->end(), sound.begin(), sound.end());
+    submitWaiting(state);
+}
+
+void VoxelOperation::extendPath(
+    SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted)
+{
+    BrushPath* path = pathOf(m_edit);
+    if (!path || !open() || pointsLps.empty())
+        return;
+    if (m_begun) {
+        const glm::dvec3 last = path->pointsLps.back();
+        const glm::dvec3* from = lifted ? nullptr : &last;
+        m_waiting.push_back(
+            CapsulePath{capsules(*path, state.document.volumes.front().geometry, from, pointsLps)});
+    }
+    if (lifted)
+        path->lifts.push_back(std::int64_t(path->pointsLps.size()));
+    path->pointsLps.insert(path->pointsLps.end(), pointsLps.begin(), pointsLps.end());
+    submitWaiting(state);
+}
+
+void VoxelOperation::setPeelDepth(SessionState& state, double depthMm)
+{
+    auto* peel = std::get_if<PeelCut>(&m_edit);
+    if (!peel || !open() || peel->depthMm == depthMm)
+        return;
+    peel->depthMm = depthMm;
+    if (m_begun)
+        m_waiting.push_back(peelDepth(*peel));
+    submitWaiting(state);
+}
+
+void VoxelOperation::setShrinkSteps(SessionState& state, int steps)
+{
+    auto* shrink = std::get_if<ShrinkSteps>(&m_edit);
+    if (!shrink || !open())
+        return;
+    shrink->steps = steps;
+    if (m_begun)
+        m_waiting.push_back(shrinkTo());
+    submitWaiting(state);
+}
+
+/// @pre a ShrinkSteps that has begun
+ShrinkTo VoxelOperation::shrinkTo() const
+{
+    const int steps = *std::get<ShrinkSteps>(m_edit).steps;
+    return {.keep = m_firstGeneration - std::min(std::uint32_t(steps), m_firstGeneration)};
+}
+
+void VoxelOperation::extendGrowth(SessionState& state, EngineExtension extension)
+{
+    if (!isGrowth() || !open())
+        return;
+    m_waiting.push_back(std::move(extension));
+    submitWaiting(state);
+}
+
+void VoxelOperation::setInterval(SessionState& state, double lower, double upper)
+{
+    auto* change = std::get_if<ChangeInterval>(&m_edit);
+    if (!change || !open())
+        return;
+    change->criteria.lower = lower;
+    change->criteria.upper = upper;
+    if (m_begun) {
+        Result<GrowBurst> burst = growBurst(*change, state.document);
+        if (!burst)
+            return state.fail(burst.error());
+        addSeedStrokes(*burst, m_edit, state.history, state.document);
+        m_waiting.push_back(GrowAnew{*std::move(burst)});
+    }
+    submitWaiting(state);
+}
+
+void VoxelOperation::forgetPreview(SessionState& state)
+{
+    if (!isPreview() || !open())
+        return;
+    m_waiting.push_back(ForgetSpread{});
+    submitWaiting(state);
+}
+
+void VoxelOperation::end(SessionState& state, Ending ending)
+{
+    if (!open())
+        return;
+    m_ending = ending;
+    liftPen();
+    submitWaiting(state);
+}
+
+/// What the end of a stroke still owes; one that has not started yet pays when it does.
+void VoxelOperation::liftPen()
+{
+    if (m_path)
+        m_waiting.push_back(DrillPath{m_path->finish()});
+}
+
+void VoxelOperation::submitWaiting(SessionState& state)
+{
+    if (!m_begun || m_refused || m_ended)
+        return;
+    for (; !m_waiting.empty(); m_waiting.pop_front()) {
+        ExtendEdit next;
+        next.extension = std::move(m_waiting.front());
+        state.engine.submit(std::move(next));
+    }
+    if (m_ending)
+        m_ended = state.engine.submit(EndEdit{m_failed ? Ending::Rollback : *m_ending});
+}
+
+void VoxelOperation::takeResult(SessionState& state, EngineResult&& result)
+{
+    if (m_asked && result.ticket == *m_asked)
+        return takeBefore(state, result);
+    if (!m_begun || result.ticket < *m_begun)
+        return;
+    if (m_ended && result.ticket == *m_ended) {
+        finish(state, std::move(result));
+    } else if (result.error) {
+        if (!m_failed)
+            state.fail(*result.error);
+        m_failed = true;
+        m_refused = m_refused || (result.ticket == *m_begun && !m_ended);
+        if (m_refused && isPreview())
+            m_ending = Ending::Rollback; // nobody's pen is down: it ends here
+    }
+}
+
+bool VoxelOperation::abandon(SessionState& state, const Error& error)
+{
+    if (m_finished)
+        return false;
+    if (!m_failed)
+        state.fail(error);
+    m_failed = true;
+    m_waiting.clear();
+    if (!m_begun) {
+        m_refused = true;
+        m_finished = m_kind == Kind::Whole;
+    } else if (!m_ended) {
+        m_ending = Ending::Rollback;
+        m_ended = state.engine.submit(EndEdit{Ending::Rollback});
+    }
+    return true; // an end that is under way is taken back when it comes
+}
+
+void VoxelOperation::finish(SessionState& state, EngineResult&& result)
+{
+    m_finished = true;
+    if (result.error && !m_failed)
+        state.fail(*result.error);
+    if (m_failed && !result.changes.empty())
+        state.require(SwapBricks{imagesBefore(result.changes)});
+    if (movesGeneration())
+        state.tell(DocumentChange::What::Growth);
+    if (std::holds_alternative<SeedStroke>(m_edit))
+        state.lastSketched = m_sketched;
+    const bool changed = !result.changes.empty()
+        || (changedPart(m_edit) && !takesVoxelsOrNothing(m_edit))
+        || (m_ending == Ending::Commit && bringsNewCriteria(m_edit, state.history));
+    if (result.error || m_failed || !changed) {
+        if (m_again != 0 && !result.error && !m_failed)
+            state.fail({ErrorCode::SessionDamaged,
+                {state.file ? state.file->path() : QString(),
+                    QStringLiteral("row %1 changes nothing when it is carried out again")
+                        .arg(m_again)}});
+        return;
+    }
+    if (m_again != 0) {
+        state.complete(m_again, std::move(result.changes));
+        return;
+    }
+    const Edit edit = carriedOut(result);
+    std::optional<std::uint32_t> generation;
+    if (movesGeneration())
+        generation = result.generation;
+    state.commit(edit, std::move(result.changes), result.statistics, generation);
+    if (result.alarm)
+        state.lastAlarm = {state.history.position(), *result.alarm};
+}
+
+/// The edit as replay must repeat it: a burst that the user watched says how far it came, and so
+/// does one that was stopped by its guard.
+Edit VoxelOperation::carriedOut(const EngineResult& result) const
+{
+    if (!isGrowth() || (m_kind == Kind::Whole && !result.alarm))
+        return m_edit;
+    Edit done = m_edit;
+    std::optional<int>& steps = *stepsOf(done);
+    steps.reset();
+    if (!result.atClosure) {
+        const auto generations = std::uint32_t(result.statistics.generations);
+        steps = grownSteps(result.generation - generations, result.statistics, result.changes);
+    }
+    return done;
+}
+
+} // namespace core

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/engine/DrillPathSampler.h"
+#include "core/session/past/SketchedSeeds.h"
+#include "core/session/state/Operation.h"
+
+#include <deque>
+
+namespace core {
+
+/// An edit of voxels, which may change the document with them: one engine transaction, one row if
+/// it changed anything.
+class VoxelOperation final : public OpenOperation {
+public:
+    enum class Kind {
+        Whole, ///< everything is in the edit
+        Interactive, ///< the user goes on telling until end()
+    };
+    /// @param again a row that is carried out again (opening a session); 0: a new one
+    VoxelOperation(Edit edit, Kind kind, RowId again = 0);
+
+    // Interactive ones only:
+    void extendDrill(SessionState& state, const std::vector<PenSample>& samples);
+    void extendPath(
+        SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted) override;
+    void setPeelDepth(SessionState& state, double depthMm);
+    void setShrinkSteps(SessionState& state, int steps);
+    void extendGrowth(SessionState& state, EngineExtension extension);
+    /// Of a ChangeInterval: it begins anew with these bounds; steps have to be asked for again.
+    void setInterval(SessionState& state, double lower, double upper);
+    void forgetPreview(SessionState& state);
+    void end(SessionState& state, Ending ending) override;
+    [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
+    [[nodiscard]] bool isGrowth() const
+    {
+        return std::holds_alternative<GrowSteps>(m_edit)
+            || std::holds_alternative<ChangeInterval>(m_edit)
+            || std::holds_alternative<ResumeGrowth>(m_edit);
+    }
+    [[nodiscard]] bool movesGeneration() const
+    {
+        return isGrowth() || std::holds_alternative<ShrinkSteps>(m_edit)
+            || std::holds_alternative<ShrinkAt>(m_edit) || std::holds_alternative<PlugLeak>(m_edit);
+    }
+    /// Shown before it is decided on: whatever comes next takes it back.
+    [[nodiscard]] bool isPreview() const { return std::holds_alternative<GrowFromSeeds>(m_edit); }
+    [[nodiscard]] bool standsOpen() const override
+    {
+        return isGrowth() || isPreview() || std::holds_alternative<PeelCut>(m_edit)
+            || std::holds_alternative<ShrinkSteps>(m_edit);
+    }
+    [[nodiscard]] Ending usualEnding() const override
+    {
+        return standsOpen() && !isPreview() ? Ending::Commit : Ending::Rollback;
+    }
+
+    void start(SessionState& state) override;
+    void takeResult(SessionState& state, EngineResult&& result) override;
+    [[nodiscard]] bool done() const override { return m_finished || (m_refused && m_ending); }
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
+    [[nodiscard]] bool foresee(Document& document) const override;
+
+private:
+    [[nodiscard]] Result<EngineEdit> engineEdit(const Document& document);
+    [[nodiscard]] ShrinkTo shrinkTo() const;
+    void askBefore(SessionState& state, const EngineEdit& edit);
+    void takeBefore(SessionState& state, const EngineResult& result);
+    void liftPen();
+    void submitWaiting(SessionState& state);
+    void finish(SessionState& state, EngineResult&& result);
+    [[nodiscard]] Edit carriedOut(const EngineResult& result) const;
+
+    Edit m_edit;
+    Kind m_kind;
+    RowId m_again = 0;
+    std::optional<DrillPathSampler> m_path; ///< of a stroke of drill or laser
+    std::uint32_t m_firstGeneration = 0; ///< of a shrinking
+    std::deque<EngineExtension> m_waiting;
+    std::optional<Ending> m_ending;
+    std::optional<Ticket> m_asked; ///< what lay where seeds are sketched
+    SeedPlacement m_seeds; ///< until that is told
+    std::optional<SketchedSeeds> m_sketched;
+    std::optional<Ticket> m_begun;
+    std::optional<Ticket> m_ended;
+    bool m_refused = false; ///< the engine never opened it
+    bool m_failed = false; ///< something in it went wrong: nothing of it may stay
+    bool m_finished = false;
+};
+
+} // namespace core

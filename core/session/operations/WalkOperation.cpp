@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/operations/WalkOperation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace core {
+
+WalkOperation::WalkOperation(Aim aim, RowId target)
+    : m_aim(aim)
+    , m_target(target)
+{
+}
+
+void WalkOperation::start(SessionState& state)
+{
+    step(state);
+}
+
+bool WalkOperation::choose(const History& history)
+{
+    const RowId position = history.position();
+    if (m_aim == Aim::Undo) {
+        m_back = true;
+        m_row = position;
+        return m_row != 0;
+    }
+    if (m_aim == Aim::Redo) {
+        m_back = false;
+        m_row = history.redoTarget();
+        return m_row != 0;
+    }
+    if (position == m_target)
+        return false;
+    const std::vector<RowId> path = history.pathTo(m_target);
+    const auto here = std::find(path.begin(), path.end(), position);
+    m_back = position != 0 && here == path.end();
+    m_row = m_back ? position : (position == 0 ? path.front() : *std::next(here));
+    return true;
+}
+
+void WalkOperation::step(SessionState& state)
+{
+    if (!choose(state.history)) {
+        m_done = true;
+        return;
+    }
+    std::optional<std::vector<BrickImage>> images = state.recent.images(m_row, !m_back);
+    if (!images)
+        state.worker->load(m_row);
+    else if (images->empty())
+        arrive(state, {});
+    else
+        m_swap.put(state, *std::move(images));
+}
+
+void WalkOperation::takeDifferences(
+    SessionState& state, Result<std::vector<BrickImage>>&& differences)
+{
+    if (!differences)
+        giveUp(state, differences.error());
+    else if (differences->empty())
+        arrive(state, {});
+    else
+        m_swap.start(state, *std::move(differences));
+}
+
+void WalkOperation::takeResult(SessionState& state, EngineResult&& result)
+{
+    std::optional<Result<EngineResult>> swapped = m_swap.takeResult(state, std::move(result));
+    if (!swapped)
+        return;
+    if (*swapped)
+        arrive(state, std::move((*swapped)->changes));
+    else
+        giveUp(state, swapped->error());
+}
+
+bool WalkOperation::abandon(SessionState& state, const Error& error)
+{
+    if (m_arriving || m_swap.swapping())
+        return false;
+    giveUp(state, error);
+    return true;
+}
+
+void WalkOperation::arrive(SessionState& state, std::vector<BrickChange> changes)
+{
+    m_arriving = true;
+    state.moveTo(m_back ? state.history.row(m_row).parent : m_row, m_row, std::move(changes));
+    m_arriving = false;
+    if (m_aim == Aim::Row)
+        step(state);
+    else
+        m_done = true;
+}
+
+void WalkOperation::giveUp(SessionState& state, const Error& error)
+{
+    state.fail(error);
+    m_done = true;
+}
+
+} // namespace core

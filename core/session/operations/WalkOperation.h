@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/questions/DifferenceSwap.h"
+#include "core/session/state/Operation.h"
+
+namespace core {
+
+/// Undo, redo, or a walk to any row: one row after the other, each by laying its difference over
+/// the bricks that are there. Where the row's bricks are still at hand they are put back as they
+/// were.
+class WalkOperation final : public Operation {
+public:
+    enum class Aim { Undo, Redo, Row };
+    explicit WalkOperation(Aim aim, RowId target = 0);
+
+    void start(SessionState& state) override;
+    void takeResult(SessionState& state, EngineResult&& result) override;
+    void takeDifferences(
+        SessionState& state, Result<std::vector<BrickImage>>&& differences) override;
+    [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool foresee(Document&) const override { return m_done; }
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
+
+private:
+    /// Chooses the next row and the direction. @return false: arrived
+    [[nodiscard]] bool choose(const History& history);
+    void step(SessionState& state);
+    void arrive(SessionState& state, std::vector<BrickChange> changes);
+    void giveUp(SessionState& state, const Error& error);
+
+    Aim m_aim;
+    RowId m_target = 0;
+    RowId m_row = 0; ///< whose difference is laid over the bricks now
+    bool m_back = false; ///< undoing it
+    DifferenceSwap m_swap;
+    bool m_arriving = false; ///< the bricks are swapped in, and the history does not say so yet
+    bool m_done = false;
+};
+
+} // namespace core

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/past/GrowthTrace.h"
+
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/SculptEdits.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+/// The voxels of a brick whose words differ.
+VoxelBox boxOfWords(const BrickImage& difference, const VoxelBox& brick)
+{
+    const int width = bytesPerVoxel(Field::SeedWords);
+    VoxelBox box{.minimum = brick.maximum, .maximum = brick.minimum};
+    for (int z = brick.minimum.z; z < brick.maximum.z; ++z) {
+        for (int y = brick.minimum.y; y < brick.maximum.y; ++y) {
+            for (int x = brick.minimum.x; x < brick.maximum.x; ++x) {
+                const auto word = difference.bytes.begin()
+                    + std::ptrdiff_t(BrickGrid::offsetInBrick({x, y, z})) * width;
+                if (std::all_of(word, word + width, [](std::uint8_t byte) { return byte == 0; }))
+                    continue;
+                box.minimum = glm::min(box.minimum, glm::ivec3(x, y, z));
+                box.maximum = glm::max(box.maximum, glm::ivec3(x, y, z) + 1);
+            }
+        }
+    }
+    return box;
+}
+
+} // namespace
+
+bool GrowthTrace::isOf(const Edit& edit)
+{
+    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+        return !grow->criteria.passage;
+    const auto* interval = std::get_if<ChangeInterval>(&edit);
+    return interval && !interval->criteria.passage;
+}
+
+bool GrowthTrace::mayNeed(const Edit& edit)
+{
+    return !changesDocumentOnly(edit) && !sculptEdit(edit)
+        && !std::holds_alternative<SegmentToLayer>(edit)
+        && !std::holds_alternative<MergeLayers>(edit) && !std::holds_alternative<RemoveLayer>(edit);
+}
+
+void GrowthTrace::note(
+    RowId row, const std::vector<BrickImage>& differences, const Document& document)
+{
+    const BrickGrid grid{document.volumes.front().geometry.size};
+    std::set<std::uint32_t>& beside = m_besideWords[row];
+    for (const BrickImage& difference : differences) {
+        if (difference.key.field != Field::SeedWords
+            || difference.key.plane != document.growths.front().plane || difference.bytes.empty())
+            continue;
+        const VoxelBox words = boxOfWords(difference, grid.boxOf(int(difference.key.brick)));
+        if (words.minimum.x >= words.maximum.x)
+            continue;
+        const glm::ivec3 first = glm::max(words.minimum - 1, glm::ivec3(0)) / BrickGrid::side;
+        const glm::ivec3 last = glm::min(words.maximum, grid.volumeSize - 1) / BrickGrid::side;
+        for (int z = first.z; z <= last.z; ++z) {
+            for (int y = first.y; y <= last.y; ++y) {
+                for (int x = first.x; x <= last.x; ++x)
+                    beside.insert(
+                        std::uint32_t(grid.brickOf(glm::ivec3(x, y, z) * int(BrickGrid::side))));
+            }
+        }
+    }
+}
+
+std::set<std::uint32_t> GrowthTrace::bricksUpTo(RowId row) const
+{
+    std::set<std::uint32_t> bricks;
+    for (const auto& [earlier, beside] : m_besideWords) {
+        if (earlier <= row)
+            bricks.insert(beside.begin(), beside.end());
+    }
+    return bricks;
+}
+
+} // namespace core

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/past/LabelReader.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+constexpr int portion = 1024; ///< bricks
+
+} // namespace
+
+LabelReader::LabelReader(const glm::ivec3& size, std::uint8_t plane, Field field)
+    : m_grid{size}
+    , m_plane(plane)
+    , m_field(field)
+    , m_labels(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
+{
+}
+
+std::optional<ReadBricks> LabelReader::next()
+{
+    if (m_next >= m_grid.brickCount())
+        return std::nullopt;
+    const int end = std::min(m_next + portion, m_grid.brickCount());
+    ReadBricks read;
+    for (; m_next < end; ++m_next)
+        read.keys.push_back({m_field, m_plane, std::uint32_t(m_next)});
+    return read;
+}
+
+Result<void> LabelReader::take(const EngineResult& answer)
+{
+    if (answer.error)
+        return tl::unexpected(*answer.error);
+    for (const BrickChange& brick : answer.changes) {
+        if (!brick.after.empty())
+            place(brick);
+    }
+    return {};
+}
+
+void LabelReader::place(const BrickChange& brick)
+{
+    const glm::ivec3 size = m_grid.volumeSize;
+    const VoxelBox box = m_grid.boxOf(int(brick.key.brick));
+    const int width = box.maximum.x - box.minimum.x;
+    for (int z = box.minimum.z; z < box.maximum.z; ++z) {
+        for (int y = box.minimum.y; y < box.maximum.y; ++y) {
+            const std::size_t from = std::size_t(BrickGrid::offsetInBrick({box.minimum.x, y, z}));
+            const std::size_t to = std::size_t(box.minimum.x)
+                + std::size_t(size.x) * (std::size_t(y) + std::size_t(size.y) * std::size_t(z));
+            std::copy_n(&brick.after[from], width, &m_labels[to]);
+        }
+    }
+}
+
+} // namespace core

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/past/RecentGrowth.h"
+
+#include "core/edits/EditJson.h"
+#include "core/edits/engine/growth/GrowLimits.h"
+#include "core/growth/SeedWord.h"
+
+#include <algorithm>
+#include <bitset>
+
+namespace core {
+
+namespace {
+
+std::bitset<256> segmentsWithSeeds(const History& history)
+{
+    std::bitset<256> growing;
+    for (const RowId id : history.standing()) {
+        const Edit& edit = history.row(id).edit;
+        if (const auto* seeds = std::get_if<SeedStroke>(&edit))
+            growing.set(std::size_t(seeds->segment));
+        const auto* paint = std::get_if<PaintStroke>(&edit);
+        if (paint && paint->seeds && !paint->erase)
+            growing.set(std::size_t(paint->segment));
+    }
+    return growing;
+}
+
+/// Whether more than one segment has seeds and may grow: then the order in which they come decides
+/// who gets a voxel, and only growing anew gives what would have been.
+bool segmentsCompete(const History& history, const Document& document)
+{
+    std::bitset<256> growing = segmentsWithSeeds(history);
+    for (std::size_t label = 0; label < growing.size(); ++label) {
+        const Segment* segment = growing[label] ? document.segment(int(label)) : nullptr;
+        growing[label] = segment && !segment->locked;
+    }
+    return growing.count() > 1;
+}
+
+bool asksPassage(const GrowCriteria& criteria, const Document& document)
+{
+    return criteria.passage
+        && isAsked(passageOf(*criteria.passage, document.volumes.front().geometry));
+}
+
+/// What a growth goes by.
+struct Rules {
+    GrowCriteria criteria;
+    GrowGuard guard;
+};
+
+std::optional<Rules> rulesOf(const Edit& edit)
+{
+    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+        return Rules{grow->criteria, grow->guard};
+    if (const auto* change = std::get_if<ChangeInterval>(&edit))
+        return Rules{change->criteria, change->guard};
+    return std::nullopt;
+}
+
+std::optional<Rules> recentRules(const History& history)
+{
+    const std::vector<RowId> rows = history.standing();
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+        if (std::optional<Rules> rules = rulesOf(history.row(*row).edit))
+            return rules;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<GrowCriteria> recentCriteria(const History& history)
+{
+    const std::optional<Rules> rules = recentRules(history);
+    return rules ? std::optional(rules->criteria) : std::nullopt;
+}
+
+bool bringsNewCriteria(const Edit& edit, const History& history)
+{
+    const std::optional<Rules> rules = rulesOf(edit);
+    return rules && recentCriteria(history) != rules->criteria && segmentsWithSeeds(history).any();
+}
+
+Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Document& document)
+{
+    const auto* resume = std::get_if<ResumeGrowth>(&edit);
+    auto* change = std::get_if<ChangeInterval>(&edit);
+    if (!resume && !change)
+        return {};
+    if (resume || change->asBefore) {
+        std::optional<Rules> rules = recentRules(history);
+        if (!rules)
+            return failure(ErrorCode::InvalidField, editName(edit),
+                QStringLiteral("nothing has grown before"));
+        if (resume) {
+            edit = GrowSteps{
+                .criteria = rules->criteria, .steps = resume->steps, .guard = rules->guard};
+            return {};
+        }
+        rules->criteria.lower = change->criteria.lower;
+        rules->criteria.upper = change->criteria.upper;
+        change->criteria = rules->criteria;
+        change->asBefore = false;
+    }
+    if (change->fromSeeds)
+        return {};
+    change->fromSeeds = change->criteria.sigmas || asksPassage(change->criteria, document)
+        || segmentsCompete(history, document);
+    // As many generations again as there are, of which the seeds are the first, and those asked
+    // for.
+    const Growth* growth = document.growth(0);
+    if (*change->fromSeeds && change->steps && growth && growth->generation > 0)
+        *change->steps =
+            std::min(*change->steps + int(growth->generation) - 1, int(seedWord::maxGeneration));
+    return {};
+}
+
+} // namespace core

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/past/SeedStrokes.h"
+
+#include "core/edits/engine/EngineEdits.h"
+
+#include <utility>
+
+namespace core {
+
+namespace {
+
+bool asksForStrokes(const Edit& edit)
+{
+    const auto asks = [](const GrowCriteria& criteria) {
+        return criteria.sigmas && criteria.perStroke.value_or(false);
+    };
+    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+        return asks(grow->criteria);
+    const auto* change = std::get_if<ChangeInterval>(&edit);
+    return change && asks(change->criteria);
+}
+
+} // namespace
+
+std::vector<SeedGroup> seedStrokes(const History& history, const Document& document, int plane)
+{
+    std::vector<SeedGroup> strokes;
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    for (const RowId id : history.standing()) {
+        const auto* stroke = std::get_if<SeedStroke>(&history.row(id).edit);
+        // The seeds of a segment that was deleted went with it.
+        const Segment* segment = stroke ? document.segment(stroke->segment) : nullptr;
+        if (!segment || segment->plane != plane || stroke->pointsLps.empty())
+            continue;
+        if (auto voxels = seedVoxels(stroke->pointsLps, geometry, "pointsLps"))
+            strokes.push_back({.label = segment->label, .voxels = *std::move(voxels)});
+    }
+    return strokes;
+}
+
+void addSeedStrokes(
+    GrowBurst& burst, const Edit& edit, const History& history, const Document& document)
+{
+    if (asksForStrokes(edit))
+        burst.seedGroups = seedStrokes(history, document, burst.plane);
+}
+
+} // namespace core

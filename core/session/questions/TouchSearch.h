@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/state/Operation.h"
+
+#include <functional>
+#include <map>
+
+namespace core {
+
+/// What a step may have touched: the voxels and seeds of a segment, or anything in a box.
+struct Touch {
+    int segment = 0; ///< label; 0: the box counts
+    VoxelBox box{}; ///< index space
+};
+
+/// Looks for the last step that stands and touched something. Steps that took others back are
+/// passed over, so that whoever undoes what was found, and asks again, is told the one before. From
+/// the newest back, one difference at a time; changes nothing.
+class TouchSearch final : public Operation {
+public:
+    using Answer = std::function<void(RowId)>; ///< 0: none
+
+    TouchSearch(const Touch& touch, Answer answer);
+
+    void start(SessionState& state) override;
+    void takeResult(SessionState& state, EngineResult&& result) override;
+    void takeDifferences(
+        SessionState& state, Result<std::vector<BrickImage>>&& differences) override;
+    [[nodiscard]] bool done() const override { return m_done; }
+
+private:
+    void loadNext(SessionState& state);
+    void look(SessionState& state);
+    [[nodiscard]] bool touches(const BrickGrid& grid, const BrickImage& difference) const;
+    [[nodiscard]] bool touchesSegment(const BrickImage& difference, const BrickImage& after) const;
+    void answer(SessionState& state, RowId row);
+
+    Touch m_touch;
+    Answer m_answer;
+    std::vector<RowId> m_rows; ///< the last is looked at next
+    std::vector<RowId> m_standing; ///< those that may be the answer, ascending
+    std::vector<BrickImage> m_differences; ///< of the row that is looked at
+    std::map<BrickKey, BrickImage> m_images; ///< as that row left them
+    Ticket m_reading = 0;
+    bool m_done = false;
+};
+
+} // namespace core

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/state/ChunkWorker.h"
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <new>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+constexpr std::int64_t voxelsAtOnce = std::int64_t(1) << 21; ///< frames come in between
+
+/// Of the work, in the order of ChunkTree::of(); up to which per cent of the whole, about.
+constexpr int fetched = 5;
+constexpr std::array stepEnds{fetched, 35, 65, 100};
+
+tl::unexpected<Error> tooLarge(const VoxelBox& box)
+{
+    const glm::ivec3 size = box.maximum - box.minimum;
+    return failure(ErrorCode::OutOfMemory,
+        QStringLiteral("%1 million voxels are too many to be divided into chunks here; a smaller "
+                       "margin takes less")
+            .arg((std::int64_t(size.x) * size.y * size.z >> 20) + 1));
+}
+
+/// Workers by the engine that they ask.
+class Workers {
+public:
+    void add(const EditEngine& engine, ChunkWorker& worker)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_workers[&engine] = &worker;
+    }
+    void remove(const EditEngine& engine, const ChunkWorker& worker)
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto found = m_workers.find(&engine);
+        if (found != m_workers.end() && found->second == &worker) // else the next session has it
+            m_workers.erase(found);
+    }
+    [[nodiscard]] ChunkWorker* of(const EditEngine& engine) const
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto found = m_workers.find(&engine);
+        return found == m_workers.end() ? nullptr : found->second;
+    }
+
+private:
+    mutable std::mutex m_mutex;
+    std::map<const EditEngine*, ChunkWorker*> m_workers;
+};
+
+Workers& workers()
+{
+    static Workers all;
+    return all;
+}
+
+} // namespace
+
+/// From the questions to the answer; the thread's from the last answered question on.
+struct ChunkWorker::Job {
+    Job()
+        : progress([this](const QString& name, int done, int total) { note(name, done, total); })
+    {
+    }
+    void note(const QString& name, int done, int total)
+    {
+        const std::lock_guard lock(mutex);
+        if (name != stage.step) {
+            stage.step = name;
+            step = std::min(step + 1, stepEnds.size() - 1);
+        }
+        const int from = stepEnds[step - 1];
+        stage.percent = from + int(std::int64_t(stepEnds[step] - from) * done / std::max(1, total));
+    }
+
+    OwnedBox owned;
+    std::vector<std::uint16_t> codes;
+    std::size_t asked = 0;
+    std::size_t questions = 0; ///< that are not answered
+    Progress progress;
+    std::mutex mutex;
+    std::optional<Result<Map>> outcome; ///< under mutex, like the rest
+    Stage stage;
+    std::size_t step = 0; ///< of stepEnds
+};
+
+ChunkWorker::ChunkWorker(
+    EditEngine& engine, const VolumeGeometry& geometry, std::function<void()> wakeUp)
+    : m_engine(engine)
+    , m_geometry(geometry)
+    , m_wakeUp(std::move(wakeUp))
+{
+    workers().add(m_engine, *this);
+}
+
+ChunkWorker::~ChunkWorker()
+{
+    workers().remove(m_engine, *this);
+    drop();
+}
+
+ChunkWorker* ChunkWorker::of(const EditEngine& engine)
+{
+    return workers().of(engine);
+}
+
+void ChunkWorker::drop()
+{
+    if (m_job)
+        m_job->progress.cancel();
+    m_job.reset();
+    m_map.reset();
+    m_failure.reset();
+    m_isUntold = false;
+    m_row = 0;
+}
+
+void ChunkWorker::want(RowId row, const Chunks& edit)
+{
+    if (m_row == row)
+        return;
+    drop();
+    m_row = row;
+    if (const Result<void> begun = begin(edit); !begun) {
+        fail(begun.error());
+        m_news = true;
+        if (m_wakeUp) // no engine and no thread will
+            m_wakeUp();
+    }
+}
+
+Result<void> ChunkWorker::begin(const Chunks& edit)
+{
+    auto job = std::make_shared<Job>();
+    try {
+        Result<OwnedBox> owned = ownedBox(edit, m_geometry);
+        if (!owned)
+            return tl::unexpected(owned.error());
+        job->owned = *std::move(owned);
+        job->codes.reserve(job->owned.owners.size());
+    } catch (const std::bad_alloc&) {
+        return tooLarge(job->owned.box);
+    }
+    m_job = std::move(job);
+    ask(m_job);
+    return {};
+}
+
+void ChunkWorker::ask(const std::shared_ptr<Job>& job)
+{
+    const VoxelBox& box = job->owned.box;
+    const glm::ivec3 size = box.maximum - box.minimum;
+    const auto slices =
+        int(std::max<std::int64_t>(1, voxelsAtOnce / (std::int64_t(size.x) * size.y)));
+    for (int z = box.minimum.z; z < box.maximum.z; z += slices) {
+        VoxelBox part = box;
+        part.minimum.z = z;
+        part.maximum.z = std::min(z + slices, box.maximum.z);
+        m_asked.emplace(m_engine.submit(ReadCodes{part}), job);
+        ++job->questions;
+    }
+    job->asked = job->questions;
+}
+
+bool ChunkWorker::take(const EngineResult& result)
+{
+    const auto asked = m_asked.find(result.ticket);
+    if (asked == m_asked.end())
+        return false;
+    const std::shared_ptr<Job> job = std::move(asked->second);
+    m_asked.erase(asked);
+    if (job != m_job)
+        return true; // nobody wants it any more
+    if (result.error) {
+        fail(*result.error);
+        m_news = true;
+        return true;
+    }
+    // Answers come in the order of the questions.
+    job->codes.insert(job->codes.end(), result.codes.begin(), result.codes.end());
+    if (--job->questions == 0)
+        m_thread.post([this, job] { workOut(*job); },
+            [this, job](const Error& error) { setOutcome(*job, tl::unexpected(error)); });
+    return true;
+}
+
+void ChunkWorker::workOut(Job& job)
+{
+    setOutcome(job, mapOf(job));
+}
+
+void ChunkWorker::setOutcome(Job& job, Result<Map> outcome)
+{
+    {
+        const std::lock_guard lock(job.mutex);
+        job.outcome = std::move(outcome);
+    }
+    if (m_wakeUp && !job.progress.cancelled())
+        m_wakeUp();
+}
+
+Result<ChunkWorker::Map> ChunkWorker::mapOf(Job& job) const
+{
+    const VoxelBox& box = job.owned.box;
+    try {
+        Result<ChunkTree> tree = ChunkTree::of(
+            {.size = box.maximum - box.minimum, .codes = job.codes, .owners = job.owned.owners},
+            job.progress);
+        if (!tree)
+            return tl::unexpected(tree.error());
+        return std::make_shared<const ChunkMap>(m_geometry.size, box, *std::move(tree));
+    } catch (const std::bad_alloc&) {
+        return tooLarge(box);
+    }
+}
+
+bool ChunkWorker::collect()
+{
+    if (!m_job)
+        return std::exchange(m_news, false);
+    std::optional<Result<Map>> outcome;
+    {
+        const std::lock_guard lock(m_job->mutex);
+        outcome = std::exchange(m_job->outcome, std::nullopt);
+    }
+    if (!outcome)
+        return false;
+    if (*outcome) {
+        m_job.reset();
+        m_map = **std::move(outcome);
+    } else {
+        fail(outcome->error());
+    }
+    return true;
+}
+
+void ChunkWorker::fail(const Error& error)
+{
+    m_job.reset();
+    m_failure = error;
+    m_isUntold = true;
+}
+
+std::optional<Error> ChunkWorker::takeUntold()
+{
+    return std::exchange(m_isUntold, false) ? m_failure : std::nullopt;
+}
+
+void ChunkWorker::forgetFailure()
+{
+    if (m_failure)
+        drop();
+}
+
+void ChunkWorker::cancel()
+{
+    if (!m_job)
+        return;
+    m_job->progress.cancel();
+    fail({ErrorCode::Cancelled, {}});
+    m_isUntold = false;
+    m_news = true;
+    if (m_wakeUp)
+        m_wakeUp();
+}
+
+ChunkWorker::Map ChunkWorker::map(RowId row) const
+{
+    return row == m_row ? m_map : nullptr;
+}
+
+std::optional<Error> ChunkWorker::whyNot(RowId row) const
+{
+    return row == m_row ? m_failure : std::nullopt;
+}
+
+std::optional<ChunkWorker::Stage> ChunkWorker::stage() const
+{
+    if (!m_job)
+        return std::nullopt;
+    const std::lock_guard lock(m_job->mutex);
+    if (!m_job->stage.step.isEmpty())
+        return m_job->stage;
+    const std::size_t answered = m_job->asked - m_job->questions;
+    return Stage{.step = QStringLiteral("Fetching the values"),
+        .percent = int(std::size_t(fetched) * answered / std::max<std::size_t>(1, m_job->asked))};
+}
+
+} // namespace core

@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/state/SessionState.h"
+
+#include "core/edits/document/DocumentEdits.h"
+#include "core/session/names/RowName.h"
+
+#include <QJsonDocument>
+
+#include <algorithm>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+void count(const std::vector<std::uint8_t>& labels, std::int64_t sign,
+    std::array<std::int64_t, 256>& voxels)
+{
+    for (const std::uint8_t label : labels)
+        voxels[label] += sign;
+}
+
+/// Whether voxels came to a segment or went from it.
+bool changesSegment(const std::vector<BrickChange>& changes, const Segment& segment)
+{
+    const auto label = std::uint8_t(segment.label);
+    return std::any_of(changes.begin(), changes.end(), [&](const BrickChange& change) {
+        return change.key.field == Field::Labels && change.key.plane == segment.plane
+            && !std::equal(change.before.begin(), change.before.end(), change.after.begin(),
+                change.after.end(), [label](std::uint8_t before, std::uint8_t after) {
+                    return (before == label) == (after == label);
+                });
+    });
+}
+
+/// What a row made of a document.
+void applyRow(const Edit& edit, const EditStatistics& statistics, Document& document)
+{
+    // An edit that is in the history was carried out once, so it cannot fail on the way.
+    static_cast<void>(applyToDocument(edit, document));
+    if (document.surface && statistics.surfaceMaskChanged)
+        document.surface->maskChanged = true;
+}
+
+} // namespace
+
+SessionState::SessionState(EditEngine& lentEngine, Volume volume)
+    : engine(lentEngine)
+    , document(initialDocument(std::move(volume)))
+    , origin([] { return presentOrigin(); })
+{
+    surface.setGeometry(document.volumes.front().geometry);
+}
+
+/// A row for what was carried out, in memory and on its way to disk.
+RowId SessionState::append(const Edit& edit, const std::vector<BrickChange>& changes,
+    const EditStatistics& statistics, std::optional<std::uint32_t> generation,
+    const QString& remark)
+{
+    HistoryRow row;
+    row.name = rowName(edit, statistics, changes, document, history,
+        std::holds_alternative<SeedStroke>(edit) ? lastSketched : std::nullopt);
+    if (!remark.isEmpty())
+        row.name += QStringLiteral(", ") + remark;
+    if (generation)
+        document.growths.front().generation = *generation;
+    const std::optional<RefinedSurface> surfaceBefore = document.surface;
+    row.statistics = statistics;
+    if (const Segment* refined = surfaceBefore ? document.segment(surfaceBefore->segment) : nullptr)
+        row.statistics.surfaceMaskChanged =
+            !std::holds_alternative<WriteBack>(edit) && changesSegment(changes, *refined);
+    applyRow(edit, row.statistics, document);
+    placeSegments();
+    muteLayers();
+    showSurface();
+    row.edit = edit;
+    row.origin = origin();
+    row.growthGeneration = document.growths.front().generation;
+    const RowId id = history.append(std::move(row));
+    if (file)
+        file->addRow(history.row(id));
+    // One that writes to its segment changes what is said of the surface.
+    if (document.surface != surfaceBefore && changedPart(edit) != DocumentChange::What::Surface)
+        tell(DocumentChange::What::Surface);
+    return id;
+}
+
+void SessionState::tellCommitted(const Edit& edit)
+{
+    if (const std::optional<DocumentChange::What> part = changedPart(edit))
+        tell(*part);
+    tell(DocumentChange::What::History);
+}
+
+void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
+    const EditStatistics& statistics, std::optional<std::uint32_t> generation)
+{
+    takeIn(changes);
+    const RowId id = append(edit, changes, statistics, generation);
+    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
+    worker->commit(id, shared, documentJson());
+    recent.keep(id, shared, false);
+    tellCommitted(edit);
+}
+
+void SessionState::commitSurface(
+    const Edit& edit, std::shared_ptr<const SurfaceStep> step, const QString& remark)
+{
+    EditStatistics statistics;
+    statistics.verticesChanged = std::int64_t(step->mesh.vertices.size());
+    const RowId id = append(edit, {}, statistics, {}, remark);
+    surface.keep(id, step);
+    worker->commit(id, std::move(step), documentJson());
+    recent.keep(id, std::make_shared<const std::vector<BrickChange>>(), false);
+    tellCommitted(edit);
+}
+
+void SessionState::completeSurface(RowId row, std::shared_ptr<const SurfaceStep> step)
+{
+    history.moveTo(row);
+    placeDocument();
+    if (file)
+        file->setPosition(row);
+    surface.keep(row, step);
+    worker->commit(row, std::move(step), documentJson());
+    recent.keep(row, std::make_shared<const std::vector<BrickChange>>(), false);
+    tell(DocumentChange::What::Surface);
+    tell(DocumentChange::What::History);
+}
+
+void SessionState::complete(RowId row, std::vector<BrickChange> changes)
+{
+    takeIn(changes);
+    history.moveTo(row);
+    placeDocument();
+    if (file)
+        file->setPosition(row);
+    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
+    worker->commit(row, shared, documentJson());
+    recent.keep(row, shared, false);
+    tell(DocumentChange::What::History);
+}
+
+void SessionState::moveTo(RowId position, RowId over, std::vector<BrickChange> changes)
+{
+    takeIn(changes);
+    const bool isBack = position != over;
+    history.moveTo(position);
+    placeDocument();
+    surface.moveOver(over, isBack);
+    showSurface();
+    if (file)
+        file->setPosition(position);
+    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
+    worker->move(shared);
+    recent.keep(over, shared, isBack);
+    tell(DocumentChange::What::Segments);
+    tell(DocumentChange::What::Layers);
+    tell(DocumentChange::What::Bookmarks);
+    tell(DocumentChange::What::Pieces);
+    tell(DocumentChange::What::Measurements);
+    tell(DocumentChange::What::Surface);
+    tell(DocumentChange::What::Chunks);
+    tell(DocumentChange::What::Growth);
+    tell(DocumentChange::What::History);
+}
+
+void SessionState::begin(std::vector<BrickImage> bricks)
+{
+    for (const BrickImage& brick : bricks) {
+        if (brick.key.field == Field::Labels)
+            count(brick.bytes, 1, m_voxels);
+    }
+    placeDocument();
+    m_isSurfaceShown = document.surface.has_value();
+    worker->start(std::move(bricks));
+}
+
+/// Counts voxels of segments and tells where something is different.
+void SessionState::takeIn(const std::vector<BrickChange>& changes)
+{
+    const BrickGrid grid{document.volumes.front().geometry.size};
+    VoxelBox coverage;
+    VoxelBox labels;
+    VoxelBox seeds;
+    for (const BrickChange& change : changes) {
+        const VoxelBox box = grid.boxOf(int(change.key.brick));
+        switch (change.key.field) {
+        case Field::Coverage:
+            coverage = coverage.united(box);
+            break;
+        case Field::Labels:
+            count(change.before, -1, m_voxels);
+            count(change.after, 1, m_voxels);
+            labels = labels.united(box);
+            break;
+        case Field::SeedWords:
+            seeds = seeds.united(box);
+            break;
+        case Field::Beneath: // nothing that is seen
+            break;
+        }
+    }
+    if (!coverage.empty())
+        tell(DocumentChange::What::Coverage, coverage);
+    if (!labels.empty()) {
+        tell(DocumentChange::What::Labels, labels);
+        tell(DocumentChange::What::Segments);
+    }
+    if (!seeds.empty())
+        tell(DocumentChange::What::Growth, seeds);
+}
+
+RowId SessionState::divisionRow() const
+{
+    if (!document.chunks)
+        return 0;
+    for (RowId id = history.position(); id != 0; id = history.row(id).parent) {
+        if (std::holds_alternative<Chunks>(history.row(id).edit))
+            return id;
+    }
+    return 0;
+}
+
+void SessionState::wantChunks()
+{
+    if (const RowId row = divisionRow(); row != 0)
+        chunks->want(row, std::get<Chunks>(history.row(row).edit));
+}
+
+/// What the edits on the way there made of the first one.
+Document SessionState::documentAt(RowId at) const
+{
+    Document placed = initialDocument({});
+    for (const RowId id : history.pathTo(at)) {
+        const HistoryRow& row = history.row(id);
+        applyRow(row.edit, row.statistics, placed);
+        placed.growths.front().generation = row.growthGeneration;
+    }
+    return placed;
+}
+
+void SessionState::placeDocument()
+{
+    Document placed = documentAt(history.position());
+    placed.volumes = std::move(document.volumes);
+    document = std::move(placed);
+    placeSegments();
+    muteLayers();
+}
+
+/// Whoever draws the surface is told when there is one, and when there is none any more.
+void SessionState::showSurface()
+{
+    if (m_isSurfaceShown == document.surface.has_value())
+        return;
+    m_isSurfaceShown = document.surface.has_value();
+    surface.showAll(m_isSurfaceShown);
+}
+
+/// The engine knows which layers are muted before it is told anything that reads what is carved.
+void SessionState::muteLayers()
+{
+    MuteLayers mute;
+    for (const SculptLayer& layer : document.layers)
+        mute.muted[layer.id] = !document.carves(layer);
+    if (mute.muted == m_muted)
+        return;
+    m_muted = mute.muted;
+    require(mute);
+}
+
+void SessionState::require(EngineCommand command)
+{
+    submitRequired({.command = std::move(command)});
+}
+
+void SessionState::submitRequired(Required required)
+{
+    const Ticket ticket = engine.submit(required.command);
+    if (std::holds_alternative<MuteLayers>(required.command))
+        m_lastMute = ticket;
+    m_required.emplace(ticket, std::move(required));
+}
+
+void SessionState::afterRequired(std::function<void(SessionState&)> then)
+{
+    if (owes())
+        m_afterRequired = std::move(then);
+    else if (!m_lost)
+        then(*this);
+}
+
+bool SessionState::noteResult(const EngineResult& result)
+{
+    constexpr int mostTries = 20;
+    auto required = m_required.extract(result.ticket);
+    const bool known = !required.empty();
+    if (result.error && !m_lost) {
+        if (result.error->code == ErrorCode::EngineLost
+            || (known && required.mapped().tries >= mostTries)) {
+            lose(*result.error);
+        } else if (known) {
+            // Of two that mute the later one counts, whenever the earlier one is done.
+            Required again = std::move(required.mapped());
+            ++again.tries;
+            if (!std::holds_alternative<MuteLayers>(again.command) || result.ticket == m_lastMute)
+                submitRequired(std::move(again));
+        }
+    }
+    if (known && !owes() && m_afterRequired)
+        std::exchange(m_afterRequired, {})(*this);
+    return known;
+}
+
+void SessionState::lose(const Error& why)
+{
+    if (m_lost)
+        return;
+    const bool byEngine =
+        why.code == ErrorCode::EngineLost || why.code == ErrorCode::GraphicsUnavailable;
+    m_lost = byEngine ? Error{ErrorCode::EngineLost, why.arguments}
+                      : Error{why.code,
+                          {why.arguments.value(0)
+                              + QStringLiteral("; close the study and open it again: every step so "
+                                               "far is in its session")}};
+    m_required.clear();
+    m_afterRequired = {};
+    fail(*m_lost);
+}
+
+/// What a segment shows besides what the history says.
+void SessionState::placeSegments()
+{
+    for (Segment& segment : document.segments) {
+        segment.voxels = m_voxels[segment.label];
+        segment.visible = m_hidden.count(segment.label) == 0;
+    }
+}
+
+void SessionState::setVisible(int label, bool visible)
+{
+    const bool changed = visible ? m_hidden.erase(label) > 0 : m_hidden.insert(label).second;
+    if (!changed)
+        return;
+    placeSegments();
+    if (file)
+        file->setHiddenSegments({m_hidden.begin(), m_hidden.end()});
+    tell(DocumentChange::What::Segments);
+}
+
+void SessionState::hide(const std::vector<int>& labels)
+{
+    m_hidden = {labels.begin(), labels.end()};
+    placeSegments();
+}
+
+void SessionState::setDisplay(const QJsonObject& shown)
+{
+    if (shown == display)
+        return;
+    display = shown;
+    if (file)
+        file->setDisplay(display);
+}
+
+void SessionState::tell(DocumentChange::What what, const VoxelBox& box)
+{
+    for (DocumentChange& change : news) {
+        if (change.what == what) {
+            change.box = change.box.united(box);
+            return;
+        }
+    }
+    news.push_back({what, box});
+}
+
+void SessionState::fail(const Error& error)
+{
+    errors.push_back(error);
+    if (!firstError)
+        firstError = error;
+}
+
+QByteArray SessionState::documentJson() const
+{
+    QJsonObject hashed = document.hashedState();
+    if (document.surface) {
+        QJsonObject entry = hashed.value(QLatin1String("surface")).toObject();
+        entry.insert(QStringLiteral("sha256"), QString::fromLatin1(surface.sha256));
+        hashed.insert(QStringLiteral("surface"), entry);
+    }
+    return QJsonDocument(hashed).toJson(QJsonDocument::Compact);
+}
+
+} // namespace core

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/VoxelRuns.h"
+#include "core/refine/deform/BoundaryForce.h"
+
+#include <memory>
+#include <mutex>
+
+namespace core {
+
+/// The mask that the yellow parts of a surface follow.
+class SurfaceTarget {
+public:
+    SurfaceTarget(VoxelRuns voxels, const VolumeGeometry& geometry, double faceAreaMm2);
+
+    [[nodiscard]] const VoxelRuns& voxels() const { return m_voxels; }
+    /// That a face of the surface is to have.
+    [[nodiscard]] double faceAreaMm2() const { return m_faceAreaMm2; }
+    /// Made when it is asked for first, from the voxels around their boundary. Any thread.
+    [[nodiscard]] const BoundaryForce& boundary() const;
+
+private:
+    /// As the first fit looks for the boundary.
+    static constexpr double reachVoxels = 4.0;
+
+    VoxelRuns m_voxels;
+    VolumeGeometry m_geometry;
+    double m_faceAreaMm2 = 0.0;
+    mutable std::once_flag m_isMade;
+    mutable std::unique_ptr<const BoundaryForce> m_boundary;
+};
+
+} // namespace core

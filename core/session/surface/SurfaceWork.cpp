@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/surface/SurfaceWork.h"
+
+#include "core/base/Progress.h"
+#include "core/brick/LabelRuns.h"
+#include "core/refine/deform/FollowBoundary.h"
+#include "core/refine/fit/MeasuredFit.h"
+#include "core/refine/mesh/SurfaceDelta.h"
+#include "core/refine/repair/MeshRestructuring.h"
+#include "core/refine/tools/MarkPaint.h"
+#include "core/refine/tools/TemplateShape.h"
+#include "core/refine/voxels/GreyBox.h"
+#include "core/refine/voxels/SurfaceVoxels.h"
+#include "core/session/surface/SurfaceWriteBack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+/// From all of one mesh to all of another.
+SimplexMeshDelta replacement(const SimplexMesh& before, const SimplexMesh& after)
+{
+    SimplexMeshDelta delta;
+    for (VertexId id = 0; id < std::max(before.vertexSlots(), after.vertexSlots()); ++id) {
+        const bool was = before.hasVertex(id);
+        const bool is = after.hasVertex(id);
+        if (was || is)
+            delta.vertices.push_back({.id = id,
+                .before = was ? std::optional(before.vertex(id)) : std::nullopt,
+                .after = is ? std::optional(after.vertex(id)) : std::nullopt});
+    }
+    for (FaceId id = 0; id < std::max(before.faceSlots(), after.faceSlots()); ++id) {
+        const bool was = before.hasFace(id);
+        const bool is = after.hasFace(id);
+        if (was || is)
+            delta.faces.push_back({.id = id,
+                .before = was ? before.ring(id) : FaceRing(),
+                .after = is ? after.ring(id) : FaceRing()});
+    }
+    return delta;
+}
+
+std::vector<TemplateContour> contoursOf(const ApplyTemplate& shape)
+{
+    std::vector<TemplateContour> contours;
+    for (const std::vector<glm::dvec3>& points : shape.contoursLps) {
+        TemplateContour contour{.pointsLps = points, .isClosed = points.front() == points.back()};
+        if (contour.isClosed)
+            contour.pointsLps.pop_back();
+        contours.push_back(std::move(contour));
+    }
+    return contours;
+}
+
+/// In how many of the mask's voxels a surface is off: "0.74 % off". What is not nothing is not told
+/// as nothing.
+QString offText(const MeasuredFit& fit)
+{
+    constexpr double least = 0.01;
+    const double percent = 100.0 * double(fit.voxelsOff) / double(fit.voxels);
+    return fit.voxelsOff == 0 ? QStringLiteral("0 % off")
+                              : QStringLiteral("%1 % off").arg(std::max(percent, least), 0, 'f', 2);
+}
+
+/// How far an edge is looked for, times the tool's radius.
+constexpr double attractReach = 0.5;
+
+} // namespace
+
+bool readsLabels(const Edit& edit)
+{
+    return std::holds_alternative<LaySurface>(edit) || std::holds_alternative<FollowMask>(edit)
+        || std::holds_alternative<WriteBack>(edit);
+}
+
+std::optional<VoxelBox> greyBoxOf(const Edit& edit, const SurfaceState& surface)
+{
+    const auto* attract = std::get_if<AttractSurface>(&edit);
+    if (!attract)
+        return std::nullopt;
+    // A path may come anywhere on the surface, and is not known while the pen is down.
+    const WorldToIndex toIndex(surface.geometry());
+    const glm::dvec3 spacing = surface.geometry().spacingMm();
+    const double reachMm = (1.0 + attractReach) * attract->path.radiusMm;
+    glm::dvec3 least(std::numeric_limits<double>::max());
+    glm::dvec3 most(std::numeric_limits<double>::lowest());
+    for (const VertexId id : surface.mesh.vertexIds()) {
+        const glm::dvec3 index = toIndex(surface.mesh.position(id));
+        least = glm::min(least, index);
+        most = glm::max(most, index);
+    }
+    VoxelBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double margin = reachMm / spacing[axis] + 1.0;
+        const int end = surface.geometry().size[axis];
+        box.minimum[axis] = std::clamp(int(std::floor(least[axis] - margin)), 0, end - 1);
+        box.maximum[axis] =
+            std::clamp(int(std::ceil(most[axis] + margin)) + 1, box.minimum[axis] + 1, end);
+    }
+    return box;
+}
+
+SurfaceWork::SurfaceWork(SurfaceState& surface, Edit edit, const Document& document, Read read)
+    : m_surface(surface)
+    , m_edit(std::move(edit))
+    , m_read(std::move(read))
+{
+    const auto* lay = std::get_if<LaySurface>(&m_edit);
+    m_segment = *document.segment(lay ? lay->segment : document.surface->segment);
+    if (const auto* write = std::get_if<WriteBack>(&m_edit); write && write->overwriteUnlocked)
+        m_overwritable = document.unlockedLabels(m_segment.plane);
+    m_locked = document.lockedLabels(m_segment.plane);
+}
+
+SurfaceWork::~SurfaceWork() = default;
+
+std::optional<SurfaceTool> SurfaceWork::tool() const
+{
+    if (const auto* mark = std::get_if<MarkSurface>(&m_edit))
+        return MarkBrush{.mark = mark->mark, .radiusMm = mark->path.radiusMm};
+    if (const auto* push = std::get_if<SpherePush>(&m_edit))
+        return SphereTool{.radiusMm = push->path.radiusMm};
+    if (const auto* scrape = std::get_if<PlaneScrape>(&m_edit))
+        return PlaneTool{.normalLps = scrape->normalLps,
+            .radiusMm = scrape->path.radiusMm,
+            .heightMm = 2.0 * scrape->path.radiusMm};
+    if (const auto* drag = std::get_if<PointDrag>(&m_edit))
+        return DragTool{.radiusMm = drag->path.radiusMm};
+    if (const auto* shape = std::get_if<ApplyTemplate>(&m_edit))
+        return TemplateTool{.contours = contoursOf(*shape)};
+    if (const auto* smooth = std::get_if<SmoothSurface>(&m_edit))
+        return SmoothTool{.radiusMm = smooth->path.radiusMm};
+    if (const auto* attract = std::get_if<AttractSurface>(&m_edit))
+        return AttractTool{.radiusMm = attract->path.radiusMm,
+            .reachMm = attractReach * attract->path.radiusMm,
+            .grey = m_grey.get()};
+    return std::nullopt;
+}
+
+Result<void> SurfaceWork::begin()
+{
+    if (!m_read.codes.empty())
+        m_grey = std::make_unique<const GreyBox>(m_surface.geometry(), m_read.greyBox.minimum,
+            m_read.greyBox.maximum - m_read.greyBox.minimum, std::move(m_read.codes));
+    const std::optional<SurfaceTool> chosen = tool();
+    if (!chosen)
+        return {};
+    if (const auto* shape = std::get_if<TemplateTool>(&*chosen)) {
+        const Result<TemplateShape> made =
+            TemplateShape::make(m_surface.mesh, shape->contours, m_surface.target->faceAreaMm2());
+        if (!made) {
+            m_error = made.error();
+            return tl::unexpected(*m_error);
+        }
+    }
+    m_stroke =
+        std::make_unique<SurfaceStroke>(m_surface.mesh, &m_surface.target->boundary(), *chosen,
+            SurfaceStrokeSettings{.areaMm2 = m_surface.target->faceAreaMm2(), .reddens = true});
+    if (std::holds_alternative<TemplateTool>(*chosen)) {
+        m_stroke->add({}); // it has no way of the pen, but begins with a sample as all do
+        settle();
+    }
+    return {};
+}
+
+void SurfaceWork::settle()
+{
+    if (!m_settled) {
+        m_stroke->settle();
+        m_surface.show(updateOf(m_surface.mesh, m_stroke->takeWritten()));
+    }
+    m_settled = true;
+}
+
+void SurfaceWork::add(const std::vector<glm::dvec3>& pointsLps)
+{
+    if (!m_stroke || m_error || pointsLps.empty())
+        return;
+    for (const glm::dvec3& point : pointsLps)
+        m_stroke->add({.placeLps = point});
+    m_surface.show(updateOf(m_surface.mesh, m_stroke->takeWritten()));
+}
+
+Result<SurfaceWork::Outcome> SurfaceWork::end(Ending ending)
+{
+    if (m_error) {
+        if (m_stroke) {
+            m_stroke->rollback();
+            m_surface.showAll(true);
+        }
+        return tl::unexpected(*m_error);
+    }
+    if (const auto* edit = std::get_if<LaySurface>(&m_edit))
+        return lay(*edit);
+    if (std::holds_alternative<FollowMask>(m_edit))
+        return follow();
+    if (const auto* edit = std::get_if<ChangeMarks>(&m_edit))
+        return changeMarks(*edit);
+    if (std::holds_alternative<WriteBack>(m_edit))
+        return writeBack();
+    if (const auto* edit = std::get_if<SurfaceBarrier>(&m_edit))
+        return shut(*edit);
+    if (std::holds_alternative<DropSurface>(m_edit))
+        return stepOf({});
+    if (ending == Ending::Rollback) {
+        m_stroke->rollback();
+        m_surface.showAll(true);
+        return Outcome();
+    }
+    settle();
+    SimplexMeshDelta delta = m_stroke->commit();
+    if (delta.empty())
+        return Outcome();
+    return stepOf(std::move(delta));
+}
+
+SurfaceWork::Outcome SurfaceWork::stepOf(
+    SimplexMeshDelta delta, std::optional<SurfaceStep::TargetChange> target)
+{
+    auto step = std::make_shared<SurfaceStep>();
+    step->mesh = std::move(delta);
+    step->target = std::move(target);
+    step->sha256Before = m_surface.sha256;
+    step->sha256After = step->mesh.empty() ? m_surface.sha256 : sha256Of(m_surface.mesh);
+    if (step->target)
+        m_surface.target = std::make_shared<const SurfaceTarget>(
+            step->target->after.voxels, m_surface.geometry(), step->target->after.faceAreaMm2);
+    m_surface.sha256 = step->sha256After;
+    return {.step = std::move(step), .voxels = {}};
+}
+
+Result<SurfaceWork::Outcome> SurfaceWork::lay(const LaySurface& edit)
+{
+    VoxelRuns voxels = labelRuns(m_read.labels, m_segment.label);
+    if (voxels.empty())
+        return failure(ErrorCode::InvalidField, QStringLiteral("surface.segment"),
+            QStringLiteral("'%1' has no voxels").arg(m_segment.name));
+    Result<MeasuredFit> fit = measuredFit(voxels, m_surface.geometry(),
+        edit.vertices == 0 ? std::nullopt : std::optional(edit.vertices), {});
+    if (!fit)
+        return tl::unexpected(fit.error());
+    SimplexMeshDelta delta = replacement(m_surface.mesh, fit->mesh);
+    m_surface.mesh = std::move(fit->mesh);
+    m_surface.showAll(true);
+    const double faceAreaMm2 = meanFaceAreaMm2(m_surface.mesh);
+    Outcome outcome = stepOf(std::move(delta),
+        SurfaceStep::TargetChange{.before = m_surface.followed(),
+            .after = {.voxels = std::move(voxels), .faceAreaMm2 = faceAreaMm2}});
+    outcome.remark = offText(*fit);
+    return outcome;
+}
+
+Result<SurfaceWork::Outcome> SurfaceWork::follow()
+{
+    VoxelRuns voxels = labelRuns(m_read.labels, m_segment.label);
+    if (voxels.empty())
+        return failure(ErrorCode::InvalidField, QStringLiteral("followMask"),
+            QStringLiteral("'%1' has no voxels any more").arg(m_segment.name));
+    if (voxels == m_surface.target->voxels())
+        return Outcome();
+    SurfaceStep::TargetChange target{.before = m_surface.followed(),
+        .after = {.voxels = std::move(voxels), .faceAreaMm2 = m_surface.target->faceAreaMm2()}};
+    const SurfaceTarget next(target.after.voxels, m_surface.geometry(), target.after.faceAreaMm2);
+    SimplexMeshEdit edit(m_surface.mesh);
+    followBoundary(edit, next.boundary());
+    m_surface.show(updateOf(m_surface.mesh, edit.takeWritten()));
+    return stepOf(edit.commit(), std::move(target));
+}
+
+std::vector<VertexId> SurfaceWork::markedVertices(const ChangeMarks& edit) const
+{
+    const SimplexMesh& mesh = m_surface.mesh;
+    const auto isMarked = [&](VertexId id) { return mesh.mark(id) == edit.mark; };
+    if (edit.nearLps) {
+        const VertexId nearest = nearestVertex(mesh, *edit.nearLps, isMarked);
+        return nearest == noId ? std::vector<VertexId>() : markedAround(mesh, nearest);
+    }
+    std::vector<VertexId> marked;
+    for (const VertexId id : mesh.vertexIds()) {
+        if (isMarked(id))
+            marked.push_back(id);
+    }
+    return marked;
+}
+
+Result<SurfaceWork::Outcome> SurfaceWork::changeMarks(const ChangeMarks& edit)
+{
+    SimplexMeshEdit writing(m_surface.mesh);
+    switch (edit.way) {
+    case ChangeMarks::Way::Grow:
+        growMarks(writing, edit.mark);
+        break;
+    case ChangeMarks::Way::Shrink:
+        shrinkMarks(writing, edit.mark);
+        break;
+    case ChangeMarks::Way::Invert:
+        exchangeMarks(writing, edit.mark, SurfaceMark::Yellow);
+        break;
+    case ChangeMarks::Way::Clear:
+        for (const VertexId id : markedVertices(edit))
+            writing.setMark(id, SurfaceMark::Yellow);
+        break;
+    case ChangeMarks::Way::Accept:
+        for (const VertexId id : markedVertices(edit))
+            writing.setMark(id, SurfaceMark::Green);
+        break;
+    }
+    m_surface.show(updateOf(m_surface.mesh, writing.takeWritten()));
+    SimplexMeshDelta delta = writing.commit();
+    if (delta.empty())
+        return Outcome();
+    return stepOf(std::move(delta));
+}
+
+Result<SurfaceWork::Outcome> SurfaceWork::writeBack()
+{
+    const Result<EnclosedVoxels> enclosed =
+        enclosedVoxels(m_surface.mesh, m_read.past, m_surface.geometry(), m_overwritable.any());
+    if (!enclosed)
+        return tl::unexpected(enclosed.error());
+    return Outcome{.step = nullptr,
+        .voxels = writeBackOf(*enclosed, m_read.labels, m_surface.geometry().size,
+            {.plane = m_segment.plane, .label = m_segment.label, .overwritable = m_overwritable})};
+}
+
+Result<SurfaceWork::Outcome> SurfaceWork::shut(const SurfaceBarrier& edit)
+{
+    const Result<VoxelRuns> inside = voxelsOf(m_surface.mesh, m_surface.geometry(), {});
+    if (!inside)
+        return tl::unexpected(inside.error());
+    const glm::ivec3& size = m_surface.geometry().size;
+    return Outcome{.step = nullptr,
+        .voxels = ShutListed{.plane = m_segment.plane,
+            .erase = edit.erase,
+            .frozen = m_locked,
+            .bricks = placesOf(shellAround(*inside, size), size)}};
+}
+
+} // namespace core

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/Edits.h"
+#include "core/engine/EngineCommands.h"
+#include "core/refine/tools/SurfaceStroke.h"
+#include "core/session/surface/SurfaceAgreement.h"
+
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace core {
+
+/// What an edit does to the surface, on the side thread, to which the surface belongs meanwhile.
+/// What comes of it depends on mesh, mask and edit alone.
+class SurfaceWork {
+public:
+    /// What came of it; none of both: nothing changed.
+    struct Outcome {
+        std::shared_ptr<const SurfaceStep> step; ///< the surface is as that leaves it
+        std::optional<EngineEdit> voxels; ///< the engine has to do
+        QString remark{}; ///< what the row's name says besides
+    };
+
+    /// What it reads of the volume.
+    struct Read {
+        std::vector<std::uint8_t> labels; ///< of the segment's plane, x fastest; readsLabels()
+        VoxelBox greyBox; ///< greyBoxOf()
+        std::vector<std::uint16_t> codes; ///< of that box, x fastest
+        SurfacePast past; ///< of a WriteBack
+    };
+    SurfaceWork(SurfaceState& surface, Edit edit, const Document& document, Read read);
+    ~SurfaceWork();
+
+    /// Of a template all that it does is done and shown then; the end takes it or takes it back.
+    /// Errors: nothing can come of it.
+    Result<void> begin();
+    void add(const std::vector<glm::dvec3>& pointsLps);
+    [[nodiscard]] Result<Outcome> end(Ending ending);
+    /// One of the above has thrown: nothing can come of it any more.
+    void fail(const Error& error) { m_error = error; }
+
+private:
+    [[nodiscard]] std::optional<SurfaceTool> tool() const;
+    void settle();
+    [[nodiscard]] Result<Outcome> lay(const LaySurface& edit);
+    [[nodiscard]] Result<Outcome> follow();
+    [[nodiscard]] Result<Outcome> changeMarks(const ChangeMarks& edit);
+    [[nodiscard]] std::vector<VertexId> markedVertices(const ChangeMarks& edit) const;
+    [[nodiscard]] Result<Outcome> writeBack();
+    [[nodiscard]] Result<Outcome> shut(const SurfaceBarrier& edit);
+    [[nodiscard]] Outcome stepOf(
+        SimplexMeshDelta delta, std::optional<SurfaceStep::TargetChange> target = {});
+
+    SurfaceState& m_surface;
+    Edit m_edit;
+    Segment m_segment;
+    std::bitset<256> m_overwritable;
+    std::bitset<256> m_locked; ///< labels of the segment's plane
+    Read m_read;
+    std::unique_ptr<const GreyBox> m_grey;
+    std::optional<Error> m_error; ///< why nothing can come of it
+    std::unique_ptr<SurfaceStroke> m_stroke; ///< after m_grey, which it reads
+    bool m_settled = false; ///< the stroke, and that is shown
+};
+
+/// Whether an edit of the surface reads the labels of its segment's plane.
+[[nodiscard]] bool readsLabels(const Edit& edit);
+/// The voxels whose grey values it reads; none: it reads none.
+[[nodiscard]] std::optional<VoxelBox> greyBoxOf(const Edit& edit, const SurfaceState& surface);
+
+} // namespace core

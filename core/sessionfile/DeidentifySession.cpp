@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sessionfile/DeidentifySession.h"
+
+#include "core/base/files/StagedError.h"
+#include "core/base/files/StagedFile.h"
+#include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/records/RowText.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+namespace core {
+
+namespace {
+
+/// Shorter ones are parts of ordinary words.
+constexpr qsizetype longEnough = 4;
+
+bool namesPatient(const QString& text, const QStringList& words)
+{
+    for (const QString& word : words) {
+        if (word.size() >= longEnough && text.contains(word, Qt::CaseInsensitive))
+            return true;
+    }
+    return false;
+}
+
+/// Its file's name alone, of a mask that was imported: the folder may be named after the patient.
+HistoryRow neutral(HistoryRow row, const Deidentifier& by)
+{
+    if (auto* mask = std::get_if<ImportMask>(&row.edit); mask && !mask->file.isEmpty()) {
+        const QFileInfo named(mask->file);
+        mask->file = QStringLiteral("mask.") + named.completeSuffix();
+        row.name.replace(named.fileName(), mask->file);
+    }
+    row.origin.author.clear();
+    switch (by.options().dates) {
+    case DeidentifyOptions::Dates::Remove:
+        row.origin = {};
+        break;
+    case DeidentifyOptions::Dates::Shift:
+        row.origin.at = row.origin.at.addDays(by.options().shiftDays);
+        break;
+    case DeidentifyOptions::Dates::Keep:
+        break;
+    }
+    return row;
+}
+
+Result<void> copySteps(SessionFile& from, const SessionContents& contents, SessionFile& to,
+    const Deidentifier& by, const QString& file)
+{
+    for (const HistoryRow& row : contents.rows) {
+        const HistoryRow copied = neutral(row, by);
+        const RowText text = RowText::of(copied);
+        if (namesPatient(text.name, by.words()) || namesPatient(text.edit, by.words()))
+            return failure(ErrorCode::UnsupportedFormat, file,
+                QStringLiteral("step %1 holds a word of the patient's name or numbers, and no step "
+                               "can be rewritten")
+                    .arg(row.id));
+        to.addRow(copied);
+        if (row.stateHash.isEmpty())
+            continue;
+        const Result<BrickDelta> delta = from.readDelta(row.id);
+        if (!delta)
+            return tl::unexpected(delta.error());
+        to.completeRow(row.id, row.stateHash, *delta);
+    }
+    // Rows were added in their order; redo goes where it went.
+    for (const std::pair<RowId, RowId>& step : contents.visited)
+        to.setPosition(step.second);
+    to.setPosition(contents.position);
+    to.setHiddenSegments(contents.hiddenSegments);
+    return to.flush();
+}
+
+/// Everything but the differences, which hold voxels, is text in the file.
+bool holdsAny(const QString& file, const QStringList& words)
+{
+    QFile in(file);
+    if (!in.open(QIODevice::ReadOnly))
+        return true;
+    const QByteArray bytes = in.readAll();
+    for (const QString& word : words) {
+        if (word.size() > longEnough && bytes.contains(word.toUtf8()))
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+Result<QStringList> deidentifySession(
+    const QString& file, const QString& target, bool replaceExisting, const Deidentifier& by)
+{
+    const Result<SessionContents> contents = checkSession(file);
+    if (!contents)
+        return tl::unexpected(contents.error());
+    if (!contents->isWhole())
+        return failure(ErrorCode::UnsupportedFormat, file,
+            QStringLiteral("the session is damaged; what is sound of it has to be saved first"));
+    const Result<std::unique_ptr<SessionFile>> from =
+        SessionFile::open(file, SessionFile::Access::SoundPart);
+    if (!from)
+        return tl::unexpected(from.error());
+    Result<StagedFile> staged = StagedFile::create(target, replaceExisting);
+    if (!staged)
+        return tl::unexpected(staged.error());
+    SessionSource source = contents->source;
+    QStringList words = by.words();
+    for (const QString& each :
+        {source.path, source.studyUid, source.seriesUid, source.seriesDescription}) {
+        if (!each.isEmpty())
+            words += each;
+    }
+    source.path.clear();
+    source.studyUid.clear();
+    source.seriesUid.clear();
+    source.seriesDescription =
+        by.options().keepDescriptions ? by.cleanText(source.seriesDescription) : QString();
+    QString day = by.date(QString(source.studyDate).remove(QLatin1Char('-')));
+    source.studyDate =
+        day.isEmpty() ? day : day.insert(6, QLatin1Char('-')).insert(4, QLatin1Char('-'));
+    if (by.options().keepDescriptions)
+        words.removeAll(source.seriesDescription);
+    {
+        const Result<std::unique_ptr<SessionFile>> to = SessionFile::createIn(*staged, source);
+        if (!to)
+            return tl::unexpected(namingTarget(to.error(), *staged));
+        if (const Result<void> copied = copySteps(**from, *contents, **to, by, file); !copied)
+            return tl::unexpected(namingTarget(copied.error(), *staged));
+    }
+    const Result<SessionContents> again = checkSession(staged->path());
+    if (!again)
+        return tl::unexpected(namingTarget(again.error(), *staged));
+    bool same =
+        again->rows.size() == contents->rows.size() && again->position == contents->position;
+    for (std::size_t i = 0; same && i < again->rows.size(); ++i)
+        same = again->rows[i].stateHash == contents->rows[i].stateHash;
+    if (!same || !again->isWhole())
+        return failure(
+            ErrorCode::ExportMismatch, target, QStringLiteral("its steps are not those"));
+    if (holdsAny(staged->path(), words))
+        return failure(
+            ErrorCode::ExportMismatch, target, QStringLiteral("it still tells who the patient is"));
+    if (const Result<void> done = staged->commit(); !done)
+        return tl::unexpected(done.error());
+    const std::size_t rows = again->rows.size();
+    const QString steps =
+        rows == 1 ? QStringLiteral("1 step") : QStringLiteral("%1 steps").arg(rows);
+    QStringList sentences{
+        QStringLiteral("A session of %1 without where its study was, UIDs, authors and pictures; "
+                       "%2. Every hash was compared.")
+            .arg(steps, by.method())};
+    if (contents->holdsImages)
+        sentences += QStringLiteral("The study's images were left out.");
+    sentences += QStringLiteral("Names of segments, sculpt layers and bookmarks stay as they are.");
+    return sentences;
+}
+
+} // namespace core

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/delta/BrickDelta.h"
+#include "core/history/History.h"
+
+#include <QJsonObject>
+#include <QString>
+
+namespace core {
+
+/// A row of the history as the session file keeps it, and the hashes that bind the rows (README.md
+/// beside this file). All hashes are hex SHA-256.
+struct RowText {
+    RowId id = 0;
+    RowId parent = 0;
+    QString name;
+    QString edit; ///< compact JSON
+    QString statistics; ///< compact JSON
+    qint64 growthGeneration = 0;
+    QString at; ///< ISO 8601, UTC, with milliseconds; empty: nobody recorded it
+    QString author;
+    QString program;
+
+    [[nodiscard]] static RowText of(const HistoryRow& row);
+    /// Without the second half of the row. Errors: those of editFromJson().
+    [[nodiscard]] Result<HistoryRow> row() const;
+    /// @param previous the chain of the row before it
+    [[nodiscard]] QString chain(const QString& previous) const;
+};
+
+/// The chain of row 0. @param source the source's JSON as it stands in the file
+[[nodiscard]] QString firstChain(const QString& source);
+[[nodiscard]] QString seal(
+    const QString& chain, const QString& stateHash, const QString& deltaSha256);
+[[nodiscard]] QString sha256(const BrickDelta& delta);
+
+/// JSON without white space, as all text of the file is.
+[[nodiscard]] QString compact(const QJsonObject& object);
+/// Empty if the text is no JSON object.
+[[nodiscard]] QJsonObject parsed(const QString& text);
+
+} // namespace core

@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sessionfile/records/SessionTables.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSqlQuery>
+
+#include <algorithm>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+/// How many rows there are, and the chain of the last one.
+const QString endKey = QStringLiteral("end");
+
+QVariant sqlId(RowId id)
+{
+    return qint64(id);
+}
+
+/// Text that is there though it may be empty; a row without a time has none, which is NULL.
+QVariant sqlText(const QString& text, bool isThere)
+{
+    if (!isThere)
+        return QVariant(QMetaType(QMetaType::QString));
+    return text.isNull() ? QStringLiteral("") : text;
+}
+
+void takeState(const QString& key, const QString& value, SessionContents& contents)
+{
+    if (key == QLatin1String("position")) {
+        bool isNumber = false;
+        const RowId position = value.toLongLong(&isNumber);
+        contents.position = isNumber ? position : -1;
+    }
+    if (key == QLatin1String("hiddenSegments")) {
+        const QJsonArray labels = QJsonDocument::fromJson(value.toUtf8()).array();
+        for (const QJsonValue& label : labels)
+            contents.hiddenSegments.push_back(label.toInt());
+    }
+    if (key == QLatin1String("display"))
+        contents.display = QJsonDocument::fromJson(value.toUtf8()).object();
+}
+
+} // namespace
+
+SessionTables::SessionTables(QString path)
+    : m_path(std::move(path))
+{
+}
+
+Result<void> SessionTables::create(const SessionSource& source)
+{
+    Result<std::unique_ptr<SessionDatabase>> made = SessionDatabase::create(m_path);
+    if (!made)
+        return tl::unexpected(made.error());
+    m_database = *std::move(made);
+    const QString json = compact(source.toJson());
+    m_chains = {firstChain(json)};
+    return write([&] {
+        return m_database->run(
+            QStringLiteral("INSERT INTO source (id, json) VALUES (1, ?)"), {json});
+    });
+}
+
+Result<SessionContents> SessionTables::open(SessionAccess access)
+{
+    Result<std::unique_ptr<SessionDatabase>> opened = access == SessionAccess::PrivateCopy
+        ? SessionDatabase::openCopy(m_path)
+        : SessionDatabase::open(m_path, access != SessionAccess::ReadWrite);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    m_database = *std::move(opened);
+    const bool isLookedThrough =
+        access == SessionAccess::ReadWrite || access == SessionAccess::PrivateCopy;
+    if (!isLookedThrough) {
+        if (const Result<void> looked = m_database->checkStructure(); !looked)
+            return tl::unexpected(looked.error());
+    }
+    Result<SessionContents> contents = read();
+    if (access == SessionAccess::SoundPart || !contents)
+        return contents;
+    if (contents->damage)
+        return failure(ErrorCode::SessionDamaged, m_path, contents->damage->text());
+    if (!m_deltasReadable)
+        return failure(ErrorCode::SessionDamaged, m_path,
+            QStringLiteral("what its rows changed cannot be read"));
+    return contents;
+}
+
+Result<SessionContents> SessionTables::readAgain()
+{
+    const std::vector<QString> chains = m_chains;
+    Result<SessionContents> contents = read();
+    m_chains = chains;
+    return contents;
+}
+
+Result<SessionContents> SessionTables::read()
+{
+    SessionContents contents;
+    Result<SessionSource> source = readSource();
+    if (!source)
+        return tl::unexpected(source.error());
+    contents.source = *std::move(source);
+    readRows(contents);
+    readDeltaSizes(contents);
+    contents.chainEnd = m_chains.back();
+    readState(contents);
+    readKeyframes(contents);
+    contents.holdsImages = holdsImages();
+    const SessionLoss& loss = m_database->loss();
+    contents.cutOff = !loss.cutOff.isEmpty() ? loss.cutOff
+        : !loss.structure.isEmpty()          ? loss.structure
+                                             : loss.foreign;
+    contents.leftOpen = loss.leftOpen;
+    return contents;
+}
+
+Result<void> SessionTables::copyInto(const QString& path)
+{
+    if (m_database->copyInto(path))
+        return {};
+    return failure(ErrorCode::FileUnwritable, path, m_database->reason());
+}
+
+Result<void> SessionTables::copyHistoryInto(const QString& path)
+{
+    if (m_database->copyHistoryInto(path))
+        return {};
+    return failure(ErrorCode::FileUnwritable, path, m_database->reason());
+}
+
+bool SessionTables::holdsImages()
+{
+    bool any = false;
+    m_database->query(QStringLiteral("SELECT images IS NOT NULL FROM source"), {},
+        [&any](const QSqlQuery& answer) {
+            any = answer.value(0).toBool();
+            return true;
+        });
+    return any;
+}
+
+// --- Writing -------------------------------------------------------------------------------------
+
+Result<void> SessionTables::addRow(const RowText& row)
+{
+    const QString chain = row.chain(m_chains.back());
+    const bool told = !row.at.isEmpty();
+    const Result<void> stands = write([&] {
+        return m_database->run(QStringLiteral("INSERT INTO row (id, parent, name, edit, statistics,"
+                                              " growthGeneration, at, author, program, chain)"
+                                              " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+                   {sqlId(row.id), sqlId(row.parent), row.name, row.edit, row.statistics,
+                       row.growthGeneration, sqlText(row.at, told), sqlText(row.author, told),
+                       sqlText(row.program, told), chain})
+            && writePosition(row.id)
+            && writeState(endKey, QStringLiteral("%1 %2").arg(row.id).arg(chain));
+    });
+    if (stands)
+        m_chains.push_back(chain);
+    return stands;
+}
+
+Result<void> SessionTables::completeRow(
+    RowId row, const QByteArray& stateHash, const BrickDelta& delta)
+{
+    return write([&] {
+        for (std::size_t piece = 0; piece < delta.pieces.size(); ++piece) {
+            if (!m_database->run(QStringLiteral("INSERT INTO delta VALUES (?, ?, ?)"),
+                    {sqlId(row), int(piece), delta.pieces[piece]}))
+                return false;
+        }
+        const QString hash = QString::fromLatin1(stateHash);
+        const QString deltaHash = sha256(delta);
+        return m_database->run(
+            QStringLiteral("UPDATE row SET stateHash=?, deltaSha256=?, seal=? WHERE id=?"),
+            {hash, deltaHash, seal(m_chains[std::size_t(row)], hash, deltaHash), sqlId(row)});
+    });
+}
+
+Result<void> SessionTables::setPosition(RowId position)
+{
+    return write([&] { return writePosition(position); });
+}
+
+Result<void> SessionTables::setHiddenSegments(const std::vector<int>& labels)
+{
+    QJsonArray list;
+    for (const int label : labels)
+        list.append(label);
+    const QString text = QString::fromUtf8(QJsonDocument(list).toJson(QJsonDocument::Compact));
+    return write([&] { return writeState(QStringLiteral("hiddenSegments"), text); });
+}
+
+Result<void> SessionTables::addKeyframe(const Keyframe& keyframe)
+{
+    return write([&] {
+        return m_database->run(QStringLiteral("INSERT OR REPLACE INTO keyframe VALUES (?, ?, ?)"),
+            {sqlId(keyframe.row), sqlText(keyframe.at.toUTC().toString(Qt::ISODateWithMs), true),
+                keyframe.png});
+    });
+}
+
+Result<void> SessionTables::setDisplay(const QJsonObject& display)
+{
+    const QString text = QString::fromUtf8(QJsonDocument(display).toJson(QJsonDocument::Compact));
+    return write([&] { return writeState(QStringLiteral("display"), text); });
+}
+
+Result<void> SessionTables::write(const std::function<bool()>& work)
+{
+    if (m_database->transaction(work))
+        return {};
+    return failure(ErrorCode::FileUnwritable, m_path, m_database->reason());
+}
+
+bool SessionTables::writePosition(RowId position)
+{
+    return writeState(QStringLiteral("position"), QString::number(position))
+        && m_database->run(
+            QStringLiteral("INSERT OR REPLACE INTO visited SELECT parent, id FROM row WHERE id=?"),
+            {sqlId(position)});
+}
+
+bool SessionTables::writeState(const QString& key, const QString& value)
+{
+    return m_database->run(
+        QStringLiteral("INSERT OR REPLACE INTO state VALUES (?, ?)"), {key, value});
+}
+
+// --- Reading -------------------------------------------------------------------------------------
+
+Result<BrickDelta> SessionTables::readDelta(RowId row)
+{
+    BrickDelta delta;
+    QString expected;
+    const bool read =
+        m_database->query(QStringLiteral("SELECT deltaSha256 FROM row WHERE id=?"), {sqlId(row)},
+            [&expected](const QSqlQuery& answer) {
+                expected = answer.value(0).toString();
+                return true;
+            })
+        && m_database->query(QStringLiteral("SELECT bytes FROM delta WHERE row=? ORDER BY piece"),
+            {sqlId(row)}, [&delta](const QSqlQuery& answer) {
+                delta.pieces.push_back(answer.value(0).toByteArray());
+                return true;
+            });
+    if (!read)
+        return damaged(row, m_database->reason());
+    if (sha256(delta) != expected)
+        return damaged(row, QStringLiteral("its difference was changed"));
+    return delta;
+}
+
+QByteArray SessionTables::readKeyframe(RowId row)
+{
+    QByteArray png;
+    m_database->query(QStringLiteral("SELECT png FROM keyframe WHERE row=?"), {sqlId(row)},
+        [&png](const QSqlQuery& answer) {
+            png = answer.value(0).toByteArray();
+            return true;
+        });
+    return png;
+}
+
+Result<SessionSource> SessionTables::readSource()
+{
+    QString json;
+    const bool read = m_database->query(
+        QStringLiteral("SELECT json FROM source"), {}, [&json](const QSqlQuery& answer) {
+            json = answer.value(0).toString();
+            return true;
+        });
+    std::optional<SessionSource> source = SessionSource::fromJson(parsed(json));
+    if (!read || !source) {
+        const SessionLoss& loss = m_database->loss();
+        return damaged(0,
+            !loss.cutOff.isEmpty()         ? loss.cutOff
+                : !loss.leftOpen.isEmpty() ? loss.leftOpen
+                                           : QStringLiteral("it does not say what it was made on"));
+    }
+    m_chains = {firstChain(json)};
+    return *std::move(source);
+}
+
+void SessionTables::readRows(SessionContents& contents)
+{
+    std::vector<HistoryRow>& rows = contents.rows;
+    QString problem;
+    const bool read = m_database->query(
+        QStringLiteral("SELECT id, parent, iif(length(name) > 1000000, NULL, name), edit,"
+                       " statistics, growthGeneration, chain, stateHash, deltaSha256, seal, at,"
+                       " author, program FROM row ORDER BY id"),
+        {}, [this, &rows, &problem](const QSqlQuery& answer) {
+            tl::expected<HistoryRow, QString> row = readRow(answer, RowId(rows.size()) + 1);
+            if (!row) {
+                problem = row.error();
+                return false;
+            }
+            rows.push_back(*std::move(row));
+            return true;
+        });
+    if (!read)
+        problem = m_database->reason();
+    // What is cut off in the middle of a page reads as zeros.
+    if (const QString& cutOff = m_database->loss().cutOff; !problem.isEmpty() && !cutOff.isEmpty())
+        problem = cutOff;
+    if (!problem.isEmpty())
+        contents.damage = damageAt(RowId(rows.size()) + 1, problem);
+}
+
+void SessionTables::readDeltaSizes(SessionContents& contents)
+{
+    m_deltasReadable =
+        m_database->query(QStringLiteral("SELECT row, SUM(LENGTH(bytes)) FROM delta GROUP BY row"),
+            {}, [&contents](const QSqlQuery& answer) {
+                const RowId row = answer.value(0).toLongLong();
+                if (row > 0 && row <= RowId(contents.rows.size()))
+                    contents.rows[std::size_t(row - 1)].deltaBytes =
+                        std::size_t(answer.value(1).toLongLong());
+                return true;
+            });
+}
+
+tl::expected<HistoryRow, QString> SessionTables::readRow(const QSqlQuery& answer, RowId expectedId)
+{
+    const RowText text{.id = answer.value(0).toLongLong(),
+        .parent = answer.value(1).toLongLong(),
+        .name = answer.value(2).toString(),
+        .edit = answer.value(3).toString(),
+        .statistics = answer.value(4).toString(),
+        .growthGeneration = answer.value(5).toLongLong(),
+        .at = answer.value(10).toString(),
+        .author = answer.value(11).toString(),
+        .program = answer.value(12).toString()};
+    if (text.id != expectedId || text.parent < 0 || text.parent >= text.id)
+        return tl::unexpected(QStringLiteral("it is missing or out of order"));
+    // The chain does not cover what stands beside a missing time.
+    const bool unbound = text.at.isEmpty() && !(text.author + text.program).isEmpty();
+    const QString chain = text.chain(m_chains.back());
+    if (unbound || chain != answer.value(6).toString())
+        return tl::unexpected(QStringLiteral("it was changed after it was written"));
+
+    Result<HistoryRow> row = text.row();
+    if (!row)
+        return tl::unexpected(QStringLiteral("its edit is not known here: ")
+            + row.error().arguments.join(QStringLiteral(", ")));
+    if (!answer.value(9).isNull()) {
+        const QString stateHash = answer.value(7).toString();
+        if (answer.value(9).toString() != seal(chain, stateHash, answer.value(8).toString()))
+            return tl::unexpected(QStringLiteral("its hash was changed after it was written"));
+        row->stateHash = stateHash.toLatin1();
+    }
+    m_chains.push_back(chain);
+    return *std::move(row);
+}
+
+void SessionTables::readState(SessionContents& contents)
+{
+    bool told = false;
+    QString end;
+    const bool placed = m_database->query(QStringLiteral("SELECT key, value FROM state"), {},
+        [&contents, &told, &end](const QSqlQuery& answer) {
+            const QString key = answer.value(0).toString();
+            told |= key == QLatin1String("position");
+            if (key == endKey)
+                end = answer.value(1).toString();
+            takeState(key, answer.value(1).toString(), contents);
+            return true;
+        });
+    const QString& cutOff = m_database->loss().cutOff;
+    if (!placed || (!cutOff.isEmpty() && !told && !contents.rows.empty()))
+        contents.position = -1;
+    const bool read = placed
+        && m_database->query(QStringLiteral("SELECT parent, child FROM visited"), {},
+            [&contents](const QSqlQuery& answer) {
+                contents.visited.emplace_back(
+                    answer.value(0).toLongLong(), answer.value(1).toLongLong());
+                return true;
+            });
+    const QString endless = checkEnd(end, contents);
+    const RowId position = contents.position;
+    const std::size_t steps = contents.visited.size();
+    contents.cut(contents.damage.value_or(SessionDamage{}));
+    if (contents.damage->row != 0)
+        return;
+    // No row is lost, so both must have been sound.
+    if (!read)
+        contents.damage->reason = m_database->reason();
+    else if (contents.position != position || contents.visited.size() != steps)
+        contents.damage->reason =
+            cutOff.isEmpty() ? QStringLiteral("its position is no row") : cutOff;
+    else if (!endless.isEmpty())
+        contents.damage->reason = endless;
+    else
+        contents.damage.reset();
+}
+
+QString SessionTables::checkEnd(const QString& end, SessionContents& contents)
+{
+    // Sessions of builds before have no such line, and where they went on rows may lie behind it.
+    if (end.isEmpty())
+        return {};
+    bool isNumber = false;
+    const RowId last = end.section(QLatin1Char(' '), 0, 0).toLongLong(&isNumber);
+    if (!isNumber || last < 1)
+        return QStringLiteral("how many rows it has is not said");
+    const auto count = RowId(contents.rows.size());
+    std::optional<SessionDamage>& damage = contents.damage;
+    if (damage)
+        damage->after = std::max<std::int64_t>(damage->after, last - damage->row);
+    else if (last > count)
+        damage = {.row = count + 1,
+            .name = {},
+            .after = last - count - 1,
+            .reason = QStringLiteral("it is missing; the session had %1 rows").arg(last)};
+    else if (m_chains[std::size_t(last)] != end.section(QLatin1Char(' '), 1))
+        damage = damageAt(last, QStringLiteral("it is not the row that stood there last"));
+    return {};
+}
+
+SessionDamage SessionTables::damageAt(RowId row, const QString& reason)
+{
+    SessionDamage damage{.row = row, .name = {}, .after = -1, .reason = reason};
+    m_database->query(QStringLiteral("SELECT substr(name, 1, 200) FROM row WHERE id=?"),
+        {sqlId(row)}, [&damage](const QSqlQuery& answer) {
+            damage.name = answer.value(0).toString();
+            return true;
+        });
+    m_database->query(QStringLiteral("SELECT COUNT(*) FROM row WHERE id>?"), {sqlId(row)},
+        [&damage](const QSqlQuery& answer) {
+            damage.after = answer.value(0).toLongLong();
+            return true;
+        });
+    return damage;
+}
+
+/// Pictures prove nothing: those that cannot be read are left out.
+void SessionTables::readKeyframes(SessionContents& contents)
+{
+    m_database->query(QStringLiteral("SELECT row, at FROM keyframe ORDER BY row"), {},
+        [&contents](const QSqlQuery& answer) {
+            const RowId row = answer.value(0).toLongLong();
+            const QString at = answer.value(1).toString();
+            if (row >= 0 && row <= RowId(contents.rows.size()))
+                contents.keyframes.push_back({.row = row,
+                    .at = QDateTime::fromString(at, Qt::ISODateWithMs).toUTC(),
+                    .png = {}});
+            return true;
+        });
+}
+
+tl::unexpected<Error> SessionTables::damaged(RowId row, const QString& reason) const
+{
+    return failure(ErrorCode::SessionDamaged, m_path,
+        row == 0 ? reason : QStringLiteral("row %1: %2").arg(row).arg(reason));
+}
+
+} // namespace core

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sessionfile/records/RowText.h"
+#include "core/sessionfile/records/SessionContents.h"
+#include "core/sessionfile/records/SessionDatabase.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace core {
+
+/// What stands in the tables of a session file: written in transactions, read with its chain
+/// checked. Part of SessionFile; belongs to its writer's thread.
+class SessionTables {
+public:
+    explicit SessionTables(QString path);
+
+    /// @pre the file exists and is empty
+    [[nodiscard]] Result<void> create(const SessionSource& source);
+    /// Errors: those of SessionFile::open().
+    [[nodiscard]] Result<SessionContents> open(SessionAccess access);
+    /// What an open file holds now, with every hash of the rows checked anew; damage is told.
+    [[nodiscard]] Result<SessionContents> readAgain();
+    /// All of it into a file that is empty or not there yet.
+    [[nodiscard]] Result<void> copyInto(const QString& path);
+    /// All but the images into a session that holds no row.
+    [[nodiscard]] Result<void> copyHistoryInto(const QString& path);
+    [[nodiscard]] bool holdsImages();
+
+    // One transaction each; one that fails (FileUnwritable) leaves the file as it was and may be
+    // tried again. A row must not be written before the one ahead of it stands.
+    [[nodiscard]] Result<void> addRow(const RowText& row);
+    [[nodiscard]] Result<void> completeRow(
+        RowId row, const QByteArray& stateHash, const BrickDelta& delta);
+    [[nodiscard]] Result<void> setPosition(RowId position);
+    [[nodiscard]] Result<void> setHiddenSegments(const std::vector<int>& labels);
+    [[nodiscard]] Result<void> setDisplay(const QJsonObject& display);
+    [[nodiscard]] Result<void> addKeyframe(const Keyframe& keyframe);
+
+    [[nodiscard]] Result<BrickDelta> readDelta(RowId row);
+    [[nodiscard]] QByteArray readKeyframe(RowId row); ///< empty: none
+
+private:
+    [[nodiscard]] tl::unexpected<Error> damaged(RowId row, const QString& reason) const;
+    [[nodiscard]] Result<void> write(const std::function<bool()>& work);
+    bool writePosition(RowId position);
+    bool writeState(const QString& key, const QString& value);
+
+    [[nodiscard]] Result<SessionContents> read();
+    [[nodiscard]] Result<SessionSource> readSource();
+    void readRows(SessionContents& contents);
+    /// By themselves, so that damage there costs no row: a row can be carried out again.
+    void readDeltaSizes(SessionContents& contents);
+    /// Or why it cannot be trusted.
+    [[nodiscard]] tl::expected<HistoryRow, QString> readRow(
+        const QSqlQuery& answer, RowId expectedId);
+    void readState(SessionContents& contents);
+    /// Whether the last row is the one that @p end says. @return why that cannot be told
+    [[nodiscard]] QString checkEnd(const QString& end, SessionContents& contents);
+    void readKeyframes(SessionContents& contents);
+    [[nodiscard]] SessionDamage damageAt(RowId row, const QString& reason);
+
+    QString m_path;
+    std::unique_ptr<SessionDatabase> m_database;
+    std::vector<QString> m_chains; ///< by row; [0] is the source's
+    bool m_deltasReadable = true;
+};
+
+} // namespace core

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sessionfile/records/SessionUse.h"
+
+#include "core/base/files/StagedFile.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QSet>
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <mutex>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace core {
+
+namespace {
+
+// Held while a session file is open as a plain file.
+std::mutex plainFiles;
+QSet<QString> used; ///< under plainFiles
+
+/// The database itself, and what SQLite may leave beside it.
+constexpr std::array<const char*, 3> parts{"", "-wal", "-journal"};
+
+QString keyOf(const QString& path)
+{
+    const QFileInfo info(path);
+    const QString canonical = info.canonicalFilePath();
+    return canonical.isEmpty() ? info.absoluteFilePath() : canonical;
+}
+
+QString part(const QString& path, const char* suffix)
+{
+    return path + QLatin1String(suffix);
+}
+
+/// @pre plainFiles is held and this process does not use the file
+bool isLocked(const QString& path)
+{
+    // https://www.sqlite.org/src/file/src/os.h: the bytes that SQLite locks, whole file size.
+    constexpr off_t firstByte = 0x40000000;
+    constexpr off_t bytes = 512;
+    const int descriptor = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        return false;
+    struct flock lock { };
+    lock.l_type = F_RDLCK;
+    lock.l_whence = SEEK_SET;
+    lock.l_start = firstByte;
+    lock.l_len = bytes;
+    const bool locked = ::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+    ::close(descriptor);
+    return locked;
+}
+
+/// Sizes and times of all parts: whatever is written changes them.
+std::array<std::array<std::int64_t, 3>, parts.size()> look(const QString& path)
+{
+    std::array<std::array<std::int64_t, 3>, parts.size()> all{};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        struct stat status { };
+        if (::stat(QFile::encodeName(part(path, parts[i])).constData(), &status) == 0)
+            all[i] = {status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+    }
+    return all;
+}
+
+Result<void> copyParts(const QString& from, const QString& to)
+{
+    for (const char* suffix : parts) {
+        const QString source = part(from, suffix);
+        const QString target = part(to, suffix);
+        QFile::remove(target);
+        if (!QFileInfo::exists(source))
+            continue;
+        QFile file(source);
+        if (!file.open(QIODevice::ReadOnly))
+            return failure(ErrorCode::FileUnreadable, source, file.errorString());
+        file.close();
+        if (!file.copy(target))
+            return failure(ErrorCode::FileUnwritable, target, file.errorString());
+        QFile::setPermissions(target, QFileDevice::ReadOwner | QFileDevice::WriteOwner);
+    }
+    return {};
+}
+
+} // namespace
+
+Result<SessionUse> SessionUse::begin(const QString& path)
+{
+    SessionUse use;
+    const std::lock_guard lock(plainFiles);
+    const QString key = keyOf(path);
+    if (used.contains(key))
+        return failure(
+            ErrorCode::FileUnreadable, path, QStringLiteral("it is open already, in this window"));
+    used.insert(key);
+    use.m_key = key;
+    use.m_file = FileInUse({path}, FileInUse::As::Session);
+    return use;
+}
+
+bool isSessionFile(const QString& path)
+{
+    const std::lock_guard lock(plainFiles);
+    if (used.contains(keyOf(path)))
+        return true;
+    QFile file(path);
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
+        return false;
+    // https://www.sqlite.org/fileformat.html, 1.3: the application's number at byte 68.
+    const QByteArray head = file.read(72);
+    return head.startsWith("SQLite format 3") && head.mid(68, 4) == "Burn";
+}
+
+Result<void> checkReplacedSession(const QString& path)
+{
+    if (const Result<void> target = checkFileTarget(path, true); !target)
+        return target;
+    if (!QFileInfo::exists(path))
+        return {};
+    if (isSessionInUse(path))
+        return failure(
+            ErrorCode::FileUnwritable, path, QStringLiteral("it is open in another window"));
+    if (!isSessionFile(path))
+        return failure(ErrorCode::FileUnwritable, path,
+            QStringLiteral("it is no session, and nothing else is replaced by one"));
+    if (isSessionUnfinished(path))
+        return failure(ErrorCode::FileUnwritable, path,
+            QStringLiteral("it was not closed properly; open it once, or take another name"));
+    return {};
+}
+
+QString strayPartOf(const QString& path)
+{
+    for (const char* suffix : {"-wal", "-shm", "-journal"}) {
+        const QFileInfo info(part(path, suffix));
+        if (info.exists() || info.isSymLink())
+            return info.fileName();
+    }
+    return {};
+}
+
+SessionUse::SessionUse(SessionUse&& other) noexcept
+    : m_key(std::exchange(other.m_key, QString()))
+    , m_file(std::move(other.m_file))
+{
+}
+
+SessionUse& SessionUse::operator=(SessionUse&& other) noexcept
+{
+    std::swap(m_key, other.m_key);
+    std::swap(m_file, other.m_file);
+    return *this;
+}
+
+SessionUse::~SessionUse()
+{
+    if (m_key.isEmpty())
+        return;
+    const std::lock_guard lock(plainFiles);
+    used.remove(m_key);
+}
+
+bool isSessionInUse(const QString& path)
+{
+    const std::lock_guard lock(plainFiles);
+    return used.contains(keyOf(path)) || isLocked(path);
+}
+
+bool isSessionUnfinished(const QString& path)
+{
+    return QFileInfo(part(path, "-wal")).size() > 0 || QFileInfo(part(path, "-journal")).size() > 0;
+}
+
+SessionLoss sessionLoss(const QString& path)
+{
+    // https://www.sqlite.org/fileformat.html, 1.3: the database header.
+    constexpr qsizetype headBytes = 100;
+    static const QByteArray magic("SQLite format 3", 16);
+    // With what lies beside it, it may be whole.
+    if (path.isEmpty() || isSessionUnfinished(path))
+        return {};
+    const std::lock_guard lock(plainFiles);
+    if (used.contains(keyOf(path)))
+        return {};
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const QByteArray head = file.read(headBytes);
+    if (head.isEmpty() || !magic.startsWith(head.left(magic.size())))
+        return {};
+    SessionLoss loss;
+    if (head.size() < headBytes) {
+        loss.cutOff =
+            QStringLiteral("the file is cut off: only %1 bytes are there").arg(head.size());
+        return loss;
+    }
+    const auto number = [&head](int at, int bytes) {
+        qint64 value = 0;
+        for (int i = 0; i < bytes; ++i)
+            value = 256 * value + std::uint8_t(head[at + i]);
+        return value;
+    };
+    const qint64 pageBytes = number(16, 2) == 1 ? 65536 : number(16, 2);
+    const qint64 whole = pageBytes * number(28, 4);
+    // The count of pages is kept by whoever changes the counter.
+    if (number(24, 4) == number(92, 4) && file.size() < whole)
+        loss.cutOff = QStringLiteral("the file is cut off: %1 of %2 bytes are there")
+                          .arg(file.size())
+                          .arg(whole);
+    const bool leftInWal = number(18, 1) == 2;
+    if (leftInWal && !QFileInfo::exists(part(path, "-wal")))
+        loss.leftOpen = QStringLiteral("it was not closed, and '%1', which may hold what was "
+                                       "written last, is not beside it")
+                            .arg(QFileInfo(part(path, "-wal")).fileName());
+    return loss;
+}
+
+bool removeSession(const QString& path)
+{
+    for (const char* suffix : {"-wal", "-shm", "-journal"})
+        QFile::remove(part(path, suffix));
+    return !QFileInfo::exists(path) || QFile::remove(path);
+}
+
+Result<void> copySession(const QString& from, const QString& to)
+{
+    constexpr int attempts = 20;
+    const std::lock_guard lock(plainFiles);
+    if (used.contains(keyOf(from)))
+        return failure(
+            ErrorCode::FileUnreadable, from, QStringLiteral("it is open already, in this window"));
+    for (int i = 0; i < attempts; ++i) {
+        const auto before = look(from);
+        if (const Result<void> copied = copyParts(from, to); !copied)
+            return copied;
+        if (look(from) == before)
+            return {};
+    }
+    return failure(
+        ErrorCode::FileUnreadable, from, QStringLiteral("another program writes it without pause"));
+}
+
+} // namespace core

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/engine/GpuEditEngine.h"
+
+#include "gpu/fields/BrickImages.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace gpu {
+
+// GpuEditEngine, the part that answers questions: nothing here writes a voxel.
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadBricks& command)
+{
+    if (const core::Result<void> checked = checkKeys(command.keys); !checked)
+        return tl::unexpected(checked.error());
+    auto images = readImages(*m_fields, command.keys);
+    core::EngineResult result;
+    for (std::size_t i = 0; i < images.size(); ++i)
+        result.changes.push_back(
+            {.key = command.keys[i], .before = {}, .after = std::move(images[i])});
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadCodes& command)
+{
+    const core::VoxelBox& box = command.box;
+    if (box.empty() || glm::any(glm::lessThan(box.minimum, glm::ivec3(0)))
+        || glm::any(glm::greaterThan(box.maximum, m_fields->grid().volumeSize)))
+        return refusal("box", "is empty or not within the volume");
+    const glm::ivec3 size = box.maximum - box.minimum;
+    core::EngineResult result;
+    result.codes.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    m_fields->codes().read(
+        box.minimum, size, std::as_writable_bytes(std::span<std::uint16_t>(result.codes)));
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeVoxels& command)
+{
+    for (const glm::ivec3& voxel : command.voxels) {
+        if (glm::any(glm::lessThan(voxel, glm::ivec3(0)))
+            || glm::any(glm::greaterThanEqual(voxel, m_fields->grid().volumeSize)))
+            return refusal("voxels", "outside the volume");
+    }
+    core::EngineResult result;
+    result.probes = m_picks.probe(*m_fields, command);
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeSeeds& command)
+{
+    if (const core::Result<void> checked = check(command.seedGroups, m_fields->grid()); !checked)
+        return tl::unexpected(checked.error());
+    const core::GroupedSeedSums sums =
+        seedSums(m_programs.growth.seedStatistics, *m_fields, command);
+    core::EngineResult result;
+    for (std::size_t group = 0; group < sums.groups.size(); ++group) {
+        if (sums.groups[group].voxels > 0)
+            result.seeds.push_back({command.seedGroups[group].label, sums.groups[group], group});
+    }
+    for (std::size_t label = 0; label < sums.others.size(); ++label) {
+        if (sums.others[label].voxels > 0)
+            result.seeds.push_back({std::uint8_t(label), sums.others[label], {}});
+    }
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::PickVoxels& command)
+{
+    if (command.seenBy == core::SeenBy::Opacity && command.opacityOfCode.size() != 256)
+        return refusal("opacityOfCode", "has 256 entries");
+    core::EngineResult result;
+    result.picks = m_picks.pick(*m_fields, command);
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::CountGenerations& command)
+{
+    core::EngineResult result;
+    result.generationSizes = generationSizes(m_programs.growth.shrink, *m_fields, command.plane);
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::TraceTolerance& command)
+{
+    if (m_transaction)
+        return refusal("transaction", "an edit is open");
+    const Clock::time_point start = Clock::now();
+    if (!m_trace || m_trace->done() || !(m_trace->rule() == command.rule)) {
+        m_trace.reset();
+        auto begun = ToleranceKernel::begin(m_programs.tolerance, *m_fields, command.rule);
+        if (!begun)
+            return tl::unexpected(begun.error());
+        m_trace = *std::move(begun);
+    }
+    while (!m_trace->done() && (command.toTheEnd || millisecondsSince(start) < sliceMilliseconds)) {
+        const Clock::time_point before = Clock::now();
+        m_trace->advance(m_tracedAtOnce);
+        const double milliseconds = millisecondsSince(before);
+        if (milliseconds > sliceMilliseconds)
+            m_tracedAtOnce = std::max(m_tracedAtOnce / 2, leastTraced);
+        else if (milliseconds < sliceMilliseconds / 2.0)
+            m_tracedAtOnce = std::min(m_tracedAtOnce * 2, mostTraced);
+    }
+    core::EngineResult result;
+    if (m_trace->done())
+        result.tolerance = m_fields->tolerance().curve;
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::DropTolerance&)
+{
+    m_trace.reset();
+    m_fields->dropTolerance();
+    return core::EngineResult{};
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ForeseeCut& command)
+{
+    if (m_transaction)
+        return refusal("transaction", "an edit is open");
+    if (const core::Result<void> checked = check(command.cut, m_fields->grid()); !checked)
+        return tl::unexpected(checked.error());
+    core::Result<std::optional<core::ForeseenCut>> foreseen = m_foresight.ask(*m_fields, command);
+    if (!foreseen)
+        return tl::unexpected(foreseen.error());
+    core::EngineResult result;
+    result.foreseen = *std::move(foreseen);
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::DropForesight&)
+{
+    m_foresight.forget();
+    return core::EngineResult{};
+}
+
+} // namespace gpu

@@ -1,0 +1,506 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/engine/GpuEditEngine.h"
+
+#include "gpu/fields/BrickImages.h"
+#include "gpu/gl/GlFailure.h"
+
+#include "core/base/Log.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace gpu {
+
+namespace {
+
+constexpr std::size_t segmentationBricksPerSlice = 64;
+/// Keeps the slice of a path that has waited long within bounds.
+constexpr int extensionsAtOnce = 16;
+
+} // namespace
+
+GpuEditEngine::GpuEditEngine(const EditContext& context)
+    : m_thread(context.thread)
+    , m_textures(context.textures)
+    , m_programs(context.shaders)
+    , m_fieldPrograms(context.shaders)
+    , m_picks(context.shaders)
+    , m_foresight(context.textures)
+{
+}
+
+GpuEditEngine::~GpuEditEngine() = default;
+
+double GpuEditEngine::millisecondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+core::Result<void> GpuEditEngine::openVolume(
+    const glm::ivec3& size, std::span<const std::uint16_t> codes)
+{
+    const bool voxels = size.x > 0 && size.y > 0 && size.z > 0;
+    if (!voxels || codes.size() != std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
+        return core::failure(core::ErrorCode::InvalidGeometry, QStringLiteral("volume"),
+            QStringLiteral("its size and the number of its codes do not agree"));
+    finish();
+    core::Result<void> opened;
+    m_thread.run([&] {
+        close();
+        m_lost.reset();
+        try {
+            opened = m_textures.open(size, codes);
+            if (!opened)
+                return;
+            m_fields = std::make_unique<VoxelFields>(m_fieldPrograms, m_textures);
+            m_fields->setShownLabels(m_shownLabels);
+            m_fields->setPieces(m_shownPieces);
+            m_fields->showAtTolerance(m_atTolerance);
+            requireNoError();
+        } catch (const std::exception&) {
+            opened = tl::unexpected(errorBeingHandled());
+            close();
+            m_textures.close();
+        }
+        publishProgress();
+    });
+    return opened;
+}
+
+void GpuEditEngine::close()
+{
+    m_transaction.reset();
+    m_trace.reset();
+    m_foresight.forget();
+    m_fields.reset();
+}
+
+/// What the GPU holds is not what the session says: nothing more is read from it or written.
+void GpuEditEngine::lose(const core::Error& why)
+{
+    qCCritical(core::log, "What was open is lost on the graphics processor: %s",
+        qUtf8Printable(why.arguments.join(QStringLiteral(": "))));
+    close();
+    m_lost = core::Error{core::ErrorCode::EngineLost, why.arguments};
+}
+
+core::Ticket GpuEditEngine::submit(core::EngineCommand command)
+{
+    core::Ticket ticket = 0;
+    {
+        const std::lock_guard lock(m_mutex);
+        ticket = ++m_lastTicket;
+        m_waiting.push_back({.ticket = ticket, .command = std::move(command)});
+    }
+    m_thread.wake();
+    return ticket;
+}
+
+std::vector<core::EngineResult> GpuEditEngine::collect()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_results, {});
+}
+
+void GpuEditEngine::finish()
+{
+    std::unique_lock lock(m_mutex);
+    m_hurry = true;
+    m_thread.wake();
+    m_settled.wait(lock, [this] { return m_waiting.empty() && !m_busy && !m_progress.running; });
+    m_hurry = false;
+}
+
+void GpuEditEngine::setWakeUp(std::function<void()> wakeUp)
+{
+    const std::lock_guard lock(m_mutex);
+    m_wakeUp = std::move(wakeUp);
+}
+
+core::GrowthProgress GpuEditEngine::growthProgress() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_progress;
+}
+
+void GpuEditEngine::showSegments(const std::bitset<256>& labels)
+{
+    m_shownLabels = labels;
+    if (m_fields)
+        m_fields->setShownLabels(labels);
+}
+
+void GpuEditEngine::showPieces(const std::vector<PieceSource>& sources)
+{
+    m_shownPieces = sources;
+    if (m_fields)
+        m_fields->setPieces(sources);
+}
+
+void GpuEditEngine::showAtTolerance(const std::optional<ToleranceDisplay>& shown)
+{
+    m_atTolerance = shown;
+    if (m_fields)
+        m_fields->showAtTolerance(shown);
+}
+
+void GpuEditEngine::warmUp()
+{
+    if (!m_fields)
+        return;
+    const glm::ivec3 size = KernelWarmUp::sizeLike(m_fields->grid().volumeSize);
+    if (std::find(m_warmSizes.begin(), m_warmSizes.end(), size) != m_warmSizes.end())
+        return;
+    m_warmUp.emplace(m_programs, m_fieldPrograms, size);
+    m_warmSizes.push_back(size);
+}
+
+std::size_t GpuEditEngine::brickBytes() const
+{
+    return m_fields ? m_fields->bytes() + m_foresight.bytes() : 0;
+}
+
+/// What is thrown in spite of all that is caught below: of nothing is it known how far it came.
+bool GpuEditEngine::work()
+{
+    try {
+        return workUnguarded();
+    } catch (const std::exception&) {
+        lose(errorBeingHandled());
+        publishProgress();
+        return false;
+    }
+}
+
+bool GpuEditEngine::workUnguarded()
+{
+    Waiting next;
+    if (takeNext(next)) {
+        carryOut(next);
+        publishProgress();
+        return true;
+    }
+    if (growthIsDue()) {
+        try {
+            growOneSlice();
+            requireNoError();
+        } catch (const std::exception&) {
+            abandon(errorBeingHandled());
+        }
+        publishProgress();
+        return true;
+    }
+    try {
+        const bool more = followUp();
+        requireNoError();
+        m_followUpsFailed = 0;
+        return more;
+    } catch (const std::exception&) {
+        followUpLater(errorBeingHandled());
+        return false;
+    }
+}
+
+/// Memory may be there again in a moment; what is shown meanwhile is what was.
+void GpuEditEngine::followUpLater(const core::Error& why)
+{
+    constexpr int patience = 20;
+    constexpr std::chrono::milliseconds pause{100};
+    if (!m_fields)
+        return;
+    if (++m_followUpsFailed > patience) {
+        m_followUpsFailed = 0;
+        lose(why);
+        publishProgress();
+        return;
+    }
+    m_fields->deriveAnew();
+    m_thread.wakeAt(Clock::now() + pause);
+}
+
+void GpuEditEngine::abandon(const core::Error& why)
+{
+    try {
+        m_transaction->abandon(why);
+    } catch (const FieldsLost&) {
+        lose(why);
+    }
+}
+
+/// What is derived from the voxels, and what can be made ready; when there is nothing else to do.
+bool GpuEditEngine::followUp()
+{
+    if (m_fields && m_fields->barriersStale()) {
+        m_fields->updateBarriers();
+        return true;
+    }
+    if (m_fields && m_fields->segmentationStale()) {
+        m_fields->updateSegmentation(segmentationBricksPerSlice);
+        return true;
+    }
+    if (m_fields && m_fields->piecesStale()) {
+        m_fields->updatePieces(segmentationBricksPerSlice);
+        return true;
+    }
+    // Not while a pen is down: what it needs compiles for it anyway.
+    if (m_warmUp && !m_transaction) {
+        bool more = false;
+        try {
+            more = m_warmUp->runNext();
+            requireNoError();
+        } catch (const std::exception&) {
+            qCDebug(core::log, "Kernels are not made ready: %s",
+                qUtf8Printable(errorBeingHandled().arguments.join(QStringLiteral(": "))));
+            more = false;
+        }
+        if (!more)
+            m_warmUp.reset();
+        return more;
+    }
+    return false;
+}
+
+bool GpuEditEngine::takeNext(Waiting& next)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_waiting.empty())
+        return false;
+    const auto* end = std::get_if<core::EndEdit>(&m_waiting.front().command);
+    if (end && end->ending == core::Ending::Commit && m_transaction
+        && m_transaction->hasStepsLeft())
+        return false;
+    m_results.reserve(m_results.size() + 1); // a command that is taken is answered
+    next = std::move(m_waiting.front());
+    m_waiting.pop_front();
+    m_busy = true;
+    if (auto* extend = std::get_if<core::ExtendEdit>(&next.command); extend && m_transaction)
+        takeMore(*extend);
+    return true;
+}
+
+/// What a pen told while something else was done is one piece of path: each costs as much as many.
+void GpuEditEngine::takeMore(core::ExtendEdit& first)
+{
+    for (int taken = 1; taken < extensionsAtOnce && !m_waiting.empty(); ++taken) {
+        auto* next = std::get_if<core::ExtendEdit>(&m_waiting.front().command);
+        if (!next || !m_transaction->join(first.extension, next->extension))
+            return;
+        m_waiting.pop_front();
+    }
+}
+
+bool GpuEditEngine::growthIsDue()
+{
+    if (!m_transaction || !m_transaction->hasStepsLeft())
+        return false;
+    if (m_transaction->generationsPerSecond() <= 0.0)
+        return true;
+    const std::lock_guard lock(m_mutex);
+    if (m_hurry || Clock::now() >= m_nextGeneration)
+        return true;
+    m_thread.wakeAt(m_nextGeneration);
+    return false;
+}
+
+void GpuEditEngine::growOneSlice()
+{
+    const double pace = m_transaction->generationsPerSecond();
+    bool paced = pace > 0.0;
+    {
+        const std::lock_guard lock(m_mutex);
+        paced = paced && !m_hurry;
+    }
+    const Clock::time_point start = Clock::now();
+    m_transaction->advance(paced ? 1 : m_ringsPerSlice);
+    const double milliseconds = millisecondsSince(start);
+    m_editMilliseconds += milliseconds;
+    if (paced) {
+        m_nextGeneration = start
+            + std::chrono::duration_cast<Clock::duration>(
+                std::chrono::duration<double>(1.0 / pace));
+        return;
+    }
+    if (milliseconds > 2.0 * sliceMilliseconds)
+        m_ringsPerSlice = std::max(m_ringsPerSlice / 2, 2);
+    else if (milliseconds < sliceMilliseconds / 2.0)
+        m_ringsPerSlice = std::min(m_ringsPerSlice * 2, GrowthKernel::ringsPerBatch);
+}
+
+void GpuEditEngine::publishProgress()
+{
+    const std::lock_guard lock(m_mutex);
+    m_progress = m_transaction ? m_transaction->progress() : core::GrowthProgress{};
+    m_busy = false;
+    m_settled.notify_all();
+}
+
+void GpuEditEngine::deliver(core::EngineResult result)
+{
+    std::function<void()> wakeUp;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_results.push_back(std::move(result));
+        wakeUp = m_wakeUp;
+    }
+    if (wakeUp)
+        wakeUp();
+}
+
+void GpuEditEngine::carryOut(Waiting& next)
+{
+    const Clock::time_point start = Clock::now();
+    Outcome outcome = attempt(next.command);
+    const double milliseconds = millisecondsSince(start);
+    if (outcome && !*outcome) {
+        m_editMilliseconds += milliseconds;
+        return;
+    }
+    core::EngineResult result = outcome ? std::move(**outcome) : core::EngineResult{};
+    if (!outcome)
+        result.error = outcome.error();
+    result.ticket = next.ticket;
+    result.statistics.milliseconds += milliseconds;
+    deliver(std::move(result));
+}
+
+/// A command that throws has changed nothing, and an open edit that it belongs to is taken back.
+GpuEditEngine::Outcome GpuEditEngine::attempt(core::EngineCommand& command)
+{
+    if (m_lost)
+        return tl::unexpected(*m_lost);
+    if (!m_fields)
+        return refusal("volume", "none is open");
+    try {
+        Outcome outcome = std::visit([this](auto& known) { return carryOut(known); }, command);
+        requireNoError();
+        return outcome;
+    } catch (const FieldsLost& lost) {
+        lose(lost.error());
+        return tl::unexpected(*m_lost);
+    } catch (const std::exception&) {
+        const core::Error error = errorBeingHandled();
+        const bool edits = std::holds_alternative<core::ExtendEdit>(command)
+            || std::holds_alternative<core::EndEdit>(command);
+        if (m_transaction && edits)
+            abandon(error);
+        if (m_lost)
+            return tl::unexpected(*m_lost);
+        if (std::holds_alternative<core::EndEdit>(command))
+            m_transaction.reset();
+        if (std::holds_alternative<core::TraceTolerance>(command)) {
+            m_trace.reset();
+            m_fields->dropTolerance();
+        }
+        if (std::holds_alternative<core::ForeseeCut>(command))
+            m_foresight.forget();
+        return tl::unexpected(error);
+    }
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
+{
+    if (m_transaction)
+        return refusal("transaction", "another edit is open");
+    hideTolerance();
+    m_foresight.forget();
+    m_editMilliseconds = 0.0;
+    auto transaction = EditTransaction::begin(m_programs, *m_fields, command.edit);
+    if (!transaction)
+        return tl::unexpected(transaction.error());
+    m_transaction = std::move(*transaction);
+    m_ringsPerSlice = GrowthKernel::ringsPerBatch;
+    return std::nullopt;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ExtendEdit& command)
+{
+    if (!m_transaction)
+        return refusal("transaction", "no edit is open");
+    if (m_transaction->abandoned())
+        return std::nullopt; // told once, or when it ends
+    const core::Result<void> extended = m_transaction->extend(command.extension);
+    if (!extended)
+        return tl::unexpected(extended.error());
+    return std::nullopt;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::EndEdit& command)
+{
+    if (!m_transaction)
+        return refusal("transaction", "no edit is open");
+    if (const std::optional<core::Error> why = m_transaction->abandoned()) {
+        m_transaction.reset();
+        return tl::unexpected(*why);
+    }
+    core::EngineResult result;
+    if (command.ending == core::Ending::Commit)
+        m_transaction->commit(result);
+    else
+        m_transaction->rollBack(result);
+    requireNoError();
+    result.statistics.milliseconds = m_editMilliseconds;
+    m_transaction.reset();
+    return result;
+}
+
+core::Result<void> GpuEditEngine::checkKeys(std::span<const core::BrickKey> keys) const
+{
+    for (const core::BrickKey& key : keys) {
+        const bool known = key.field == core::Field::Coverage || key.field == core::Field::Labels
+            || key.field == core::Field::SeedWords || key.field == core::Field::Beneath;
+        if (!known || key.brick >= std::uint32_t(m_fields->grid().brickCount()))
+            return refusal("brick", "not in this volume");
+    }
+    return {};
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(core::SwapBricks& command)
+{
+    if (m_transaction)
+        return refusal("transaction", "an edit is open");
+    std::vector<core::BrickKey> keys;
+    for (const core::BrickImage& image : command.bricks) {
+        keys.push_back(image.key);
+        if (!image.bytes.empty() && image.bytes.size() != packedBrickBytes(image.key.field))
+            return refusal("bytes", "neither none nor a whole brick");
+    }
+    if (const core::Result<void> checked = checkKeys(keys); !checked)
+        return tl::unexpected(checked.error());
+    hideTolerance();
+    m_foresight.forget();
+    core::EngineResult result;
+    result.changes = swapImages(*m_fields, std::move(command.bricks));
+    result.statistics = statisticsOf(result.changes);
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::MuteLayers& command)
+{
+    if (m_transaction)
+        return refusal("transaction", "an edit is open");
+    hideTolerance();
+    const std::bitset<256> before = m_fields->mutedLayers();
+    try {
+        m_fields->setMutedLayers(command.muted);
+        requireNoError();
+    } catch (const std::exception&) {
+        const core::Error error = errorBeingHandled();
+        try {
+            m_fields->setMutedLayers(before);
+            requireNoError();
+        } catch (const std::exception&) {
+            throw FieldsLost(error);
+        }
+        throw GlFailure(error);
+    }
+    return core::EngineResult{};
+}
+
+void GpuEditEngine::hideTolerance()
+{
+    m_trace.reset();
+    m_fields->hideTolerance();
+}
+
+} // namespace gpu

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EditEngine.h"
+#include "gpu/engine/EditTransaction.h"
+#include "gpu/engine/EngineThread.h"
+#include "gpu/engine/KernelWarmUp.h"
+#include "gpu/fields/textures/VolumeTextures.h"
+#include "gpu/frame/EditWorker.h"
+#include "gpu/kernels/labels/PickKernel.h"
+#include "gpu/kernels/shrink/CutForesight.h"
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+namespace gpu {
+
+/// core::EditEngine by compute shaders. Commands wait in a queue that the engine thread works off,
+/// one slice at a time; a growth runs in batches between which other commands and frames are
+/// served.
+///
+/// Where the GPU refuses memory or a command, what was asked is refused and every brick put back
+/// (gl/GlFailure.h): no result without an error is of an edit that failed. Where even that fails,
+/// every command is refused until a volume is opened.
+///
+/// The EditEngine members belong to the session's thread, the EditWorker members to the engine's.
+class GpuEditEngine final : public core::EditEngine, public EditWorker {
+public:
+    /// Construct and destroy it on the engine thread. Throws ShaderError.
+    explicit GpuEditEngine(const EditContext& context);
+    ~GpuEditEngine() override;
+
+    core::Result<void> openVolume(
+        const glm::ivec3& size, std::span<const std::uint16_t> codes) override;
+    core::Ticket submit(core::EngineCommand command) override;
+    [[nodiscard]] std::vector<core::EngineResult> collect() override;
+    void finish() override;
+    void setWakeUp(std::function<void()> wakeUp) override;
+    [[nodiscard]] core::GrowthProgress growthProgress() const override;
+
+    bool work() override; ///< throws nothing
+    void showSegments(const std::bitset<256>& labels) override;
+    void showPieces(const std::vector<PieceSource>& sources) override;
+    void showAtTolerance(const std::optional<ToleranceDisplay>& shown) override;
+    void warmUp() override;
+    /// GPU bytes of the bricked fields.
+    [[nodiscard]] std::size_t brickBytes() const;
+
+private:
+    using Clock = EngineThread::Clock;
+    static constexpr double sliceMilliseconds = 10.0;
+    [[nodiscard]] static double millisecondsSince(Clock::time_point start);
+
+    struct Waiting {
+        core::Ticket ticket = 0;
+        core::EngineCommand command;
+    };
+
+    /// Takes the next command unless it has to wait for steps of a growth.
+    [[nodiscard]] bool takeNext(Waiting& next);
+    void takeMore(core::ExtendEdit& first); ///< m_mutex is held
+    [[nodiscard]] bool growthIsDue();
+    void growOneSlice();
+    static constexpr std::size_t leastTraced = 32; ///< bricks
+    static constexpr std::size_t mostTraced = 4096;
+    void close();
+    void lose(const core::Error& why);
+    void abandon(const core::Error& why);
+    bool workUnguarded();
+    [[nodiscard]] bool followUp();
+    void followUpLater(const core::Error& why);
+    void carryOut(Waiting& next);
+    void deliver(core::EngineResult result);
+    void publishProgress();
+    [[nodiscard]] core::Result<void> checkKeys(std::span<const core::BrickKey> keys) const;
+
+    /// Each returns a result to deliver, or nothing to say.
+    using Outcome = core::Result<std::optional<core::EngineResult>>;
+    Outcome attempt(core::EngineCommand& command);
+    Outcome carryOut(const core::BeginEdit& command);
+    Outcome carryOut(const core::ExtendEdit& command);
+    Outcome carryOut(const core::EndEdit& command);
+    Outcome carryOut(core::SwapBricks& command);
+    Outcome carryOut(const core::MuteLayers& command);
+    Outcome carryOut(const core::ReadBricks& command);
+    Outcome carryOut(const core::ReadCodes& command);
+    Outcome carryOut(const core::ProbeVoxels& command);
+    Outcome carryOut(const core::ProbeSeeds& command);
+    Outcome carryOut(const core::PickVoxels& command);
+    Outcome carryOut(const core::CountGenerations& command);
+    Outcome carryOut(const core::TraceTolerance& command);
+    Outcome carryOut(const core::DropTolerance& command);
+    Outcome carryOut(const core::ForeseeCut& command);
+    Outcome carryOut(const core::DropForesight& command);
+    /// What it reads is about to change.
+    void hideTolerance();
+
+    EngineThread& m_thread;
+    VolumeTextures& m_textures;
+
+    // Engine thread.
+    EditPrograms m_programs;
+    FieldPrograms m_fieldPrograms;
+    std::optional<KernelWarmUp> m_warmUp; ///< what is left to run for the first time
+    std::vector<glm::ivec3> m_warmSizes; ///< of KernelWarmUp, that were run or are
+    PickKernel m_picks;
+    std::unique_ptr<VoxelFields> m_fields;
+    CutForesight m_foresight;
+    std::unique_ptr<EditTransaction> m_transaction;
+    std::optional<core::Error> m_lost; ///< why no command can be carried out until a volume opens
+    std::bitset<256> m_shownLabels;
+    std::vector<PieceSource> m_shownPieces;
+    std::optional<ToleranceDisplay> m_atTolerance;
+    std::unique_ptr<ToleranceKernel> m_trace;
+    std::size_t m_tracedAtOnce = leastTraced; ///< bricks
+    double m_editMilliseconds = 0.0; ///< of the open transaction
+    int m_followUpsFailed = 0; ///< one after the other
+    int m_ringsPerSlice = GrowthKernel::ringsPerBatch;
+    Clock::time_point m_nextGeneration;
+
+    // Any thread.
+    mutable std::mutex m_mutex;
+    std::condition_variable m_settled;
+    std::deque<Waiting> m_waiting;
+    std::vector<core::EngineResult> m_results;
+    core::GrowthProgress m_progress;
+    std::function<void()> m_wakeUp;
+    core::Ticket m_lastTicket = 0;
+    bool m_busy = false;
+    bool m_hurry = false; ///< finish() is waiting: no pace
+};
+
+} // namespace gpu

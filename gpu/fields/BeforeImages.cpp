@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/fields/BeforeImages.h"
+
+#include "gpu/fields/BrickImages.h"
+
+#include <algorithm>
+
+namespace gpu {
+
+void BeforeImages::capture(
+    core::Field field, std::uint8_t plane, std::span<const std::uint32_t> bricks)
+{
+    Batch batch{.field = field, .bricks = {}, .packed = {}};
+    std::map<core::BrickKey, Place> places;
+    for (const std::uint32_t brick : bricks) {
+        const core::BrickKey key{.field = field, .plane = plane, .brick = brick};
+        if (m_places.contains(key) || places.contains(key))
+            continue;
+        if (!m_fields.hasData(key)) {
+            places[key] = Place{};
+            continue;
+        }
+        places[key] = {.batch = m_batches.size(), .slot = batch.bricks.size()};
+        batch.bricks.push_back(brick);
+    }
+    if (!batch.bricks.empty()) {
+        batch.packed = m_fields.copier().packed(m_fields.textures(field, plane), batch.bricks);
+        m_batches.push_back(std::move(batch));
+    }
+    m_places.merge(places); // only what is saved counts as saved
+}
+
+std::vector<std::vector<std::uint8_t>> BeforeImages::images(
+    std::span<const core::BrickKey> keys) const
+{
+    std::map<std::size_t, std::vector<std::vector<std::uint8_t>>> batches;
+    std::vector<std::vector<std::uint8_t>> result;
+    result.reserve(keys.size());
+    for (const core::BrickKey& key : keys) {
+        const Place& place = m_places.at(key);
+        if (place.batch == wasEmpty) {
+            result.emplace_back();
+            continue;
+        }
+        auto& images = batches[place.batch];
+        if (images.empty()) {
+            const Batch& batch = m_batches[place.batch];
+            images = BrickCopier::images(batch.packed, batch.field, batch.bricks.size());
+        }
+        result.push_back(std::move(images[place.slot]));
+    }
+    return result;
+}
+
+std::vector<core::BrickChange> BeforeImages::changes(std::vector<core::BrickKey> keys)
+{
+    std::sort(keys.begin(), keys.end());
+    auto before = images(keys);
+    std::vector<core::BrickChange> changes;
+    changes.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        changes.push_back({.key = keys[i], .before = std::move(before[i]), .after = {}});
+    forEachField(std::span<core::BrickChange>(changes),
+        [this](core::Field field, std::uint8_t plane, std::span<core::BrickChange> group) {
+            auto after = m_fields.copier().images(m_fields.textures(field, plane), bricksOf(group));
+            for (std::size_t i = 0; i < group.size(); ++i)
+                group[i].after = std::move(after[i]);
+        });
+    std::erase_if(changes, [](const core::BrickChange& c) { return c.before == c.after; });
+    return changes;
+}
+
+std::vector<core::BrickImage> BeforeImages::saved(std::vector<core::BrickKey> keys) const
+{
+    std::sort(keys.begin(), keys.end());
+    auto before = images(keys);
+    std::vector<core::BrickImage> saved;
+    saved.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        saved.push_back({.key = keys[i], .bytes = std::move(before[i])});
+    return saved;
+}
+
+void BeforeImages::restore(std::vector<core::BrickKey> keys)
+{
+    writeImages(m_fields, saved(std::move(keys)));
+}
+
+void BeforeImages::restoreAll()
+{
+    putBackImages(m_fields, saved(keys()));
+}
+
+std::vector<core::BrickKey> BeforeImages::keys() const
+{
+    std::vector<core::BrickKey> keys;
+    keys.reserve(m_places.size());
+    for (const auto& place : m_places)
+        keys.push_back(place.first);
+    return keys;
+}
+
+} // namespace gpu

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/fields/VoxelFields.h"
+
+#include <map>
+#include <vector>
+
+namespace gpu {
+
+/// What an open transaction saved before it wrote: each brick once, on first touch, kept on the GPU
+/// until the transaction ends (DESIGN §3.3). Engine thread only.
+class BeforeImages {
+public:
+    explicit BeforeImages(VoxelFields& fields)
+        : m_fields(fields)
+    {
+    }
+
+    /// Saves those of the bricks that were not saved yet. Call it before writing them. Throws
+    /// GlFailure; then none of them was saved.
+    void capture(core::Field field, std::uint8_t plane, std::span<const std::uint32_t> bricks);
+    /// What was saved against what is there now, of the listed keys (all were captured); bricks
+    /// that did not change are left out. Sorted by key. Waits for the GPU.
+    [[nodiscard]] std::vector<core::BrickChange> changes(std::vector<core::BrickKey> keys);
+    /// Puts the saved images of the listed keys back.
+    void restore(std::vector<core::BrickKey> keys);
+    /// Puts all that was saved back after something failed in between (putBackImages()). Throws
+    /// FieldsLost.
+    void restoreAll();
+
+private:
+    struct Batch {
+        core::Field field = core::Field::Coverage;
+        std::vector<std::uint32_t> bricks;
+        Buffer packed;
+    };
+    static constexpr std::size_t wasEmpty = std::size_t(-1);
+    struct Place {
+        std::size_t batch = wasEmpty;
+        std::size_t slot = 0;
+    };
+    [[nodiscard]] std::vector<core::BrickKey> keys() const;
+    [[nodiscard]] std::vector<core::BrickImage> saved(std::vector<core::BrickKey> keys) const;
+    /// What was saved of each key (no key twice).
+    [[nodiscard]] std::vector<std::vector<std::uint8_t>> images(
+        std::span<const core::BrickKey> keys) const;
+
+    VoxelFields& m_fields;
+    std::map<core::BrickKey, Place> m_places;
+    std::vector<Batch> m_batches;
+};
+
+} // namespace gpu

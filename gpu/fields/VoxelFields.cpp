@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/fields/VoxelFields.h"
+
+namespace gpu {
+
+VoxelFields::VoxelFields(FieldPrograms& programs, VolumeTextures& shared)
+    : m_grid(shared.grid())
+    , m_shared(shared)
+    , m_radiation(shared.radiation().view(GL_R8UI, "radiation, integer"))
+    , m_segmentation(shared.segmentation().view(GL_R8UI, "segmentation map, integer"))
+    , m_copier(programs.copy, m_grid)
+    , m_radiationKernel(programs.radiation, m_grid)
+    , m_barriers(programs, m_grid)
+    , m_programs(programs)
+{
+    // What a session begins with (core::initialDocument).
+    coverage(1).reserve();
+    seedWords(0).reserve();
+    m_shared.setSeedWords(&seedWords(0));
+    m_shared.setBarriers(&m_barriers);
+}
+
+VoxelFields::~VoxelFields()
+{
+    m_shared.setSeedWords(nullptr);
+    m_shared.setBarriers(nullptr);
+    m_shared.setTolerances(nullptr, 0);
+}
+
+BrickField& VoxelFields::coverage(std::uint8_t layer)
+{
+    BrickField& field = m_coverage[layer];
+    if (!field.created())
+        field =
+            BrickField({.label = "coverage", .format = GL_R8UI, .emptyVoxel = 0, .grid = m_grid});
+    return field;
+}
+
+BrickField& VoxelFields::seedWords(std::uint8_t plane)
+{
+    BrickField& field = m_seedWords[plane];
+    if (!field.created())
+        field = BrickField(
+            {.label = "seed words", .format = GL_R32UI, .emptyVoxel = 0xFFFFFFFFu, .grid = m_grid});
+    return field;
+}
+
+BrickField& VoxelFields::beneath(std::uint8_t plane)
+{
+    BrickField& field = m_beneath[plane];
+    if (!field.created())
+        field = BrickField(
+            {.label = "beneath members", .format = GL_R8UI, .emptyVoxel = 0, .grid = m_grid});
+    return field;
+}
+
+bool VoxelFields::anythingBeneath(std::uint8_t plane) const
+{
+    const auto field = m_beneath.find(plane);
+    return field != m_beneath.end() && !field->second.empty();
+}
+
+const Texture3D& VoxelFields::labels(std::uint8_t plane)
+{
+    if (plane == 0)
+        return m_shared.labels();
+    Texture3D& texture = m_furtherPlanes[plane];
+    if (!texture) {
+        texture = Texture3D({.label = "label plane", .size = m_grid.volumeSize, .format = GL_R8UI});
+        texture.clear();
+    }
+    return texture;
+}
+
+BrickField* VoxelFields::paged(core::Field field, std::uint8_t plane)
+{
+    switch (field) {
+    case core::Field::Coverage:
+        return &coverage(plane);
+    case core::Field::SeedWords:
+        return &seedWords(plane);
+    case core::Field::Beneath:
+        return &beneath(plane);
+    case core::Field::Labels:
+        return nullptr;
+    }
+    return nullptr;
+}
+
+FieldTextures VoxelFields::textures(core::Field field, std::uint8_t plane)
+{
+    if (BrickField* bricks = paged(field, plane))
+        return {.voxels = &bricks->atlas(), .pageTable = &bricks->pageTable(), .field = field};
+    return {.voxels = &labels(plane), .pageTable = nullptr, .field = field};
+}
+
+bool VoxelFields::hasData(const core::BrickKey& key)
+{
+    if (const BrickField* bricks = paged(key.field, key.plane))
+        return bricks->holds(key.brick);
+    return m_labelledBricks.count(key.brick) != 0;
+}
+
+std::vector<std::uint32_t> VoxelFields::labelledBricks() const
+{
+    return {m_labelledBricks.begin(), m_labelledBricks.end()};
+}
+
+std::vector<core::VoxelBox> VoxelFields::boxesOf(std::span<const std::uint32_t> bricks) const
+{
+    std::vector<core::VoxelBox> boxes;
+    for (const std::uint32_t brick : bricks)
+        boxes.push_back(m_grid.boxOf(int(brick)));
+    return boxes;
+}
+
+core::VoxelBox VoxelFields::boxOf(std::span<const std::uint32_t> bricks) const
+{
+    core::VoxelBox box;
+    for (const std::uint32_t brick : bricks)
+        box = box.united(m_grid.boxOf(int(brick)));
+    return box;
+}
+
+std::vector<std::uint32_t> VoxelFields::withNeighbours(std::span<const std::uint32_t> bricks) const
+{
+    const glm::ivec3 count = m_grid.bricks();
+    std::vector<bool> wanted(std::size_t(m_grid.brickCount()), false);
+    for (const std::uint32_t brick : bricks) {
+        const glm::ivec3 position = m_grid.brickPosition(int(brick));
+        const glm::ivec3 low = glm::max(position - 1, glm::ivec3(0));
+        const glm::ivec3 high = glm::min(position + 1, count - 1);
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x)
+                    wanted[std::size_t(x + count.x * (y + count.y * z))] = true;
+    }
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t brick = 0; brick < wanted.size(); ++brick) {
+        if (wanted[brick])
+            result.push_back(brick);
+    }
+    return result;
+}
+
+void VoxelFields::noteChanged(core::Field field, std::span<const std::uint32_t> bricks)
+{
+    if (bricks.empty())
+        return;
+    if (field == core::Field::Coverage) {
+        noteCoverage(boxesOf(bricks));
+    } else if (field == core::Field::SeedWords) {
+        m_shared.markDirty(VolumeField::Barriers, boxOf(bricks));
+        m_barriers.note(bricks);
+    } else if (field == core::Field::Labels) {
+        m_labelledBricks.insert(bricks.begin(), bricks.end());
+        m_shared.markDirty(VolumeField::Labels, boxOf(bricks));
+        notePieces(false, withNeighbours(bricks));
+        if (m_shownLabels.any()) {
+            for (const std::uint32_t brick : withNeighbours(bricks))
+                m_staleSegmentation.insert(brick);
+        }
+    }
+}
+
+std::vector<RadiationKernel::Region> VoxelFields::around(
+    std::span<const core::VoxelBox> boxes) const
+{
+    constexpr int side = core::BrickGrid::side;
+    const glm::ivec3 bricks = m_grid.bricks();
+    constexpr std::uint32_t absent = 0xFFFFFFFFu;
+    std::vector<std::uint32_t> places(std::size_t(m_grid.brickCount()), absent);
+    std::vector<RadiationKernel::Region> regions;
+    for (const core::VoxelBox& box : boxes) {
+        const glm::ivec3 low = glm::max(box.minimum - RadiationKernel::reach, glm::ivec3(0));
+        const glm::ivec3 high = glm::min(box.maximum + RadiationKernel::reach, m_grid.volumeSize);
+        const glm::ivec3 first = low / side;
+        const glm::ivec3 last = (high - 1) / side;
+        for (int z = first.z; z <= last.z; ++z) {
+            for (int y = first.y; y <= last.y; ++y) {
+                for (int x = first.x; x <= last.x; ++x) {
+                    const glm::ivec3 origin = glm::ivec3(x, y, z) * side;
+                    const glm::ivec3 localLow = glm::max(low - origin, glm::ivec3(0));
+                    const glm::ivec3 localHigh = glm::min(high - origin, glm::ivec3(side));
+                    const auto brick = std::uint32_t(x + bricks.x * (y + bricks.y * z));
+                    if (places[brick] == absent) {
+                        places[brick] = std::uint32_t(regions.size());
+                        regions.push_back({brick, localLow, localHigh});
+                        continue;
+                    }
+                    RadiationKernel::Region& region = regions[places[brick]];
+                    region.low = glm::min(region.low, localLow);
+                    region.high = glm::max(region.high, localHigh);
+                }
+            }
+        }
+    }
+    return regions;
+}
+
+void VoxelFields::noteCoverage(std::span<const core::VoxelBox> boxes)
+{
+    const std::vector<RadiationKernel::Region> regions = around(boxes);
+    std::vector<BrickField*> layers;
+    for (auto& [layer, field] : m_coverage) {
+        if (!m_mutedLayers[layer] && !field.empty())
+            layers.push_back(&field);
+    }
+    m_radiationKernel.updateFromCoverage(layers, m_radiation, regions);
+    core::VoxelBox dirty;
+    for (const core::VoxelBox& box : boxes)
+        dirty = dirty.united({glm::max(box.minimum - RadiationKernel::reach, glm::ivec3(0)),
+            glm::min(box.maximum + RadiationKernel::reach, m_grid.volumeSize)});
+    m_shared.markDirty(VolumeField::Radiation, dirty);
+    std::vector<std::uint32_t> touched;
+    for (const RadiationKernel::Region& region : regions)
+        touched.push_back(region.brick);
+    notePieces(true, touched);
+}
+
+void VoxelFields::setMutedLayers(const std::bitset<256>& muted)
+{
+    const std::bitset<256> switched = muted ^ m_mutedLayers;
+    m_mutedLayers = muted;
+    std::set<std::uint32_t> bricks;
+    for (const auto& [layer, field] : m_coverage) {
+        if (!switched[layer])
+            continue;
+        const std::vector<std::uint32_t> held = field.heldBricks();
+        bricks.insert(held.begin(), held.end());
+    }
+    const std::vector<std::uint32_t> changed(bricks.begin(), bricks.end());
+    if (!changed.empty())
+        noteCoverage(boxesOf(changed));
+}
+
+void VoxelFields::setShownLabels(const std::bitset<256>& shown)
+{
+    if (shown == m_shownLabels)
+        return;
+    m_shownLabels = shown;
+    const std::vector<std::uint32_t> labelled(m_labelledBricks.begin(), m_labelledBricks.end());
+    for (const std::uint32_t brick : withNeighbours(labelled))
+        m_staleSegmentation.insert(brick);
+}
+
+void VoxelFields::updateBarriers()
+{
+    const core::VoxelBox changed = m_barriers.update(seedWords(0));
+    if (!changed.empty())
+        m_shared.markDirty(VolumeField::BarrierBricks, changed);
+}
+
+void VoxelFields::updateSegmentation(std::size_t maxBricks)
+{
+    std::vector<std::uint32_t> bricks;
+    while (!m_staleSegmentation.empty() && bricks.size() < maxBricks)
+        bricks.push_back(m_staleSegmentation.extract(m_staleSegmentation.begin()).value());
+    std::vector<RadiationKernel::Region> regions;
+    for (const std::uint32_t brick : bricks)
+        regions.push_back({.brick = brick});
+    const std::optional<int> tolerance = shownTolerance();
+    if (tolerance)
+        m_radiationKernel.updateFromLabels(m_shared.labels(),
+            {.tolerances = m_tolerance.tolerances,
+                .seedWords = seedWords(0),
+                .label = m_tolerance.rule.label,
+                .tolerance = *tolerance},
+            m_shownLabels, m_segmentation, regions);
+    else
+        m_radiationKernel.updateFromLabels(
+            m_shared.labels(), m_shownLabels, m_segmentation, regions);
+    m_shared.markDirty(VolumeField::Segmentation, boxOf(bricks));
+}
+
+void VoxelFields::deriveAnew()
+{
+    const std::vector<std::uint32_t> labelled(m_labelledBricks.begin(), m_labelledBricks.end());
+    for (const std::uint32_t brick : withNeighbours(labelled))
+        m_staleSegmentation.insert(brick);
+    if (const auto words = m_seedWords.find(0); words != m_seedWords.end())
+        m_barriers.noteAll(words->second.heldBricks());
+    m_arrangeAnew = m_arrangeAnew || !m_stalePieces.empty();
+}
+
+std::size_t VoxelFields::bytes() const
+{
+    std::size_t total = 0;
+    for (const auto& layer : m_coverage)
+        total += layer.second.bytes();
+    for (const auto& words : m_seedWords)
+        total += words.second.bytes();
+    for (const auto& below : m_beneath)
+        total += below.second.bytes();
+    for (const auto& plane : m_furtherPlanes)
+        total += plane.second.bytes();
+    total += m_shared.pieces().bytes();
+    total += m_spread.bytes();
+    total += m_tolerance.bytes();
+    return total;
+}
+
+} // namespace gpu

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/fields/bricks/BrickCopier.h"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+namespace gpu {
+
+namespace {
+
+Buffer brickList(std::span<const std::uint32_t> bricks)
+{
+    Buffer list({.label = "brick list", .bytes = bricks.size_bytes()});
+    list.write(bricks);
+    return list;
+}
+
+constexpr std::size_t bricksPerReadback = 1024;
+
+/// Whether all bytes are the same one: every byte equals the one after it.
+bool isEmpty(std::span<const std::uint8_t> image, std::uint8_t emptyByte)
+{
+    return image.front() == emptyByte
+        && std::memcmp(image.data(), image.data() + 1, image.size() - 1) == 0;
+}
+
+} // namespace
+
+std::size_t packedBrickBytes(core::Field field)
+{
+    return std::size_t(core::BrickGrid::voxelsPerBrick) * std::size_t(core::bytesPerVoxel(field));
+}
+
+BrickCopier::BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid)
+    : m_grid(grid)
+    , m_programs(programs)
+{
+}
+
+Buffer BrickCopier::packed(const FieldTextures& source, std::span<const std::uint32_t> bricks) const
+{
+    Buffer target(
+        {.label = "packed bricks", .bytes = packedBrickBytes(source.field) * bricks.size()});
+    Program& pack = !source.pageTable            ? m_programs.packDense
+        : source.field == core::Field::SeedWords ? m_programs.packWords
+                                                 : m_programs.packBytes;
+    pack.set("volumeSize", m_grid.volumeSize).set("volumeBricks", m_grid.bricks());
+    const Buffer list = brickList(bricks);
+    source.voxels->bindUnit(0);
+    if (source.pageTable)
+        source.pageTable->bindUnit(1);
+    list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+    target.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
+    pack.dispatch({unsigned(bricks.size()), 1, 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    return target;
+}
+
+std::vector<std::vector<std::uint8_t>> BrickCopier::images(
+    const Buffer& packed, core::Field field, std::size_t count)
+{
+    const std::size_t bytes = packedBrickBytes(field);
+    const auto staging = std::make_unique_for_overwrite<std::uint8_t[]>(count * bytes);
+    packed.read(std::span<std::uint8_t>(staging.get(), count * bytes));
+    std::vector<std::vector<std::uint8_t>> result(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::span<const std::uint8_t> image(staging.get() + i * bytes, bytes);
+        if (!isEmpty(image, core::emptyByte(field)))
+            result[i].assign(image.begin(), image.end());
+    }
+    return result;
+}
+
+std::vector<std::vector<std::uint8_t>> BrickCopier::images(
+    const FieldTextures& source, std::span<const std::uint32_t> bricks) const
+{
+    std::vector<std::vector<std::uint8_t>> result;
+    for (std::size_t first = 0; first < bricks.size(); first += bricksPerReadback) {
+        const auto piece =
+            bricks.subspan(first, std::min(bricksPerReadback, bricks.size() - first));
+        for (auto& image : images(packed(source, piece), source.field, piece.size()))
+            result.push_back(std::move(image));
+    }
+    return result;
+}
+
+void BrickCopier::write(const FieldTextures& target, std::span<const std::uint32_t> bricks,
+    std::span<const std::vector<std::uint8_t>* const> images) const
+{
+    const std::size_t bytes = packedBrickBytes(target.field);
+    for (std::size_t first = 0; first < bricks.size(); first += bricksPerReadback) {
+        const auto piece =
+            bricks.subspan(first, std::min(bricksPerReadback, bricks.size() - first));
+        std::vector<std::uint8_t> staging(piece.size() * bytes, core::emptyByte(target.field));
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            if (!images[first + i]->empty())
+                std::memcpy(&staging[i * bytes], images[first + i]->data(), bytes);
+        }
+        Buffer packed({.label = "bricks to write", .bytes = staging.size()});
+        packed.write(std::span<const std::uint8_t>(staging));
+        write(target, piece, packed);
+    }
+}
+
+void BrickCopier::write(
+    const FieldTextures& target, std::span<const std::uint32_t> bricks, const Buffer& packed) const
+{
+    Program& unpack = !target.pageTable          ? m_programs.unpackDense
+        : target.field == core::Field::SeedWords ? m_programs.unpackWords
+                                                 : m_programs.unpackBytes;
+    unpack.set("volumeSize", m_grid.volumeSize).set("volumeBricks", m_grid.bricks());
+    const Buffer list = brickList(bricks);
+    target.voxels->bindImage(0, GL_WRITE_ONLY);
+    if (target.pageTable)
+        target.pageTable->bindUnit(1);
+    list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+    packed.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
+    unpack.dispatch({unsigned(bricks.size()), 1, 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+} // namespace gpu

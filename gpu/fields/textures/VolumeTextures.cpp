@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/fields/textures/VolumeTextures.h"
+
+#include <QString>
+
+#include <utility>
+
+namespace gpu {
+
+core::Result<void> VolumeTextures::open(
+    const glm::ivec3& size, std::span<const std::uint16_t> codes)
+{
+    close(); // both at once may not fit
+
+    const QString sizeText = QStringLiteral("%1 × %2 × %3").arg(size.x).arg(size.y).arg(size.z);
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+    if (size.x > largest || size.y > largest || size.z > largest)
+        return core::failure(core::ErrorCode::OutOfMemory, sizeText);
+
+    Texture3D intensity({.label = "intensity", .size = size, .format = GL_R16, .linear = true});
+    Texture3D labels({.label = "labels 0", .size = size, .format = GL_R8UI});
+    Texture3D radiation({.label = "radiation", .size = size, .format = GL_R8, .linear = true});
+    Texture3D segmentation(
+        {.label = "segmentation map", .size = size, .format = GL_R8, .linear = true});
+
+    intensity.upload(codes);
+    m_intensityCodes = intensity.view(GL_R16UI, "intensity codes");
+    labels.clear();
+    radiation.clear();
+    segmentation.clear();
+    m_intensity = std::move(intensity);
+    m_labels = std::move(labels);
+    m_radiation = std::move(radiation);
+    m_segmentation = std::move(segmentation);
+    m_cells = MacroCells(size, codes);
+    m_maximumCells = MaximumCells(size, codes);
+    m_dirty = {};
+    m_touched = {};
+    return {};
+}
+
+void VolumeTextures::close()
+{
+    m_intensity = {};
+    m_intensityCodes = {};
+    m_labels = {};
+    m_radiation = {};
+    m_segmentation = {};
+    m_cells = {};
+    m_maximumCells = {};
+    m_pieces = {};
+    m_replaced = true;
+    ++m_revision;
+}
+
+void VolumeTextures::setGeometry(
+    const core::VolumeGeometry& geometry, const core::VoxelEncoding& encoding)
+{
+    m_geometry = geometry;
+    m_encoding = encoding;
+    m_replaced = true;
+    ++m_revision;
+}
+
+void VolumeTextures::markDirty(VolumeField field, const core::VoxelBox& box)
+{
+    core::VoxelBox& dirty = m_dirty[std::size_t(field)];
+    dirty = dirty.united(box);
+    m_touched[std::size_t(field)] = true;
+}
+
+core::VoxelBox VolumeTextures::takeDirty(VolumeField field)
+{
+    core::VoxelBox dirty = std::exchange(m_dirty[std::size_t(field)], {});
+    m_revision += dirty.empty() ? 0 : 1;
+    return dirty;
+}
+
+bool VolumeTextures::takeReplaced()
+{
+    return std::exchange(m_replaced, false);
+}
+
+std::size_t VolumeTextures::denseBytes(const glm::ivec3& size)
+{
+    const std::size_t voxels = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+    constexpr std::size_t bytesPerVoxel = 2 + 1 + 1 + 1;
+    return voxels * bytesPerVoxel + MacroCells::bytesFor(size) + MaximumCells::bytesFor(size);
+}
+
+} // namespace gpu

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/kernels/cut/CoverageWriter.h"
+#include "gpu/kernels/cut/MaskColumns.h"
+
+#include <vector>
+
+namespace gpu {
+
+/// Lays the columns of a mask plane into the coverage of a layer (core/sculpt/MaskFrame.h, rule 6;
+/// columnCut.comp). Engine thread only.
+class ColumnCutter {
+public:
+    /// @param cut the compiled kernel; used by one cutter at a time
+    ColumnCutter(Program& cut, VoxelFields& fields, BeforeImages& before,
+        const core::MaskFrame& frame, const CoverageWriter::Target& target);
+
+    /// Lays what was set since the last time. Whoever calls tells VoxelFields.
+    /// @return the bricks that changed, ascending
+    [[nodiscard]] std::vector<std::uint32_t> lay(MaskColumns& columns);
+
+    /// All that changed so far, ascending.
+    [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const
+    {
+        return m_writer.touchedBricks();
+    }
+
+private:
+    Program& m_cut;
+    VoxelFields& m_fields;
+    core::MaskFrame m_frame;
+    CoverageWriter m_writer;
+};
+
+} // namespace gpu

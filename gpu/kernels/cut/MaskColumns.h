@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "core/sculpt/MaskFrame.h"
+#include "gpu/fields/bricks/PlaneBricks.h"
+#include "gpu/gl/Buffer.h"
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace gpu {
+
+/// What each element of a mask plane does (core::MaskColumn), in tiles of 16 × 16 elements, on the
+/// processor and mirrored on the GPU. Elements outside the volume's shadow on the plane meet no
+/// voxel: there is no room for them. Engine thread only.
+class MaskColumns {
+public:
+    static constexpr int tileSide = 16;
+
+    MaskColumns(const core::MaskFrame& frame, const core::BrickGrid& grid);
+
+    /// The elements that there is room for.
+    [[nodiscard]] const core::ElementBox& room() const { return m_room; }
+    [[nodiscard]] glm::ivec2 firstTile() const { return m_firstTile; }
+    [[nodiscard]] glm::ivec2 tileCount() const { return m_tileCount; }
+
+    /// Inside the room.
+    void set(const glm::ivec2& element, const core::MaskColumn& column);
+    /// Forgets every column.
+    void clear();
+    /// Where columns were set since the last call, a box a tile: voxels there may change.
+    [[nodiscard]] std::vector<PlaneBox> takeChanged();
+
+    /// Binds tile slots and columns as storage buffers, up to date.
+    void bind(unsigned slotsBinding, unsigned columnsBinding);
+
+private:
+    using TileKey = std::pair<int, int>;
+    struct Tile {
+        std::vector<core::MaskColumn> columns;
+        std::uint32_t slot = 0;
+    };
+    void mirror();
+
+    std::int32_t m_pitch = 0;
+    std::int32_t m_rampHalfWidth = 0;
+    core::ElementBox m_room;
+    glm::ivec2 m_firstTile{0};
+    glm::ivec2 m_tileCount{0};
+    std::map<TileKey, Tile> m_tiles;
+    std::map<TileKey, PlaneBox> m_changed;
+    std::set<TileKey> m_stale;
+    Buffer m_tileSlots;
+    Buffer m_columns;
+    std::uint32_t m_slots = 0;
+};
+
+} // namespace gpu

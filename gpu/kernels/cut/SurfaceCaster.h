@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sculpt/MaskFrame.h"
+#include "gpu/fields/VoxelFields.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gpu {
+
+/// Casts elements of a mask plane into what is seen, as it was when the edit began
+/// (core/sculpt/MaskFrame.h, rules 2 to 5; surfaceCast.comp). Radiation of that time is kept of
+/// every brick that the edit changes. Engine thread only.
+class SurfaceCaster {
+public:
+    /// @param cast the compiled kernel; used by one caster at a time
+    SurfaceCaster(Program& cast, VoxelFields& fields, const core::MaskFrame& frame);
+
+    /// What each element meets. Waits; cost ∝ elements.
+    [[nodiscard]] std::vector<core::SurfaceHit> cast(std::span<const glm::ivec2> elements);
+    /// How deep all elements that were cast looked (core::searchEnd()); none were: nothing.
+    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_searchedTo; }
+    /// Makes a program with asItBegan.glsl see the same: its uniforms, units 0 and 1, buffers 2
+    /// and 3.
+    void show(Program& program) const;
+    /// Keeps the radiation that a change of these bricks' coverage is about to change: call it
+    /// before VoxelFields::noteChanged().
+    void keepRadiation(std::span<const std::uint32_t> bricks);
+
+private:
+    Program& m_cast;
+    VoxelFields& m_fields;
+    core::MaskFrame m_frame;
+    std::optional<std::int32_t> m_searchedTo;
+    Buffer m_snapshotSlots;
+    std::vector<std::uint32_t> m_snapshotOf; ///< slot + 1, by brick
+    std::uint32_t m_snapshotCount = 0;
+    std::uint32_t m_snapshotCapacity = 0;
+    Buffer m_snapshots;
+};
+
+} // namespace gpu

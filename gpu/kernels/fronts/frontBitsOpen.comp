@@ -1,0 +1,29 @@
+// Which voxels of listed bricks a growth may still claim (FrontBits): no member's, no barrier, and
+// the criterion accepts them. One work-group a brick, one invocation a word.
+
+layout(local_size_x = 128) in;
+
+#include "kernels/growth/growth.glsl"
+#include "kernels/fronts/frontBits.glsl"
+
+layout(binding = 7, std430) restrict writeonly buffer Open { uint open[]; };
+
+uniform uint growing; // the label
+
+void main()
+{
+    ListedBrick brick = bricks[gl_WorkGroupID.x];
+    ivec3 origin = positionOf(brick) * brickSide;
+    uint word = gl_LocalInvocationID.x;
+    uint bits = 0u;
+    for (int bit = 0; bit < 32; ++bit) {
+        int offset = int(word) * 32 + bit;
+        ivec3 voxel = origin + voxelInBrick(offset);
+        bool held;
+        if (inside(voxel, volumeSize)
+            && (imageLoad(words, pageTexel(brick.page, offset)).r & notMember) != 0u
+            && accepts(growing, voxel, held))
+            bits |= 1u << bit;
+    }
+    open[brick.index * wordsOfOpen + word] = bits;
+}

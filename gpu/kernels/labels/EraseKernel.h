@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EngineCommands.h"
+#include "gpu/fields/BeforeImages.h"
+#include "gpu/fields/VoxelFields.h"
+
+#include <vector>
+
+namespace gpu {
+
+/// The compiled kernels that take a label away (eraseLabel.comp).
+struct ErasePrograms {
+    /// @param library outlives the programs
+    explicit ErasePrograms(const ShaderLibrary& library);
+
+    Program labels;
+    Program seedWords;
+    /// Compiled when it is first needed.
+    [[nodiscard]] Program& beneath();
+
+private:
+    const ShaderLibrary& m_library;
+    Program m_beneath;
+};
+
+/// The bricks in which a plane holds a label. Engine thread only.
+[[nodiscard]] std::vector<std::uint32_t> labelHolders(
+    ErasePrograms& programs, VoxelFields& fields, std::uint8_t plane, std::uint8_t label);
+
+/// Takes a label out of its plane and its seed map (EraseLabel in core/engine/EngineCommands.h).
+/// Bricks that hold it are looked for first; only those are captured and written. Returns their
+/// keys. Cost ∝ the bricks that have ever held a label or hold seed words. Engine thread only.
+std::vector<core::BrickKey> eraseLabel(ErasePrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::EraseLabel& erase);
+
+} // namespace gpu

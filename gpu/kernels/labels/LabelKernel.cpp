@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/kernels/labels/LabelKernel.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace gpu {
+
+namespace {
+
+constexpr std::uint32_t changedLabel = 1; // chooseLabel.comp
+constexpr std::uint32_t changedWord = 2;
+constexpr std::size_t bricksAtOnce = 1024; // storage blocks end at 128 MiB
+
+Program program(const ShaderLibrary& library, const ShaderDefines& defines)
+{
+    const char* path = "kernels/labels/chooseLabel.comp";
+    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
+}
+
+template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
+{
+    Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size() * sizeof(T), 16)});
+    buffer.write(std::span<const T>(values));
+    return buffer;
+}
+
+/// Runs a kernel whose textures are bound over bricks. @return what it says of each
+std::vector<std::uint32_t> run(
+    Program& kernel, const std::vector<std::uint32_t>& bricks, bool write)
+{
+    std::vector<std::uint32_t> found(bricks.size(), 0);
+    const Buffer list = bufferOf("labelled bricks", bricks);
+    const Buffer changed = bufferOf("labelled found", found);
+    list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+    changed.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
+    kernel.set("write", write);
+    kernel.dispatch({unsigned(bricks.size()), 1, 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    changed.read(std::span<std::uint32_t>(found));
+    return found;
+}
+
+std::vector<std::uint32_t> chosen(const std::vector<std::uint32_t>& bricks,
+    const std::vector<std::uint32_t>& found, std::uint32_t flag)
+{
+    std::vector<std::uint32_t> result;
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        if ((found[i] & flag) != 0)
+            result.push_back(bricks[i]);
+    }
+    return result;
+}
+
+/// @param bindSource binds what voxels of these bricks are chosen by
+template <class Bind>
+std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeImages& before,
+    const core::LabelTarget& target, const std::vector<std::uint32_t>& bricks,
+    const Bind& bindSource)
+{
+    kernel.set("volumeSize", fields.grid().volumeSize)
+        .set("volumeBricks", fields.grid().bricks())
+        .set("label", unsigned(target.label))
+        .set("overwritable", target.overwritable);
+    BrickField& seedWords = fields.seedWords(target.plane);
+    const auto bind = [&](const std::vector<std::uint32_t>& listed) {
+        bindSource(listed);
+        seedWords.pageTable().bindUnit(1);
+        fields.labels(target.plane).bindImage(0, GL_READ_WRITE);
+        seedWords.atlas().bindImage(1, GL_READ_WRITE);
+    };
+    std::vector<core::BrickKey> keys;
+    for (std::size_t first = 0; first < bricks.size(); first += bricksAtOnce) {
+        const std::size_t last = std::min(first + bricksAtOnce, bricks.size());
+        const std::vector<std::uint32_t> batch(
+            bricks.begin() + std::ptrdiff_t(first), bricks.begin() + std::ptrdiff_t(last));
+        bind(batch);
+        const std::vector<std::uint32_t> found = run(kernel, batch, false);
+        const std::vector<std::uint32_t> labels = chosen(batch, found, changedLabel);
+        const std::vector<std::uint32_t> wordBricks = chosen(batch, found, changedWord);
+        const std::vector<std::uint32_t> either = chosen(batch, found, changedLabel | changedWord);
+        if (either.empty())
+            continue;
+        before.capture(core::Field::Labels, target.plane, labels);
+        before.capture(core::Field::SeedWords, target.plane, wordBricks);
+        bind(either); // capturing has bound textures of its own
+        run(kernel, either, true);
+        fields.noteChanged(core::Field::Labels, labels);
+        fields.noteChanged(core::Field::SeedWords, wordBricks);
+        for (const std::uint32_t brick : labels)
+            keys.push_back({core::Field::Labels, target.plane, brick});
+        for (const std::uint32_t brick : wordBricks)
+            keys.push_back({core::Field::SeedWords, target.plane, brick});
+    }
+    return keys;
+}
+
+template <class Brick> std::vector<std::uint32_t> numbersOf(const std::vector<Brick>& bricks)
+{
+    std::vector<std::uint32_t> numbers;
+    for (const Brick& brick : bricks)
+        numbers.push_back(brick.brick);
+    return numbers;
+}
+
+/// Binds what is asked of the voxels of listed bricks.
+template <class Brick> class AskedBytes {
+public:
+    AskedBytes(const std::vector<Brick>& bricks, std::vector<std::uint8_t> Brick::*voxels)
+        : m_bricks(bricks)
+        , m_voxels(voxels)
+        , m_buffer(
+              {.label = "asked voxels", .bytes = bricksAtOnce * core::BrickGrid::voxelsPerBrick})
+    {
+    }
+
+    void operator()(const std::vector<std::uint32_t>& numbers) const
+    {
+        std::vector<std::uint8_t> bytes;
+        bytes.reserve(numbers.size() * core::BrickGrid::voxelsPerBrick);
+        for (const std::uint32_t number : numbers) {
+            const auto brick = std::lower_bound(m_bricks.begin(), m_bricks.end(), number,
+                [](const Brick& one, std::uint32_t wanted) { return one.brick < wanted; });
+            bytes.insert(bytes.end(), ((*brick).*m_voxels).begin(), ((*brick).*m_voxels).end());
+        }
+        m_buffer.write(std::span<const std::uint8_t>(bytes));
+        m_buffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+    }
+
+private:
+    const std::vector<Brick>& m_bricks;
+    std::vector<std::uint8_t> Brick::*m_voxels;
+    mutable Buffer m_buffer;
+};
+
+} // namespace
+
+LabelPrograms::LabelPrograms(const ShaderLibrary& library)
+    : carved(program(library, {}))
+    , seen(program(library, {{"SEEN", 1}}))
+    , listed(program(library, {{"LISTED", 1}}))
+    , relabelled(program(library, {{"RELABELLED", 1}}))
+{
+}
+
+std::vector<core::BrickKey> labelCarved(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelCarved& edit)
+{
+    BrickField& coverage = fields.coverage(edit.layer);
+    return label(programs.carved, fields, before, edit.target, coverage.heldBricks(),
+        [&coverage](const std::vector<std::uint32_t>&) {
+            coverage.atlas().bindUnit(0);
+            coverage.pageTable().bindUnit(2);
+        });
+}
+
+std::vector<core::BrickKey> labelSeen(
+    LabelPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::LabelSeen& edit)
+{
+    std::vector<std::uint32_t> bricks(std::size_t(fields.grid().brickCount()));
+    std::iota(bricks.begin(), bricks.end(), 0u);
+    std::vector<glm::ivec4> bounds;
+    for (const core::VoxelBound& bound : edit.bounds)
+        bounds.emplace_back(bound.normal, bound.offset);
+    const Buffer boundBuffer = bufferOf("bounds", bounds);
+    const bool none = edit.lowCode > edit.highCode || edit.highCode < 0;
+    programs.seen.set("lowCode", none ? 65536u : unsigned(std::max(edit.lowCode, 0)))
+        .set("highCode", none ? 0u : unsigned(edit.highCode))
+        .set("boundCount", unsigned(bounds.size()));
+    return label(
+        programs.seen, fields, before, edit.target, bricks, [&](const std::vector<std::uint32_t>&) {
+            fields.codes().bindUnit(0);
+            fields.radiation().bindUnit(2);
+            boundBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+        });
+}
+
+std::vector<core::BrickKey> labelListed(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelListed& edit)
+{
+    const core::LabelTarget target{
+        .plane = edit.plane, .label = 0, .overwritable = edit.overwritable};
+    return label(programs.listed, fields, before, target, numbersOf(edit.bricks),
+        AskedBytes(edit.bricks, &core::LabelListed::Brick::labels));
+}
+
+std::vector<core::BrickKey> relabelListed(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::RelabelListed& edit)
+{
+    return label(programs.relabelled, fields, before, edit.target, numbersOf(edit.bricks),
+        AskedBytes(edit.bricks, &core::RelabelListed::Brick::asked));
+}
+
+} // namespace gpu

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/kernels/labels/PickKernel.h"
+
+namespace gpu {
+
+namespace {
+
+template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
+{
+    Buffer buffer({.label = label, .bytes = values.size() * sizeof(T)});
+    buffer.write(std::span<const T>(values));
+    return buffer;
+}
+
+unsigned groupsFor(std::size_t count)
+{
+    return unsigned(count + 63) / 64;
+}
+
+} // namespace
+
+PickKernel::PickKernel(const ShaderLibrary& library)
+    : m_pick(library,
+        ComputeProgramOptions{.label = "pick", .path = "kernels/labels/pick.comp", .defines = {}})
+    , m_probe(library,
+          ComputeProgramOptions{
+              .label = "probe", .path = "kernels/labels/probe.comp", .defines = {}})
+{
+}
+
+std::vector<std::optional<glm::ivec3>> PickKernel::pick(
+    VoxelFields& fields, const core::PickVoxels& command)
+{
+    if (command.rays.empty())
+        return {};
+    struct Ray {
+        glm::ivec4 origin;
+        glm::ivec4 perSample;
+    };
+    std::vector<Ray> rays;
+    for (const core::PickVoxels::Ray& ray : command.rays)
+        rays.push_back({glm::ivec4(ray.origin, ray.samples), glm::ivec4(ray.step, 0)});
+    std::vector<std::uint32_t> opacities = command.opacityOfCode;
+    opacities.resize(256, 0);
+    const Buffer rayBuffer = bufferOf("pick rays", rays);
+    const Buffer opacityBuffer = bufferOf("pick opacities", opacities);
+    Buffer hitBuffer({.label = "pick hits", .bytes = rays.size() * sizeof(glm::ivec4)});
+    fields.codes().bindUnit(0);
+    fields.radiation().bindUnit(1);
+    rayBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+    hitBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
+    opacityBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+    m_pick.set("volumeSize", fields.grid().volumeSize)
+        .set("rayCount", unsigned(rays.size()))
+        .set("seenBy", int(command.seenBy))
+        .set("thresholdCode", command.thresholdCode);
+    m_pick.dispatch({groupsFor(rays.size()), 1, 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    std::vector<glm::ivec4> hits(rays.size());
+    hitBuffer.read(std::span<glm::ivec4>(hits));
+    std::vector<std::optional<glm::ivec3>> picks(hits.size());
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (hits[i].w != 0)
+            picks[i] = glm::ivec3(hits[i]);
+    }
+    return picks;
+}
+
+std::vector<core::ProbedVoxel> PickKernel::probe(
+    VoxelFields& fields, const core::ProbeVoxels& command)
+{
+    if (command.voxels.empty())
+        return {};
+    std::vector<glm::ivec4> voxels;
+    for (const glm::ivec3& voxel : command.voxels)
+        voxels.emplace_back(voxel, 0);
+    const Buffer voxelBuffer = bufferOf("probe voxels", voxels);
+    Buffer foundBuffer({.label = "probe answers", .bytes = voxels.size() * sizeof(glm::uvec4)});
+    fields.codes().bindUnit(0);
+    fields.labels(command.plane).bindUnit(1);
+    const ToleranceField& field = fields.tolerance();
+    (field.stands ? field.tolerances : fields.codes()).bindUnit(2);
+    BrickField& words = fields.seedWords(command.plane);
+    words.pageTable().bindUnit(3);
+    words.atlas().bindUnit(4);
+    voxelBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+    foundBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
+    m_probe.set("voxelCount", unsigned(voxels.size())).set("hasTolerances", field.stands);
+    m_probe.dispatch({groupsFor(voxels.size()), 1, 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    std::vector<glm::uvec4> found(voxels.size());
+    foundBuffer.read(std::span<glm::uvec4>(found));
+    std::vector<core::ProbedVoxel> probes;
+    for (const glm::uvec4& each : found) {
+        core::ProbedVoxel probe{
+            .code = int(each.x), .label = std::uint8_t(each.y), .seedOf = std::uint8_t(each.w)};
+        if (int(each.z) <= core::ToleranceRule::greatest)
+            probe.tolerance = int(each.z);
+        probes.push_back(probe);
+    }
+    return probes;
+}
+
+} // namespace gpu

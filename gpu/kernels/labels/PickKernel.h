@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EngineCommands.h"
+#include "gpu/fields/VoxelFields.h"
+
+#include <optional>
+#include <vector>
+
+namespace gpu {
+
+/// Questions about voxels: what a ray sees, what a voxel holds (pick.comp, probe.comp). Each waits
+/// for its answer. Engine thread only.
+class PickKernel {
+public:
+    explicit PickKernel(const ShaderLibrary& library);
+
+    [[nodiscard]] std::vector<std::optional<glm::ivec3>> pick(
+        VoxelFields& fields, const core::PickVoxels& command);
+    [[nodiscard]] std::vector<core::ProbedVoxel> probe(
+        VoxelFields& fields, const core::ProbeVoxels& command);
+
+private:
+    Program m_pick;
+    Program m_probe;
+};
+
+} // namespace gpu

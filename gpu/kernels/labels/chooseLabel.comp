@@ -1,0 +1,118 @@
+// Gives a label to chosen voxels of listed bricks (LabelCarved, LabelSeen, LabelListed,
+// RelabelListed in core/sculpt/LayerWrites.h), or takes it from them. Tells what changes in each; writes only where it is told to. One
+// work-group a brick, each voxel written by one invocation.
+
+layout(local_size_x = 64) in;
+
+#include "fields/bricks/bricks.glsl"
+#include "fields/bricks/seedWord.glsl"
+
+#ifdef SEEN
+layout(binding = 0) uniform usampler3D codes;
+layout(binding = 2) uniform usampler3D radiation; // at voxel centres it says what coverage does
+layout(binding = 2, std430) readonly buffer Bounds { ivec4 bounds[]; };
+uniform uint boundCount;
+uniform uint lowCode;
+uniform uint highCode;
+#elif defined(LISTED) || defined(RELABELLED)
+layout(binding = 2, std430) readonly buffer Asked { uint asked[]; }; // four voxels each, by brick
+#else
+layout(binding = 0) uniform usampler3D coverage; // atlas
+layout(binding = 2) uniform usampler3D coveragePages;
+#endif
+layout(binding = 1) uniform usampler3D pageTable; // of the seed words
+layout(binding = 0, r8ui) uniform uimage3D labels;
+layout(binding = 1, r32ui) uniform uimage3D words; // atlas
+layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
+layout(binding = 1, std430) buffer Changed { uint changed[]; };
+
+uniform ivec3 volumeSize;
+uniform ivec3 volumeBricks;
+uniform uint label;
+uniform uint overwritable[8];
+uniform bool write;
+
+const uint changedLabel = 1u;
+const uint changedWord = 2u;
+
+#ifdef SEEN
+bool isChosen(ivec3 voxel)
+{
+    uint code = texelFetch(codes, voxel, 0).r;
+    if (code < lowCode || code > highCode || texelFetch(radiation, voxel, 0).r >= 128u)
+        return false;
+    for (uint i = 0u; i < boundCount; ++i) {
+        ivec4 bound = bounds[i];
+        if (bound.x * voxel.x + bound.y * voxel.y + bound.z * voxel.z > bound.w)
+            return false;
+    }
+    return true;
+}
+#elif defined(LISTED) || defined(RELABELLED)
+uint askedFor(int offset)
+{
+    uint four = asked[gl_WorkGroupID.x * 1024u + uint(offset >> 2)];
+    return four >> (8 * (offset & 3)) & 255u;
+}
+#else
+bool isChosen(ivec3 voxel)
+{
+    uint entry = texelFetch(coveragePages, voxel >> 4, 0).r;
+    return entry != 0u && texelFetch(coverage, atlasTexel(entry, voxel), 0).r >= 128u;
+}
+#endif
+
+/// 0: nothing is asked for.
+uint labelFor(ivec3 voxel, int offset)
+{
+#ifdef LISTED
+    return askedFor(offset);
+#elif defined(RELABELLED)
+    return askedFor(offset) != 0u ? label : 0u;
+#else
+    return isChosen(voxel) ? label : 0u;
+#endif
+}
+
+/// Whether that label is to go from here.
+bool isTaken(int offset)
+{
+#ifdef RELABELLED
+    return askedFor(offset) == 2u;
+#else
+    return false;
+#endif
+}
+
+void main()
+{
+    ivec3 brick = brickPosition(int(bricks[gl_WorkGroupID.x]), volumeBricks);
+    uint entry = texelFetch(pageTable, brick, 0).r;
+    uint found = 0u;
+    for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
+        ivec3 voxel = brick * brickSide + voxelInBrick(offset);
+        uint wanted = inside(voxel, volumeSize) ? labelFor(voxel, offset) : 0u;
+        if (wanted == 0u)
+            continue;
+        uint held = imageLoad(labels, voxel).r;
+        bool taken = isTaken(offset);
+        if (!taken && held != 0u && held != wanted && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
+            continue;
+        if ((held == wanted) == taken) {
+            found |= changedLabel;
+            if (write)
+                imageStore(labels, voxel, uvec4(taken ? 0u : wanted));
+        }
+        if (entry == 0u)
+            continue;
+        ivec3 texel = atlasTexel(entry, voxel);
+        uint word = imageLoad(words, texel).r;
+        if ((isMember(word) || isPendingSeed(word)) && (labelOf(word) == wanted) == taken) {
+            found |= changedWord;
+            if (write)
+                imageStore(words, texel, uvec4(unvisited));
+        }
+    }
+    if (found != 0u)
+        atomicOr(changed[gl_WorkGroupID.x], found);
+}

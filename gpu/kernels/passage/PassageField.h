@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/fields/VoxelFields.h"
+#include "gpu/fields/bricks/BrickField.h"
+#include "gpu/kernels/criterion/GrowCriterion.h"
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace gpu {
+
+/// The compiled kernels that find out where a ball fits (passage*.comp), each when it is first
+/// needed.
+class PassagePrograms {
+public:
+    /// @param shaders outlives them
+    explicit PassagePrograms(const ShaderLibrary& shaders)
+        : m_shaders(shaders)
+    {
+    }
+
+    [[nodiscard]] Program& labels();
+    [[nodiscard]] Program& free(const core::GrowLimits& limits);
+    [[nodiscard]] Program& centres();
+    [[nodiscard]] Program& room();
+
+private:
+    const ShaderLibrary& m_shaders;
+    Program m_labels;
+    std::map<unsigned, Program> m_free; ///< by kindOf()
+    Program m_centres;
+    Program m_room;
+};
+
+/// Where growth with a passage width may go (core/growth/Passage.h): rooms and entries of voxels,
+/// worked out brick by brick as fronts come near, for each label that does. They depend on nothing
+/// that a burst changes, so it does not matter when. Lives as long as a burst. Engine thread only.
+class PassageField {
+public:
+    PassageField(PassagePrograms& programs, VoxelFields& fields, const core::GrowBurst& burst);
+
+    /// Makes ready for fronts that stand in these bricks and stay in them and their neighbours.
+    /// @param criterion the burst's
+    void prepare(const GrowCriterion& criterion, const std::vector<std::uint32_t>& frontBricks);
+    /// Uniforms of a program that includes passage.glsl; they change with the first prepare().
+    void setUniforms(Program& program) const;
+    /// Textures of such a program.
+    void bind();
+
+private:
+    struct Job { // passageBits.glsl
+        std::uint32_t brick = 0;
+        std::uint32_t slot = 0;
+        std::uint32_t label = 0;
+        std::uint32_t page = 0;
+    };
+    /// How far the bits of a brick are worked out.
+    enum class Known : std::uint8_t { Nothing, Free, Centres };
+    using LabelBits = std::array<std::uint32_t, 8>;
+
+    void setGrowthUniforms(Program& program, const GrowCriterion& criterion) const;
+    /// Labels that grow and have something in each of these bricks.
+    [[nodiscard]] std::vector<LabelBits> labelsIn(
+        const GrowCriterion& criterion, const std::vector<std::uint32_t>& bricks);
+    void giveSlots(const GrowCriterion& criterion);
+    void workOut(const GrowCriterion& criterion, std::uint32_t slot,
+        const std::vector<std::uint32_t>& bricks);
+    void takePages(std::uint32_t slot, const std::vector<std::uint32_t>& bricks);
+    void forgetBits();
+    void run(Program& program, const std::vector<Job>& jobs);
+    /// Those of the bricks whose bits are less known than that, which they then are.
+    [[nodiscard]] std::vector<Job> jobsFor(
+        std::uint32_t slot, const std::vector<std::uint32_t>& bricks, Known wanted);
+    [[nodiscard]] std::size_t place(std::uint32_t slot, std::uint32_t brick) const;
+    /// The same, in the grid of rooms.
+    [[nodiscard]] std::uint32_t roomBrick(std::uint32_t slot, std::uint32_t brick) const;
+
+    PassagePrograms& m_programs;
+    VoxelFields& m_fields;
+    core::GrowBurst m_burst;
+    std::vector<std::uint32_t> m_labels; ///< by slot
+    int m_slotsAcross = 1; ///< passageSlots.glsl
+    core::BrickGrid m_roomGrid;
+    BrickField m_rooms;
+    std::vector<Known> m_known;
+    std::vector<std::uint32_t> m_pages; ///< of bits, + 1; by place()
+    std::uint32_t m_pagesTaken = 0;
+    Buffer m_bits;
+    Buffer m_pageTable;
+};
+
+} // namespace gpu

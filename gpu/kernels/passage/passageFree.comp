@@ -1,0 +1,50 @@
+// Which voxels are not free for a label, and which are its seeds (core/growth/Passage.h), as bits.
+// One work-group a job.
+
+layout(local_size_x = 64) in;
+
+#include "kernels/growth/growth.glsl"
+#include "kernels/passage/passageBits.glsl"
+
+// Grown voxels are nobody's; nor does it matter when in a burst this is asked.
+bool isOpen(uint label, uint word, uint there)
+{
+    if (word == barrierWord)
+        return false;
+    if (there == 0u || there == label
+        || (overwritable[there >> 5] >> (there & 31u) & 1u) != 0u)
+        return true;
+    uint direction = word & 31u;
+    return isMember(word) && generationOf(word) > 0u && direction != heldDirection
+        && direction != heldSeedDirection && mayGrow(labelOf(word));
+}
+
+uint wordAt(ivec3 voxel)
+{
+    uint entry = pageEntry(voxel);
+    return entry != 0u ? imageLoad(words, atlasTexel(entry, voxel)).r : unvisited;
+}
+
+void main()
+{
+    PassageJob job = jobs[gl_WorkGroupID.x];
+    ivec3 origin = brickPosition(int(job.brick), volumeBricks) * brickSide;
+    for (uint pair = gl_LocalInvocationID.x; pair < wordsPerSet; pair += 64u) {
+        uint shut = 0u;
+        uint seeds = 0u;
+        for (int i = 0; i < 32; ++i) {
+            ivec3 voxel = origin + voxelInBrick(int(pair) * 32 + i);
+            if (!inside(voxel, volumeSize))
+                continue; // never looked at
+            uint word = wordAt(voxel);
+            uint there = imageLoad(labels, voxel).r;
+            if (!isOpen(job.label, word, there)
+                || !allows(job.label, voxel, imageLoad(codes, voxel).r))
+                shut |= 1u << i;
+            if (isSeedOf(word, job.label))
+                seeds |= 1u << i;
+        }
+        bits[bitWord(job.page, shutSet, pair)] = shut;
+        bits[bitWord(job.page, seedSet, pair)] = seeds;
+    }
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "gpu/fields/bricks/BrickField.h"
+#include "gpu/fields/bricks/FieldPrograms.h"
+#include "gpu/gl/Buffer.h"
+
+#include <bitset>
+#include <functional>
+#include <span>
+
+namespace gpu {
+
+/// Derives radiation from coverage, and the segmentation map from labels, brick by brick: the exact
+/// integer Gaussian with the rule for thin parts (core/sculpt/Radiation.h; radiation*.comp).
+///
+/// Cost: about 40 000 fetches and sums for a whole brick, less for a part of one, and little for
+/// parts that are uniform with their surroundings. Engine thread only.
+class RadiationKernel {
+public:
+    /// Voxels that a changed one reaches: three of the blur, one of the rule for thin parts.
+    static constexpr int reach = 4;
+
+    /// A part of a brick that is brought up to date.
+    struct Region {
+        std::uint32_t brick = 0;
+        glm::ivec3 low{0}; ///< in the brick
+        glm::ivec3 high{core::BrickGrid::side}; ///< one past the last
+    };
+
+    /// @param programs outlive the kernel
+    RadiationKernel(RadiationPrograms& programs, const core::BrickGrid& grid);
+
+    /// @param target dense R8UI texture of the volume
+    void updateFromCoverage(std::span<BrickField* const> layers, const Texture3D& target,
+        std::span<const Region> regions);
+    /// @param labels dense R8UI texture; shown labels count as 255
+    void updateFromLabels(const Texture3D& labels, const std::bitset<256>& shown,
+        const Texture3D& target, std::span<const Region> regions);
+    /// One segment as it would be at a tolerance (toleranceLabel.glsl).
+    struct AtTolerance {
+        const Texture3D& tolerances;
+        BrickField& seedWords;
+        int label = 0;
+        int tolerance = 0;
+    };
+    void updateFromLabels(const Texture3D& labels, const AtTolerance& segment,
+        const std::bitset<256>& shown, const Texture3D& target, std::span<const Region> regions);
+
+    /// Where a footprint goes: voxel v to texel v + shift of an R8UI texture.
+    struct Footprint {
+        const Texture3D& target;
+        glm::ivec3 shift{0};
+    };
+    /// Of what one layer covers and those before it do not: min(coverage, 255 − greatest of them).
+    void updateFootprint(BrickField& layer, std::span<BrickField* const> before,
+        const Footprint& footprint, std::span<const Region> regions);
+    /// Of what bears one label.
+    void updateFootprint(const Texture3D& labels, int label, const Footprint& footprint,
+        std::span<const Region> regions);
+
+private:
+    void update(const Footprint& footprint, std::span<const Region> regions,
+        const std::function<void(unsigned count)>& gather);
+    void gatherLayers(std::span<BrickField* const> layers, bool subtract, unsigned count);
+    void gatherLabels(const Texture3D& labels, const std::bitset<256>& shown, unsigned count);
+
+    RadiationPrograms& m_programs;
+    core::BrickGrid m_grid;
+    Buffer m_regions;
+    Buffer m_field;
+    Buffer m_summaries;
+    Buffer m_scratchA;
+    Buffer m_scratchB;
+};
+
+} // namespace gpu

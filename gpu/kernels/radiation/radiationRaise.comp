@@ -1,0 +1,71 @@
+// Last stage of radiation: no voxel hidden, none invented, thin parts kept drawable
+// (core/sculpt/Radiation.h). Writes the dense radiation texture.
+
+layout(local_size_x = 64) in;
+
+#include "fields/bricks/bricks.glsl"
+#include "kernels/radiation/radiationRegion.glsl"
+
+layout(binding = 0, r8ui) uniform writeonly uimage3D radiation;
+layout(binding = 1, std430) readonly buffer Field { uint field[]; };
+layout(binding = 2, std430) readonly buffer Summaries { uint summaries[]; };
+layout(binding = 3, std430) readonly buffer Blurred { uint blurred[]; };
+
+uniform ivec3 volumeSize;
+uniform ivec3 volumeBricks;
+uniform ivec3 targetShift;
+
+const uint thinBelow = 192u;
+const uint thinLift = 88u;
+
+// The blur at a voxel, local −1 … 16.
+uint blurAt(uint slot, ivec3 local)
+{
+    ivec3 at = local + 1;
+    return blurred[slot * 5832u + uint(at.x + 18 * (at.y + 18 * at.z))];
+}
+
+uint greatestAround(uint slot, ivec3 origin, ivec3 local)
+{
+    uint greatest = 0u;
+    for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y)
+            for (int x = -1; x <= 1; ++x)
+                if (inside(origin + local + ivec3(x, y, z), volumeSize))
+                    greatest = max(greatest, blurAt(slot, local + ivec3(x, y, z)));
+    return greatest;
+}
+
+void main()
+{
+    uint slot = gl_WorkGroupID.x;
+    uint summary = summaries[slot];
+    Region region = regionOf(slot);
+    ivec3 origin = brickPosition(region.brick, volumeBricks) * brickSide;
+    Box box = boxOf(region.size);
+    for (uint i = gl_LocalInvocationID.x; i < box.count; i += 64u) {
+        ivec3 local = region.low + voxelOf(i, box);
+        if (!inside(origin + local, volumeSize))
+            continue;
+        uint value;
+        if (summary != 3u) {
+            value = summary == 1u ? 255u : 0u;
+        } else {
+            ivec3 at = local + 4;
+            bool member = field[slot * 13824u + uint(at.x + 24 * (at.y + 24 * at.z))] >= 128u;
+            value = blurAt(slot, local);
+            if (!member) {
+                value = min(value, 127u);
+            } else {
+                value = max(value, 128u);
+                // Where the voxel itself is deep inside, the greatest around is at least as much.
+                if (value < thinBelow) {
+                    uint greatest = greatestAround(slot, origin, local);
+                    if (greatest < thinBelow)
+                        value = max(value, 128u + thinLift * (thinBelow - greatest) / thinBelow);
+                }
+            }
+        }
+        imageStore(radiation, origin + local + targetShift, uvec4(value));
+    }
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sculpt/DrillCut.h"
+#include "gpu/kernels/cut/ColumnCutter.h"
+#include "gpu/kernels/cut/MaskColumns.h"
+#include "gpu/kernels/cut/MaskPrograms.h"
+#include "gpu/kernels/cut/SurfaceCaster.h"
+
+#include <map>
+#include <vector>
+
+namespace gpu {
+
+/// One drill stroke while the pen is down (rules: core/sculpt/DrillCut.h).
+///
+/// extend() casts the elements that the mask reaches for the first time, cuts below those that went
+/// deeper and brings radiation up to date there. Cost ∝ what the piece of path touches. Engine
+/// thread only.
+class DrillKernel {
+public:
+    DrillKernel(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,
+        const core::DrillCut& cut);
+
+    void extend(const std::vector<core::DrillSample>& samples);
+
+    /// How deep the surface was looked for.
+    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_caster.searchedTo(); }
+    /// Bricks whose coverage was changed.
+    [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const
+    {
+        return m_cutter.touchedBricks();
+    }
+
+private:
+    struct Element {
+        glm::ivec2 at{0};
+        bool cast = false;
+        core::SurfaceHit hit;
+        std::int32_t depth = 0;
+        std::int64_t sum = 0; ///< mode Rate
+    };
+    /// An element under a sample.
+    struct Touch {
+        Element* element = nullptr;
+        std::int32_t weight = 0;
+    };
+    struct Press {
+        core::DrillSample sample;
+        std::vector<Touch> touched;
+    };
+
+    [[nodiscard]] Press press(const core::DrillSample& sample);
+    void castNew();
+    void deepen(const Press& press);
+    [[nodiscard]] std::int32_t farthestSurface(const Press& press) const;
+    [[nodiscard]] Element& element(const glm::ivec2& at);
+
+    VoxelFields& m_fields;
+    core::DrillCut m_cut;
+    MaskColumns m_columns;
+    SurfaceCaster m_caster;
+    ColumnCutter m_cutter;
+    std::map<std::pair<int, int>, std::vector<Element>> m_tiles; ///< of 16 × 16
+    std::vector<Element*> m_uncast;
+};
+
+} // namespace gpu

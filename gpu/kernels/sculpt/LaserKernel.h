@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sculpt/LaserCut.h"
+#include "gpu/fields/bricks/PlaneBricks.h"
+#include "gpu/kernels/cut/CoverageWriter.h"
+#include "gpu/kernels/cut/SurfaceCaster.h"
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace gpu {
+
+/// The compiled kernels of the laser.
+struct LaserPrograms {
+    explicit LaserPrograms(const ShaderLibrary& library);
+
+    Program cast;
+    Program gradient;
+    Program exit;
+    Program cut;
+};
+
+/// One stroke of the laser while the pen is down (rules: core/sculpt/LaserCut.h).
+///
+/// extend() makes the beams that are new, lays those that are new or went deeper and brings
+/// radiation up to date there. Cost ∝ these beams. Engine thread only.
+class LaserKernel {
+public:
+    LaserKernel(LaserPrograms& programs, VoxelFields& fields, BeforeImages& before,
+        const core::LaserCut& cut);
+
+    void extend(const std::vector<core::DrillSample>& samples);
+
+    /// How deep the surface was looked for.
+    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_caster.searchedTo(); }
+    /// Bricks whose coverage was changed.
+    [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const
+    {
+        return m_writer.touchedBricks();
+    }
+
+private:
+    /// What the samples that lie in one element say.
+    struct Press {
+        std::int32_t deepest = 0;
+        std::int64_t sum = 0; ///< mode Rate
+    };
+    struct Beam {
+        glm::ivec2 element{0};
+        core::LaserBeam lies;
+        std::int32_t exit = core::SurfaceHit::none;
+        std::int32_t depth = 0;
+        std::int64_t dose = 0; ///< mode Rate
+    };
+    using Place = std::pair<int, int>; ///< of an element
+
+    void makeBeams(const std::vector<glm::ivec2>& elements);
+    void findGradients(std::vector<Beam>& fresh, const std::vector<std::int32_t>& surfaces);
+    void findExits(std::vector<Beam>& fresh, const std::vector<glm::ivec3>& feet);
+    [[nodiscard]] std::vector<std::size_t> deepen(const std::map<Place, Press>& more);
+    void lay(const std::vector<std::size_t>& beams);
+    [[nodiscard]] std::vector<std::uint32_t> bricksOf(const Beam& beam) const;
+
+    LaserPrograms& m_programs;
+    VoxelFields& m_fields;
+    core::LaserCut m_cut;
+    SurfaceCaster m_caster;
+    CoverageWriter m_writer;
+    Buffer m_mask;
+    std::map<Place, Press> m_presses;
+    std::vector<Beam> m_beams;
+};
+
+} // namespace gpu

@@ -1,0 +1,29 @@
+// Shuts voxels to growth in the candidate bricks of a brush, or opens them again (PaintBarrier in
+// core/growth/GrowthCommands.h). One work-group a brick, each voxel written by one invocation.
+
+layout(local_size_x = 64) in;
+
+#include "fields/bricks/bricks.glsl"
+#include "kernels/sculpt/capsule.glsl"
+#include "fields/bricks/seedWord.glsl"
+#include "kernels/labels/shutVoxel.glsl"
+
+void main()
+{
+    Candidate candidate = candidates[gl_WorkGroupID.x];
+    ivec3 origin = brickPosition(candidate.base.w, volumeBricks) * brickSide;
+    uint entry = texelFetch(pageTable, origin >> 4, 0).r;
+    uint found = 0u;
+    for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
+        ivec3 local = voxelInBrick(offset);
+        ivec3 voxel = origin + local;
+        if (!inside(voxel, volumeSize))
+            continue;
+        uint unitRadius = uint(radius >> shift);
+        if (leastDistance(candidate, local) > unitRadius * unitRadius)
+            continue;
+        found |= shutOrOpen(voxel, entry);
+    }
+    if (found != 0u)
+        atomicOr(changed[gl_WorkGroupID.x], found);
+}

@@ -1,0 +1,83 @@
+// Paints or erases a label in the candidate bricks of a brush (PaintLabel in
+// core/engine/EngineCommands.h). One work-group a brick, each voxel written by one invocation.
+
+layout(local_size_x = 64) in;
+
+#include "fields/bricks/bricks.glsl"
+#include "kernels/sculpt/capsule.glsl"
+#include "fields/bricks/seedWord.glsl"
+
+layout(binding = 0) uniform usampler3D codes;
+layout(binding = 1) uniform usampler3D pageTable; // of the seed words
+layout(binding = 0, r8ui) uniform uimage3D labels;
+layout(binding = 1, r32ui) uniform uimage3D words; // atlas
+
+uniform uint label;
+uniform uint overwritable[8];
+uniform bool erase;
+uniform bool seeds;
+uniform uint lowCode;
+uniform uint highCode;
+
+const uint changedLabel = 1u;
+const uint changedWord = 2u;
+
+bool bearsAny(uint word)
+{
+    return isMember(word) || isPendingSeed(word);
+}
+
+uint paintedWord(uint word)
+{
+    if (word == barrierWord)
+        return word;
+    if (seeds)
+        return isMember(word) && labelOf(word) == label ? word
+                                                        : memberWord(0u, label, seedDirection);
+    return bearsAny(word) && labelOf(word) != label ? unvisited : word;
+}
+
+uint erasedWord(uint word)
+{
+    return bearsAny(word) && labelOf(word) == label ? unvisited : word;
+}
+
+void main()
+{
+    Candidate candidate = candidates[gl_WorkGroupID.x];
+    ivec3 origin = brickPosition(candidate.base.w, volumeBricks) * brickSide;
+    uint entry = texelFetch(pageTable, origin >> 4, 0).r;
+    uint found = 0u;
+    for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
+        ivec3 local = voxelInBrick(offset);
+        ivec3 voxel = origin + local;
+        if (!inside(voxel, volumeSize))
+            continue;
+        uint unitRadius = uint(radius >> shift);
+        if (leastDistance(candidate, local) > unitRadius * unitRadius)
+            continue;
+        uint code = texelFetch(codes, voxel, 0).r;
+        if (code < lowCode || code > highCode)
+            continue;
+        uint held = imageLoad(labels, voxel).r;
+        if (!erase && held != 0u && held != label
+            && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
+            continue;
+        uint wanted = erase ? (held == label ? 0u : held) : label;
+        if (wanted != held) {
+            imageStore(labels, voxel, uvec4(wanted));
+            found |= changedLabel;
+        }
+        if (entry == 0u)
+            continue;
+        ivec3 texel = atlasTexel(entry, voxel);
+        uint word = imageLoad(words, texel).r;
+        uint wantedWord = erase ? erasedWord(word) : paintedWord(word);
+        if (wantedWord != word) {
+            imageStore(words, texel, uvec4(wantedWord));
+            found |= changedWord;
+        }
+    }
+    if (found != 0u)
+        atomicOr(changed[gl_WorkGroupID.x], found);
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/kernels/shrink/CutGrown.h"
+
+#include "core/growth/cut/GrowthCut.h"
+#include "gpu/fields/BrickImages.h"
+
+#include <map>
+#include <utility>
+
+namespace gpu {
+
+namespace {
+
+core::WordBricks readWords(VoxelFields& fields, std::uint8_t plane)
+{
+    const std::vector<std::uint32_t> held = fields.seedWords(plane).heldBricks();
+    core::WordBricks words(fields.grid(), held.size());
+    if (held.empty())
+        return words;
+    const auto images =
+        fields.copier().images(fields.textures(core::Field::SeedWords, plane), held);
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        if (!images[i].empty())
+            words.add(held[i], images[i]);
+    }
+    words.link();
+    return words;
+}
+
+std::vector<std::uint8_t> bytesOf(const std::vector<std::uint32_t>& words)
+{
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(4 * words.size());
+    for (const std::uint32_t word : words) {
+        for (int shift = 0; shift < 32; shift += 8)
+            bytes.push_back(std::uint8_t(word >> shift));
+    }
+    return bytes;
+}
+
+/// What a field holds in the bricks that a cut writes.
+std::vector<core::BrickImage> imagesOf(
+    VoxelFields& fields, const core::GrowthCutOutcome& cut, core::Field field, std::uint8_t plane)
+{
+    std::vector<core::BrickKey> keys;
+    for (const core::CutBrick& brick : cut.bricks)
+        keys.push_back({.field = field, .plane = plane, .brick = brick.brick});
+    auto bytes = readImages(fields, keys);
+    std::vector<core::BrickImage> images;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        images.push_back({.key = keys[i], .bytes = std::move(bytes[i])});
+    return images;
+}
+
+} // namespace
+
+core::Result<CutOutcome> cutGrown(
+    VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command)
+{
+    const core::Result<core::GrowthCutOutcome> decided =
+        core::cutGrowth(readWords(fields, command.plane), command);
+    if (!decided)
+        return tl::unexpected(decided.error());
+    const core::GrowthCutOutcome& cut = *decided;
+    CutOutcome outcome{.keys = {}, .generation = cut.generation};
+
+    const std::vector<core::BrickImage> held =
+        imagesOf(fields, cut, core::Field::Labels, command.plane);
+    const std::vector<core::BrickImage> beneath =
+        imagesOf(fields, cut, core::Field::Beneath, command.plane);
+    std::vector<core::BrickImage> images;
+    for (std::size_t i = 0; i < cut.bricks.size(); ++i) {
+        const core::CutBrick& brick = cut.bricks[i];
+        images.push_back(
+            {.key = {.field = core::Field::SeedWords, .plane = command.plane, .brick = brick.brick},
+                .bytes = bytesOf(brick.words)});
+        core::BrickImage kept = held[i];
+        core::BrickImage below = beneath[i];
+        for (std::size_t voxel = 0; voxel < kept.bytes.size(); ++voxel) {
+            if (brick.leaving[voxel] == 0 || kept.bytes[voxel] != brick.leaving[voxel])
+                continue;
+            kept.bytes[voxel] =
+                below.bytes.empty() ? std::uint8_t(0) : std::exchange(below.bytes[voxel], 0);
+        }
+        if (kept.bytes != held[i].bytes)
+            images.push_back(std::move(kept));
+        if (below.bytes != beneath[i].bytes)
+            images.push_back(std::move(below));
+    }
+    std::map<core::Field, std::vector<std::uint32_t>> written;
+    for (const core::BrickImage& image : images)
+        written[image.key.field].push_back(image.key.brick);
+    for (const auto& [field, bricks] : written)
+        before.capture(field, command.plane, bricks);
+    for (const core::BrickImage& image : images)
+        outcome.keys.push_back(image.key);
+    writeImages(fields, std::move(images));
+    return outcome;
+}
+
+} // namespace gpu

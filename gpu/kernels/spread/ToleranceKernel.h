@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/growth/Tolerance.h"
+#include "gpu/fields/VoxelFields.h"
+#include "gpu/kernels/criterion/GrowCriterion.h"
+
+#include <map>
+#include <memory>
+
+namespace gpu {
+
+/// The compiled kernels of tracing (tolerance*.comp), each when it is first needed.
+class TolerancePrograms {
+public:
+    /// @param shaders outlives them
+    explicit TolerancePrograms(const ShaderLibrary& shaders)
+        : m_shaders(shaders)
+    {
+    }
+
+    [[nodiscard]] Program& seeds();
+    [[nodiscard]] Program& init(const core::GrowLimits& limits);
+    [[nodiscard]] Program& relax(int connectivity);
+    [[nodiscard]] Program& count();
+
+private:
+    const ShaderLibrary& m_shaders;
+    Program m_seeds;
+    std::map<unsigned, Program> m_init; ///< by kindOf()
+    std::map<int, Program> m_relax;
+    Program m_count;
+};
+
+/// Works out VoxelFields::tolerance() (core/growth/Tolerance.h). What every voxel begins with comes
+/// first; then bricks to which something may be brought are worked on until each is at rest, those
+/// with the least first; then voxels are counted. Where the field was worked out by the same rule
+/// before, and seeds and walls prove to be the same, it stands again at once. Engine thread only.
+class ToleranceKernel {
+public:
+    /// Errors: InvalidField (a rule that is not sound, or a label without seeds); then there is no
+    /// field. Throws GlFailure.
+    static core::Result<std::unique_ptr<ToleranceKernel>> begin(
+        TolerancePrograms& programs, VoxelFields& fields, const core::ToleranceRule& rule);
+
+    /// Does some of the work. @param bricks about how many to look at
+    void advance(std::size_t bricks);
+    [[nodiscard]] bool done() const { return m_phase == Phase::Done; }
+    [[nodiscard]] const core::ToleranceRule& rule() const { return m_field.rule; }
+    /// How often bricks were worked on.
+    [[nodiscard]] std::size_t visits() const { return m_visits; }
+
+private:
+    enum class Phase : std::uint8_t { Compare, Init, Relax, Count, Done };
+
+    ToleranceKernel(TolerancePrograms& programs, VoxelFields& fields,
+        const core::ToleranceRule& rule, int centre);
+    void look(std::size_t bricks);
+    void relax(std::size_t bricks);
+    void count(std::size_t bricks);
+    void take(Phase phase);
+
+    TolerancePrograms& m_programs;
+    VoxelFields& m_fields;
+    ToleranceField& m_field;
+    Program& m_init;
+    Program& m_relax;
+    GrowCriterion m_criterion;
+    Phase m_phase = Phase::Init;
+    std::size_t m_next = 0; ///< brick
+    Buffer m_digest;
+    Buffer m_pending;
+    Buffer m_sizes;
+    Buffer m_ranges;
+    std::size_t m_visits = 0;
+};
+
+} // namespace gpu

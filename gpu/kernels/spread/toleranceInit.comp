@@ -1,0 +1,106 @@
+// What every voxel begins with: wall, seed or open (core/growth/Tolerance.h). One work-group a brick.
+//
+// It also adds up a number for each voxel that tells what it is and where. Where only that is asked
+// for (`write` is false) the field stays: with the same sum it still holds what would come of it.
+
+layout(local_size_x = 64) in;
+
+#include "kernels/spread/tolerance.glsl"
+#include "fields/bricks/seedWord.glsl"
+
+layout(binding = 2, r16ui) uniform readonly uimage3D codes;
+layout(binding = 3) uniform usampler3D labels;
+layout(binding = 1) uniform usampler3D pageTable; // of the seed words
+layout(binding = 2) uniform usampler3D words; // atlas
+layout(binding = 2, std430) buffer Digest { uint digest[2]; };
+
+uniform uint firstBrick; // of those of the volume
+uniform uint label;
+uniform uint overwritable[8]; // one bit a label
+uniform uint lowCode; // no limit: all codes
+uniform uint highCode;
+uniform bool write;
+
+#include "kernels/criterion/growCriterion.glsl"
+
+const uint isOpen = 0u;
+const uint isWall = 1u;
+const uint isSeeded = 2u;
+const uint isHeld = 3u; // painted
+
+uint kindOf(ivec3 voxel, uint word, uint code)
+{
+    if (isPainted(word) && labelOf(word) == label)
+        return isHeld;
+    if (word == barrierWord || (isMember(word) && labelOf(word) != label))
+        return isWall;
+    uint held = texelFetch(labels, voxel, 0).r;
+    bool mayEnter = held == 0u || held == label || (overwritable[held >> 5] >> (held & 31u) & 1u) != 0u;
+    if (!mayEnter || !allows(label, voxel, code))
+        return isWall;
+    return isSeedOf(word, label) ? isSeeded : isOpen;
+}
+
+uint scattered(uint number)
+{
+    number ^= number >> 16;
+    number *= 0x7FEB352Du;
+    number ^= number >> 15;
+    number *= 0x846CA68Bu;
+    return number ^ number >> 16;
+}
+
+shared uint least; // of the brick's seeds
+shared uint sum[2];
+
+void main()
+{
+    if (gl_LocalInvocationIndex == 0u) {
+        least = resting;
+        sum[0] = 0u;
+        sum[1] = 0u;
+    }
+    barrier();
+    uint slot = firstBrick + gl_WorkGroupID.x;
+    ivec3 brick = brickPosition(int(slot), volumeBricks);
+    uint entry = texelFetch(pageTable, brick, 0).r;
+    uint first = resting;
+    uvec2 told = uvec2(0u);
+    for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
+        ivec3 voxel = brick * brickSide + voxelInBrick(offset);
+        if (!inside(voxel, volumeSize)) {
+            if (write)
+                imageStore(tolerances, voxel, uvec4(wall));
+            continue;
+        }
+        uint word = unvisited;
+        if (entry != 0u)
+            word = texelFetch(words, atlasTexel(entry, voxel), 0).r;
+        uint code = imageLoad(codes, voxel).r;
+        uint kind = kindOf(voxel, word, code);
+        if (kind != isOpen) {
+            uint number = slot * 4096u + uint(offset);
+            told.x += scattered(number * 4u + kind);
+            told.y += scattered(number ^ kind * 0x9E3779B1u);
+        }
+        uint begins = kind == isHeld ? 0u : kind == isSeeded ? costOf(code) : kind == isWall ? wall : nowhere;
+        if (begins < nowhere)
+            first = min(first, begins);
+        if (write)
+            imageStore(tolerances, voxel, uvec4(begins));
+    }
+    if (first != resting)
+        atomicMin(least, first);
+    atomicAdd(sum[0], told.x);
+    atomicAdd(sum[1], told.y);
+    barrier();
+    if (gl_LocalInvocationIndex < 2u)
+        atomicAdd(digest[gl_LocalInvocationIndex], sum[gl_LocalInvocationIndex]);
+    // What seeds at its border lead to is found by the bricks around it.
+    if (write && gl_LocalInvocationIndex < 27u && least != resting) {
+        int beside = int(gl_LocalInvocationIndex);
+        ivec3 other = brick + ivec3(beside % 3, beside / 3 % 3, beside / 9) - 1;
+        if (inside(other, volumeBricks))
+            atomicMin(pending[brickIndex(other, volumeBricks)], least);
+    }
+}

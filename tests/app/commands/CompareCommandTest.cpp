@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/series/VolumeFiles.h"
+#include "tests/support/servers/BurinProgram.h"
+
+#include <QTest>
+
+namespace {
+
+constexpr int edge = 12;
+
+QByteArray header(const char* more)
+{
+    return QByteArray("NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 12 12 12\n"
+                      "space: left-posterior-superior\n"
+                      "space directions: (0.5,0,0) (0,0.5,0) (0,0,2)\nspace origin: (1,2,3)\n")
+        + more + "encoding: raw\n\n";
+}
+
+/// Labels 1 and 2 in boxes of 4³ that begin at these columns.
+QByteArray boxes(int first, int second)
+{
+    QByteArray labels(edge * edge * edge, '\0');
+    for (int z = 4; z < 8; ++z) {
+        for (int y = 4; y < 8; ++y) {
+            for (int x = 0; x < 4; ++x) {
+                labels[(z * edge + y) * edge + first + x] = 1;
+                labels[(z * edge + y) * edge + second + x] = 2;
+            }
+        }
+    }
+    return labels;
+}
+
+} // namespace
+
+/// `burin compare`: what it tells of two masks, and where it fails.
+class CompareCommandTest : public QObject, test::VolumeFiles {
+    Q_OBJECT
+
+    QString m_study;
+    QString m_mask;
+    QString m_reference;
+
+    [[nodiscard]] test::Outcome compare(const QStringList& more) const
+    {
+        return test::burin(QStringList{QStringLiteral("compare"), m_mask, m_reference,
+                               QStringLiteral("--study"), m_study}
+            + more);
+    }
+
+private Q_SLOTS:
+    void init()
+    {
+        makeFolder();
+        m_study = put(QStringLiteral("study.nrrd"), header("") + boxes(0, 8));
+        m_mask = put(QStringLiteral("mask.nrrd"), header("") + boxes(1, 8));
+        m_reference = put(QStringLiteral("reference.nrrd"), header("") + boxes(0, 7));
+    }
+
+    void aLineForEachPair()
+    {
+        const test::Outcome outcome = compare({QStringLiteral("--json")});
+        QCOMPARE(outcome.status, 0);
+        QCOMPARE(outcome.lines.size(), 2);
+        for (const QJsonObject& line : outcome.lines) {
+            QCOMPARE(line[QStringLiteral("voxels")].toInt(), 64);
+            QCOMPARE(line[QStringLiteral("sharedVoxels")].toInt(), 48);
+            QCOMPARE(line[QStringLiteral("rVE")].toDouble(), 0.5);
+            QCOMPARE(line[QStringLiteral("dice")].toDouble(), 0.75);
+            QCOMPARE(line[QStringLiteral("hd95Mm")].toDouble(), 0.5);
+            QCOMPARE(line[QStringLiteral("hausdorffMm")].toDouble(), 0.5);
+            const double mean = line[QStringLiteral("meanSurfaceDistanceMm")].toDouble();
+            QVERIFY(mean > 0.0 && mean < 0.5);
+        }
+        QVERIFY(outcome.lines[0][QStringLiteral("segment")]
+            != outcome.lines[1][QStringLiteral("segment")]);
+    }
+
+    void oneByName()
+    {
+        const QString second = compare({QStringLiteral("--json")})
+                                   .lines.value(1)[QStringLiteral("segment")]
+                                   .toString();
+        const test::Outcome outcome =
+            compare({QStringLiteral("--segment"), second, QStringLiteral("--json")});
+        QCOMPARE(outcome.lines.size(), 1);
+        QCOMPARE(outcome.lines[0][QStringLiteral("reference")].toString(), second);
+    }
+
+    void inWords()
+    {
+        const test::Outcome outcome = compare({});
+        QCOMPARE(outcome.status, 0);
+        QVERIFY2(
+            outcome.output.contains("relative volume error  50.000 %"), outcome.output.constData());
+        QVERIFY2(
+            outcome.output.contains("Dice                   0.7500"), outcome.output.constData());
+        QVERIFY2(outcome.output.contains("at most 0.500 mm"), outcome.output.constData());
+    }
+
+    void failuresAreOneLine()
+    {
+        const test::Outcome none = compare({QStringLiteral("--segment"), QStringLiteral("Liver")});
+        QCOMPARE(none.status, 1);
+        QVERIFY2(none.complaint.contains(QStringLiteral("mask.nrrd"))
+                && none.complaint.contains(QStringLiteral("--segment")),
+            qPrintable(none.complaint));
+        m_reference = put(QStringLiteral("torn.nrrd"), header("") + QByteArray(100, '\1'));
+        const test::Outcome torn = compare({});
+        QCOMPARE(torn.status, 1);
+        QVERIFY2(torn.complaint.contains(QStringLiteral("torn.nrrd")), qPrintable(torn.complaint));
+        const test::Outcome less = test::burin({QStringLiteral("compare"), m_mask});
+        QCOMPARE(less.status, 2);
+    }
+};
+
+BURIN_TEST(CompareCommandTest)
+#include "CompareCommandTest.moc"

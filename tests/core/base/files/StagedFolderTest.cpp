@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/files/StagedFolder.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <optional>
+
+using namespace core;
+
+/// The door for folders that are written: whole or not there, and nothing in its way is touched.
+class StagedFolderTest : public QObject {
+    Q_OBJECT
+
+    std::optional<QTemporaryDir> m_folder;
+
+    QString path(const char* name) const { return m_folder->filePath(QString::fromUtf8(name)); }
+    static void write(const QString& file)
+    {
+        QFile out(file);
+        if (!out.open(QIODevice::WriteOnly) || out.write("x") != 1)
+            qFatal("cannot write %s", qPrintable(file));
+    }
+    QStringList names() const
+    {
+        return QDir(m_folder->path())
+            .entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
+    }
+
+private Q_SLOTS:
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        m_folder.emplace();
+    }
+
+    void itAppearsWhole()
+    {
+        {
+            auto staged = StagedFolder::create(path("a"));
+            QVERIFY(staged);
+            write(staged->path() + QStringLiteral("/1"));
+            QVERIFY(!QFile::exists(path("a")));
+            QVERIFY(staged->commit());
+        }
+        QCOMPARE(names(), QStringList{QStringLiteral("a")});
+        QVERIFY(QFile::exists(path("a/1")));
+    }
+
+    void whatIsNotWholeLeavesNothing()
+    {
+        {
+            const auto staged = StagedFolder::create(path("a"));
+            QVERIFY(staged);
+            write(staged->path() + QStringLiteral("/1"));
+        }
+        QCOMPARE(names(), QStringList());
+    }
+
+    void onlyAnEmptyFolderGivesWay()
+    {
+        QVERIFY(QDir().mkpath(path("empty")) && QDir().mkpath(path("full")));
+        write(path("full/mine"));
+        write(path("file"));
+        QVERIFY(QFile::link(path("empty"), path("link")));
+        QVERIFY(QFile::link(path("nowhere"), path("dangling")));
+        for (const char* name : {"full", "file", "link", "dangling"}) {
+            const auto staged = StagedFolder::create(path(name));
+            QVERIFY2(!staged, name);
+            QCOMPARE(staged.error().code, ErrorCode::FileExists);
+        }
+        QVERIFY(!StagedFolder::create(path("no/such/folder")));
+        auto staged = StagedFolder::create(path("empty"));
+        QVERIFY(staged);
+        // Filled by somebody else meanwhile.
+        write(path("empty/theirs"));
+        const auto placed = staged->commit();
+        QVERIFY(!placed);
+        QCOMPARE(placed.error().code, ErrorCode::FileExists);
+        QVERIFY(QFile::exists(path("empty/theirs")));
+    }
+};
+
+BURIN_TEST(StagedFolderTest)
+#include "StagedFolderTest.moc"

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/growth/SeedWord.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace core;
+
+namespace {
+
+double distanceToPath(const glm::dvec3& point, const std::vector<glm::dvec3>& path)
+{
+    double nearest = glm::distance(point, path.front());
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const glm::dvec3 along = path[i] - path[i - 1];
+        const double squared = glm::dot(along, along);
+        const double t = squared > 0.0
+            ? std::clamp(glm::dot(point - path[i - 1], along) / squared, 0.0, 1.0)
+            : 0.0;
+        nearest = std::min(nearest, glm::distance(point, path[i - 1] + t * along));
+    }
+    return nearest;
+}
+
+/// A document with one segment, and an oracle that is told what a session would tell it.
+struct Bench {
+    Document document;
+    reference::ReferenceEngine engine;
+
+    explicit Bench(const glm::ivec3& size, const glm::dmat3& perVoxel)
+    {
+        Volume volume;
+        volume.geometry.size = size;
+        volume.geometry.indexToWorld = glm::dmat4(glm::dvec4(perVoxel[0], 0),
+            glm::dvec4(perVoxel[1], 0), glm::dvec4(perVoxel[2], 0), glm::dvec4(-20, 30, 5, 1));
+        document = initialDocument(volume);
+        document.segments.push_back({.label = 1, .name = QStringLiteral("Liver")});
+        document.segments.push_back({.label = 2, .name = QStringLiteral("Kidney")});
+        const std::vector<std::uint16_t> codes(std::size_t(size.x) * size.y * size.z, 100);
+        if (!engine.openVolume(size, codes))
+            qFatal("no volume");
+    }
+    [[nodiscard]] const VolumeGeometry& geometry() const
+    {
+        return document.volumes.front().geometry;
+    }
+
+    void paint(const PaintStroke& stroke)
+    {
+        const auto edit = paintLabel(stroke, document);
+        if (!edit)
+            qFatal("%s", qPrintable(edit.error().arguments.join(u' ')));
+        submitWhole(engine, *edit, {CapsulePath{capsules(stroke.path, geometry())}});
+    }
+    void carve(const BrushStroke& stroke)
+    {
+        submitWhole(engine, *capsuleCut(stroke, document),
+            {CapsulePath{capsules(stroke.path, geometry())}});
+    }
+    [[nodiscard]] std::vector<glm::ivec3> voxels(int label = 1) const
+    {
+        reference::DenseFields fields = engine.fields();
+        const auto& labels = fields.labels(0);
+        std::vector<glm::ivec3> found;
+        for (int z = 0; z < labels.size.z; ++z)
+            for (int y = 0; y < labels.size.y; ++y)
+                for (int x = 0; x < labels.size.x; ++x)
+                    if (labels.at({x, y, z}) == label)
+                        found.emplace_back(x, y, z);
+        return found;
+    }
+};
+
+const glm::dmat3 straight{glm::dvec3(0.7, 0, 0), glm::dvec3(0, 0.7, 0), glm::dvec3(0, 0, 5)};
+const glm::dmat3 tilted{glm::dvec3(0.7, 0, 0), glm::dvec3(0, 0.7, 0), glm::dvec3(0, 1.5, 3)};
+const glm::dmat3 oblique{
+    glm::dvec3(0.6, 0.3, 0.1), glm::dvec3(-0.3, 0.6, 0.1), glm::dvec3(-0.2, -0.5, 2)};
+
+} // namespace
+
+class CapsuleEditsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void holdsWhatLiesWithinTheRadius_data()
+    {
+        QTest::addColumn<int>("number");
+        for (int number = 0; number < 40; ++number)
+            QTest::addRow("%d", number) << number;
+    }
+    /// Against distances in double precision, all voxels that are not on the very edge.
+    void holdsWhatLiesWithinTheRadius()
+    {
+        QFETCH(int, number);
+        test::Random random(std::uint32_t(300 + number));
+        const glm::dmat3 perVoxel =
+            number % 3 == 0 ? straight : (number % 3 == 1 ? tilted : oblique);
+        Bench bench({28, 26, 14}, perVoxel);
+        PaintStroke stroke{.segment = 1, .path = test::randomPath(bench.document, random)};
+        stroke.path.shape = BrushPath::Shape::Ball;
+        stroke.path.lifts.clear();
+        stroke.path.radiusMm = number % 7 == 0 ? 60.0 : 0.5 + 9.0 * test::randomUnit(random);
+        bench.paint(stroke);
+        reference::DenseFields fields = bench.engine.fields();
+        const double edge = stroke.path.radiusMm / 2000.0 + 0.005;
+        for (int z = 0; z < 14; ++z) {
+            for (int y = 0; y < 26; ++y) {
+                for (int x = 0; x < 28; ++x) {
+                    const double distance =
+                        distanceToPath(bench.geometry().toWorld({x, y, z}), stroke.path.pointsLps);
+                    if (std::abs(distance - stroke.path.radiusMm) < edge)
+                        continue;
+                    QCOMPARE(int(fields.labels(0).at({x, y, z})),
+                        distance < stroke.path.radiusMm ? 1 : 0);
+                }
+            }
+        }
+    }
+
+    void aDiscKeepsToItsSlice_data()
+    {
+        QTest::addColumn<int>("axis");
+        QTest::addColumn<int>("form");
+        for (int axis = 0; axis < 3; ++axis) {
+            QTest::addRow("straight, axis %d", axis) << axis << 0;
+            QTest::addRow("tilted, axis %d", axis) << axis << 1;
+            QTest::addRow("oblique, axis %d", axis) << axis << 2;
+        }
+    }
+    void aDiscKeepsToItsSlice()
+    {
+        QFETCH(int, axis);
+        QFETCH(int, form);
+        const glm::dmat3 perVoxel = form == 0 ? straight : (form == 1 ? tilted : oblique);
+        for (const double between : {0.0, 0.49, -0.49, 0.2}) {
+            Bench bench({40, 36, 20}, perVoxel);
+            PaintStroke stroke{.segment = 1};
+            stroke.path.shape = BrushPath::Shape::Disc;
+            stroke.path.radiusMm = 6.0;
+            stroke.path.normalLps = glm::cross(perVoxel[(axis + 1) % 3], perVoxel[(axis + 2) % 3]);
+            glm::dvec3 from(9.3, 11.7, 8.2);
+            glm::dvec3 to(30.1, 20.9, 12.6);
+            from[axis] = to[axis] = 10.0 + between;
+            stroke.path.pointsLps = {bench.geometry().toWorld(from), bench.geometry().toWorld(to)};
+            bench.paint(stroke);
+            const std::vector<glm::ivec3> voxels = bench.voxels();
+            QVERIFY(voxels.size() > 20);
+            for (const glm::ivec3& voxel : voxels)
+                QCOMPARE(voxel[axis], 10);
+            // All of the slice that is near, measured in the plane.
+            const glm::dvec3 normal = glm::normalize(*stroke.path.normalLps);
+            const auto flat = [&](const glm::dvec3& point) {
+                return point - normal * glm::dot(normal, point);
+            };
+            const std::vector<glm::dvec3> path{
+                flat(stroke.path.pointsLps[0]), flat(stroke.path.pointsLps[1])};
+            std::size_t expected = 0;
+            for (int z = 0; z < 20; ++z)
+                for (int y = 0; y < 36; ++y)
+                    for (int x = 0; x < 40; ++x)
+                        if (glm::ivec3(x, y, z)[axis] == 10
+                            && distanceToPath(flat(bench.geometry().toWorld({x, y, z})), path)
+                                <= 6.0)
+                            ++expected;
+            QVERIFY(std::abs(double(voxels.size()) - double(expected)) <= 2.0);
+        }
+    }
+
+    /// Off the axes of the volume a disc is one voxel thick: every column along the steepest axis
+    /// has one voxel, at most two where the plane passes just between.
+    void anObliqueDiscIsOneVoxelThick()
+    {
+        Bench bench({40, 40, 30}, glm::dmat3(1.0));
+        PaintStroke stroke{.segment = 1};
+        stroke.path.shape = BrushPath::Shape::Disc;
+        stroke.path.radiusMm = 9.0;
+        stroke.path.normalLps = glm::dvec3(0.3, 0.45, 1.0);
+        stroke.path.pointsLps = {bench.geometry().toWorld({19.3, 20.1, 14.6})};
+        bench.paint(stroke);
+        std::map<std::pair<int, int>, int> columns;
+        for (const glm::ivec3& voxel : bench.voxels())
+            ++columns[{voxel.x, voxel.y}];
+        QVERIFY(columns.size() > 150);
+        std::size_t doubled = 0;
+        for (const auto& column : columns)
+            doubled += column.second > 1 ? 1 : 0;
+        QVERIFY(doubled * 50 < columns.size());
+        for (int y = 15; y < 26; ++y)
+            for (int x = 15; x < 24; ++x)
+                QVERIFY2(columns.count({x, y}) != 0, "a hole");
+    }
+
+    /// The pen reports at some rate, and the path is told at once or point by point.
+    void doesNotDependOnHowThePathIsTold()
+    {
+        for (const bool disc : {false, true}) {
+            std::vector<std::vector<glm::ivec3>> results;
+            for (const int pieces : {1, 4, 30, 240}) {
+                Bench bench({60, 40, 20}, oblique);
+                PaintStroke stroke{.segment = 1};
+                stroke.path.radiusMm = 2.0;
+                if (disc) {
+                    stroke.path.shape = BrushPath::Shape::Disc;
+                    stroke.path.normalLps = glm::cross(oblique[0], oblique[1]);
+                }
+                const glm::dvec3 from = bench.geometry().toWorld({5, 6, 9});
+                const glm::dvec3 to = bench.geometry().toWorld({52, 30, 9});
+                for (int i = 0; i <= pieces; ++i)
+                    stroke.path.pointsLps.push_back(from + (to - from) * (double(i) / pieces));
+                bench.paint(stroke);
+                results.push_back(bench.voxels());
+                QVERIFY(results.back().size() > 100);
+            }
+            for (const auto& result : results)
+                QVERIFY(std::abs(double(result.size()) - double(results[0].size())) <= 3.0);
+        }
+        // To the bit where the points are the same.
+        test::Random random(9);
+        Bench bench({60, 40, 20}, oblique);
+        BrushPath path = test::randomPath(bench.document, random);
+        path.lifts.clear();
+        const auto whole = capsules(path, bench.geometry());
+        std::vector<Capsule> told = capsules(path, bench.geometry(), nullptr, {path.pointsLps[0]});
+        for (std::size_t i = 1; i < path.pointsLps.size(); ++i) {
+            const auto more =
+                capsules(path, bench.geometry(), &path.pointsLps[i - 1], {path.pointsLps[i]});
+            told.insert(told.end(), more.begin(), more.end());
+        }
+        QCOMPARE(told.size(), whole.size());
+        for (std::size_t i = 0; i < told.size(); ++i)
+            QVERIFY(told[i].from == whole[i].from && told[i].direction == whole[i].direction
+                && told[i].length == whole[i].length);
+    }
+
+    /// Where the pen is lifted nothing lies between.
+    void aLiftedPathIsTwo()
+    {
+        Bench bench({60, 40, 20}, straight);
+        PaintStroke stroke{.segment = 1};
+        stroke.path.radiusMm = 2.0;
+        const auto at = [&](int x) { return bench.geometry().toWorld({x, 20, 10}); };
+        stroke.path.pointsLps = {at(8), at(14), at(44), at(50)};
+        stroke.path.lifts = {2};
+        bench.paint(stroke);
+        bool before = false;
+        bool behind = false;
+        for (const glm::ivec3& voxel : bench.voxels()) {
+            QVERIFY(voxel.x < 18 || voxel.x > 40);
+            before = before || voxel.x == 11;
+            behind = behind || voxel.x == 47;
+        }
+        QVERIFY(before && behind);
+        // Places that are not there change nothing.
+        const std::size_t voxels = bench.voxels().size();
+        stroke.path.lifts = {2, 4, 900};
+        bench.paint(stroke);
+        QCOMPARE(bench.voxels().size(), voxels);
+    }
+
+    void aLongWayCostsNoMoreThanTheVolumeHolds()
+    {
+        Bench bench({40, 36, 20}, straight);
+        BrushPath path{.radiusMm = 0.01};
+        path.pointsLps = {glm::dvec3(-99000, 99000, -99000), glm::dvec3(99000, -99000, 99000)};
+        QVERIFY(capsules(path, bench.geometry()).size() < 100);
+        path.pointsLps = {glm::dvec3(99000, 0, 0), glm::dvec3(99000, 5, 0)};
+        QVERIFY(capsules(path, bench.geometry()).empty());
+    }
+
+    void paintTakesOnlyWhatItMay()
+    {
+        Bench bench({30, 30, 10}, straight);
+        PaintStroke stroke{.segment = 1};
+        stroke.path.radiusMm = 4.0;
+        stroke.path.pointsLps = {bench.geometry().toWorld({12, 15, 5})};
+        bench.paint(stroke);
+        const std::size_t liver = bench.voxels(1).size();
+        PaintStroke other = stroke;
+        other.segment = 2;
+        other.path.pointsLps = {bench.geometry().toWorld({15, 15, 5})};
+        bench.paint(other);
+        QCOMPARE(bench.voxels(1).size(), liver);
+        QVERIFY(!bench.voxels(2).empty());
+        other.overwriteUnlocked = true;
+        bench.paint(other);
+        QVERIFY(bench.voxels(1).size() < liver);
+        // Erasing takes the one segment only.
+        const std::size_t kidney = bench.voxels(2).size();
+        stroke.erase = true;
+        stroke.path.radiusMm = 40.0;
+        bench.paint(stroke);
+        QCOMPARE(bench.voxels(1).size(), std::size_t(0));
+        QCOMPARE(bench.voxels(2).size(), kidney);
+
+        bench.document.segment(2)->locked = true;
+        PaintStroke locked = other;
+        QCOMPARE(paintLabel(locked, bench.document).error().code, ErrorCode::SegmentLocked);
+        PaintStroke over = stroke;
+        over.erase = false;
+        over.overwriteUnlocked = true;
+        bench.paint(over);
+        QCOMPARE(bench.voxels(2).size(), kidney);
+        over.segment = 7;
+        QCOMPARE(paintLabel(over, bench.document).error().code, ErrorCode::UnknownSegment);
+        over.segment = 1;
+        over.path.shape = BrushPath::Shape::Disc;
+        QCOMPARE(paintLabel(over, bench.document).error().arguments.value(0),
+            QStringLiteral("paint.normalLps"));
+        over.lower = 5.0;
+        over.upper = 4.0;
+        QCOMPARE(paintLabel(over, bench.document).error().arguments.value(0),
+            QStringLiteral("paint.upper"));
+    }
+
+    /// What is painted as seeds is there before any growth: no burst counts it, none takes it back.
+    void growthGoesOnFromPaint()
+    {
+        Bench bench({30, 30, 10}, straight);
+        PaintStroke stroke{.segment = 1};
+        stroke.path.radiusMm = 2.0;
+        stroke.path.pointsLps = {bench.geometry().toWorld({12, 15, 5})};
+        for (const bool seeds : {false, true}) {
+            stroke.seeds = seeds;
+            bench.paint(stroke);
+            const std::size_t painted = bench.voxels().size();
+            static_cast<void>(bench.engine.collect());
+            submitWhole(bench.engine, GrowBurst{.lowCode = 0, .highCode = 200}, {GrowAdvance{1}});
+            const EngineResult grown = bench.engine.collect().back();
+            QCOMPARE(grown.statistics.voxelsChanged > 0, seeds);
+            QCOMPARE(grown.generation, seeds ? 1u : 0u);
+            QCOMPARE(bench.voxels().size() > painted, seeds);
+            reference::DenseFields fields = bench.engine.fields();
+            std::size_t before = 0;
+            for (const std::uint32_t word : fields.seedWords(0).values)
+                before += seedWord::isMember(word) && seedWord::generation(word) == 0 ? 1 : 0;
+            QCOMPARE(before, seeds ? painted : std::size_t(0));
+        }
+    }
+
+    void carvingAndRestoringMeet()
+    {
+        Bench bench({40, 36, 20}, oblique);
+        BrushStroke stroke;
+        stroke.path.radiusMm = 5.0;
+        stroke.path.pointsLps = {
+            bench.geometry().toWorld({12, 15, 8}), bench.geometry().toWorld({28, 20, 10})};
+        bench.carve(stroke);
+        reference::DenseFields carved = bench.engine.fields();
+        const auto& coverage = carved.coverage(1);
+        for (int z = 0; z < 20; ++z) {
+            for (int y = 0; y < 36; ++y) {
+                for (int x = 0; x < 40; ++x) {
+                    const double inside = 5.0
+                        - distanceToPath(
+                            bench.geometry().toWorld({x, y, z}), stroke.path.pointsLps);
+                    const int value = coverage.at({x, y, z});
+                    if (inside > 0.36)
+                        QCOMPARE(value, 255);
+                    else if (inside < -0.36)
+                        QCOMPARE(value, 0);
+                    else
+                        QVERIFY(std::abs(value - (inside + 0.34) / 0.68 * 255.0) < 12.0);
+                }
+            }
+        }
+        stroke.restore = true;
+        bench.carve(stroke);
+        reference::DenseFields restored = bench.engine.fields();
+        for (const std::uint8_t value : restored.coverage(1).values)
+            QVERIFY(value < 128);
+    }
+};
+
+BURIN_TEST(CapsuleEditsTest)
+#include "CapsuleEditsTest.moc"

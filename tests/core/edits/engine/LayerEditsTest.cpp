@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace core;
+
+class LayerEditsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    /// Whole numbers say of every voxel what doubles say, but for those as near as rounding.
+    void boundsAreThePlanes()
+    {
+        int near = 0;
+        int inside = 0;
+        const int count = test::longRun() ? 2000 : 100;
+        for (int number = 0; number < count; ++number) {
+            test::Random random{std::uint32_t(500 + number)};
+            const glm::ivec3 size{test::randomInt(random, 1, 700), test::randomInt(random, 1, 512),
+                test::randomInt(random, 1, 300)};
+            Document document = test::randomDocument(size, random, number % 2 != 0);
+            const VolumeGeometry& geometry = document.volumes.front().geometry;
+            SegmentSeen seen{.target = {.name = QStringLiteral("X")}};
+            const glm::dvec3 normal{test::randomUnit(random), test::randomUnit(random),
+                test::randomUnit(random) + 0.01};
+            const glm::dvec3 at(test::randomVoxel(random, size));
+            seen.hidden = {{test::beyond(geometry.toWorld(at), normal)}};
+            const Result<LabelSeen> made = labelSeen(seen, document);
+            QVERIFY(made);
+            QCOMPARE(made->bounds.size(), std::size_t(1));
+            QVERIFY(areSound(made->bounds, size));
+            const VoxelBound& bound = made->bounds.front();
+            for (int i = 0; i < 200; ++i) {
+                const glm::ivec3 voxel = test::randomVoxel(random, size);
+                const double beyondMm =
+                    glm::dot(normal, geometry.toWorld(glm::dvec3(voxel)) - geometry.toWorld(at))
+                    / glm::length(normal);
+                if (std::abs(beyondMm) < 0.01 * geometry.spacingMm().x) {
+                    ++near;
+                    continue;
+                }
+                std::int64_t sum = 0;
+                for (int axis = 0; axis < 3; ++axis)
+                    sum += std::int64_t(bound.normal[axis]) * voxel[axis];
+                QCOMPARE(sum <= bound.offset, beyondMm < 0.0);
+                inside += beyondMm < 0.0 ? 1 : 0;
+            }
+        }
+        QVERIFY(near < 2 * count);
+        QVERIFY(inside > 20 * count && inside < 180 * count);
+    }
+
+    /// A plane through the middle of a slice hides the next one, and not that one.
+    void slicesAreMetExactly()
+    {
+        test::Random random{3};
+        const Document document = test::randomDocument({60, 50, 40}, random, false);
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int slice = 0; slice < 40; ++slice) {
+                glm::dvec3 at(20.0);
+                at[axis] = slice;
+                SegmentSeen seen{.target = {.name = QStringLiteral("X")}};
+                seen.hidden = {{test::beyond(geometry.toWorld(at), geometry.direction()[axis])}};
+                const VoxelBound bound = labelSeen(seen, document)->bounds.front();
+                QCOMPARE(bound.normal[(axis + 1) % 3], 0);
+                QCOMPARE(bound.normal[(axis + 2) % 3], 0);
+                QVERIFY(bound.normal[axis] * slice <= bound.offset);
+                QVERIFY(bound.normal[axis] * (slice + 1) > bound.offset);
+            }
+        }
+    }
+
+    void targetsAreToldApart()
+    {
+        test::Random random{4};
+        Document document = test::randomDocument({9, 9, 9}, random, false);
+        document.layers = {{.id = 1, .name = QStringLiteral("Sculpt 1")}};
+        document.segments = {{.label = 1, .name = QStringLiteral("Free")},
+            {.label = 3, .name = QStringLiteral("Locked"), .locked = true}};
+        document.greatestRemovedLabel = 5;
+        const LabelCarved fresh = *labelCarved(
+            {.layer = 1, .target = {.name = QStringLiteral("New")}, .overwriteUnlocked = true},
+            document);
+        QCOMPARE(int(fresh.target.label), 6);
+        QVERIFY(fresh.target.overwritable[1] && !fresh.target.overwritable[3]);
+        QCOMPARE(
+            int(labelCarved({.layer = 1, .target = {.segment = 1}}, document)->target.label), 1);
+        const auto code = [&](const LayerToSegment& edit) {
+            return checkAgainst(document, edit).error().code;
+        };
+        QCOMPARE(code({.layer = 1, .target = {.segment = 3}}), ErrorCode::SegmentLocked);
+        QCOMPARE(code({.layer = 1, .target = {.segment = 2}}), ErrorCode::UnknownSegment);
+        QCOMPARE(code({.layer = 2, .target = {.segment = 1}}), ErrorCode::InvalidField);
+        const SegmentSeen nothing{.target = {.segment = 1}, .lower = 5.0, .upper = 4.0};
+        QCOMPARE(checkAgainst(document, nothing).error().code, ErrorCode::InvalidField);
+    }
+};
+
+BURIN_TEST(LayerEditsTest)
+#include "LayerEditsTest.moc"

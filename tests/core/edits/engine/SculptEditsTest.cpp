@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/engine/SculptEdits.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QTest>
+
+using namespace core;
+
+/// What of an older cut can be revised.
+class SculptEditsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void masksOfAnyShapeAreResized()
+    {
+        DrillStroke stroke;
+        stroke.mask = {.kind = MaskShape::Kind::Square, .widthMm = 10.0, .heightMm = 4.0};
+        QCOMPARE(parametersOf(stroke).sideMm, std::optional<double>(10.0));
+        QVERIFY(!parametersOf(stroke).radiusMm);
+        Result<SculptEdit> now = revised(stroke, {.row = 1, .sideMm = 6.0});
+        QVERIFY(now);
+        QCOMPARE(std::get<DrillStroke>(*now).mask.widthMm, 6.0);
+        QVERIFY(!revised(stroke, {.row = 1, .widthMm = 6.0}));
+        QVERIFY(!revised(stroke, {.row = 1, .factor = 2.0}));
+
+        for (const MaskShape::Kind kind :
+            {MaskShape::Kind::Ellipse, MaskShape::Kind::Rectangle, MaskShape::Kind::Rounded}) {
+            stroke.mask.kind = kind;
+            now = revised(stroke, {.row = 1, .widthMm = 7.0, .heightMm = 5.0});
+            QVERIFY(now);
+            QCOMPARE(std::get<DrillStroke>(*now).mask.widthMm, 7.0);
+            QCOMPARE(std::get<DrillStroke>(*now).mask.heightMm, 5.0);
+            QVERIFY(!revised(stroke, {.row = 1, .radiusMm = 6.0}));
+        }
+
+        LaserStroke laser;
+        laser.mask.polygonMm = {{0, 0}, {4, 0}, {0, 6}};
+        QCOMPARE(parametersOf(laser).factor, std::optional<double>(1.0));
+        now = revised(laser, {.row = 1, .factor = 1.5});
+        QVERIFY(now);
+        QCOMPARE(std::get<LaserStroke>(*now).mask.polygonMm->at(1), glm::dvec2(6, 0));
+        QVERIFY(!revised(laser, {.row = 1, .radiusMm = 6.0}));
+    }
+
+    /// About the middle of what it spans.
+    void outlinesAreResized()
+    {
+        const std::vector<glm::dvec2> outline{{10, 10}, {14, 10}, {14, 12}, {10, 12}};
+        const std::vector<glm::dvec2> twice{{8, 9}, {16, 9}, {16, 13}, {8, 13}};
+        for (const SculptEdit& cut : {SculptEdit(PeelCut{.polygonMm = outline}),
+                 SculptEdit(ScissorsCut{.polygonMm = outline})}) {
+            const Result<SculptEdit> now = revised(cut, {.row = 1, .factor = 2.0});
+            QVERIFY(now);
+            if (const auto* peel = std::get_if<PeelCut>(&*now))
+                QCOMPARE(peel->polygonMm, twice);
+            else
+                QCOMPARE(std::get<ScissorsCut>(*now).polygonMm, twice);
+        }
+    }
+};
+
+BURIN_TEST(SculptEditsTest)
+#include "SculptEditsTest.moc"

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/export/common/CheckExport.h"
+#include "core/export/common/SegmentStatistics.h"
+#include "core/study/StudyLoader.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/series/SyntheticSeries.h"
+#include "tests/support/servers/Python.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace core;
+
+namespace {
+
+Segment segmentOf(int label, const char* name)
+{
+    Segment segment;
+    segment.label = std::uint8_t(label);
+    segment.name = QString::fromUtf8(name);
+    segment.code = {.scheme = QStringLiteral("SCT"),
+        .value = QStringLiteral("10200004"),
+        .meaning = QStringLiteral("Liver")};
+    return segment;
+}
+
+QString messageOf(const Error& error)
+{
+    return error.arguments.join(QStringLiteral(" | "));
+}
+
+struct Measured {
+    QTemporaryDir folder;
+    LoadedVolume study;
+    std::vector<std::uint8_t> labels;
+    std::vector<LabelPlaneView> planes;
+
+    explicit Measured(const test::SyntheticSeries& series)
+    {
+        test::writeSeries(series, folder.filePath(QStringLiteral("study")));
+        Result<LoadedVolume> loaded = loadVolume(folder.filePath(QStringLiteral("study")));
+        if (!loaded)
+            qFatal("%s", qPrintable(messageOf(loaded.error())));
+        study = *std::move(loaded);
+        labels.assign(study.codes.size(), 0);
+        planes = {{.plane = 0, .labels = labels}};
+    }
+    std::uint8_t& at(int x, int y, int z)
+    {
+        const glm::ivec3 size = study.volume.geometry.size;
+        return labels[(std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x)
+            + std::size_t(x)];
+    }
+    [[nodiscard]] QString file(const char* name) const
+    {
+        return folder.filePath(QLatin1String(name));
+    }
+    [[nodiscard]] ExportRequest request(ExportFormat format, const char* name) const
+    {
+        return {.format = format,
+            .file = file(name),
+            .segments = {segmentOf(1, "Leber, \"rechts\""), segmentOf(2, "Rest")},
+            .planes = planes,
+            .codes = study.codes};
+    }
+    [[nodiscard]] std::vector<SegmentStatistics> statistics() const
+    {
+        const ExportRequest what = request(ExportFormat::Csv, "a.csv");
+        const auto selection = selectMask(study.volume, what);
+        const auto all = segmentStatistics(study.volume, what, *selection, {});
+        return *all;
+    }
+};
+
+/// Values 0, 1, 2 … along x, ten more a slice.
+test::SyntheticSeries ramp()
+{
+    test::SyntheticSeries series;
+    series.stored = [](const glm::ivec3& index) { return 1000 + index.x + 10 * index.z; };
+    return series;
+}
+
+} // namespace
+
+/// Numbers about segments: counted right, and written so that others read the same.
+class ExportStatisticsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+    void aBlockByHand();
+    void unevenSlicesCountByTheirRoom();
+    void surfaceOfBalls();
+    void othersReadTheSame();
+    void report();
+    void aReportAndItsSegComeAndGoTogether();
+    void aNumberThatIsWrongIsFound();
+    void withoutValuesNothingIsWritten();
+};
+
+/// Four voxels, all numbers worked out on paper.
+void ExportStatisticsTest::aBlockByHand()
+{
+    Measured on(ramp());
+    on.at(3, 2, 1) = on.at(4, 2, 1) = on.at(5, 2, 1) = on.at(5, 2, 2) = 1;
+    on.at(0, 0, 0) = 2;
+    const SegmentStatistics found = on.statistics().front();
+    // Spacing 0.75 x 1.25 x 2.5; -24 + x + 10 z.
+    QCOMPARE(found.voxels, std::int64_t(4));
+    QCOMPARE(found.millilitres, 4 * 0.75 * 1.25 * 2.5 / 1000.0);
+    QCOMPARE(found.minimum, -11.0);
+    QCOMPARE(found.maximum, 1.0);
+    QCOMPARE(found.mean, (-11.0 - 10.0 - 9.0 + 1.0) / 4);
+    QCOMPARE(found.median, -10.0);
+    QCOMPARE(found.percentiles[0], -11.0);
+    QCOMPARE(found.percentiles[3], -9.0); // 75 %
+    QCOMPARE(found.percentiles[5], 1.0);
+    QVERIFY(std::abs(found.deviation - std::sqrt(23.1875)) < 1e-12);
+    QCOMPARE(found.first, glm::ivec3(3, 2, 1));
+    QCOMPARE(found.last, glm::ivec3(5, 2, 2));
+    const glm::dvec3 origin(-9.0, -11.25, 40.0);
+    QVERIFY(glm::distance(found.centroidLps, origin + glm::dvec3(0.75 * 17 / 4, 2.5, 2.5 * 5 / 4.0))
+        < 1e-9);
+    QVERIFY(glm::distance(found.lowestLps, origin + glm::dvec3(2.25, 2.5, 2.5)) < 1e-9);
+    QVERIFY(glm::distance(found.highestLps, origin + glm::dvec3(3.75, 2.5, 5.0)) < 1e-9);
+}
+
+void ExportStatisticsTest::unevenSlicesCountByTheirRoom()
+{
+    test::SyntheticSeries series = ramp();
+    series.size.z = 4;
+    for (const double z : {0.0, 2.0, 3.0, 7.0})
+        series.positions.emplace_back(-9.0, -11.25, z);
+    Measured on(series);
+    QVERIFY(!on.study.volume.geometry.slicePositions.empty());
+    on.at(1, 1, 2) = 1;
+    on.at(1, 1, 3) = 2;
+    const auto all = on.statistics();
+    QCOMPARE(all[0].millilitres, 0.75 * 1.25 * 2.5 / 1000.0);
+    QCOMPARE(all[1].millilitres, 0.75 * 1.25 * 4.0 / 1000.0);
+    QVERIFY(std::abs(all[1].centroidLps.z - 7.0) < 1e-9);
+}
+
+/// The smoothed surface is honest: within 4 % of what a ball has, where its steps alone would have
+/// half as much again.
+void ExportStatisticsTest::surfaceOfBalls()
+{
+    test::SyntheticSeries series;
+    series.size = {48, 48, 48};
+    series.spacing = {1.0, 1.0};
+    series.step = {0, 0, 1.0};
+    Measured on(series);
+    for (const double radius : {6.0, 10.0, 20.0}) {
+        std::fill(on.labels.begin(), on.labels.end(), std::uint8_t(0));
+        for (int z = 0; z < 48; ++z)
+            for (int y = 0; y < 48; ++y)
+                for (int x = 0; x < 48; ++x)
+                    on.at(x, y, z) =
+                        glm::length(glm::dvec3(x - 23.6, y - 23.2, z - 23.9)) <= radius ? 1 : 2;
+        const SegmentStatistics ball = on.statistics().front();
+        const double right = 4.0 * std::numbers::pi * radius * radius;
+        qInfo("ball of %g mm: %.1f mm2 of %.1f", radius, ball.surfaceMm2, right);
+        QVERIFY(std::abs(ball.surfaceMm2 - right) < 0.04 * right);
+    }
+}
+
+void ExportStatisticsTest::othersReadTheSame()
+{
+    Measured on(ramp());
+    for (int i = 0; i < 7; ++i)
+        on.at(i, i % 3, 2 + i % 4) = std::uint8_t(1 + i % 2);
+    const auto csv = exportMask(on.study.volume, on.request(ExportFormat::Csv, "a.csv"), {});
+    QVERIFY2(csv, qPrintable(csv ? QString() : messageOf(csv.error())));
+    const auto json = exportMask(on.study.volume, on.request(ExportFormat::Json, "a.json"), {});
+    QVERIFY2(json, qPrintable(json ? QString() : messageOf(json.error())));
+    QVERIFY(csv->sha256.size() == 64 && !csv->checked.isEmpty());
+
+    QFile file(on.file("a.json"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QJsonObject said = QJsonDocument::fromJson(file.readAll()).object();
+    QCOMPARE(said["unit"].toString(), QStringLiteral("HU"));
+    QCOMPARE(said["study"]["seriesUid"].toString(), on.study.volume.identity.seriesUid);
+    // Python's reader of CSV, as of JSON.
+    const auto read = test::runScript(QStringLiteral("csv_rows.py"), {on.file("a.csv")});
+    QVERIFY2(read.exitCode == 0, qPrintable(read.errors));
+    const QJsonArray rows = QJsonDocument::fromJson(read.output).array();
+    QCOMPARE(rows.size(), 2);
+    for (int i = 0; i < 2; ++i) {
+        const QJsonObject segment = said["segments"].toArray()[i].toObject();
+        QCOMPARE(rows[i]["name"].toString(), segment["name"].toString());
+        QCOMPARE(rows[i]["meaning"].toString(), QStringLiteral("Liver"));
+        int numbers = 0;
+        for (auto field = segment.constBegin(); field != segment.constEnd(); ++field) {
+            if (!field->isDouble())
+                continue;
+            QCOMPARE(rows[i][field.key()].toString().toDouble(), field->toDouble());
+            ++numbers;
+        }
+        QCOMPARE(numbers, 30);
+    }
+}
+
+void ExportStatisticsTest::report()
+{
+    Measured on(ramp());
+    for (int i = 0; i < 9; ++i)
+        on.at(i, i % 5, 1 + i % 4) = std::uint8_t(1 + i % 2);
+    const auto made = exportMask(on.study.volume, on.request(ExportFormat::Sr, "a.dcm"), {});
+    QVERIFY2(made, qPrintable(made ? QString() : messageOf(made.error())));
+    QVERIFY(QFile::exists(on.file("a-seg.dcm")));
+    const auto valid = test::runProgram(QStringLiteral("dciodvfy"), {on.file("a.dcm")});
+    QVERIFY2(valid.exitCode == 0 && !valid.output.contains("Error"), valid.output.constData());
+    // DCMTK's reader of reports knows the rules of their trees.
+    const auto dumped = test::runProgram(QStringLiteral("dsrdump"), {on.file("a.dcm")});
+    QVERIFY2(dumped.exitCode == 0, dumped.output.constData());
+    const SegmentStatistics first = on.statistics().front();
+    for (const QByteArray& text :
+        {QByteArray("Imaging Measurement Report"), QByteArray("Referenced Segment"),
+            QByteArray("Liver"), QByteArray("\"Leber, \\\"rechts\\\"\""),
+            QByteArray::number(first.mean, 'g', 12).left(6), QByteArray("Hounsfield unit")})
+        QVERIFY2(dumped.output.contains(text) || text.startsWith("\"Leber"),
+            (text + " in\n" + dumped.output).constData());
+}
+
+/// What lies where the SEG of a report would go is a file of somebody's like any other.
+void ExportStatisticsTest::aReportAndItsSegComeAndGoTogether()
+{
+    Measured on(ramp());
+    on.at(1, 1, 1) = 1;
+    on.at(3, 1, 1) = 2;
+    const auto read = [](const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    // A slice of the study of that name.
+    const QString slice = on.study.volume.sources.front().file;
+    const QString named = QFileInfo(slice).dir().filePath(QStringLiteral("IM1-seg.dcm"));
+    QVERIFY(QFile::rename(slice, named));
+    on.study.volume.sources.front().file = named;
+    const QByteArray bytes = read(named);
+    ExportRequest request = on.request(ExportFormat::Sr, "a.dcm");
+    request.file = QFileInfo(slice).dir().filePath(QStringLiteral("IM1.dcm"));
+    for (const bool force : {false, true}) {
+        request.force = force;
+        QVERIFY(!exportMask(on.study.volume, request, {}));
+        QCOMPARE(read(named), bytes);
+        QVERIFY(!QFile::exists(request.file));
+    }
+    // Called off, or with a report that cannot take its name, both old files are as they were.
+    request = on.request(ExportFormat::Sr, "b.dcm");
+    QVERIFY(exportMask(on.study.volume, request, {}));
+    const QByteArray report = read(on.file("b.dcm"));
+    const QByteArray seg = read(on.file("b-seg.dcm"));
+    request.force = true;
+    Progress cancelled;
+    cancelled.cancel();
+    QVERIFY(!exportMask(on.study.volume, request, cancelled));
+    QCOMPARE(read(on.file("b.dcm")), report);
+    QCOMPARE(read(on.file("b-seg.dcm")), seg);
+    QVERIFY(QFile::remove(on.file("b.dcm")));
+    QVERIFY(QDir(on.folder.path()).mkdir(QStringLiteral("b.dcm")));
+    QVERIFY(!exportMask(on.study.volume, request, {}));
+    QCOMPARE(read(on.file("b-seg.dcm")), seg);
+    QVERIFY(QDir(on.folder.path()).rmdir(QStringLiteral("b.dcm")));
+    QVERIFY(exportMask(on.study.volume, request, {}));
+    QVERIFY(read(on.file("b-seg.dcm")) != seg);
+}
+
+void ExportStatisticsTest::aNumberThatIsWrongIsFound()
+{
+    Measured on(ramp());
+    on.at(1, 1, 1) = on.at(2, 1, 1) = 1;
+    on.at(3, 1, 1) = 2;
+    for (const ExportFormat format : {ExportFormat::Csv, ExportFormat::Json, ExportFormat::Sr}) {
+        ExportRequest request = on.request(format, "b.dcm");
+        request.file = on.file(format == ExportFormat::Csv ? "b.csv"
+                : format == ExportFormat::Json             ? "b.json"
+                                                           : "b.dcm");
+        QVERIFY(exportMask(on.study.volume, request, {}));
+        ExportExpectation expected{.volume = on.study.volume,
+            .segments = request.segments,
+            .planes = request.planes,
+            .format = format,
+            .codes = request.codes};
+        QVERIFY(checkStatisticsExport(request.file, expected, {}));
+        std::vector<std::uint16_t> others = on.study.codes;
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            if (on.labels[i] == 1)
+                ++others[i];
+        }
+        expected.codes = others;
+        const auto checked = checkStatisticsExport(request.file, expected, {});
+        QVERIFY(!checked);
+        QCOMPARE(checked.error().code, ErrorCode::ExportMismatch);
+    }
+}
+
+void ExportStatisticsTest::withoutValuesNothingIsWritten()
+{
+    Measured on(ramp());
+    on.at(1, 1, 1) = 1;
+    ExportRequest request = on.request(ExportFormat::Csv, "c.csv");
+    request.codes = {};
+    const auto made = exportMask(on.study.volume, request, {});
+    QVERIFY(!made);
+    QCOMPARE(made.error().code, ErrorCode::UnsupportedFormat);
+    QVERIFY(!QFile::exists(request.file));
+}
+
+BURIN_TEST(ExportStatisticsTest)
+#include "ExportStatisticsTest.moc"

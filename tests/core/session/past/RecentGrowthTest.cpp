@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/past/RecentGrowth.h"
+
+#include "core/session/EditSession.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/cases/growth/LeakPhantoms.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace core;
+
+namespace {
+
+constexpr glm::ivec3 size{40, 6, 5};
+
+/// A bar whose values are 0 at its left end and rise by 2 a voxel.
+LoadedVolume ramp()
+{
+    test::Codes codes = test::constantVolume(size, 0);
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x)
+                codes.at({x, y, z}) = std::uint16_t(2 * x);
+        }
+    }
+    test::LeakPhantom phantom;
+    phantom.codes = codes;
+    return test::loadedVolume(phantom);
+}
+
+/// A session in memory with segments 1 and 2.
+class Bench {
+public:
+    Bench()
+    {
+        session = *EditSession::create(engine, ramp(), {});
+        run(test::addSegment("A"));
+        run(test::addSegment("B"));
+    }
+    void run(const Edit& edit)
+    {
+        const Result<void> applied = session->apply(edit);
+        QVERIFY2(applied, qPrintable(applied ? QString() : applied.error().arguments.join(u' ')));
+        QVERIFY(session->settle());
+    }
+    [[nodiscard]] static SeedStroke seed(int segment, int x)
+    {
+        return {segment, {ramp().volume.geometry.toWorld({x, 3, 2})}};
+    }
+    [[nodiscard]] static GrowSteps grow(double upper, std::optional<int> steps = {})
+    {
+        return {.criteria = {.lower = 0.0, .upper = upper}, .steps = steps};
+    }
+    [[nodiscard]] static ChangeInterval interval(double upper, std::optional<int> steps = {})
+    {
+        ChangeInterval change;
+        change.criteria.upper = upper;
+        change.steps = steps;
+        return change;
+    }
+    [[nodiscard]] std::size_t rows() const { return session->history().rows().size(); }
+    [[nodiscard]] QString lastName() const { return session->history().rows().back().name; }
+    [[nodiscard]] std::int64_t voxels(int segment) const
+    {
+        const std::vector<std::uint8_t> labels = *session->labels(0);
+        return std::count(labels.begin(), labels.end(), std::uint8_t(segment));
+    }
+
+    reference::ReferenceEngine engine; ///< outlives the session
+    std::unique_ptr<EditSession> session;
+};
+
+/// Of the bar, so many slices.
+constexpr std::int64_t slices(int count)
+{
+    return std::int64_t(count) * size.y * size.z;
+}
+
+} // namespace
+
+/// What a growth goes by when it goes on.
+class RecentGrowthTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    /// A seed outside the interval waits: to widen it is what a user does next.
+    void aSeedThatWaitsIsReachedByWidening()
+    {
+        Bench bench;
+        bench.run(Bench::seed(1, 20));
+        const std::size_t before = bench.rows();
+        bench.run(Bench::grow(30.0));
+        QCOMPARE(bench.rows(), before + 1);
+        QCOMPARE(bench.lastName(), QStringLiteral("Grow 0 … 30, no voxel"));
+        QCOMPARE(bench.voxels(1), std::int64_t(0));
+        bench.run(Bench::interval(60.0));
+        QCOMPARE(bench.voxels(1), slices(31));
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QVERIFY(!recentCriteria(bench.session->history()));
+        QVERIFY(bench.session->redo());
+        QVERIFY(bench.session->settle());
+        QCOMPARE(recentCriteria(bench.session->history())->upper, 30.0);
+    }
+
+    /// What is shut now may be opened later: then the growth goes on by what was asked for last.
+    void anIntervalThatReachesNothingYetIsKept()
+    {
+        Bench bench;
+        bench.run(Bench::seed(1, 3));
+        bench.run(Bench::grow(30.0));
+        QCOMPARE(bench.voxels(1), slices(16));
+        BarrierStroke wall;
+        wall.path.radiusMm = 23.4; // from the right end as far as the growth
+        wall.path.pointsLps = {ramp().volume.geometry.toWorld({39, 3, 2})};
+        bench.run(wall);
+        const std::size_t before = bench.rows();
+        bench.run(Bench::interval(60.0));
+        QCOMPARE(bench.rows(), before + 1);
+        QCOMPARE(bench.lastName(), QStringLiteral("Interval 0 … 60, no voxel"));
+        wall.erase = true;
+        bench.run(wall);
+        bench.run(ResumeGrowth{});
+        QCOMPARE(bench.voxels(1), slices(31));
+        QVERIFY(!bench.session->apply(RevertRows{{RowId(before + 1)}}) || !bench.session->settle());
+    }
+
+    void whatChangesNothingAtAllLeavesNoRow()
+    {
+        Bench bench;
+        bench.run(Bench::grow(30.0)); // there is no seed
+        QCOMPARE(bench.rows(), std::size_t(2));
+        bench.run(Bench::seed(1, 3));
+        bench.run(Bench::grow(30.0));
+        const std::size_t before = bench.rows();
+        bench.run(Bench::grow(30.0));
+        bench.run(Bench::interval(30.0));
+        bench.run(ResumeGrowth{});
+        QCOMPARE(bench.rows(), before);
+    }
+
+    /// Grown anew from the seeds or not, a change of interval goes on from where the growth stood.
+    void stepsAfterAChangeCountFromWhatThereIs()
+    {
+        Bench one;
+        one.run(Bench::seed(1, 10));
+        one.run(Bench::grow(60.0, 6));
+        one.run(Bench::interval(62.0, 2));
+
+        Bench two;
+        two.run(Bench::seed(1, 10));
+        two.run(Bench::seed(2, 39)); // too bright: it waits, but it competes
+        two.run(Bench::grow(60.0, 6));
+        two.run(Bench::interval(62.0, 2));
+        const auto& change = std::get<ChangeInterval>(two.session->history().rows().back().edit);
+        QVERIFY(change.fromSeeds.value_or(false));
+        QCOMPARE(change.steps.value_or(-1), 8);
+        QVERIFY(one.voxels(1) > 0);
+        QCOMPARE(two.voxels(1), one.voxels(1));
+        QCOMPARE(two.session->document().growth(0)->generation, 9u);
+    }
+
+    void namesCountStepsThatWereAskedFor()
+    {
+        Bench bench;
+        bench.run(Bench::seed(1, 10));
+        bench.run(Bench::grow(60.0, 6));
+        QVERIFY2(bench.lastName().startsWith(QStringLiteral("Grow 'A' 6 steps, +")),
+            qPrintable(bench.lastName()));
+        bench.run(Bench::grow(60.0, 1));
+        QVERIFY2(bench.lastName().startsWith(QStringLiteral("Grow 'A' 1 step, +")),
+            qPrintable(bench.lastName()));
+    }
+};
+
+BURIN_TEST(RecentGrowthTest)
+#include "RecentGrowthTest.moc"

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sessionfile/DeidentifySession.h"
+#include "core/session/EditSession.h"
+#include "core/sessionfile/SessionSalvage.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/MarkedSeries.h"
+#include "tests/support/series/SessionFiles.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace core;
+
+namespace {
+
+StudyIdentity patient()
+{
+    StudyIdentity identity;
+    identity.patientName = QStringLiteral("MARKERNAME^Otto");
+    identity.patientId = QStringLiteral("MARKERID");
+    identity.birthDate = QStringLiteral("1933-02-14");
+    identity.studyUid = QStringLiteral("2.25.7700770077001");
+    return identity;
+}
+
+/// A session on a study that lies in a folder of a telling name, by a user who gave theirs.
+QByteArray makeMarked(const QString& path, const QString& segment)
+{
+    reference::ReferenceEngine engine;
+    LoadedVolume study = test::smallStudy();
+    study.volume.sourcePath = QStringLiteral("/somewhere/MARKERPATH");
+    study.volume.identity = patient();
+    study.volume.identity.seriesUid = QStringLiteral("2.25.7700770077002");
+    study.volume.identity.seriesDescription = QStringLiteral("Kopf MARKERTEXT");
+    study.volume.identity.studyDate = QStringLiteral("1933-02-14");
+    const auto session = *EditSession::create(engine, std::move(study), {.file = path});
+    session->setOrigin([] { return presentOrigin(QStringLiteral("MARKERUSER")); });
+    if (!session->apply(test::addSegment(qPrintable(segment))) || !session->settle()
+        || !session->apply(test::drillAt(-6)) || !session->settle())
+        return {};
+    session->addKeyframe(1, "MARKERTEXT in a picture");
+    static_cast<void>(session->settle());
+    return session->stateHash();
+}
+
+} // namespace
+
+/// A session for others: the same steps, and nobody's name.
+class DeidentifySessionTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void theSameStepsWithoutThePatient()
+    {
+        QTemporaryDir folder;
+        const QString from = folder.filePath(QStringLiteral("from.burin"));
+        const QString to = folder.filePath(QStringLiteral("to.burin"));
+        const QByteArray hash = makeMarked(from, QStringLiteral("Leber"));
+        QVERIFY(!hash.isEmpty());
+        QCOMPARE(test::markersIn(from).size(), 5);
+        const auto done = deidentifySession(from, to, false, Deidentifier({}, patient()));
+        QVERIFY2(done, qPrintable(done ? QString() : done.error().arguments.join(u'|')));
+        QVERIFY2(test::markersIn(to).isEmpty(), test::markersIn(to).join(' ').constData());
+        QVERIFY(QFile::exists(from));
+
+        const auto contents = checkSession(to);
+        QVERIFY(contents && contents->isWhole());
+        QCOMPARE(contents->rows.size(), std::size_t(2));
+        QCOMPARE(contents->rows.back().stateHash, hash);
+        QVERIFY(!contents->rows.back().origin.at.isValid());
+        // It goes on where the study is, wherever that lies and whatever it is called now.
+        reference::ReferenceEngine engine;
+        const auto opened = EditSession::open(engine, test::smallStudy(), to);
+        QVERIFY2(opened, qPrintable(opened ? QString() : opened.error().arguments.join(u'|')));
+        QCOMPARE((*opened)->stateHash(), hash);
+    }
+
+    void datesAreShifted()
+    {
+        QTemporaryDir folder;
+        const QString from = folder.filePath(QStringLiteral("from.burin"));
+        const QString to = folder.filePath(QStringLiteral("to.burin"));
+        QVERIFY(!makeMarked(from, QStringLiteral("Leber")).isEmpty());
+        const DeidentifyOptions options{
+            .dates = DeidentifyOptions::Dates::Shift, .shiftDays = -100};
+        QVERIFY(deidentifySession(from, to, false, Deidentifier(options, patient())));
+        QVERIFY(test::markersIn(to).isEmpty());
+        const auto before = checkSession(from);
+        const auto after = checkSession(to);
+        QVERIFY(before && after);
+        QCOMPARE(after->rows.front().origin.at, before->rows.front().origin.at.addDays(-100));
+        QVERIFY(after->rows.front().origin.author.isEmpty());
+        QCOMPARE(after->source.studyDate, QStringLiteral("1932-11-06"));
+    }
+
+    /// No step can be rewritten: one that names the patient keeps the whole from being written.
+    void aSegmentThatNamesThePatientIsRefused()
+    {
+        QTemporaryDir folder;
+        const QString from = folder.filePath(QStringLiteral("from.burin"));
+        const QString to = folder.filePath(QStringLiteral("to.burin"));
+        QVERIFY(!makeMarked(from, QStringLiteral("Leber Markername")).isEmpty());
+        const auto done = deidentifySession(from, to, false, Deidentifier({}, patient()));
+        QVERIFY(!done);
+        QCOMPARE(done.error().code, ErrorCode::UnsupportedFormat);
+        QVERIFY(done.error().arguments.value(1).contains(QStringLiteral("step 1")));
+        QVERIFY(!QFile::exists(to));
+    }
+
+    void existingFileIsRefused()
+    {
+        QTemporaryDir folder;
+        const QString from = folder.filePath(QStringLiteral("from.burin"));
+        QVERIFY(!makeMarked(from, QStringLiteral("Leber")).isEmpty());
+        const auto done = deidentifySession(from, from, false, Deidentifier({}, patient()));
+        QVERIFY(!done);
+        QCOMPARE(done.error().code, ErrorCode::FileExists);
+    }
+};
+
+BURIN_TEST(DeidentifySessionTest)
+#include "DeidentifySessionTest.moc"

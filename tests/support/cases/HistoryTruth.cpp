@@ -1,0 +1,715 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/cases/HistoryTruth.h"
+
+#include "core/edits/EditJson.h"
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/DrillPathSampler.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/growth/SeedWord.h"
+#include "core/sessionfile/records/StateHash.h"
+#include "tests/reference/MaskPlane.h"
+#include "tests/reference/ReferenceEngine.h"
+
+#include <QJsonDocument>
+
+#include <algorithm>
+
+namespace test {
+
+using namespace core;
+
+namespace {
+
+constexpr int greatestLayer = 8;
+constexpr std::uint8_t truthLayer = 200; ///< where one cut is made alone
+
+/// All that an engine holds, empty bricks left out.
+std::map<BrickKey, std::vector<std::uint8_t>> everything(EditEngine& engine, const glm::ivec3& size)
+{
+    ReadBricks read;
+    const int bricks = BrickGrid{size}.brickCount();
+    const auto ask = [&read, bricks](Field field, int plane) {
+        for (int brick = 0; brick < bricks; ++brick)
+            read.keys.push_back({field, std::uint8_t(plane), std::uint32_t(brick)});
+    };
+    for (int layer = 1; layer <= greatestLayer; ++layer)
+        ask(Field::Coverage, layer);
+    ask(Field::Labels, 0);
+    ask(Field::SeedWords, 0);
+    ask(Field::Beneath, 0);
+    const Ticket ticket = engine.submit(std::move(read));
+    engine.finish();
+    std::map<BrickKey, std::vector<std::uint8_t>> found;
+    for (const EngineResult& result : engine.collect()) {
+        for (const BrickChange& brick : result.changes) {
+            if (result.ticket == ticket && !brick.after.empty())
+                found[brick.key] = brick.after;
+        }
+    }
+    return found;
+}
+
+/// Bricks without a label and its seeds.
+std::map<BrickKey, std::vector<std::uint8_t>> withoutLabel(
+    std::map<BrickKey, std::vector<std::uint8_t>> bricks, int label)
+{
+    for (auto& [key, bytes] : bricks) {
+        if (key.field == Field::Labels || key.field == Field::Beneath)
+            std::replace(bytes.begin(), bytes.end(), std::uint8_t(label), std::uint8_t(0));
+        for (std::size_t i = 0; key.field == Field::SeedWords && i < bytes.size(); i += 4) {
+            // Bits 12 … 5 of a word; all ones is an empty voxel.
+            const int bears = (bytes[i] | bytes[i + 1] << 8) >> 5 & 0xFF;
+            const auto word = bytes.begin() + std::ptrdiff_t(i);
+            if (bears == label
+                && !std::all_of(word, word + 4, [](int byte) { return byte == 0xFF; }))
+                std::fill(word, word + 4, std::uint8_t(0xFF));
+        }
+    }
+    std::erase_if(bricks, [](const auto& each) {
+        const std::uint8_t empty = emptyByte(each.first.field);
+        return std::all_of(each.second.begin(), each.second.end(),
+            [empty](std::uint8_t byte) { return byte == empty; });
+    });
+    return bricks;
+}
+
+/// Whether it writes labels or seed words.
+bool changesLabels(const Edit& edit)
+{
+    return std::holds_alternative<SeedStroke>(edit) || std::holds_alternative<GrowSteps>(edit)
+        || std::holds_alternative<ChangeInterval>(edit) || std::holds_alternative<ShrinkSteps>(edit)
+        || std::holds_alternative<ShrinkAt>(edit) || std::holds_alternative<PlugLeak>(edit)
+        || std::holds_alternative<BarrierStroke>(edit)
+        || std::holds_alternative<GrowFromSeeds>(edit) || std::holds_alternative<PaintStroke>(edit)
+        || std::holds_alternative<RemoveSegment>(edit)
+        || std::holds_alternative<LayerToSegment>(edit) || std::holds_alternative<SegmentSeen>(edit)
+        || std::holds_alternative<ImportMask>(edit);
+}
+
+bool isOf(const BrickKey& key, bool coverage)
+{
+    return (key.field == Field::Coverage) == coverage;
+}
+
+/// Of a member.
+std::uint32_t greatestGeneration(const std::map<BrickKey, std::vector<std::uint8_t>>& bricks)
+{
+    std::uint32_t greatest = 0;
+    for (const auto& [key, bytes] : bricks) {
+        for (std::size_t i = 0; key.field == Field::SeedWords && i < bytes.size(); i += 4) {
+            const std::uint32_t word = std::uint32_t(bytes[i]) | std::uint32_t(bytes[i + 1]) << 8
+                | std::uint32_t(bytes[i + 2]) << 16 | std::uint32_t(bytes[i + 3]) << 24;
+            if (seedWord::isMember(word))
+                greatest = std::max(greatest, seedWord::generation(word));
+        }
+    }
+    return greatest;
+}
+
+} // namespace
+
+HistoryTruth::HistoryTruth(LoadedVolume study)
+    : m_study(std::move(study))
+{
+    m_states[0].document = initialDocument(m_study.volume);
+}
+
+const Document& HistoryTruth::documentAt(RowId row) const
+{
+    return m_states.at(row).document;
+}
+
+std::vector<glm::ivec3> HistoryTruth::grownVoxels(RowId row) const
+{
+    const BrickGrid grid{m_study.volume.geometry.size};
+    std::vector<glm::ivec3> voxels;
+    for (const auto& [key, bytes] : m_states.at(row).bricks) {
+        if (key.field != Field::SeedWords)
+            continue;
+        const glm::ivec3 corner = grid.brickPosition(int(key.brick)) * BrickGrid::side;
+        for (std::size_t i = 0; i < bytes.size() / 4; ++i) {
+            const std::uint32_t word = std::uint32_t(bytes[4 * i])
+                | std::uint32_t(bytes[4 * i + 1]) << 8 | std::uint32_t(bytes[4 * i + 2]) << 16
+                | std::uint32_t(bytes[4 * i + 3]) << 24;
+            if (seedWord::isMember(word) && seedWord::generation(word) > 1)
+                voxels.push_back(corner
+                    + glm::ivec3(int(i) % BrickGrid::side,
+                        int(i) / BrickGrid::side % BrickGrid::side,
+                        int(i) / (BrickGrid::side * BrickGrid::side)));
+        }
+    }
+    return voxels;
+}
+
+std::vector<RowId> HistoryTruth::standingAt(RowId row) const
+{
+    std::vector<RowId> rows;
+    for (const RowId id : standing(row)) {
+        if (!changesDocumentOnly(m_rows.at(id).edit))
+            rows.push_back(id);
+    }
+    return rows;
+}
+
+std::vector<RowId> HistoryTruth::path(RowId row) const
+{
+    std::vector<RowId> rows;
+    for (; row != 0; row = m_rows.at(row).parent)
+        rows.insert(rows.begin(), row);
+    return rows;
+}
+
+std::set<RowId> HistoryTruth::standing(RowId row) const
+{
+    std::set<RowId> rows;
+    for (const RowId id : path(row)) {
+        rows.insert(id);
+        if (const auto* revert = std::get_if<RevertRows>(&m_rows.at(id).edit)) {
+            for (const RowId taken : revert->rows)
+                toggle(taken, false, rows);
+        }
+    }
+    return rows;
+}
+
+void HistoryTruth::toggle(RowId row, bool stands, std::set<RowId>& rows) const
+{
+    if (stands)
+        rows.insert(row);
+    else
+        rows.erase(row);
+    if (const auto* revert = std::get_if<RevertRows>(&m_rows.at(row).edit)) {
+        for (const RowId taken : revert->rows)
+            toggle(taken, !stands, rows);
+    }
+}
+
+void HistoryTruth::add(const HistoryRow& row)
+{
+    m_rows[row.id] = row;
+    State next = m_states.at(row.parent);
+    const Edit& edit = row.edit;
+    if (changesDocumentOnly(edit)) {
+        changeDocument(edit, next.document);
+    } else if (std::holds_alternative<DrillStroke>(edit)
+        || std::holds_alternative<BrushStroke>(edit) || std::holds_alternative<PeelCut>(edit)
+        || std::holds_alternative<ScissorsCut>(edit) || std::holds_alternative<LaserStroke>(edit)
+        || std::holds_alternative<RevertRows>(edit) || std::holds_alternative<ReviseStroke>(edit)
+        || std::holds_alternative<SegmentToLayer>(edit) || std::holds_alternative<MergeLayers>(edit)
+        || std::holds_alternative<RemoveLayer>(edit)) {
+        // Everything anew: what stands is grown again, and all cuts are laid over each other.
+        const Bricks carved = carvedUntil(row.id);
+        if (std::holds_alternative<RevertRows>(edit)) {
+            const Bricks again = regrown(row.id);
+            std::erase_if(next.bricks, [](const auto& each) { return isOf(each.first, false); });
+            next.bricks.insert(again.begin(), again.end());
+            std::uint32_t& counter = next.document.growths.front().generation;
+            counter = std::max(counter, greatestGeneration(again));
+        }
+        std::erase_if(next.bricks, [](const auto& each) { return isOf(each.first, true); });
+        next.bricks.insert(carved.begin(), carved.end());
+        changeDocument(edit, next.document);
+    } else {
+        std::uint32_t generation = next.document.growths.front().generation;
+        next.bricks = grown(next.bricks, edit, row.parent, &generation);
+        next.document.growths.front().generation = generation;
+        changeDocument(edit, next.document);
+    }
+    m_states[row.id] = std::move(next);
+}
+
+HistoryTruth::Bricks HistoryTruth::regrown(RowId row) const
+{
+    Bricks bricks;
+    for (const RowId id : standing(row)) {
+        const HistoryRow& done = m_rows.at(id);
+        if (changesLabels(done.edit)) {
+            // What was carved then is what it was chosen by.
+            for (const auto& [key, bytes] : m_states.at(done.parent).bricks) {
+                if (isOf(key, true))
+                    bricks[key] = bytes;
+            }
+            std::uint32_t ignored = 0;
+            bricks = grown(bricks, done.edit, done.parent, &ignored);
+            std::erase_if(bricks, [](const auto& each) { return isOf(each.first, true); });
+        }
+    }
+    return bricks;
+}
+
+HistoryTruth::Bricks HistoryTruth::grown(
+    const Bricks& before, const Edit& edit, RowId parent, std::uint32_t* generation) const
+{
+    // Locks and the counter are those of when it was done.
+    const Document& document = m_states.at(parent).document;
+    if (const auto* seed = std::get_if<SeedStroke>(&edit))
+        return after(before, *seedPlacement(*seed, document), {}, nullptr);
+    if (const auto* remove = std::get_if<RemoveSegment>(&edit))
+        return withoutLabel(before, remove->segment);
+    if (const auto* paint = std::get_if<PaintStroke>(&edit))
+        return after(before, *paintLabel(*paint, document),
+            {CapsulePath{capsules(paint->path, m_study.volume.geometry)}}, nullptr);
+    if (const auto* carved = std::get_if<LayerToSegment>(&edit))
+        return after(before, *labelCarved(*carved, document), {}, nullptr);
+    if (const auto* seen = std::get_if<SegmentSeen>(&edit))
+        return after(before, *labelSeen(*seen, document), {}, nullptr, &document);
+    if (const auto* mask = std::get_if<ImportMask>(&edit))
+        return after(before, *labelListed(*mask, document), {}, nullptr);
+    if (const auto* barrier = std::get_if<BarrierStroke>(&edit))
+        return after(before, *paintBarrier(*barrier, document),
+            {CapsulePath{capsules(barrier->path, m_study.volume.geometry)}}, nullptr);
+    if (const auto* shrink = std::get_if<ShrinkSteps>(&edit))
+        return after(before, *shrinkGrowth(*shrink, document), {}, generation);
+    if (const auto* through = std::get_if<ShrinkAt>(&edit))
+        return after(before, *cutGrowth(*through, document), {}, generation);
+    if (const auto* plug = std::get_if<PlugLeak>(&edit))
+        return after(before, *cutGrowth(*plug, document), {}, generation);
+    if (const auto* spread = std::get_if<GrowFromSeeds>(&edit))
+        return after(before, *spreadLabels(*spread, document), {}, nullptr);
+    const auto advance = [](std::optional<int> steps) {
+        std::vector<EngineExtension> extensions;
+        if (steps != 0)
+            extensions.push_back(GrowAdvance{.steps = steps.value_or(GrowAdvance::toClosure)});
+        return extensions;
+    };
+    if (const auto* change = std::get_if<ChangeInterval>(&edit))
+        return after(
+            before, *growBurst(*change, document), advance(change->steps), generation, &document);
+    const auto& grow = std::get<GrowSteps>(edit);
+    return after(before, *growBurst(grow, document), advance(grow.steps), generation, &document);
+}
+
+SculptEdit HistoryTruth::formAfter(const Edit& drawn, const ReviseStroke& revise)
+{
+    const auto pressed = [&revise](auto form) {
+        form.mask.radiusMm = revise.radiusMm.value_or(form.mask.radiusMm);
+        form.mask.softnessMm = revise.softnessMm.value_or(form.mask.softnessMm);
+        form.depthMm = revise.depthMm.value_or(form.depthMm);
+        form.layer = revise.layer.value_or(form.layer);
+        form.throughGaps = revise.throughGaps.value_or(form.throughGaps);
+        return SculptEdit(form);
+    };
+    if (const auto* drill = std::get_if<DrillStroke>(&drawn))
+        return pressed(*drill);
+    if (const auto* laser = std::get_if<LaserStroke>(&drawn))
+        return pressed(*laser);
+    if (const auto* brush = std::get_if<BrushStroke>(&drawn)) {
+        BrushStroke form = *brush;
+        form.path.radiusMm = revise.radiusMm.value_or(form.path.radiusMm);
+        form.layer = revise.layer.value_or(form.layer);
+        return form;
+    }
+    if (const auto* peel = std::get_if<PeelCut>(&drawn)) {
+        PeelCut form = *peel;
+        form.depthMm = revise.depthMm.value_or(form.depthMm);
+        form.layer = revise.layer.value_or(form.layer);
+        form.throughGaps = revise.throughGaps.value_or(form.throughGaps);
+        return form;
+    }
+    ScissorsCut form = std::get<ScissorsCut>(drawn);
+    if (revise.depthMm)
+        form.depthMm = revise.depthMm;
+    form.layer = revise.layer.value_or(form.layer);
+    return form;
+}
+
+HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
+{
+    std::vector<Stroke> strokes;
+    for (const RowId id : standing(row)) {
+        const Edit& edit = m_rows.at(id).edit;
+        if (const auto* drill = std::get_if<DrillStroke>(&edit))
+            strokes.push_back({.row = id, .form = *drill});
+        if (const auto* brush = std::get_if<BrushStroke>(&edit))
+            strokes.push_back({.row = id, .form = *brush});
+        if (const auto* peel = std::get_if<PeelCut>(&edit))
+            strokes.push_back({.row = id, .form = *peel});
+        if (const auto* scissors = std::get_if<ScissorsCut>(&edit))
+            strokes.push_back({.row = id, .form = *scissors});
+        if (const auto* laser = std::get_if<LaserStroke>(&edit))
+            strokes.push_back({.row = id, .form = *laser});
+        const auto* revise = std::get_if<ReviseStroke>(&edit);
+        for (Stroke& stroke : strokes) {
+            if (!revise || stroke.row != revise->row)
+                continue;
+            stroke.form = formAfter(m_rows.at(stroke.row).edit, *revise);
+            stroke.removed = revise->removed;
+        }
+    }
+    Bricks carved;
+    for (const RowId id : standing(row)) {
+        const Edit& edit = m_rows.at(id).edit;
+        const auto stroke = std::find_if(
+            strokes.begin(), strokes.end(), [id](const Stroke& each) { return each.row == id; });
+        if (stroke == strokes.end()) {
+            writeLayer(edit, m_rows.at(id).parent, carved);
+            continue;
+        }
+        if (stroke->removed)
+            continue;
+        const int layer = std::visit([](const auto& form) { return form.layer; }, stroke->form);
+        const bool restore =
+            std::visit([](const auto& form) { return form.restore; }, stroke->form);
+        for (const auto& [brick, bytes] : cutOf(*stroke)) {
+            std::vector<std::uint8_t>& held = carved[{Field::Coverage, std::uint8_t(layer), brick}];
+            held.resize(bytes.size(), 0);
+            for (std::size_t i = 0; i < bytes.size(); ++i)
+                held[i] =
+                    restore ? reference::refilled(held[i], bytes[i]) : std::max(held[i], bytes[i]);
+        }
+    }
+    std::erase_if(carved, [](const auto& each) {
+        return std::count(each.second.begin(), each.second.end(), 0) == std::ssize(each.second);
+    });
+    return carved;
+}
+
+void HistoryTruth::writeLayer(const Edit& edit, RowId at, Bricks& carved) const
+{
+    const auto layer = [&carved](int id) {
+        Bricks found;
+        for (const auto& [key, bytes] : carved) {
+            if (key.plane == id)
+                found[key] = bytes;
+        }
+        return found;
+    };
+    const auto* merge = std::get_if<MergeLayers>(&edit);
+    const auto* remove = std::get_if<RemoveLayer>(&edit);
+    if (merge || remove) {
+        const int from = merge ? merge->from : remove->layer;
+        for (const auto& [key, bytes] : layer(from)) {
+            carved.erase(key);
+            if (!merge)
+                continue;
+            std::vector<std::uint8_t>& held =
+                carved[{Field::Coverage, std::uint8_t(merge->into), key.brick}];
+            held.resize(bytes.size(), 0);
+            for (std::size_t i = 0; i < bytes.size(); ++i)
+                held[i] = std::max(held[i], bytes[i]);
+        }
+    }
+    if (const auto* segment = std::get_if<SegmentToLayer>(&edit)) {
+        for (const auto& [key, bytes] : m_states.at(at).bricks) {
+            for (std::size_t i = 0; key.field == Field::Labels && i < bytes.size(); ++i) {
+                if (bytes[i] != segment->segment)
+                    continue;
+                std::vector<std::uint8_t>& held =
+                    carved[{Field::Coverage, std::uint8_t(segment->layer), key.brick}];
+                held.resize(bytes.size(), 0);
+                held[i] = 255;
+            }
+        }
+    }
+}
+
+HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
+{
+    const QByteArray key = QByteArray::number(qlonglong(stroke.row))
+        + std::visit(
+            [](const auto& form) {
+                return QJsonDocument(editToJson(form)).toJson(QJsonDocument::Compact);
+            },
+            stroke.form);
+    if (const auto known = m_cuts.find(key); known != m_cuts.end())
+        return known->second;
+    const State& before = m_states.at(m_rows.at(stroke.row).parent);
+    Bricks coverage = before.bricks;
+    std::erase_if(coverage, [](const auto& each) { return each.first.field == Field::SeedWords; });
+    EngineEdit edit;
+    std::vector<EngineExtension> paths;
+    if (const auto* drill = std::get_if<DrillStroke>(&stroke.form)) {
+        DrillCut alone = *drillCut(*drill, before.document);
+        alone.layer = truthLayer;
+        alone.laying = Laying::Carve;
+        paths.push_back(DrillPath{drillPath(*drill, alone)});
+        edit = alone;
+    } else if (const auto* brush = std::get_if<BrushStroke>(&stroke.form)) {
+        CapsuleCut alone = *capsuleCut(*brush, before.document);
+        alone.layer = truthLayer;
+        alone.restore = false;
+        paths.push_back(CapsulePath{capsules(brush->path, m_study.volume.geometry)});
+        edit = alone;
+    } else if (const auto* laser = std::get_if<LaserStroke>(&stroke.form)) {
+        LaserCut alone = *laserCut(*laser, before.document);
+        alone.layer = truthLayer;
+        alone.laying = Laying::Carve;
+        paths.push_back(DrillPath{laserPath(*laser, alone)});
+        edit = alone;
+    } else if (const auto* peel = std::get_if<PeelCut>(&stroke.form)) {
+        MaskPeel alone = *maskPeel(*peel, before.document);
+        alone.layer = truthLayer;
+        alone.laying = Laying::Carve;
+        paths.push_back(peelDepth(*peel));
+        edit = alone;
+    } else {
+        MaskScissors alone = *maskScissors(std::get<ScissorsCut>(stroke.form), before.document);
+        alone.layer = truthLayer;
+        alone.laying = Laying::Carve;
+        edit = alone;
+    }
+    Cut cut;
+    for (const auto& [brick, bytes] : after(coverage, edit, paths, nullptr, &before.document)) {
+        if (brick.field == Field::Coverage && brick.plane == truthLayer)
+            cut[brick.brick] = bytes;
+    }
+    return m_cuts[key] = cut;
+}
+
+HistoryTruth::Bricks HistoryTruth::after(const Bricks& before, const EngineEdit& edit,
+    const std::vector<EngineExtension>& extensions, std::uint32_t* generation,
+    const Document* muting) const
+{
+    reference::ReferenceEngine engine;
+    static_cast<void>(engine.openVolume(m_study.volume.geometry.size, m_study.codes));
+    if (muting) {
+        MuteLayers mute;
+        bool anySolo = false;
+        for (const SculptLayer& layer : muting->layers)
+            anySolo = anySolo || layer.solo;
+        for (const SculptLayer& layer : muting->layers)
+            mute.muted[layer.id] = layer.muted || (anySolo && !layer.solo);
+        engine.submit(mute);
+    }
+    SwapBricks swap;
+    for (const auto& [key, bytes] : before)
+        swap.bricks.push_back({key, bytes});
+    engine.submit(std::move(swap));
+    const Ticket ticket = submitWhole(engine, edit, extensions);
+    Bricks bricks = before;
+    for (EngineResult& result : engine.collect()) {
+        if (result.ticket != ticket)
+            continue;
+        if (result.error)
+            qFatal("the oracle refused what a session did");
+        if (generation)
+            *generation = result.generation;
+        for (BrickChange& change : result.changes) {
+            bricks[change.key] = std::move(change.after);
+            if (bricks[change.key].empty())
+                bricks.erase(change.key);
+        }
+    }
+    return bricks;
+}
+
+namespace {
+
+template <class List, class Id> auto with(List& list, Id member, int id)
+{
+    return std::find_if(
+        list.begin(), list.end(), [&](const auto& each) { return each.*member == id; });
+}
+
+template <class List, class Id> void move(List& list, Id member, int id, int place)
+{
+    const auto from = with(list, member, id);
+    const auto moved = *from;
+    list.erase(from);
+    list.insert(list.begin() + std::min(std::ptrdiff_t(place) - 1, std::ssize(list)), moved);
+}
+
+template <class T> void take(T& target, const std::optional<T>& value)
+{
+    target = value.value_or(target);
+}
+
+/// What was measured on a piece that is gone.
+void release(int piece, Document& document)
+{
+    for (Measurement& measurement : document.measurements)
+        measurement.piece = measurement.piece == piece ? 0 : measurement.piece;
+}
+
+void removeLayer(int id, Document& document)
+{
+    for (std::size_t i = document.pieces.size(); i-- > 0;) {
+        const Piece piece = document.pieces[i];
+        if (piece.layer != id)
+            continue;
+        document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
+        release(piece.id, document);
+        document.pieces.erase(document.pieces.begin() + std::ptrdiff_t(i));
+    }
+    document.layers.erase(with(document.layers, &SculptLayer::id, id));
+    document.greatestRemovedLayer = std::max(document.greatestRemovedLayer, id);
+}
+
+void addTarget(const SegmentChoice& choice, Document& document)
+{
+    if (choice.segment)
+        return;
+    int label = document.greatestRemovedLabel;
+    for (const Segment& segment : document.segments)
+        label = std::max<int>(label, segment.label);
+    document.segments.push_back(
+        {.label = std::uint8_t(label + 1), .name = choice.name, .rgb = choice.rgb});
+}
+
+void changePieces(const Edit& edit, Document& document)
+{
+    std::vector<Piece>& pieces = document.pieces;
+    int last = document.greatestRemovedPiece;
+    for (const Piece& piece : pieces)
+        last = std::max(last, piece.id);
+    if (const auto* cut = std::get_if<CutPiece>(&edit)) {
+        pieces.push_back(
+            {.id = last + 1, .name = cut->name, .layer = cut->layer, .pivotLps = cut->pivotLps});
+    } else if (const auto* paste = std::get_if<PastePiece>(&edit)) {
+        pieces.push_back({.id = last + 1,
+            .name = paste->name,
+            .segment = paste->segment,
+            .pivotLps = paste->pivotLps,
+            .pose = paste->pose});
+    } else if (const auto* change = std::get_if<ChangePiece>(&edit)) {
+        Piece& piece = *with(pieces, &Piece::id, change->piece);
+        take(piece.name, change->name);
+        take(piece.pose.offsetMm, change->offsetMm);
+        take(piece.pose.rotationDegrees, change->rotationDegrees);
+        take(piece.pose.zoom, change->zoom);
+    } else if (std::holds_alternative<SendPiecesHome>(edit)) {
+        for (Piece& piece : pieces)
+            piece.pose = PiecePose{};
+    } else if (const auto* gone = std::get_if<RemovePiece>(&edit)) {
+        pieces.erase(with(pieces, &Piece::id, gone->piece));
+        release(gone->piece, document);
+        document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, gone->piece);
+    }
+}
+
+} // namespace
+
+void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
+{
+    std::vector<Segment>& segments = document.segments;
+    std::vector<SculptLayer>& layers = document.layers;
+    if (const auto* add = std::get_if<AddSegment>(&edit)) {
+        int label = document.greatestRemovedLabel;
+        for (const Segment& segment : segments)
+            label = std::max(label, int(segment.label));
+        segments.push_back({.label = std::uint8_t(label + 1),
+            .name = add->name,
+            .rgb = add->rgb,
+            .code = add->code});
+    } else if (const auto* change = std::get_if<ChangeSegment>(&edit)) {
+        Segment& segment = *with(segments, &Segment::label, change->segment);
+        take(segment.name, change->name);
+        take(segment.rgb, change->rgb);
+        take(segment.code, change->code);
+        take(segment.locked, change->locked);
+        take(segment.uncarvable, change->uncarvable);
+    } else if (const auto* moved = std::get_if<MoveSegment>(&edit)) {
+        move(segments, &Segment::label, moved->segment, moved->place);
+    } else if (const auto* remove = std::get_if<RemoveSegment>(&edit)) {
+        segments.erase(with(segments, &Segment::label, remove->segment));
+        document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, remove->segment);
+        std::vector<Piece> left;
+        for (const Piece& piece : document.pieces) {
+            if (piece.segment != remove->segment) {
+                left.push_back(piece);
+            } else {
+                document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
+                release(piece.id, document);
+            }
+        }
+        document.pieces = left;
+    } else if (const auto* layer = std::get_if<AddLayer>(&edit)) {
+        int id = document.greatestRemovedLayer;
+        for (const SculptLayer& each : layers)
+            id = std::max<int>(id, each.id);
+        layers.push_back({.id = std::uint8_t(id + 1), .name = layer->name});
+    } else if (const auto* other = std::get_if<ChangeLayer>(&edit)) {
+        SculptLayer& target = *with(layers, &SculptLayer::id, other->layer);
+        take(target.name, other->name);
+        take(target.muted, other->muted);
+        take(target.solo, other->solo);
+    } else if (const auto* order = std::get_if<MoveLayer>(&edit)) {
+        move(layers, &SculptLayer::id, order->layer, order->place);
+    } else if (const auto* gone = std::get_if<RemoveLayer>(&edit)) {
+        removeLayer(gone->layer, document);
+    } else if (const auto* merge = std::get_if<MergeLayers>(&edit)) {
+        removeLayer(merge->from, document);
+    } else if (const auto* carved = std::get_if<LayerToSegment>(&edit)) {
+        addTarget(carved->target, document);
+    } else if (const auto* seen = std::get_if<SegmentSeen>(&edit)) {
+        addTarget(seen->target, document);
+    } else if (const auto* mask = std::get_if<ImportMask>(&edit); mask && !mask->as) {
+        for (const ImportedSegment& segment : *mask->segments) {
+            addTarget({.segment = {}, .name = segment.name, .rgb = segment.rgb}, document);
+            document.segments.back().code = segment.code;
+        }
+    } else if (const auto* view = std::get_if<AddBookmark>(&edit)) {
+        int id = document.greatestRemovedBookmark;
+        for (const CameraBookmark& bookmark : document.bookmarks)
+            id = std::max(id, bookmark.id);
+        document.bookmarks.push_back({.id = id + 1,
+            .name = view->name,
+            .view = view->view,
+            .crosshairLps = view->crosshairLps});
+    } else if (const auto* measured = std::get_if<AddMeasurement>(&edit)) {
+        int id = document.greatestRemovedMeasurement;
+        for (const Measurement& measurement : document.measurements)
+            id = std::max(id, measurement.id);
+        document.measurements.push_back({.id = id + 1,
+            .fromLps = measured->fromLps,
+            .toLps = measured->toLps,
+            .piece = measured->piece.value_or(0)});
+    } else if (const auto* length = std::get_if<RemoveMeasurement>(&edit)) {
+        document.measurements.erase(
+            with(document.measurements, &Measurement::id, length->measurement));
+        document.greatestRemovedMeasurement =
+            std::max(document.greatestRemovedMeasurement, length->measurement);
+    } else if (const auto* forgotten = std::get_if<RemoveBookmark>(&edit)) {
+        document.bookmarks.erase(
+            with(document.bookmarks, &CameraBookmark::id, forgotten->bookmark));
+        document.greatestRemovedBookmark =
+            std::max(document.greatestRemovedBookmark, forgotten->bookmark);
+    } else {
+        changePieces(edit, document);
+    }
+}
+
+QString HistoryTruth::difference(
+    RowId row, EditEngine& engine, const Document& document, const QByteArray& stateHash) const
+{
+    const State& truth = m_states.at(row);
+    const auto json = [](const Document& each) {
+        return QJsonDocument(each.hashedState()).toJson(QJsonDocument::Compact);
+    };
+    if (json(document) != json(truth.document))
+        return QStringLiteral("the document is\n%1 instead of\n%2")
+            .arg(QString::fromUtf8(json(document)), QString::fromUtf8(json(truth.document)));
+    const Bricks found = everything(engine, m_study.volume.geometry.size);
+    if (found != truth.bricks) {
+        for (const auto& [key, bytes] : truth.bricks) {
+            const auto same = found.find(key);
+            if (same == found.end())
+                return QStringLiteral("brick %1 of field %2, plane %3 is missing")
+                    .arg(key.brick)
+                    .arg(int(key.field))
+                    .arg(key.plane);
+            const auto [was, is] =
+                std::mismatch(bytes.begin(), bytes.end(), same->second.begin(), same->second.end());
+            if (was != bytes.end())
+                return QStringLiteral("brick %1 of field %2, plane %3 is another: at byte %4 it "
+                                      "is %5 instead of %6")
+                    .arg(key.brick)
+                    .arg(int(key.field))
+                    .arg(key.plane)
+                    .arg(was - bytes.begin())
+                    .arg(*is)
+                    .arg(*was);
+        }
+        return QStringLiteral("there are voxels that must be empty");
+    }
+    StateHash hash;
+    std::vector<BrickImage> images;
+    for (const auto& [key, bytes] : truth.bricks)
+        images.push_back({key, bytes});
+    hash.update(images);
+    if (hash.root(json(truth.document)) != stateHash)
+        return QStringLiteral("the state hash is another");
+    return {};
+}
+
+} // namespace test

@@ -1,0 +1,639 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/cases/RandomHistory.h"
+
+#include "core/base/Guarded.h"
+#include "core/edits/EditJson.h"
+#include "core/session/EditSession.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/HistoryTruth.h"
+#include "tests/support/scenes/GoldenSessions.h"
+#include "tests/support/scenes/SmallStudy.h"
+
+#include <QJsonDocument>
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <random>
+
+namespace test {
+
+using namespace core;
+
+namespace {
+
+class HastyUser {
+public:
+    HastyUser(EditEngine& engine, std::uint32_t seed)
+        : m_engine(engine)
+        , m_random(seed)
+        , m_truth(goldenStudy())
+    {
+        auto created = EditSession::create(
+            m_engine, goldenStudy(), {.file = m_folder.filePath(QStringLiteral("s.burin"))});
+        if (!created) {
+            m_result.failure = QStringLiteral("no session");
+            return;
+        }
+        m_session = *std::move(created);
+        listen();
+    }
+
+    RandomHistory run(int commands, const std::function<void(bool)>& acting)
+    {
+        m_acting = acting;
+        for (int step = 0; step < commands && m_result.failure.isEmpty(); ++step) {
+            if (acting)
+                acting(true);
+            QString what = QStringLiteral("none");
+            try {
+                what = act();
+            } catch (const std::bad_alloc&) { // in the user's own head
+                ++m_result.refused[what];
+            }
+            if (m_session && m_isLost) {
+                ++m_result.refused[QStringLiteral("lost")];
+                reopen();
+            }
+            if (acting)
+                acting(false);
+            if (!m_session)
+                break;
+            takeRows();
+            const RowId row = m_session->history().position();
+            const QByteArray hash = m_session->stateHash();
+            m_result.hashes.push_back(hash);
+            const QString difference =
+                m_truth.difference(row, m_engine, m_session->document(), hash);
+            if (!difference.isEmpty())
+                m_result.failure = QStringLiteral("step %1 (%2), row %3, %4: %5")
+                                       .arg(step)
+                                       .arg(what)
+                                       .arg(row)
+                                       .arg(editText(row), difference);
+        }
+        m_session.reset();
+        return std::move(m_result);
+    }
+
+private:
+    /// Of a row, as a recipe has it.
+    [[nodiscard]] QString editText(RowId row) const
+    {
+        if (row == 0)
+            return QStringLiteral("the beginning");
+        return QString::fromUtf8(QJsonDocument(editToJson(m_session->history().row(row).edit))
+                                     .toJson(QJsonDocument::Compact));
+    }
+
+    /// How the name of a row ends that only has criteria for later growths.
+    static constexpr QLatin1String noVoxel{", no voxel"};
+
+    int between(int low, int high) { return low + int(m_random() % std::uint32_t(high - low + 1)); }
+    bool chance(int percent) { return between(1, 100) <= percent; }
+    template <class T> const T& any(const std::vector<T>& list)
+    {
+        return list[std::size_t(between(0, int(list.size()) - 1))];
+    }
+
+    QString act()
+    {
+        // What was undone is redone more often than not.
+        if (m_session->history().canRedo() && chance(25))
+            return note(QStringLiteral("redo"), m_session->redo());
+        const int dice = between(0, 99);
+        if (dice < 18)
+            return note(QStringLiteral("undo"), m_session->undo());
+        if (dice < 24)
+            return jump();
+        if (dice < 26)
+            return reopen();
+        if (dice < 31)
+            return giveUp();
+        // Of a few thoughts the one that came true least, so that no kind is left to luck.
+        Edit edit = think();
+        for (int i = 0; i < 3; ++i) {
+            Edit other = think();
+            if (m_result.done[editName(other)] < m_result.done[editName(edit)])
+                edit = std::move(other);
+        }
+        const std::size_t rows = m_session->history().rows().size();
+        return note(editName(edit), m_session->apply(edit), rows);
+    }
+
+    /// @param rowsBefore an edit leaves a row, or did nothing
+    QString note(
+        const QString& what, Result<void> result, std::optional<std::size_t> rowsBefore = {})
+    {
+        const Result<void> settled = m_session->settle();
+        if (result && !settled)
+            result = settled;
+        const std::size_t rows = m_session->history().rows().size();
+        if (!result)
+            ++m_result.refused[what];
+        if (!result)
+            return what;
+        if (!rowsBefore)
+            ++m_result.done[what];
+        else if (rows > *rowsBefore)
+            ++m_result
+                  .done[m_session->history().rows().back().name.contains(noVoxel) ? what + noVoxel
+                                                                                  : what];
+        return what;
+    }
+    /// Whether nothing more can be done but opening it again.
+    void listen()
+    {
+        m_isLost = false;
+        m_session->setErrorListener([this](const Error& error) {
+            m_isLost = m_isLost || error.code == ErrorCode::EngineLost
+                || error.arguments.value(0).contains(QLatin1String("open it again"));
+        });
+    }
+    QString jump()
+    {
+        const auto rows = int(m_session->history().rows().size());
+        return note(QStringLiteral("goTo"), m_session->goTo(between(0, rows)));
+    }
+    QString reopen()
+    {
+        m_session.reset();
+        const QString file = m_folder.filePath(QStringLiteral("s.burin"));
+        const auto open = [&] {
+            return guarded([&] { return EditSession::open(m_engine, goldenStudy(), file); });
+        };
+        auto opened = open();
+        for (int again = 0; again < 5 && !opened; ++again) {
+            if (opened.error().code != ErrorCode::OutOfMemory)
+                break;
+            ++m_result.refused[QStringLiteral("reopen")];
+            opened = open();
+        }
+        // Who is refused again and again tries once more when there is memory.
+        if (!opened && opened.error().code == ErrorCode::OutOfMemory && m_acting) {
+            m_acting(false);
+            opened = open();
+            m_acting(true);
+        }
+        if (opened) {
+            m_session = *std::move(opened);
+            listen();
+        } else {
+            m_result.failure =
+                QStringLiteral("not opened again: ") + opened.error().arguments.join(u' ');
+        }
+        ++m_result.done[QStringLiteral("reopen")];
+        return QStringLiteral("reopen");
+    }
+    /// A stroke or a growth under way that is given up leaves nothing.
+    QString giveUp()
+    {
+        const std::size_t rows = m_session->history().rows().size();
+        Edit edit = randomGrowth();
+        if (chance(30)) {
+            BrushStroke stroke = randomBrush();
+            const std::vector<glm::dvec3> points = stroke.path.pointsLps;
+            stroke.path.pointsLps.resize(1);
+            if (m_session->begin(stroke))
+                m_session->extendPath(points);
+        } else if (chance(50)) {
+            DrillStroke stroke = randomDrill();
+            const std::vector<PenSample> samples = std::exchange(stroke.samples, {});
+            if (m_session->begin(stroke))
+                m_session->extendDrill(samples);
+        } else if (m_session->begin(edit)) {
+            m_session->extendGrowth({.steps = 2});
+        }
+        m_session->poll();
+        m_session->end(Ending::Rollback);
+        static_cast<void>(m_session->settle());
+        if (m_session->history().rows().size() != rows)
+            m_result.failure = QStringLiteral("a stroke that was given up left a row");
+        ++m_result.done[QStringLiteral("given up")];
+        return QStringLiteral("given up");
+    }
+
+    Edit think()
+    {
+        const Document& document = m_session->document();
+        const std::vector<RowId> rows = m_truth.standingAt(m_session->history().position());
+        const int dice = document.segments.empty() ? 0 : between(0, 99);
+        if (dice < 5 && document.segments.size() < 6)
+            return AddSegment{
+                .name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu, .code = {}};
+        if (dice < 15)
+            return randomChange(document);
+        if (dice < 17)
+            return MoveSegment{.segment = any(document.segments).label, .place = between(1, 6)};
+        if (dice < 20)
+            return RemoveSegment{.segment = any(document.segments).label};
+        if (dice < 28)
+            return randomLayer(document);
+        if (dice < 32)
+            return randomBookmark(document);
+        if (dice < 38)
+            return randomPassage(document);
+        if (dice < 44)
+            return randomPiece(document);
+        if (dice < 51)
+            return randomSeeds(any(document.segments).label);
+        if (dice < 55)
+            return randomGrowth();
+        if (dice < 68)
+            return randomSteering();
+        if (dice < 72)
+            return randomPaint(any(document.segments).label);
+        if (dice < 75)
+            return randomBrush();
+        if (dice < 78 || rows.empty())
+            return randomDrill();
+        if (dice < 80)
+            return randomLaser();
+        if (dice < 82)
+            return randomOutlined();
+        if (dice < 89)
+            return ReviseStroke(randomRevision(rows));
+        return randomRevert(rows);
+    }
+
+    QString randomName() { return QStringLiteral("Name %1").arg(between(1, 9)); }
+    Edit randomChange(const Document& document)
+    {
+        ChangeSegment change{.segment = any(document.segments).label};
+        switch (between(0, 4)) {
+        case 0:
+            change.name = randomName();
+            break;
+        case 1:
+            change.rgb = std::uint32_t(m_random()) & 0xFFFFFFu;
+            break;
+        case 2:
+            change.code = chance(50) ? CodedConcept{QStringLiteral("SCT"),
+                              QStringLiteral("89546000"), QStringLiteral("Skull")}
+                                     : CodedConcept{};
+            break;
+        case 3:
+            change.uncarvable = chance(60);
+            break;
+        default:
+            change.locked = chance(40);
+        }
+        return change;
+    }
+    Edit randomLayer(const Document& document)
+    {
+        const SculptLayer& layer = any(document.layers);
+        const bool room = document.lastLayerGiven() < 8;
+        if (room && (document.layers.size() < 2 || (document.layers.size() < 3 && chance(30))))
+            return AddLayer{.name = randomName()};
+        if (chance(10))
+            return RemoveLayer{.layer = layer.id};
+        if (chance(15))
+            return MergeLayers{.from = layer.id, .into = any(document.layers).id};
+        if (chance(20))
+            return ChangeLayer{.layer = layer.id, .solo = !layer.solo};
+        if (chance(25))
+            return MoveLayer{.layer = layer.id, .place = between(1, 3)};
+        if (chance(25))
+            return ChangeLayer{.layer = layer.id, .name = randomName()};
+        return ChangeLayer{.layer = layer.id, .muted = !layer.muted};
+    }
+    /// Between layers and segments.
+    Edit randomPassage(const Document& document)
+    {
+        SegmentChoice target{.segment = any(document.segments).label};
+        if (document.segments.size() < 6 && chance(30))
+            target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
+        switch (between(0, 2)) {
+        case 0:
+            return LayerToSegment{.layer = any(document.layers).id,
+                .target = target,
+                .overwriteUnlocked = chance(40)};
+        case 1:
+            return SegmentToLayer{
+                .segment = any(document.segments).label, .layer = any(document.layers).id};
+        default:
+            break;
+        }
+        SegmentSeen seen{.target = target};
+        if (chance(70))
+            seen.lower = between(-200, 500);
+        if (chance(30))
+            seen.upper = between(0, 1200);
+        seen.overwriteUnlocked = chance(40);
+        std::vector<HiddenSide> sides;
+        for (int i = between(0, 2); i > 0; --i)
+            sides.push_back(beyond(randomDrill().view.targetLps,
+                glm::dvec3{between(-10, 10), between(1, 10), between(-10, 10)}));
+        if (!sides.empty())
+            seen.hidden = sides;
+        return seen;
+    }
+    /// Views and distances that are kept.
+    Edit randomBookmark(const Document& document)
+    {
+        if (!document.bookmarks.empty() && chance(50))
+            return RemoveBookmark{.bookmark = any(document.bookmarks).id};
+        if (!document.measurements.empty() && chance(30))
+            return RemoveMeasurement{.measurement = any(document.measurements).id};
+        if (chance(50)) {
+            AddMeasurement measured{.fromLps = randomDrill().view.targetLps,
+                .toLps = glm::dvec3(between(-20, 20), 0.5, 120.0)};
+            if (!document.pieces.empty() && chance(50))
+                measured.piece = any(document.pieces).id;
+            return measured;
+        }
+        return AddBookmark{.name = randomName(),
+            .view = randomDrill().view,
+            .crosshairLps = glm::dvec3(between(-20, 20), 0.5, 120.0)};
+    }
+    Edit randomPiece(const Document& document)
+    {
+        const auto turn = [this] { return glm::dvec3{between(-90, 90), between(-90, 90), 12.5}; };
+        const auto away = [this] { return glm::dvec3{between(-40, 40), 3.25, between(-9, 9)}; };
+        const int dice = document.pieces.empty() ? between(0, 29) : between(0, 99);
+        if (dice < 15)
+            return CutPiece{.layer = any(document.layers).id, .name = randomName()};
+        if (dice < 30)
+            return PastePiece{.segment = any(document.segments).label,
+                .name = randomName(),
+                .pivotLps = away(),
+                .pose = {.offsetMm = away(), .zoom = between(1, 9) / 2.0}};
+        const int piece = any(document.pieces).id;
+        if (dice < 40)
+            return RemovePiece{.piece = piece};
+        if (dice < 62)
+            return SendPiecesHome{};
+        if (dice < 66)
+            return ChangePiece{.piece = piece, .name = randomName()};
+        return ChangePiece{.piece = piece, .offsetMm = away(), .rotationDegrees = turn()};
+    }
+    Edit randomSeeds(int segment)
+    {
+        const VolumeGeometry& geometry = m_session->document().volumes.front().geometry;
+        SeedStroke stroke{.segment = segment, .pointsLps = {}};
+        for (int i = between(1, 4); i > 0; --i) {
+            const glm::dvec3 voxel{between(0, geometry.size.x - 1), between(0, geometry.size.y - 1),
+                between(0, geometry.size.z - 1)};
+            stroke.pointsLps.push_back(geometry.toWorld(voxel));
+        }
+        if (chance(20))
+            stroke.pointsLps.back() = smallBall(-1.0);
+        if (chance(30) && !m_sketched.empty())
+            stroke.takenLps = {any(m_sketched), any(m_sketched)};
+        if (stroke.takenLps && chance(30))
+            stroke.pointsLps.clear();
+        m_sketched.insert(m_sketched.end(), stroke.pointsLps.begin(), stroke.pointsLps.end());
+        return stroke;
+    }
+    /// The middle of one of the two balls with a neck between them. @param side −1 or 1
+    [[nodiscard]] glm::dvec3 smallBall(double side) const
+    {
+        const VolumeGeometry& geometry = m_session->document().volumes.front().geometry;
+        return geometry.toWorld((glm::dvec3(geometry.size) - 1.0) / 2.0)
+            + glm::dvec3(10.0 * side, 0.0, 20.0);
+    }
+    GrowSteps randomGrowth()
+    {
+        GrowSteps grow = chance(50) ? growBrain() : growBone();
+        if (chance(20)) { // what may leak through the tube between the two small balls
+            grow.criteria.lower = 250;
+            grow.criteria.upper = 350;
+        } else if (chance(15))
+            grow.criteria.lower = -1000; // through everything up to its upper bound
+        if (chance(75))
+            grow.steps = between(1, 4);
+        grow.criteria.overwriteUnlocked = chance(30);
+        grow.criteria.onlyVisible = chance(15);
+        if (chance(20))
+            grow.criteria.connectivity = chance(50) ? 18 : 26;
+        if (chance(15))
+            grow.criteria.difference = between(20, 200);
+        if (chance(10))
+            grow.criteria.sigmas = between(10, 40) / 10.0;
+        if (chance(15))
+            grow.guard.factor = between(10, 40) / 10.0;
+        // Of the row's number: the histories of before stay as they are but for this.
+        const std::size_t row = m_session->history().rows().size();
+        if (grow.criteria.sigmas && row % 2 == 0)
+            grow.criteria.perStroke = true;
+        if (row % 7 == 0)
+            grow.criteria.passage = 1.5 + double(row % 10) / 2.0;
+        return grow;
+    }
+    /// What is done to a growth that is there.
+    Edit randomSteering()
+    {
+        if (m_truth.grownVoxels(m_session->history().position()).empty())
+            return chance(50) ? Edit(randomSeeds(any(m_session->document().segments).label))
+                              : Edit(randomGrowth());
+        switch (between(0, 10)) {
+        case 0:
+            return chance(30) ? ShrinkSteps{} : ShrinkSteps{.steps = between(1, 4)};
+        case 1:
+            return ShrinkAt{
+                .pointsLps = grownPlaces(), .onlyHere = chance(30), .barrier = chance(70)};
+        case 2:
+        case 6:
+        case 7:
+            return PlugLeak{.pointLps = chance(50) ? smallBall(1.0) : grownPlaces().back()};
+        case 3:
+            return BarrierStroke{.path = randomPath(), .erase = chance(30)};
+        case 4: {
+            ChangeInterval change;
+            change.criteria.lower = between(-1000, 400);
+            change.criteria.upper = between(100, 2000);
+            if (chance(40))
+                change.steps = between(0, 4);
+            if (m_session->history().rows().size() % 4 == 0)
+                change.guard.factor = 1.5;
+            return change;
+        }
+        case 5: {
+            ResumeGrowth resume;
+            if (chance(60))
+                resume.steps = between(1, 4);
+            return resume;
+        }
+        default:
+            return GrowFromSeeds{
+                .connectivity = chance(50) ? 6 : 26, .overwriteUnlocked = chance(30)};
+        }
+    }
+    /// Voxels that growths have added; any where there are none.
+    std::vector<glm::dvec3> grownPlaces()
+    {
+        std::vector<glm::ivec3> held = m_truth.grownVoxels(m_session->history().position());
+        const VolumeGeometry& geometry = m_session->document().volumes.front().geometry;
+        std::vector<glm::dvec3> places;
+        for (int i = between(1, 3); i > 0; --i)
+            places.push_back(
+                geometry.toWorld(glm::dvec3(held.empty() ? glm::ivec3(1) : any(held))));
+        return places;
+    }
+    DrillStroke randomDrill()
+    {
+        DrillStroke stroke = drillAt(between(-120, 120) / 10.0);
+        const glm::dvec3 middle = stroke.view.targetLps;
+        if (chance(40)) // from another side
+            stroke.view.eyeLps = middle + glm::dvec3{between(-200, 200), between(50, 200), 30};
+        for (PenSample& sample : stroke.samples)
+            sample.yMm += between(-60, 60) / 10.0;
+        stroke.mask.radiusMm = between(10, 70) / 10.0;
+        stroke.depthMm = between(10, 90) / 10.0;
+        stroke.layer = any(m_session->document().layers).id;
+        stroke.throughGaps = chance(30);
+        stroke.restore = chance(30);
+        if (chance(40)) {
+            stroke.mask.kind = MaskShape::Kind(between(0, 4));
+            stroke.mask.widthMm = between(10, 140) / 10.0;
+            stroke.mask.heightMm = between(10, 140) / 10.0;
+            stroke.mask.rotationDegrees = between(0, 90);
+        }
+        if (chance(20))
+            stroke.mask.polygonMm = {{{-6, -4}, {5, between(-50, 50) / 10.0}, {-3, 6}, {7, 7}}};
+        if (chance(25)) {
+            stroke.mode = DrillMode::Rate;
+            stroke.depthMm *= 10.0;
+            stroke.floorMm = between(10, 90) / 10.0;
+        }
+        stroke.byTime = chance(50);
+        if (chance(30))
+            stroke.guardMm = between(1, 40) / 10.0;
+        if (chance(20)) // what lies before a plane through about the surface
+            stroke.hidden = {{{glm::normalize(stroke.view.eyeLps - middle), 0.0}}};
+        if (stroke.hidden)
+            stroke.hidden->front().offsetMm =
+                glm::dot(stroke.hidden->front().normalLps, middle) + between(0, 60) / 2.0;
+        return stroke;
+    }
+    LaserStroke randomLaser()
+    {
+        const DrillStroke drill = randomDrill();
+        LaserStroke laser{.layer = drill.layer, .view = drill.view, .mask = drill.mask};
+        laser.mode = drill.mode;
+        laser.depthMm = drill.depthMm;
+        laser.floorMm = drill.floorMm;
+        laser.surfaceThreshold = drill.surfaceThreshold;
+        laser.throughGaps = drill.throughGaps;
+        laser.restore = drill.restore;
+        laser.byTime = drill.byTime;
+        laser.samples = drill.samples;
+        laser.hidden = drill.hidden;
+        return laser;
+    }
+    /// From a place that drills reach; on one slice now and then.
+    BrushPath randomPath()
+    {
+        BrushPath path{.radiusMm = between(5, 60) / 10.0};
+        const DrillStroke drill = randomDrill();
+        glm::dvec3 at = drill.view.targetLps
+            + glm::dvec3(drill.samples.front().xMm, -between(6, 15), drill.samples.front().yMm);
+        for (int i = between(1, 4); i > 0; --i) {
+            at += glm::dvec3{between(-60, 60), between(-60, 60), between(-30, 30)} / 10.0;
+            path.pointsLps.push_back(at);
+        }
+        if (chance(40)) {
+            path.shape = BrushPath::Shape::Disc;
+            path.normalLps = glm::dvec3(0, 0, 1);
+        }
+        return path;
+    }
+    PaintStroke randomPaint(int segment)
+    {
+        PaintStroke stroke{.segment = segment, .path = randomPath()};
+        stroke.erase = chance(30);
+        stroke.seeds = chance(50);
+        stroke.overwriteUnlocked = chance(40);
+        if (chance(30))
+            stroke.lower = between(-200, 300);
+        return stroke;
+    }
+    BrushStroke randomBrush()
+    {
+        BrushStroke stroke{.layer = any(m_session->document().layers).id, .path = randomPath()};
+        stroke.restore = chance(40);
+        return stroke;
+    }
+    Edit randomOutlined()
+    {
+        const DrillStroke stroke = randomDrill();
+        const double half = stroke.mask.radiusMm;
+        const glm::dvec2 middle(stroke.samples.front().xMm, stroke.samples.front().yMm);
+        const std::vector<glm::dvec2> outline{middle - half, middle + glm::dvec2(half, -half),
+            middle + glm::dvec2(-half, half), middle + half + 1.0};
+        if (chance(60))
+            return PeelCut{.layer = stroke.layer,
+                .view = stroke.view,
+                .polygonMm = outline,
+                .depthMm = std::min(stroke.depthMm, 40.0),
+                .surfaceThreshold = stroke.surfaceThreshold,
+                .throughGaps = stroke.throughGaps,
+                .restore = stroke.restore,
+                .hidden = stroke.hidden};
+        ScissorsCut cut{.layer = stroke.layer, .view = stroke.view, .polygonMm = outline};
+        cut.surfaceThreshold = stroke.surfaceThreshold;
+        cut.restore = stroke.restore;
+        cut.firstLayerOnly = !cut.restore && chance(50);
+        if (chance(50))
+            cut.depthMm = stroke.depthMm;
+        return cut;
+    }
+    ReviseStroke randomRevision(const std::vector<RowId>& rows)
+    {
+        ReviseStroke revise{.row = any(rows)};
+        if (chance(60))
+            revise.radiusMm = between(10, 70) / 10.0;
+        if (chance(40))
+            revise.depthMm = between(10, 90) / 10.0;
+        if (chance(20))
+            revise.layer = any(m_session->document().layers).id;
+        if (chance(20))
+            revise.throughGaps = chance(50);
+        if (chance(15))
+            revise.softnessMm = between(0, 30) / 10.0;
+        revise.removed = chance(25);
+        return revise;
+    }
+    Edit randomRevert(const std::vector<RowId>& rows)
+    {
+        // Late rows are the ones that are free more often than not.
+        RevertRows revert;
+        const int count = std::min(int(rows.size()), between(1, 2));
+        for (int i = 0; i < count; ++i)
+            revert.rows.push_back(
+                rows[rows.size() - 1 - std::size_t(between(0, std::min(5, int(rows.size()) - 1)))]);
+        std::sort(revert.rows.begin(), revert.rows.end());
+        revert.rows.erase(std::unique(revert.rows.begin(), revert.rows.end()), revert.rows.end());
+        return revert;
+    }
+
+    void takeRows()
+    {
+        const std::vector<HistoryRow>& rows = m_session->history().rows();
+        for (; m_known < rows.size(); ++m_known)
+            m_truth.add(rows[m_known]);
+    }
+
+    EditEngine& m_engine;
+    std::mt19937 m_random;
+    QTemporaryDir m_folder;
+    HistoryTruth m_truth;
+    std::size_t m_known = 0; ///< rows
+    std::vector<glm::dvec3> m_sketched; ///< places of seeds, done or undone
+    RandomHistory m_result;
+    std::function<void(bool)> m_acting;
+    bool m_isLost = false;
+    std::unique_ptr<EditSession> m_session;
+};
+
+} // namespace
+
+RandomHistory runRandomHistory(
+    EditEngine& engine, int commands, std::uint32_t seed, const std::function<void(bool)>& acting)
+{
+    return HastyUser(engine, seed).run(commands, acting);
+}
+
+} // namespace test

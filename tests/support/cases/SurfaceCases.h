@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tests/support/cases/StrokeCases.h"
+
+namespace test {
+
+/// Edits of the surface that is being refined, on a ball of voxels.
+[[nodiscard]] std::vector<StrokeCase> surfaceCases();
+
+/// A ball of voxels as a mask that comes in: the segment "Ball", label 1 in an empty session.
+/// @param radius in voxels around the middle of the volume
+[[nodiscard]] core::ImportMask ballMask(const glm::ivec3& size, double radius);
+
+} // namespace test

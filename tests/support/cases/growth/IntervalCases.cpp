@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/engine/EngineEdits.h"
+#include "tests/support/cases/EngineCases.h"
+
+#include <algorithm>
+#include <array>
+
+namespace test {
+
+namespace {
+
+using core::GrowAdvance;
+using core::GrowAnew;
+using core::GrowBurst;
+using core::GrowOpening;
+
+EngineStep command(core::EngineCommand known)
+{
+    return known;
+}
+
+/// A growth whose interval is moved to and fro, with barriers that come and go; one label, or three
+/// that compete.
+EngineCase randomMoves(int number)
+{
+    Random random(std::uint32_t(27000 + number));
+    const glm::ivec3 size{
+        randomInt(random, 4, 36), randomInt(random, 4, 36), randomInt(random, 4, 36)};
+    const core::Document document = randomDocument(size, random, false);
+    EngineCase made{"random moves of the interval " + QByteArray::number(number),
+        random() % 3 ? balls(size, 6, random) : noiseVolume(size, tissueCode, random), {}};
+    const int labels = number % 3 == 2 ? 3 : 1;
+    const auto sketch = [&](int label) {
+        core::SeedPlacement seeds{.label = std::uint8_t(label)};
+        for (int i = randomInt(random, 1, 3); i > 0; --i)
+            seeds.voxels.push_back(randomVoxel(random, size));
+        appendWhole(made.steps, seeds);
+    };
+    if (random() % 2) { // the label holds some voxels already, and others hold some
+        Bytes held{size, std::vector<std::uint8_t>(made.codes.values.size(), 0)};
+        for (std::uint8_t& label : held.values)
+            label = random() % 9 ? std::uint8_t(0) : std::uint8_t(randomInt(random, 1, 4));
+        made.steps.push_back(command(core::SwapBricks{bricksOf(held, core::Field::Labels, 0)}));
+    }
+    for (int label = 1; label <= labels; ++label)
+        sketch(label);
+    const int connectivity = std::array<int, 3>{6, 18, 26}[random() % 3];
+    const auto burstNow = [&] {
+        GrowBurst burst{.lowCode = randomInt(random, 0, 500),
+            .highCode = randomInt(random, 500, tissueCode),
+            .connectivity = random() % 8 ? connectivity : 6,
+            .opening = std::array<GrowOpening, 6>{GrowOpening::Narrow, GrowOpening::Narrow,
+                GrowOpening::Narrow, GrowOpening::Narrow, GrowOpening::Restart,
+                GrowOpening::GoOn}[random() % 6]};
+        burst.overwritable[4] = random() % 4 == 0;
+        burst.frozen[3] = random() % 6 == 0;
+        return burst;
+    };
+    for (int move = 0; move < 50; ++move) {
+        if (random() % 12 == 0)
+            sketch(randomInt(random, 1, labels));
+        if (random() % 8 == 0) {
+            core::BarrierStroke stroke{.path = randomPath(document, random)};
+            stroke.erase = random() % 3 == 0;
+            if (const auto barrier = core::paintBarrier(stroke, document)) {
+                core::PaintBarrier shut = *barrier;
+                shut.frozen[2] = random() % 5 == 0;
+                appendWhole(made.steps, shut,
+                    {core::CapsulePath{
+                        core::capsules(stroke.path, document.volumes.front().geometry)}});
+            }
+        }
+        made.steps.push_back(BeginGrowth{burstNow()});
+        const auto advance = [&] {
+            const int steps = random() % 3 ? GrowAdvance::toClosure : randomInt(random, 0, 6);
+            made.steps.push_back(command(core::ExtendEdit{GrowAdvance{steps}}));
+        };
+        advance();
+        for (int again = int(random() % 3); again > 0 && random() % 3 == 0; --again) {
+            made.steps.push_back(command(core::ExtendEdit{GrowAnew{burstNow()}}));
+            advance();
+        }
+        made.steps.push_back(
+            command(core::EndEdit{random() % 9 ? core::Ending::Commit : core::Ending::Rollback}));
+        if (random() % 9 == 0)
+            made.steps.push_back(Shrink{.shrink = {}, .generations = 3});
+        if (random() % 6 == 0)
+            made.steps.push_back(Undo{});
+        if (random() % 9 == 0)
+            made.steps.push_back(Redo{});
+    }
+    return made;
+}
+
+} // namespace
+
+std::vector<EngineCase> intervalCases(int randomCount)
+{
+    std::vector<EngineCase> cases;
+    for (const GrowOpening opening : {GrowOpening::Narrow, GrowOpening::Restart}) {
+        // A long corridor whose middle fails: all beyond it leaves, and comes back.
+        EngineCase corridor{opening == GrowOpening::Narrow ? "a corridor that is shut and opened"
+                                                           : "a corridor that is grown anew",
+            spiralCorridor({40, 17, 5}), {}};
+        corridor.codes.at({3, 0, 0}) = tissueCode / 2;
+        appendWhole(corridor.steps, core::SeedPlacement{.label = 9, .voxels = {{0, 0, 0}}});
+        for (const int low :
+            {tissueCode / 4, tissueCode / 2 + 1, tissueCode / 4, tissueCode + 1, tissueCode / 4}) {
+            GrowBurst burst{.lowCode = low, .highCode = 65535, .opening = opening};
+            corridor.steps.push_back(BeginGrowth{burst});
+            corridor.steps.push_back(command(core::ExtendEdit{GrowAdvance{}}));
+            corridor.steps.push_back(command(core::EndEdit{}));
+        }
+        for (int i = 0; i < 5; ++i)
+            corridor.steps.push_back(Undo{});
+        for (int i = 0; i < 5; ++i)
+            corridor.steps.push_back(Redo{});
+        cases.push_back(corridor);
+    }
+    EngineCase refused{"a growth begun anew that is refused", constantVolume({9, 9, 9}, 7), {}};
+    appendWhole(refused.steps, core::SeedPlacement{.label = 9, .voxels = {{0, 0, 0}}});
+    const GrowBurst all{.lowCode = 0, .highCode = 65535};
+    GrowBurst odd = all;
+    odd.connectivity = 7;
+    GrowBurst elsewhere = all;
+    elsewhere.plane = 1;
+    refused.steps.push_back(BeginGrowth{all});
+    refused.steps.push_back(command(core::ExtendEdit{GrowAdvance{2}}));
+    refused.steps.push_back(command(core::ExtendEdit{GrowAnew{odd}}));
+    refused.steps.push_back(command(core::ExtendEdit{GrowAnew{elsewhere}}));
+    refused.steps.push_back(command(core::EndEdit{}));
+    appendWhole(refused.steps, core::EraseLabel{.label = 1}, {GrowAnew{all}});
+    cases.push_back(refused);
+    for (int number = 0; number < randomCount; ++number)
+        cases.push_back(randomMoves(number));
+    return cases;
+}
+
+} // namespace test

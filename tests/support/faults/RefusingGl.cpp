@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/faults/RefusingGl.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <QtGlobal>
+
+#include <atomic>
+#include <random>
+
+namespace test {
+
+namespace {
+
+std::atomic<int> counted = 0;
+std::atomic<int> refusals = 0;
+std::atomic<int> firstRefused = 0;
+std::atomic<bool> onAndOn = false;
+
+std::atomic<bool> paused = false;
+std::mt19937 lot;
+int leastGap = 0;
+int mostGap = 0; ///< 0: not by lot
+
+bool refuses()
+{
+    if (paused)
+        return false;
+    const int call = ++counted;
+    const int first = firstRefused;
+    const bool refused = first > 0 && (call == first || (onAndOn && call > first));
+    if (refused && mostGap > 0)
+        firstRefused = call + leastGap + int(lot() % unsigned(mostGap - leastGap + 1));
+    refusals += refused ? 1 : 0;
+    return refused;
+}
+
+// The driver's functions; the loader's pointers lead to ours meanwhile.
+decltype(epoxy_glNamedBufferStorage) bufferStorage = nullptr;
+decltype(epoxy_glTextureStorage2D) textureStorage2D = nullptr;
+decltype(epoxy_glTextureStorage3D) textureStorage3D = nullptr;
+decltype(epoxy_glTextureView) textureView = nullptr;
+decltype(epoxy_glMapNamedBufferRange) mapBuffer = nullptr;
+
+constexpr GLsizeiptr farTooMuch = GLsizeiptr(1) << 61;
+
+void refusingBufferStorage(GLuint buffer, GLsizeiptr bytes, const void* data, GLbitfield flags)
+{
+    bufferStorage(buffer, refuses() ? farTooMuch : bytes, data, flags);
+}
+
+void refusingStorage2D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height)
+{
+    textureStorage2D(texture, levels, format, refuses() ? -1 : width, height);
+}
+
+void refusingStorage3D(
+    GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height, GLsizei depth)
+{
+    textureStorage3D(texture, levels, format, refuses() ? -1 : width, height, depth);
+}
+
+void refusingView(GLuint texture, GLenum target, GLuint original, GLenum format, GLuint minLevel,
+    GLuint levels, GLuint minLayer, GLuint layers)
+{
+    textureView(
+        texture, target, refuses() ? ~0u : original, format, minLevel, levels, minLayer, layers);
+}
+
+void* refusingMap(GLuint buffer, GLintptr offset, GLsizeiptr length, GLbitfield access)
+{
+    return mapBuffer(buffer, refuses() ? -1 : offset, length, access);
+}
+
+template <class Function>
+void exchange(Function& pointer, Function& real, Function refusing, const char* name)
+{
+    real = reinterpret_cast<Function>(eglGetProcAddress(name));
+    pointer = refusing;
+}
+
+} // namespace
+
+RefusingGl::RefusingGl(int first, From from)
+{
+    Q_ASSERT(bufferStorage == nullptr);
+    counted = 0;
+    refusals = 0;
+    firstRefused = first;
+    onAndOn = from == From::OnAndOn;
+    mostGap = 0;
+    exchange(
+        epoxy_glNamedBufferStorage, bufferStorage, refusingBufferStorage, "glNamedBufferStorage");
+    exchange(epoxy_glTextureStorage2D, textureStorage2D, refusingStorage2D, "glTextureStorage2D");
+    exchange(epoxy_glTextureStorage3D, textureStorage3D, refusingStorage3D, "glTextureStorage3D");
+    exchange(epoxy_glTextureView, textureView, refusingView, "glTextureView");
+    exchange(epoxy_glMapNamedBufferRange, mapBuffer, refusingMap, "glMapNamedBufferRange");
+}
+
+RefusingGl::RefusingGl(std::uint32_t seed, int least, int most)
+    : RefusingGl(most)
+{
+    lot.seed(seed);
+    leastGap = least;
+    mostGap = most;
+}
+
+RefusingGl::~RefusingGl()
+{
+    epoxy_glNamedBufferStorage = bufferStorage;
+    epoxy_glTextureStorage2D = textureStorage2D;
+    epoxy_glTextureStorage3D = textureStorage3D;
+    epoxy_glTextureView = textureView;
+    epoxy_glMapNamedBufferRange = mapBuffer;
+    bufferStorage = nullptr;
+}
+
+RefusingGl::Pause::Pause(RefusingGl&)
+{
+    paused = true;
+}
+
+RefusingGl::Pause::~Pause()
+{
+    paused = false;
+}
+
+int RefusingGl::calls() const
+{
+    return counted;
+}
+
+int RefusingGl::refused() const
+{
+    return refusals;
+}
+
+} // namespace test

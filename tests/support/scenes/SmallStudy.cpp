@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/scenes/SmallStudy.h"
+
+namespace test {
+
+namespace {
+
+const glm::ivec3 size(40, 36, 34);
+const glm::dvec3 spacing(1.0, 1.0, 1.5);
+const glm::dvec3 origin(-20.0, -18.0, 100.0);
+const glm::dvec3 middle = origin + spacing * (glm::dvec3(size) - 1.0) / 2.0;
+
+} // namespace
+
+core::LoadedVolume smallStudy()
+{
+    core::LoadedVolume loaded;
+    core::Volume& volume = loaded.volume;
+    volume.geometry.size = size;
+    volume.geometry.indexToWorld = glm::dmat4(glm::dvec4(spacing.x, 0, 0, 0),
+        glm::dvec4(0, spacing.y, 0, 0), glm::dvec4(0, 0, spacing.z, 0), glm::dvec4(origin, 1));
+    volume.encoding = {.rescaleSlope = 1.0, .rescaleIntercept = -1024.0};
+    volume.unit = QStringLiteral("HU");
+    volume.minimum = -1000;
+    volume.maximum = 1000;
+    volume.identity.seriesUid = QStringLiteral("1.2.3.4");
+    volume.identity.modality = QStringLiteral("CT");
+    volume.sourcePath = QStringLiteral("/nowhere/small");
+    volume.voxelsSha256 = QByteArray(64, 'a');
+    for (int k = 0; k < size.z; ++k) {
+        for (int j = 0; j < size.y; ++j) {
+            for (int i = 0; i < size.x; ++i) {
+                const double radius = glm::length(volume.geometry.toWorld({i, j, k}) - middle);
+                const int value = radius < 11 ? 40 : (radius < 15 ? 1000 : -1000);
+                loaded.codes.push_back(std::uint16_t(value + 1024));
+            }
+        }
+    }
+    return loaded;
+}
+
+core::AddSegment addSegment(const char* name)
+{
+    return {.name = QLatin1String(name), .rgb = 0xE0C068, .code = {}};
+}
+
+core::SeedStroke seedInBrain(int segment)
+{
+    return {.segment = segment, .pointsLps = {middle, middle + glm::dvec3(2, 0, 0)}};
+}
+
+core::SeedStroke seedInBone(int segment)
+{
+    return {.segment = segment, .pointsLps = {middle + glm::dvec3(0, -13, 0)}};
+}
+
+core::GrowSteps growBrain(std::optional<int> steps)
+{
+    return {.criteria = {.lower = 0, .upper = 100}, .steps = steps};
+}
+
+core::GrowSteps growBone(std::optional<int> steps)
+{
+    return {.criteria = {.lower = 500, .upper = 2000}, .steps = steps};
+}
+
+core::DrillStroke drillAt(double xMm)
+{
+    core::DrillStroke stroke;
+    stroke.view = {.eyeLps = middle - glm::dvec3(0, 200, 0),
+        .targetLps = middle,
+        .up = {0, 0, 1},
+        .heightMm = 80};
+    stroke.mask.radiusMm = 4;
+    stroke.depthMm = 5;
+    stroke.surfaceThreshold = 500;
+    stroke.samples = {{.xMm = xMm, .yMm = 0.3, .pressure = 0.7, .tSeconds = 0.0},
+        {.xMm = xMm + 3.21, .yMm = 1.7, .pressure = 1.0, .tSeconds = 0.1}};
+    return stroke;
+}
+
+std::vector<core::Edit> manyEdits()
+{
+    return {addSegment("Brain"), addSegment("Skull"), seedInBrain(1), growBrain(3), drillAt(-6),
+        core::ChangeSegment{.segment = 2, .name = QStringLiteral("Bone")}, growBrain(), drillAt(5),
+        seedInBone(2), growBone(), core::RevertRows{{8}}};
+}
+
+} // namespace test

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/Edits.h"
+
+namespace test {
+
+/// What a radiologist paints in one go: sixty dabs of an 8 mm ball or disc, 3 mm apart, in three
+/// bends across about 60 × 40 mm of an axial slice.
+[[nodiscard]] core::PaintStroke typicalPaintStroke(
+    int segment, const glm::dvec3& middleLps, core::BrushPath::Shape shape);
+
+} // namespace test

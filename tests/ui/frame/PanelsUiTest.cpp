@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/frame/PanelColumn.h"
+#include "ui/frame/PanelSection.h"
+#include "ui/panels/ClippingPanel.h"
+#include "ui/panels/VolumePanel.h"
+#include "ui/panels/growth/GrowthPanel.h"
+#include "ui/panels/history/HistoryPanel.h"
+#include "ui/panels/lists/LayersPanel.h"
+#include "ui/panels/lists/SegmentsPanel.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QAbstractSpinBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QMenu>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include <initializer_list>
+
+namespace {
+
+/// The window with the panels that the program has.
+struct PanelsFixture : test::WindowFixture {
+    explicit PanelsFixture(const QSize& size)
+        : WindowFixture(test::headFirstSupine(), size)
+    {
+        for (ui::Panel* panel : std::initializer_list<ui::Panel*>{new ui::SegmentsPanel(workspace),
+                 new ui::GrowthPanel(workspace), new ui::HistoryPanel(workspace),
+                 new ui::LayersPanel(workspace), new ui::VolumePanel(workspace),
+                 new ui::ClippingPanel(workspace, window.views().volume())})
+            window.addPanel(panel);
+        window.showPanels(true);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
+    }
+    [[nodiscard]] ui::PanelSection& section(const char* id)
+    {
+        auto* found = window.findChild<ui::PanelSection*>(QLatin1String(id));
+        if (!found)
+            qFatal("no panel %s", id);
+        return *found;
+    }
+    [[nodiscard]] ui::PanelColumn& column() { return *window.findChild<ui::PanelColumn*>(); }
+    void trigger(const char* action) { window.actionTable()[QLatin1String(action)].trigger(); }
+    [[nodiscard]] bool isChecked(const char* action)
+    {
+        return window.actionTable()[QLatin1String(action)].isChecked();
+    }
+    void clickPlace(const char* id)
+    {
+        auto* button = section(id).findChild<QToolButton*>(QStringLiteral("floatPanel"));
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCoreApplication::sendPostedEvents();
+    }
+    /// Top to bottom.
+    [[nodiscard]] QStringList docked()
+    {
+        QMap<int, QString> byHeight;
+        for (const auto* each : window.findChildren<ui::PanelSection*>()) {
+            if (!each->isFloating() && each->isVisible())
+                byHeight.insert(each->y(), each->id());
+        }
+        return byHeight.values();
+    }
+};
+
+QStringList ids(std::initializer_list<const char*> names)
+{
+    QStringList list;
+    for (const char* name : names)
+        list += QLatin1String(name);
+    return list;
+}
+
+/// Words that do not fit their widget.
+QStringList clippedTexts(const QWidget& window)
+{
+    QStringList clipped;
+    const auto check = [&](const QWidget* widget, const QString& text, int room) {
+        if (widget->isVisible() && widget->fontMetrics().horizontalAdvance(text) > room)
+            clipped += QStringLiteral("%1 (%2)").arg(text, widget->objectName());
+    };
+    for (const auto* label : window.findChildren<QLabel*>()) {
+        // Some are cut on purpose, with the whole text as a tip; others are broken into lines.
+        const bool gives = label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored
+            || !label->toolTip().isEmpty();
+        if (!gives && !label->wordWrap())
+            check(label, label->text(), label->contentsRect().width());
+        else if (label->wordWrap() && label->isVisible()
+            && label->heightForWidth(label->width()) > label->height())
+            clipped += label->text();
+    }
+    for (const auto* button : window.findChildren<QPushButton*>()) {
+        const int picture = button->icon().isNull() ? 0 : button->iconSize().width() + 4;
+        check(button, button->text(), button->width() - 8 - picture);
+    }
+    for (const auto* box : window.findChildren<QAbstractSpinBox*>()) {
+        const auto* edit = box->findChild<QLineEdit*>();
+        check(box, edit->text(), edit->width());
+        if (box->isVisible() && !box->parentWidget()->rect().contains(box->geometry()))
+            clipped += QStringLiteral("%1 reaches over its panel").arg(box->objectName());
+    }
+    return clipped;
+}
+
+} // namespace
+
+class PanelsUiTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_settings;
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QCoreApplication::setOrganizationName(QStringLiteral("burin-test"));
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+    }
+    void init() { QSettings().clear(); }
+
+    void picturesTakeThreeQuarters()
+    {
+        PanelsFixture fixture(QSize(1920, 1080));
+        QCOMPARE(fixture.window.size(), QSize(1920, 1080));
+        double area = 0.0;
+        for (const ui::ImageView* view : fixture.window.views().views())
+            area += double(view->width()) * view->height();
+        const double share = area / (1920.0 * 1080.0);
+        QVERIFY2(share >= 0.75, qPrintable(QString::number(share)));
+    }
+
+    void nothingIsClippedInALowWindow()
+    {
+        PanelsFixture fixture(QSize(1280, 720));
+        QCOMPARE(fixture.window.size(), QSize(1280, 720));
+        QTRY_COMPARE(clippedTexts(fixture.window), QStringList());
+    }
+
+    void theHistoryKeepsItsRowsInALowWindow()
+    {
+        PanelsFixture fixture(QSize(1280, 720));
+        core::EditSession& session = *fixture.workspace.session();
+        for (const char* name : {"Left ventricle with its papillary muscles", "Skull"})
+            QVERIFY(session.apply(core::AddSegment{.name = QLatin1String(name), .rgb = 0x4a9bff}));
+        for (int place = 1; place < 4; ++place)
+            QVERIFY(session.apply(core::ChangeSegment{
+                .segment = 1, .name = QStringLiteral("Left ventricle, version %1").arg(place)}));
+        QVERIFY(session.settle());
+        QCoreApplication::sendPostedEvents();
+        QCOMPARE(fixture.window.size(), QSize(1280, 720));
+        QTRY_COMPARE(clippedTexts(fixture.window), QStringList());
+        const auto* list = fixture.window.findChild<QListView*>(QStringLiteral("historyList"));
+        QVERIFY2(list->height() >= 3 * list->sizeHintForRow(0),
+            qPrintable(QString::number(list->height())));
+        // Where there is room, the timeline is there.
+        fixture.window.resize(1280, 1000);
+        const auto* timeline =
+            fixture.window.findChild<QWidget*>(QStringLiteral("historyTimeline"));
+        QTRY_VERIFY(timeline->isVisible());
+    }
+
+    /// With more than fits the column scrolls, and its bar takes nothing from the panels.
+    void panelsKeepTheirWidthWhenTheyScroll()
+    {
+        PanelsFixture fixture(QSize(1280, 720));
+        for (const char* name : {"One", "Two", "Three", "Four", "Five"})
+            QVERIFY(fixture.workspace.session()->apply(
+                core::AddSegment{.name = QLatin1String(name), .rgb = 0x4a9bff}));
+        QVERIFY(fixture.workspace.session()->settle());
+        fixture.trigger("view.dvr");
+        QCoreApplication::sendPostedEvents();
+        QTRY_VERIFY(fixture.column().verticalScrollBar()->isVisible());
+        QCOMPARE(fixture.window.size(), QSize(1280, 720));
+        QVERIFY(fixture.column().widget()->width() <= fixture.column().viewport()->width());
+        QTRY_COMPARE(clippedTexts(fixture.window), QStringList());
+    }
+
+    void panelsLeaveAndComeBack()
+    {
+        PanelsFixture fixture(QSize(1200, 800));
+        const QStringList all = ids({"SegmentsPanel", "GrowthPanel", "HistoryPanel", "LayersPanel",
+            "VolumePanel", "ClippingPanel"});
+        QCOMPARE(fixture.docked(), all);
+        fixture.clickPlace("GrowthPanel");
+        ui::PanelSection& growth = fixture.section("GrowthPanel");
+        QVERIFY(growth.isFloating());
+        QVERIFY(growth.isVisible());
+        QCOMPARE(growth.windowTitle(), QStringLiteral("Growth"));
+        QVERIFY(fixture.window.findChild<QPushButton*>(QStringLiteral("growPlay"))->isVisible());
+        QCOMPARE(fixture.docked(),
+            ids({"SegmentsPanel", "HistoryPanel", "LayersPanel", "VolumePanel", "ClippingPanel"}));
+        // Its own button, or closing its window.
+        fixture.clickPlace("GrowthPanel");
+        QVERIFY(!growth.isFloating());
+        QCOMPARE(fixture.docked(), all);
+        fixture.clickPlace("GrowthPanel");
+        growth.close();
+        QTRY_VERIFY(!growth.isFloating());
+        QVERIFY(growth.isVisible());
+        QTRY_COMPARE(fixture.docked(), all);
+    }
+
+    void aDragOfTheHeaderTakesItOut()
+    {
+        PanelsFixture fixture(QSize(1200, 800));
+        ui::PanelSection& history = fixture.section("HistoryPanel");
+        QWidget* header = history.findChild<QFrame*>(QString(), Qt::FindDirectChildrenOnly);
+        QTest::mousePress(header, Qt::LeftButton, {}, QPoint(80, 15));
+        QTest::mouseMove(header, QPoint(10, 15));
+        QTest::mouseMove(header, QPoint(-60, 15));
+        QTest::mouseRelease(header, Qt::LeftButton, {}, QPoint(-60, 15));
+        QVERIFY(history.isFloating());
+        QVERIFY(!history.isFolded());
+        // A click only folds.
+        QTest::mouseClick(header, Qt::LeftButton, {}, QPoint(80, 15));
+        QVERIFY(history.isFloating());
+        QVERIFY(history.isFolded());
+    }
+
+    void theColumnGivesItsRoomWhenEmpty()
+    {
+        PanelsFixture fixture(QSize(1200, 800));
+        const int narrow = fixture.window.views().width();
+        for (const char* id : {"SegmentsPanel", "GrowthPanel", "HistoryPanel", "LayersPanel",
+                 "VolumePanel", "ClippingPanel"})
+            fixture.clickPlace(id);
+        QVERIFY(!fixture.column().isVisible());
+        QVERIFY(fixture.window.views().width() >= narrow + ui::PanelSection::leastWidth);
+        // One key hides and shows them, wherever they are; so does closing the study.
+        ui::PanelSection& growth = fixture.section("GrowthPanel");
+        fixture.trigger("view.panels");
+        QVERIFY(!growth.isVisible());
+        fixture.trigger("view.panels");
+        QVERIFY(growth.isVisible());
+        fixture.trigger("view.resetPanels");
+        QCOMPARE(fixture.docked().size(), 6);
+        QTRY_COMPARE(fixture.window.views().width(), narrow);
+        fixture.clickPlace("GrowthPanel");
+        fixture.window.closeStudy();
+        QVERIFY(!growth.isVisible());
+    }
+
+    void theMenuListsThem()
+    {
+        PanelsFixture fixture(QSize(1200, 800));
+        QStringList names;
+        for (const QMenu* menu : fixture.window.findChildren<QMenu*>()) {
+            if (menu->title() != QStringLiteral("Panels"))
+                continue;
+            for (const QAction* action : menu->actions())
+                names += action->text();
+        }
+        for (const char* name : {"Segments", "Growth", "History", "Sculpt layers", "Volume"})
+            QVERIFY2(names.contains(QLatin1String(name)), name);
+        QVERIFY(fixture.isChecked("panel.VolumePanel"));
+        fixture.trigger("panel.VolumePanel");
+        QVERIFY(!fixture.isChecked("panel.VolumePanel"));
+        QVERIFY(!fixture.section("VolumePanel").isVisible());
+        fixture.trigger("panel.VolumePanel");
+        QVERIFY(fixture.section("VolumePanel").isVisible());
+    }
+
+    void theLayoutComesBack()
+    {
+        int width = 0;
+        {
+            PanelsFixture fixture(QSize(1200, 800));
+            fixture.window.restoreLayout(); // nothing kept yet: all in the column
+            QCOMPARE(fixture.docked().size(), 6);
+            fixture.clickPlace("HistoryPanel");
+            // What the window system tells of its first size must not come after the second.
+            QVERIFY(QTest::qWaitForWindowExposed(&fixture.section("HistoryPanel")));
+            fixture.section("HistoryPanel").resize(333, 222);
+            fixture.section("GrowthPanel").setFolded(true);
+            QVERIFY(fixture.section("LayersPanel").isFolded());
+            fixture.section("LayersPanel").setFolded(false);
+            fixture.trigger("panel.VolumePanel");
+            fixture.window.resize(1111, 777);
+            QGuiApplication::sync();
+            QCOMPARE(fixture.window.size(), QSize(1111, 777));
+            width = fixture.column().width();
+            fixture.window.close();
+        }
+        PanelsFixture fixture(QSize(1200, 800));
+        QCOMPARE(fixture.docked().size(), 6);
+        fixture.window.restoreLayout();
+        QVERIFY(QTest::qWaitForWindowExposed(&fixture.section("HistoryPanel")));
+        QTRY_COMPARE(fixture.window.size(), QSize(1111, 777));
+        QVERIFY(fixture.section("HistoryPanel").isFloating());
+        QVERIFY(fixture.section("HistoryPanel").isVisible());
+        QTRY_COMPARE(fixture.section("HistoryPanel").size(), QSize(333, 222));
+        QVERIFY(fixture.section("GrowthPanel").isFolded());
+        QVERIFY(!fixture.section("LayersPanel").isFolded());
+        QCOMPARE(fixture.docked(),
+            ids({"SegmentsPanel", "GrowthPanel", "LayersPanel", "ClippingPanel"}));
+        QTRY_COMPARE(fixture.column().width(), width);
+    }
+};
+
+BURIN_WINDOW_TEST(PanelsUiTest)
+#include "PanelsUiTest.moc"

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/program/TestProgram.h"
+#include "ui/frame/TransferFunctionEditor.h"
+
+#include "ui/settings/TransferPresets.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+#include <cmath>
+
+using ui::TransferFunctionEditor;
+
+class TransferFunctionEditorUiTest : public QObject {
+    Q_OBJECT
+
+private:
+    static void prepare(TransferFunctionEditor& editor)
+    {
+        editor.setHistogram({-1000.0, 3000.0, std::vector<std::uint32_t>(200, 3)});
+        editor.setFunction(
+            {{{0.0, 0x101010, 0.0}, {1000.0, 0x808080, 0.25}, {2000.0, 0xffffff, 1.0}}});
+        editor.resize(400, 84);
+        editor.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+    }
+    static QPoint at(const TransferFunctionEditor& editor, std::size_t point)
+    {
+        return editor.positionOf(editor.function().points[point]).toPoint();
+    }
+
+private Q_SLOTS:
+    void aPointIsDraggedBetweenItsNeighbours()
+    {
+        TransferFunctionEditor editor;
+        prepare(editor);
+        QSignalSpy edited(&editor, &TransferFunctionEditor::functionEdited);
+        const QPoint from = at(editor, 1);
+        QTest::mousePress(&editor, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&editor, from + QPoint(30, -10));
+        QVERIFY(edited.count() > 0);
+        QVERIFY(editor.function().points[1].value > 1200.0);
+        QVERIFY(editor.function().points[1].opacity > 0.25);
+        QTest::mouseMove(&editor, QPoint(editor.width() - 2, 200));
+        QTest::mouseRelease(&editor, Qt::LeftButton, {}, QPoint(editor.width() - 2, 200));
+        QCOMPARE(editor.function().points[1].value, 2000.0);
+        QCOMPARE(editor.function().points[1].opacity, 0.0);
+        QCOMPARE(editor.function().points[1].rgb, 0x808080u);
+    }
+
+    void pointsAreAddedAndRemoved()
+    {
+        TransferFunctionEditor editor;
+        prepare(editor);
+        const QPoint empty(int(std::lround(editor.xOf(500.0))), 12);
+        QTest::mouseDClick(&editor, Qt::LeftButton, {}, empty);
+        QCOMPARE(editor.function().points.size(), std::size_t(4));
+        QVERIFY(std::abs(editor.function().points[1].value - 500.0) < 20.0);
+        QTest::mouseRelease(&editor, Qt::LeftButton, {}, empty);
+        QTest::keyClick(&editor, Qt::Key_Delete);
+        QCOMPARE(editor.function().points.size(), std::size_t(3));
+        for (int i = 0; i < 3; ++i) {
+            QTest::mouseClick(&editor, Qt::LeftButton, {}, at(editor, 0));
+            QTest::keyClick(&editor, Qt::Key_Delete);
+        }
+        QCOMPARE(editor.function().points.size(), std::size_t(2)); // a ramp is the least
+    }
+
+    void presetsAscend_data()
+    {
+        QTest::addColumn<QString>("unit");
+        QTest::newRow("CT") << QStringLiteral("HU");
+        QTest::newRow("MR") << QString();
+    }
+    void presetsAscend()
+    {
+        QFETCH(QString, unit);
+        core::Volume volume;
+        volume.unit = unit;
+        volume.minimum = 0.0;
+        volume.maximum = 1000.0;
+        volume.histogram = {0.0, 1000.0, std::vector<std::uint32_t>(100, 10)};
+        const auto presets = ui::transferPresets(volume);
+        QVERIFY(presets.size() >= 2);
+        for (const ui::TransferPreset& preset : presets) {
+            QVERIFY(preset.function.points.size() >= 2);
+            for (std::size_t i = 1; i < preset.function.points.size(); ++i)
+                QVERIFY(preset.function.points[i - 1].value < preset.function.points[i].value);
+            for (const auto& point : preset.function.points)
+                QVERIFY(point.opacity >= 0.0 && point.opacity <= 1.0);
+        }
+        QCOMPARE(ui::quantile(volume.histogram, 0.5), 500.0);
+    }
+};
+
+BURIN_WINDOW_TEST(TransferFunctionEditorUiTest)
+#include "TransferFunctionEditorUiTest.moc"

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/GrowthPanel.h"
+
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/base/Actions.h"
+#include "ui/panels/growth/GenerationBar.h"
+#include "ui/panels/growth/GrowthActions.h"
+#include "ui/widgets/HistogramRange.h"
+#include "ui/workspace/SegmentActions.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <QtTest>
+
+#include <numeric>
+
+using test::WorkspaceFixture;
+using ui::GrowthPanel;
+
+namespace {
+
+QAbstractButton& button(const GrowthPanel& panel, const char* name)
+{
+    auto* found = panel.findChild<QAbstractButton*>(QLatin1String(name));
+    if (!found)
+        qFatal("no button %s", name);
+    return *found;
+}
+
+void click(QAbstractButton& target)
+{
+    QTest::mouseClick(&target, Qt::LeftButton);
+}
+
+ui::Workspace::GrowSettings ventricleInterval()
+{
+    ui::Workspace::GrowSettings settings;
+    settings.lower = 0.0;
+    settings.upper = 20.0;
+    return settings;
+}
+
+/// A panel on screen with one seed in the ventricle of the small head.
+class SeededPanel : public WorkspaceFixture {
+public:
+    SeededPanel()
+        : panel(workspace)
+    {
+        panel.show();
+        if (!QTest::qWaitForWindowExposed(&panel) || !ui::addSegment(workspace))
+            qFatal("no panel");
+        apply(middleSeed(1));
+        workspace.setGrowSettings(ventricleInterval());
+    }
+    [[nodiscard]] const core::GrowSteps* lastGrowth()
+    {
+        const core::History& history = session().history();
+        return history.position() == 0
+            ? nullptr
+            : std::get_if<core::GrowSteps>(&history.row(history.position()).edit);
+    }
+    GrowthPanel panel;
+};
+
+} // namespace
+
+class GrowthPanelUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void asksForSeeds()
+    {
+        WorkspaceFixture fixture;
+        GrowthPanel panel(fixture.workspace);
+        QVERIFY(!button(panel, "growStep").isEnabled());
+        QVERIFY(!button(panel, "growPlay").isEnabled());
+        QVERIFY(!button(panel, "growToClosure").isEnabled());
+        const auto* advice = panel.findChild<QLabel*>(QStringLiteral("growAdvice"));
+        QVERIFY(advice->text().contains(QStringLiteral("seeds")));
+        QVERIFY(ui::addSegment(fixture.workspace));
+        QVERIFY(!button(panel, "growPlay").isEnabled());
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        QVERIFY(button(panel, "growPlay").isEnabled());
+        QCOMPARE(panel.summary(), QStringLiteral("Segment 1"));
+    }
+
+    /// A session that a recipe has made has no settings of a window in it.
+    void showsWhatARecipeHasGrownBy()
+    {
+        WorkspaceFixture fixture;
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        fixture.apply(core::GrowSteps{.criteria = {.lower = -7.0,
+                                          .upper = 33.0,
+                                          .connectivity = 18,
+                                          .majority = 9,
+                                          .overwriteUnlocked = true}});
+        GrowthPanel panel(fixture.workspace);
+        const ui::GrowSettings& shown = fixture.workspace.growSettings();
+        QCOMPARE(shown.lower, -7.0);
+        QCOMPARE(shown.upper, 33.0);
+        QCOMPARE(shown.connectivity, 18);
+        QVERIFY(shown.majority.on && !shown.gradient.on);
+        QCOMPARE(shown.majority.value, 9.0);
+        QVERIFY(shown.overwriteUnlocked);
+        const auto* range = panel.findChild<ui::HistogramRange*>(QStringLiteral("growthInterval"));
+        QCOMPARE(range->lower(), -7.0);
+        QCOMPARE(range->upper(), 33.0);
+    }
+
+    void aStepIsOneGenerationAndOneRow()
+    {
+        SeededPanel fixture;
+        for (int step = 1; step <= 3; ++step) {
+            const auto before = fixture.session().history().position();
+            click(button(fixture.panel, "growStep"));
+            fixture.settle();
+            QCOMPARE(fixture.session().history().position(), before + 1);
+            QVERIFY(fixture.lastGrowth());
+            QCOMPARE(fixture.lastGrowth()->steps.value_or(-1), 1);
+        }
+        // The burst's opening admits the seed, then each step adds a shell of the 6-neighbourhood:
+        // the octahedra of radius 0 or 1, 2, 3 minus what the coarser slices leave out of reach.
+        QVERIFY(fixture.session().document().segments[0].voxels > 7);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(fixture.session().document().segments[0].voxels > 0);
+    }
+
+    void shrinkingTakesBackWhatGrew()
+    {
+        SeededPanel fixture;
+        QVERIFY(!button(fixture.panel, "growShrink").isEnabled());
+        std::vector<std::int64_t> voxels;
+        for (int step = 0; step < 4; ++step) {
+            click(button(fixture.panel, "growStep"));
+            fixture.settle();
+            voxels.push_back(fixture.session().document().segments[0].voxels);
+        }
+        for (int step = 2; step >= 0; --step) {
+            click(button(fixture.panel, "growShrink"));
+            fixture.settle();
+            QCOMPARE(fixture.session().document().segments[0].voxels, voxels[std::size_t(step)]);
+        }
+        click(button(fixture.panel, "growToSeeds"));
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].voxels, std::int64_t(1));
+        QVERIFY(!button(fixture.panel, "growToSeeds").isEnabled());
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].voxels, voxels[0]);
+    }
+
+    void theGenerationBarScrubs()
+    {
+        SeededPanel fixture;
+        std::vector<std::int64_t> voxels;
+        for (int step = 0; step < 5; ++step) {
+            click(button(fixture.panel, "growStep"));
+            fixture.settle();
+            voxels.push_back(fixture.session().document().segments[0].voxels);
+        }
+        auto* bar = fixture.panel.findChild<ui::GenerationBar*>();
+        QVERIFY(bar);
+        const auto counted = [&](std::size_t generations) {
+            return QTest::qWaitFor([&] {
+                fixture.settle();
+                return bar->sizes().size() == generations;
+            });
+        };
+        // The first step admitted the seed and added a generation.
+        QVERIFY(counted(6));
+        QCOMPARE(std::int64_t(std::accumulate(bar->sizes().begin(), bar->sizes().end(), 0u)),
+            voxels.back());
+        QCOMPARE(bar->shown(), 6);
+        const auto rows = fixture.session().history().rows().size();
+        const QByteArray grown = fixture.session().stateHash();
+        const auto at = [bar](int generation) {
+            return QPoint(6 + (bar->width() - 12) * (generation - 1) / 5, bar->height() / 2);
+        };
+        QTest::mousePress(bar, Qt::LeftButton, {}, at(4));
+        QCOMPARE(bar->shown(), 4);
+        const auto* told = fixture.panel.findChild<QLabel*>(QStringLiteral("growProgress"));
+        QVERIFY2(told->text().startsWith(QStringLiteral("Generation 4 of 6 · ")),
+            qPrintable(told->text()));
+        QTest::mouseMove(bar, at(1));
+        QTest::mouseMove(bar, at(3));
+        QVERIFY(told->text().startsWith(QStringLiteral("Generation 3 of 6 · ")));
+        QTest::mouseRelease(bar, Qt::LeftButton, {}, at(3));
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].voxels, voxels[1]);
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        QVERIFY(counted(3));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), grown);
+
+        // Escape takes the drag back.
+        QVERIFY(counted(6));
+        QTest::mousePress(bar, Qt::LeftButton, {}, at(2));
+        QTest::keyClick(bar, Qt::Key_Escape);
+        fixture.settle();
+        QCOMPARE(bar->shown(), 6);
+        QVERIFY(!told->text().contains(QStringLiteral(" of 6")));
+        QCOMPARE(fixture.session().stateHash(), grown);
+        QTest::mouseRelease(bar, Qt::LeftButton, {}, at(2));
+    }
+
+    void connectivityIsPartOfTheEdit()
+    {
+        SeededPanel fixture;
+        auto* choice = fixture.panel.findChild<QComboBox*>(QStringLiteral("growConnectivity"));
+        QVERIFY(choice);
+        QCOMPARE(fixture.panel.growEdit().criteria.connectivity, 6);
+        QTest::keyClick(choice, Qt::Key_End);
+        QCOMPARE(fixture.panel.growEdit().criteria.connectivity, 26);
+        click(button(fixture.panel, "growStep"));
+        fixture.settle();
+        QCOMPARE(fixture.lastGrowth()->criteria.connectivity, 26);
+    }
+
+    void playRunsToClosureAsOneStepOfUndo_data()
+    {
+        QTest::addColumn<QByteArray>("name");
+        QTest::newRow("grow") << QByteArray("growPlay");
+        QTest::newRow("all") << QByteArray("growToClosure");
+    }
+    void playRunsToClosureAsOneStepOfUndo()
+    {
+        QFETCH(QByteArray, name);
+        SeededPanel fixture;
+        const auto before = fixture.session().history().position();
+        click(button(fixture.panel, name.constData()));
+        QVERIFY(fixture.panel.running());
+        QCOMPARE(button(fixture.panel, "growPlay").text(), QStringLiteral("Pause"));
+        QTRY_VERIFY(!fixture.panel.running());
+        fixture.settle();
+        QCOMPARE(fixture.session().history().position(), before + 1);
+        QVERIFY(fixture.lastGrowth());
+        QCOMPARE(fixture.lastGrowth()->criteria.lower, 0.0);
+        QCOMPARE(fixture.lastGrowth()->criteria.upper, 20.0);
+        QCOMPARE(fixture.session().document().segments[0].voxels,
+            test::smallHead::voxelsOf(test::smallHead::ventricleHu));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].voxels, 0);
+    }
+
+    void theMenuPressesTheButtons()
+    {
+        SeededPanel fixture;
+        QWidget window;
+        ui::Actions actions(window);
+        const QStringList ids = ui::addGrowthActions(actions, fixture.panel, fixture.workspace);
+        QVERIFY(ids.contains(QStringLiteral("grow.play")));
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const auto before = fixture.session().history().position();
+        actions[QStringLiteral("grow.shrink")].trigger();
+        QCOMPARE(said.count(), 1);
+        QVERIFY(said[0][0].toString().startsWith(QStringLiteral("Nothing has grown")));
+        actions[QStringLiteral("grow.step")].trigger();
+        fixture.settle();
+        QCOMPARE(fixture.session().history().position(), before + 1);
+        QCOMPARE(fixture.lastGrowth()->steps.value_or(-1), 1);
+        actions[QStringLiteral("grow.play")].trigger();
+        QVERIFY(fixture.panel.running());
+        QTRY_VERIFY(!fixture.panel.running());
+        fixture.settle();
+        actions[QStringLiteral("grow.toSeeds")].trigger();
+        fixture.settle();
+        QCOMPARE(fixture.session().document().segments[0].voxels, std::int64_t(1));
+        // Without a seed it says what is missing.
+        for (int step = 0; step < 4; ++step)
+            QVERIFY(fixture.session().undo());
+        fixture.settle();
+        said.clear();
+        actions[QStringLiteral("grow.toClosure")].trigger();
+        QCOMPARE(said.count(), 1);
+        QVERIFY(said[0][0].toString().startsWith(QStringLiteral("No seeds yet")));
+    }
+
+    void anotherEditClosesARunningBurst()
+    {
+        SeededPanel fixture;
+        click(button(fixture.panel, "growPlay"));
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.settle();
+        QTRY_VERIFY(!fixture.panel.running());
+        QCOMPARE(button(fixture.panel, "growPlay").text(), QStringLiteral("Grow"));
+        QVERIFY(!fixture.session().transactionOpen());
+    }
+
+    void theIntervalComesFromTheSeeds()
+    {
+        SeededPanel fixture;
+        // Two more seeds, in brain: the mean lies between, the spread reaches both.
+        fixture.apply(core::SeedStroke{1, {{8.0, 0.0, 0.0}, {-8.0, 0.0, 0.0}}});
+        QTRY_VERIFY(button(fixture.panel, "intervalFromSeeds").isEnabled());
+        auto& fromSeeds = static_cast<QToolButton&>(button(fixture.panel, "intervalFromSeeds"));
+        for (QAction* action : fromSeeds.menu()->actions()) {
+            if (action->text().contains(QLocale().toString(2.0) + QStringLiteral(" σ")))
+                action->trigger();
+        }
+        const auto& settings = fixture.workspace.growSettings();
+        const double mean = (8.0 + 40.0 + 40.0) / 3.0;
+        QVERIFY(std::abs(0.5 * (settings.lower + settings.upper) - mean) < 0.6);
+        QCOMPARE(settings.lower * 10.0, std::round(settings.lower * 10.0)); // few digits
+        QVERIFY(settings.lower < 8.0 && settings.upper > 40.0);
+        const auto* range =
+            fixture.panel.findChild<ui::HistogramRange*>(QStringLiteral("growthInterval"));
+        QVERIFY(std::abs(range->lower() - settings.lower) < 0.1);
+    }
+
+    /// What is told of seeds is told of those that the interval would be set by.
+    void seedsOfTheActiveSegmentAreTold()
+    {
+        SeededPanel fixture;
+        const auto* advice = fixture.panel.findChild<QLabel*>(QStringLiteral("growAdvice"));
+        const auto tells = [&](const char* text) {
+            return QTest::qWaitFor([&] {
+                fixture.settle();
+                return advice->text() == QString::fromUtf8(text);
+            });
+        };
+        QVERIFY2(tells("1 seed voxel · 8.0 ± 0.0 HU"), qPrintable(advice->text()));
+        QVERIFY(ui::addSegment(fixture.workspace));
+        QVERIFY2(tells("1 seed voxel, of another segment"), qPrintable(advice->text()));
+        fixture.apply(core::SeedStroke{2, {{8.0, 0.0, 0.0}, {0.0, 0.0, 28.0}}});
+        QVERIFY2(tells("2 seed voxels · −480.0 ± 735.4 HU"), qPrintable(advice->text()));
+        // As many elsewhere are others.
+        QVERIFY(fixture.session().undo());
+        fixture.apply(core::SeedStroke{2, {{8.0, 0.0, 0.0}, {0.0, 8.0, 0.0}}});
+        QVERIFY2(tells("2 seed voxels · 40.0 ± 0.0 HU"), qPrintable(advice->text()));
+    }
+
+    void startsWithAnIntervalOfTheVolume()
+    {
+        WorkspaceFixture fixture;
+        GrowthPanel panel(fixture.workspace);
+        const auto& settings = fixture.workspace.growSettings();
+        QVERIFY(settings.lower < settings.upper);
+        QVERIFY(settings.lower >= fixture.workspace.volume()->minimum);
+        QVERIFY(settings.upper <= fixture.workspace.volume()->maximum);
+    }
+};
+
+BURIN_WINDOW_TEST(GrowthPanelUiTest)
+#include "GrowthPanelUiTest.moc"

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/LeakSection.h"
+
+#include "tests/support/cases/growth/LeakPhantoms.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/panels/growth/GenerationBar.h"
+#include "ui/panels/growth/GrowthPanel.h"
+#include "ui/tasks/LiveInterval.h"
+#include "ui/workspace/SegmentActions.h"
+
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QJsonDocument>
+#include <QLabel>
+#include <QtTest>
+
+using test::WorkspaceFixture;
+
+namespace {
+
+const test::LeakPhantom& phantom()
+{
+    static const test::LeakPhantom made = test::leakPhantom(0, true);
+    return made;
+}
+
+/// The growth panel on screen with a vessel that has a hole in its wall; the vessel is seeded, and
+/// the guard is on.
+class LeakyPanel : public WorkspaceFixture {
+public:
+    LeakyPanel()
+        : WorkspaceFixture(test::loadedVolume(phantom()))
+        , panel(workspace)
+    {
+        panel.show();
+        if (!QTest::qWaitForWindowExposed(&panel) || !ui::addSegment(workspace))
+            qFatal("no panel");
+        apply(core::SeedStroke{1, {placeOf(phantom().seed)}});
+        ui::GrowSettings settings = workspace.growSettings();
+        settings.lower = phantom().lowCode;
+        settings.upper = phantom().highCode;
+        settings.guard.on = true;
+        workspace.setGrowSettings(settings);
+    }
+    [[nodiscard]] glm::dvec3 placeOf(const glm::ivec3& voxel) const
+    {
+        return workspace.volume()->geometry.toWorld(glm::dvec3(voxel));
+    }
+    template <class Widget> Widget& part(const char* name)
+    {
+        auto* found = panel.findChild<Widget*>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return *found;
+    }
+    void click(const char* name)
+    {
+        QTest::mouseClick(&part<QAbstractButton>(name), Qt::LeftButton);
+        stopped();
+    }
+    /// Waits until nothing grows.
+    void stopped()
+    {
+        const auto still = [this] {
+            session().poll();
+            return !panel.running();
+        };
+        if (!QTest::qWaitFor(still, 60000))
+            qFatal("it grows on");
+        settle();
+    }
+    [[nodiscard]] bool offered() { return part<QAbstractButton>("leakPlug").isVisible(); }
+    [[nodiscard]] const core::Edit& lastEdit()
+    {
+        return session().history().row(session().history().position()).edit;
+    }
+    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
+    [[nodiscard]] std::uint32_t generation() { return session().document().growth(0)->generation; }
+    /// Voxels of the leak that the segment holds.
+    [[nodiscard]] std::int64_t leaked()
+    {
+        const auto labels = *session().labels(0);
+        std::int64_t count = 0;
+        for (std::size_t voxel = 0; voxel < labels.size(); ++voxel)
+            count += labels[voxel] != 0 && phantom().leak.values[voxel] != 0 ? 1 : 0;
+        return count;
+    }
+
+    ui::GrowthPanel panel;
+};
+
+} // namespace
+
+class LeakSectionUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void barriersAreShownOrNot()
+    {
+        LeakyPanel fixture;
+        auto& shown = fixture.part<QCheckBox>("growBarriers");
+        QVERIFY(shown.isChecked() && fixture.workspace.segmentDisplay().showBarriers);
+        QTest::mouseClick(&shown, Qt::LeftButton, {}, {10, shown.height() / 2});
+        QVERIFY(!fixture.workspace.segmentDisplay().showBarriers);
+        fixture.workspace.setViewOptions({});
+        QVERIFY(shown.isChecked() && fixture.workspace.segmentDisplay().showBarriers);
+    }
+
+    void theGuardIsASetting()
+    {
+        WorkspaceFixture fixture;
+        ui::LeakSection section(fixture.workspace);
+        auto& guard = *section.findChild<QCheckBox*>(QStringLiteral("growGuard"));
+        auto& factor = *section.findChild<QDoubleSpinBox*>(QStringLiteral("growGuardFactor"));
+        auto& area = *section.findChild<QDoubleSpinBox*>(QStringLiteral("growGuardArea"));
+        // A growth is watched unless the user says that it is not to be.
+        QVERIFY(guard.isChecked() && factor.isEnabled());
+        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.factor.value_or(0.0), 2.0);
+        guard.click();
+        QVERIFY(!factor.isEnabled() && !area.isEnabled());
+        QVERIFY(!ui::growthOf(fixture.workspace.growSettings()).guard.factor);
+        guard.click();
+        factor.setValue(3.5);
+        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.factor.value_or(0.0), 3.5);
+        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.areaMm2, 60.0);
+        area.setValue(7.5);
+        QCOMPARE(ui::growthOf(fixture.workspace.growSettings()).guard.areaMm2, 7.5);
+
+        // The session keeps it, and what another window kept is shown.
+        const QByteArray kept =
+            QJsonDocument(ui::growSettingsJson(fixture.workspace.growSettings())).toJson();
+        ui::GrowSettings settings;
+        settings.guard.on = false;
+        fixture.workspace.setGrowSettings(settings);
+        QVERIFY(!guard.isChecked());
+        QCOMPARE(factor.value(), 2.0);
+        QCOMPARE(area.value(), 60.0);
+        ui::readGrowSettings(QJsonDocument::fromJson(kept).object(), settings);
+        fixture.workspace.setGrowSettings(settings);
+        QVERIFY(guard.isChecked());
+        QCOMPARE(factor.value(), 3.5);
+        QCOMPARE(area.value(), 7.5);
+        // A factor that would alarm at everything is none.
+        const QJsonObject odd{{QStringLiteral("guard"),
+            QJsonObject{{QStringLiteral("on"), true}, {QStringLiteral("value"), 0.5}}}};
+        ui::readGrowSettings(odd, settings);
+        QCOMPARE(settings.guard.value, ui::leastGuard);
+    }
+
+    void anAlarmStopsAndOffers()
+    {
+        LeakyPanel fixture;
+        QVERIFY(!fixture.offered());
+        const std::size_t rows = fixture.rows();
+        fixture.click("growPlay");
+        QVERIFY(fixture.offered());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(std::holds_alternative<core::GrowSteps>(fixture.lastEdit()));
+        QVERIFY(fixture.leaked() > 0);
+        QVERIFY(fixture.leaked() * 50 < phantom().leakVoxels);
+        auto& text = fixture.part<QLabel>("leakText");
+        QVERIFY2(
+            text.text().contains(QString::number(fixture.generation())), qPrintable(text.text()));
+
+        // The generation bar marks it, from the narrow place on.
+        const auto& marked = fixture.panel.findChild<ui::GenerationBar*>()->leak();
+        QVERIFY(marked);
+        QVERIFY(marked->first < marked->second);
+        QCOMPARE(marked->second, int(fixture.generation()));
+
+        // The crosshair goes to the front that burst.
+        Q_EMIT text.linkActivated(QStringLiteral("show"));
+        const glm::dvec3 index =
+            fixture.workspace.volume()->geometry.toIndex(fixture.workspace.crosshairLps());
+        const glm::ivec3 voxel(glm::round(index));
+        QVERIFY(phantom().leak.at(voxel) != 0);
+        const auto labels = *fixture.session().labels(0);
+        const glm::ivec3 size = phantom().leak.size;
+        QCOMPARE(int(labels[std::size_t(voxel.x + size.x * (voxel.y + size.y * voxel.z))]), 1);
+    }
+
+    /// Widened, a growth leaks as well as any.
+    void aChangeOfIntervalIsGuardedToo()
+    {
+        LeakyPanel fixture;
+        core::GrowSteps begun = ui::growthOf(fixture.workspace.growSettings());
+        begun.steps = 2;
+        begun.guard = {};
+        fixture.apply(begun);
+        QVERIFY(!fixture.offered());
+        ui::LiveInterval interval(fixture.workspace);
+        interval.move(phantom().lowCode - 1.0, phantom().highCode);
+        interval.settle();
+        fixture.settle();
+        QVERIFY(std::holds_alternative<core::ChangeInterval>(fixture.lastEdit()));
+        QVERIFY(fixture.offered());
+        QVERIFY(fixture.leaked() * 50 < phantom().leakVoxels);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(!fixture.offered());
+    }
+
+    void plugShutsAndGrowsOn()
+    {
+        LeakyPanel fixture;
+        fixture.click("growPlay");
+        QVERIFY(fixture.offered());
+        const std::size_t rows = fixture.rows();
+        const QByteArray stopped = fixture.session().stateHash();
+        fixture.click("leakPlug");
+        // The plug is a step, and what grew elsewhere since another.
+        QCOMPARE(fixture.rows(), rows + 2);
+        const core::History& history = fixture.session().history();
+        QVERIFY(std::holds_alternative<core::PlugLeak>(history.row(core::RowId(rows + 1)).edit));
+        QVERIFY(std::holds_alternative<core::GrowSteps>(fixture.lastEdit()));
+        QVERIFY(!fixture.offered());
+        QCOMPARE(fixture.leaked(), std::int64_t(0));
+        const std::int64_t grown = fixture.session().document().segments[0].voxels;
+        QVERIFY(fixture.session().undo());
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), stopped);
+        QVERIFY(grown > fixture.session().document().segments[0].voxels);
+    }
+
+    void rejectGoesBackToTheNarrowPlace()
+    {
+        LeakyPanel fixture;
+        fixture.click("growPlay");
+        const std::size_t rows = fixture.rows();
+        const std::uint32_t alarmed = fixture.generation();
+        const auto& marked = fixture.panel.findChild<ui::GenerationBar*>()->leak();
+        QVERIFY(marked);
+        const auto narrow = std::uint32_t(marked->first);
+        const QByteArray stopped = fixture.session().stateHash();
+        fixture.click("leakReject");
+        QVERIFY(!fixture.offered());
+        QVERIFY(!fixture.panel.findChild<ui::GenerationBar*>()->leak());
+        QCOMPARE(fixture.rows(), rows + 1);
+        const auto* shrink = std::get_if<core::ShrinkSteps>(&fixture.lastEdit());
+        QVERIFY(shrink && shrink->steps);
+        QVERIFY(*shrink->steps > 0);
+        QCOMPARE(fixture.generation(), alarmed - std::uint32_t(*shrink->steps));
+        QCOMPARE(fixture.generation(), narrow);
+        QVERIFY(fixture.leaked() * 500 < phantom().leakVoxels); // the neck's mouth
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), stopped);
+        QVERIFY(!fixture.offered()); // it was decided on
+    }
+
+    void acceptGrowsOn()
+    {
+        LeakyPanel fixture;
+        fixture.click("growPlay");
+        const std::size_t rows = fixture.rows();
+        const QByteArray stopped = fixture.session().stateHash();
+        const std::int64_t leaked = fixture.leaked();
+        fixture.click("leakAccept");
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(std::holds_alternative<core::GrowSteps>(fixture.lastEdit()));
+        QVERIFY(fixture.leaked() > leaked);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), stopped);
+    }
+
+    void theOfferGoesWithTheGrowth_data()
+    {
+        QTest::addColumn<QByteArray>("by");
+        QTest::newRow("undo") << QByteArray();
+        QTest::newRow("shrink") << QByteArray("growShrink");
+        QTest::newRow("grow on") << QByteArray("growStep");
+    }
+    void theOfferGoesWithTheGrowth()
+    {
+        QFETCH(QByteArray, by);
+        LeakyPanel fixture;
+        fixture.click("growPlay");
+        QVERIFY(fixture.offered());
+        if (by.isEmpty()) {
+            QVERIFY(fixture.session().undo());
+            fixture.settle();
+        } else {
+            fixture.click(by.constData());
+        }
+        QVERIFY(!fixture.offered());
+    }
+
+    /// Else it would go to whatever comes next in the panel, and keys with it.
+    void theFocusStays()
+    {
+        LeakyPanel fixture;
+        fixture.panel.activateWindow();
+        fixture.click("growPlay");
+        fixture.part<QAbstractButton>("leakReject").setFocus();
+        fixture.click("leakReject");
+        QCOMPARE(fixture.panel.focusWidget(), &fixture.part<QCheckBox>("growGuard"));
+    }
+};
+
+BURIN_WINDOW_TEST(LeakSectionUiTest)
+#include "LeakSectionUiTest.moc"

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/SpreadBar.h"
+
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/workspace/SegmentActions.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QtTest>
+
+using test::WorkspaceFixture;
+using ui::SpreadBar;
+
+namespace {
+
+/// A bar on screen; the middle's ventricle and the air around are seeded, for segments 1 and 2.
+class SeededBar : public WorkspaceFixture {
+public:
+    SeededBar()
+        : bar(workspace)
+    {
+        bar.show();
+        if (!QTest::qWaitForWindowExposed(&bar) || !ui::addSegment(workspace)
+            || !ui::addSegment(workspace))
+            qFatal("no bar");
+        bar.findChild<QToolButton*>(QStringLiteral("spreadFold"))->click();
+        settle();
+    }
+    void seedBoth()
+    {
+        apply(middleSeed(1));
+        apply(core::SeedStroke{2, {{-19.0, -19.0, -28.0}}});
+        // The engine is asked which of them wait.
+        (void)QTest::qWaitFor([this] {
+            session().poll();
+            return enabled("spreadPreview");
+        });
+    }
+    void click(const char* name)
+    {
+        QTest::mouseClick(bar.findChild<QPushButton*>(QLatin1String(name)), Qt::LeftButton);
+    }
+    [[nodiscard]] bool enabled(const char* name) const
+    {
+        return bar.findChild<QPushButton*>(QLatin1String(name))->isEnabled();
+    }
+    [[nodiscard]] QString text() const
+    {
+        return bar.findChild<QLabel*>(QStringLiteral("spreadText"))->text();
+    }
+    [[nodiscard]] int seenInTheMiddle() { return seenAt({20, 20, 20}); }
+    /// The label that views show.
+    [[nodiscard]] int seenAt(const glm::ivec3& voxel)
+    {
+        int seen = -1;
+        session().ask(core::ProbeVoxels{{voxel}},
+            [&seen](const core::EngineResult& result) { seen = result.probes.front().label; });
+        (void)QTest::qWaitFor([this, &seen] {
+            session().poll();
+            return seen >= 0;
+        });
+        return seen;
+    }
+    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
+
+    SpreadBar bar;
+};
+
+} // namespace
+
+class SpreadBarUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void asksForTwoSeededSegments()
+    {
+        SeededBar fixture;
+        QVERIFY(!fixture.enabled("spreadPreview"));
+        QVERIFY(fixture.text().contains(QStringLiteral("two segments")));
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        QVERIFY(!fixture.enabled("spreadPreview"));
+        fixture.seedBoth();
+        QVERIFY(fixture.enabled("spreadPreview"));
+        QVERIFY(!fixture.enabled("spreadApply") && !fixture.enabled("spreadCancel"));
+    }
+
+    void showsAndCancels()
+    {
+        SeededBar fixture;
+        fixture.seedBoth();
+        const std::size_t rows = fixture.rows();
+        fixture.click("spreadPreview");
+        QVERIFY(fixture.bar.previewing());
+        QCOMPARE(fixture.seenInTheMiddle(), 1);
+        QVERIFY(fixture.enabled("spreadApply") && fixture.enabled("spreadCancel"));
+        fixture.click("spreadCancel");
+        fixture.settle();
+        QVERIFY(!fixture.bar.previewing());
+        QCOMPARE(fixture.seenInTheMiddle(), 0);
+        QCOMPARE(fixture.rows(), rows);
+    }
+
+    void applies()
+    {
+        SeededBar fixture;
+        fixture.seedBoth();
+        const std::size_t rows = fixture.rows();
+        fixture.click("spreadPreview");
+        fixture.click("spreadApply");
+        fixture.settle();
+        QVERIFY(!fixture.bar.previewing());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.seenInTheMiddle(), 1);
+        QVERIFY(fixture.session().document().segments[1].voxels > 1000);
+    }
+
+    void followsAStroke()
+    {
+        SeededBar fixture;
+        fixture.seedBoth();
+        fixture.click("spreadPreview");
+        QCOMPARE(fixture.seenInTheMiddle(), 1);
+        // Some of the ventricle goes to the other segment; the preview comes back by itself.
+        constexpr glm::ivec3 beside{23, 20, 20};
+        QCOMPARE(fixture.seenAt(beside), 1);
+        core::PaintStroke stroke{.segment = 2};
+        stroke.path.radiusMm = 1.5;
+        stroke.path.pointsLps = {{3.0, 0.0, 0.0}};
+        fixture.apply(stroke);
+        QVERIFY(!fixture.session().previewOpen());
+        QTRY_VERIFY(fixture.session().previewOpen());
+        QVERIFY(fixture.bar.previewing());
+        QCOMPARE(fixture.seenAt(beside), 2);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(!fixture.session().previewOpen());
+        QTRY_VERIFY(fixture.session().previewOpen());
+        QCOMPARE(fixture.seenAt(beside), 1);
+        fixture.click("spreadCancel");
+        fixture.settle();
+    }
+
+    void theWholeVolumeIfAskedFor()
+    {
+        SeededBar fixture;
+        QVERIFY(!fixture.bar.edit().box);
+        auto* extent = fixture.bar.findChild<QComboBox*>(QStringLiteral("spreadExtent"));
+        extent->setCurrentIndex(1);
+        const core::GrowFromSeeds edit = fixture.bar.edit();
+        QVERIFY(edit.box);
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        QCOMPARE(geometry.toIndex(edit.box->toLps).x, double(geometry.size.x - 1));
+    }
+};
+
+BURIN_WINDOW_TEST(SpreadBarUiTest)
+#include "SpreadBarUiTest.moc"

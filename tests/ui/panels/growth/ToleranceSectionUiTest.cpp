@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/ToleranceSection.h"
+
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/overlays/Readout.h"
+#include "ui/panels/growth/ToleranceBar.h"
+#include "ui/workspace/SegmentActions.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+namespace smallHead = test::smallHead;
+using test::WorkspaceFixture;
+using ui::ToleranceBar;
+using ui::ToleranceSection;
+
+namespace {
+
+/// The section on screen, over the small head: from a seed in the ventricle the brain is 32 HU
+/// away, bone 892, air 1008.
+class Traced : public WorkspaceFixture {
+public:
+    explicit Traced(bool seeded = true)
+        : section(workspace)
+        , bar(*section.findChild<ToleranceBar*>())
+        , button(*section.findChild<QPushButton*>(QStringLiteral("toleranceTrace")))
+    {
+        section.resize(280, 140);
+        section.show();
+        if (!QTest::qWaitForWindowExposed(&section) || !ui::addSegment(workspace)
+            || !ui::addSegment(workspace))
+            qFatal("no section");
+        settle();
+        workspace.setActiveSegment(1);
+        if (seeded) {
+            apply(middleSeed(1));
+            trace();
+        }
+    }
+    void trace()
+    {
+        if (!button.isChecked())
+            QTest::mouseClick(&button, Qt::LeftButton);
+        wait();
+    }
+    /// Until the field of all that was done stands.
+    void wait()
+    {
+        if (!QTest::qWaitFor([this] {
+                session().poll();
+                return section.traced() && session().idle();
+            }))
+            qFatal("nothing was traced");
+    }
+    [[nodiscard]] QPoint at(int tolerance) const
+    {
+        return {int(std::lround(bar.xOf(tolerance))), bar.height() / 2};
+    }
+    /// Press, move there and there, release at the last.
+    void drag(const std::vector<int>& tolerances, bool release = true)
+    {
+        QTest::mousePress(&bar, Qt::LeftButton, {}, at(tolerances.front()));
+        for (const int tolerance : tolerances)
+            QTest::mouseMove(&bar, at(tolerance));
+        if (release)
+            QTest::mouseRelease(&bar, Qt::LeftButton, {}, at(tolerances.back()));
+    }
+    [[nodiscard]] QString text() const
+    {
+        return section.findChild<QLabel*>(QStringLiteral("toleranceText"))->text();
+    }
+    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
+    [[nodiscard]] std::int64_t voxels() { return session().document().segment(1)->voxels; }
+
+    ToleranceSection section;
+    ToleranceBar& bar;
+    QPushButton& button;
+};
+
+} // namespace
+
+class ToleranceSectionUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void asksForSeeds()
+    {
+        Traced fixture(false);
+        QVERIFY(!fixture.bar.isVisible());
+        QTest::mouseClick(&fixture.button, Qt::LeftButton);
+        QTRY_VERIFY(
+            (fixture.session().poll(), fixture.text().contains(QStringLiteral("no seeds"))));
+        // Once there are some, it needs no second click.
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        fixture.wait();
+        QVERIFY(fixture.bar.isVisible());
+        QVERIFY(!fixture.text().contains(QStringLiteral("no seeds")));
+    }
+
+    void drawsTheCurveAndItsJumps()
+    {
+        Traced fixture;
+        const std::int64_t ventricle = smallHead::voxelsOf(smallHead::ventricleHu);
+        const std::int64_t brain = smallHead::voxelsOf(smallHead::brainHu);
+        const std::int64_t bone = smallHead::voxelsOf(smallHead::boneHu);
+        const std::vector<std::int64_t>& members = fixture.bar.members();
+        QCOMPARE(int(members.size()), 1009);
+        QCOMPARE(members[0], ventricle);
+        QCOMPARE(members[31], ventricle);
+        QCOMPARE(members[32], ventricle + brain);
+        QCOMPARE(members[891], ventricle + brain);
+        QCOMPARE(members[892], ventricle + brain + bone);
+        QCOMPARE(members[1008], std::int64_t(40 * 40 * 40));
+        QCOMPARE(fixture.bar.jumps(), (std::vector<int>{32, 892, 1008}));
+        QVERIFY(fixture.bar.textFor(32).startsWith(QStringLiteral("±32 HU · ")));
+        QVERIFY(fixture.bar.textFor(32).contains(QStringLiteral("mL")));
+    }
+
+    void showsWhatItWouldBeBothWays()
+    {
+        Traced fixture;
+        QSignalSpy shown(&fixture.workspace, &ui::Workspace::atToleranceChanged);
+        const std::size_t rows = fixture.rows();
+        fixture.drag({100, 500, 900}, false);
+        const auto far = fixture.workspace.atTolerance();
+        QVERIFY(far && far->label == 1);
+        QVERIFY(far->tolerance > 850);
+        QCOMPARE(far->tolerance, fixture.bar.tolerance());
+        QVERIFY(fixture.workspace.segmentDisplay().atTolerance == far);
+        QTest::mouseMove(&fixture.bar, fixture.at(40));
+        const auto near = fixture.workspace.atTolerance();
+        QVERIFY(near && near->tolerance >= 36 && near->tolerance < 45);
+        QVERIFY(fixture.text().startsWith(QStringLiteral("±%1 HU · ").arg(near->tolerance)));
+        QVERIFY(fixture.text().contains(QStringLiteral("jumps at ±892 HU")));
+        QVERIFY(shown.count() >= 4);
+        // Nothing is done until it is let go.
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.voxels(), 0);
+        QTest::keyClick(&fixture.bar, Qt::Key_Escape);
+        QVERIFY(!fixture.workspace.atTolerance());
+        QTest::mouseRelease(&fixture.bar, Qt::LeftButton, {}, fixture.at(40));
+        fixture.settle();
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.bar.tolerance(), -1);
+    }
+
+    void lettingGoIsOneStep()
+    {
+        Traced fixture;
+        const std::size_t rows = fixture.rows();
+        fixture.drag({900, 300, 40});
+        const int tolerance = fixture.bar.tolerance();
+        fixture.settle();
+        QCOMPARE(fixture.rows(), rows + 1);
+        const core::HistoryRow& grown = fixture.session().history().rows().back();
+        QVERIFY(std::holds_alternative<core::GrowSteps>(grown.edit));
+        QVERIFY(!grown.name.isEmpty());
+        QCOMPARE(fixture.voxels(), fixture.bar.members()[std::size_t(tolerance)]);
+        QCOMPARE(fixture.workspace.growSettings().lower, 8.0 - tolerance);
+        QCOMPARE(fixture.workspace.growSettings().upper, 8.0 + tolerance);
+        fixture.wait();
+        QVERIFY(!fixture.workspace.atTolerance());
+
+        // What has grown follows: wider, then narrower than before.
+        for (const int other : {900, 4}) {
+            fixture.drag({40, other});
+            fixture.settle();
+            const auto& edit = fixture.session().history().rows().back().edit;
+            QVERIFY(std::holds_alternative<core::ChangeInterval>(edit));
+            QCOMPARE(fixture.voxels(), fixture.bar.members()[std::size_t(fixture.bar.tolerance())]);
+            fixture.wait();
+        }
+        QCOMPARE(fixture.rows(), rows + 3);
+        for (int i = 0; i < 3; ++i)
+            QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.voxels(), 0);
+    }
+
+    void arrowKeysAndReturn()
+    {
+        Traced fixture;
+        const std::size_t rows = fixture.rows();
+        fixture.bar.setFocus();
+        for (int i = 0; i < 4; ++i)
+            QTest::keyClick(&fixture.bar, Qt::Key_Right);
+        QTest::keyClick(&fixture.bar, Qt::Key_Left);
+        QCOMPARE(fixture.bar.tolerance(), 2);
+        QTest::keyClick(&fixture.bar, Qt::Key_Right, Qt::ShiftModifier);
+        QCOMPARE(fixture.bar.tolerance(), 12);
+        QVERIFY(fixture.workspace.atTolerance());
+        QCOMPARE(fixture.rows(), rows);
+        QTest::keyClick(&fixture.bar, Qt::Key_Return);
+        fixture.settle();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.voxels(), smallHead::voxelsOf(smallHead::ventricleHu));
+    }
+
+    void readoutTellsWhereAVoxelJoins()
+    {
+        Traced fixture;
+        ui::Readout readout(fixture.workspace);
+        const auto pointAt = [&](const glm::dvec3& lps) {
+            fixture.workspace.setPointedLps(lps);
+            (void)QTest::qWaitFor([&] {
+                fixture.session().poll();
+                return readout.text().contains(QStringLiteral("HU"));
+            });
+            return readout.text();
+        };
+        QVERIFY(pointAt({9.0, 0.0, 0.0}).endsWith(QStringLiteral("joins at ±32 HU")));
+        QVERIFY(pointAt({0.0, 14.0, 0.0}).endsWith(QStringLiteral("joins at ±892 HU")));
+        QTest::mouseClick(&fixture.button, Qt::LeftButton); // off
+        fixture.settle();
+        QVERIFY(!pointAt({9.0, 1.0, 0.0}).contains(QStringLiteral("joins")));
+        QVERIFY(!fixture.bar.isVisible());
+    }
+
+    void followsSeedsAndCriteria()
+    {
+        Traced fixture;
+        // A second seed in the bone: the mean lies between.
+        fixture.apply(core::SeedStroke{1, {{0.0, 14.0, 0.0}}});
+        fixture.wait();
+        QCOMPARE(fixture.bar.members()[0], 0);
+        QVERIFY(!std::binary_search(fixture.bar.jumps().begin(), fixture.bar.jumps().end(), 32));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        fixture.wait();
+        QCOMPARE(fixture.bar.members()[0], smallHead::voxelsOf(smallHead::ventricleHu));
+
+        ui::GrowSettings settings = fixture.workspace.growSettings();
+        settings.sigmas.on = true;
+        fixture.workspace.setGrowSettings(settings);
+        QTRY_VERIFY(
+            (fixture.session().poll(), fixture.text().contains(QStringLiteral("Strokes' mean"))));
+        QVERIFY(!fixture.bar.isVisible());
+        settings.sigmas.on = false;
+        fixture.workspace.setGrowSettings(settings);
+        fixture.wait();
+        QVERIFY(fixture.bar.isVisible());
+    }
+
+    void saysThatOthersGrowAlong()
+    {
+        Traced fixture;
+        QVERIFY(!fixture.text().contains(QStringLiteral("lock")));
+        fixture.apply(core::SeedStroke{2, {{-19.0, -19.0, -28.0}}});
+        fixture.wait();
+        QVERIFY(fixture.text().contains(QStringLiteral("lock")));
+    }
+};
+
+BURIN_WINDOW_TEST(ToleranceSectionUiTest)
+#include "ToleranceSectionUiTest.moc"

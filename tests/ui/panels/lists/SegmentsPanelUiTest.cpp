@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/lists/SegmentDelegate.h"
+#include "ui/panels/lists/SegmentsPanel.h"
+#include "ui/workspace/LayerActions.h"
+
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QListView>
+#include <QSignalSpy>
+#include <QtTest>
+
+namespace {
+
+struct Fixture : test::WindowFixture {
+    Fixture()
+        : WindowFixture(test::smallStudy())
+    {
+        window.addPanel(new ui::SegmentsPanel(workspace));
+        window.showPanels(true);
+        window.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window))
+            qFatal("the window does not become active");
+        list = window.findChild<QListView*>(QStringLiteral("segmentList"));
+        for (const core::Edit& edit :
+            std::vector<core::Edit>{test::addSegment("Brain"), test::addSegment("Bone"),
+                test::addSegment("Skin"), test::seedInBrain(1), test::growBrain()})
+            apply(edit);
+        workspace.setActiveSegment(1);
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    void apply(const core::Edit& edit)
+    {
+        QVERIFY(session().apply(edit));
+        QVERIFY(session().settle());
+    }
+    [[nodiscard]] QStringList listed() const
+    {
+        QStringList names;
+        for (int row = 0; row < list->model()->rowCount(); ++row)
+            names += list->model()->index(row, 0).data().toString();
+        return names;
+    }
+    void pressDelete(QWidget* where)
+    {
+        where->setFocus();
+        QTRY_VERIFY(where->hasFocus());
+        QTest::keyClick(where, Qt::Key_Delete);
+        QVERIFY(session().settle());
+    }
+
+    QListView* list = nullptr;
+};
+
+QString spaced(std::int64_t count)
+{
+    QString digits = QString::number(count);
+    for (qsizetype place = digits.size() - 3; place > 0; place -= 3)
+        digits.insert(place, QLatin1Char(' '));
+    return digits;
+}
+
+} // namespace
+
+class SegmentsPanelUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void deleteTakesTheSegmentAndSaysSo()
+    {
+        Fixture fixture;
+        const std::int64_t voxels = fixture.session().document().segment(1)->voxels;
+        QVERIFY(voxels > 1000);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.pressDelete(fixture.list);
+        QCOMPARE(fixture.listed(), (QStringList{QStringLiteral("Bone"), QStringLiteral("Skin")}));
+        QCOMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(),
+            QStringLiteral("Deleted 'Brain', %1 voxels; Ctrl+Z brings it back")
+                .arg(spaced(voxels)));
+        QCOMPARE(fixture.workspace.activeSegment(), 2); // the one below
+        QVERIFY(fixture.session().undo());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.listed().front(), QStringLiteral("Brain"));
+        QCOMPARE(fixture.session().document().segment(1)->voxels, voxels);
+    }
+
+    void theLastLeavesTheOneAbove()
+    {
+        Fixture fixture;
+        fixture.workspace.setActiveSegment(3);
+        fixture.pressDelete(fixture.list);
+        QCOMPARE(fixture.workspace.activeSegment(), 2);
+        fixture.pressDelete(fixture.list);
+        QCOMPARE(fixture.workspace.activeSegment(), 1);
+        fixture.pressDelete(fixture.list);
+        QCOMPARE(fixture.workspace.activeSegment(), 0);
+        QVERIFY(fixture.session().document().segments.empty());
+    }
+
+    void theKeyDeletesInTheListOnly()
+    {
+        Fixture fixture;
+        const std::size_t rows = fixture.session().history().rows().size();
+        fixture.pressDelete(&fixture.window.views().volume());
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        // From the menu it works anywhere.
+        QAction& action = fixture.window.actionTable()[QStringLiteral("segments.remove")];
+        QCOMPARE(action.text(), QStringLiteral("Delete segment 'Brain'"));
+        action.trigger();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+    }
+
+    void aLockedOneStays()
+    {
+        Fixture fixture;
+        fixture.apply(core::ChangeSegment{.segment = 1, .locked = true});
+        QVERIFY(!fixture.window.actionTable()[QStringLiteral("segments.remove")].isEnabled());
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        const std::size_t rows = fixture.session().history().rows().size();
+        fixture.pressDelete(fixture.list);
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        QCOMPARE(failed.size(), 1);
+    }
+
+    /// The shield of a row: one click, one step; tools say whom they spare.
+    void aShieldKeepsToolsOff()
+    {
+        Fixture fixture;
+        QCOMPARE(
+            ui::carvingTarget(fixture.workspace, false), QStringLiteral("carves layer Sculpt 1"));
+        const QModelIndex bone = fixture.list->model()->index(1, 0);
+        const auto click = [&] {
+            const QRect row = fixture.list->visualRect(bone);
+            const QPoint at = ui::SegmentDelegate::shieldRect(row).center();
+            QTest::mouseClick(fixture.list->viewport(), Qt::LeftButton, {}, at);
+            QVERIFY(fixture.session().settle());
+        };
+        click();
+        QVERIFY(fixture.session().document().segment(2)->uncarvable);
+        QVERIFY(!fixture.session().document().segment(2)->locked);
+        QCOMPARE(fixture.session().history().rows().back().name,
+            QStringLiteral("Protect segment 'Bone' from sculpting"));
+        QCOMPARE(ui::carvingTarget(fixture.workspace, false),
+            QStringLiteral("carves layer Sculpt 1, not Bone"));
+        QCOMPARE(
+            ui::carvingTarget(fixture.workspace, true), QStringLiteral("restores layer Sculpt 1"));
+        click();
+        QVERIFY(!fixture.session().document().segment(2)->uncarvable);
+    }
+};
+
+BURIN_WINDOW_TEST(SegmentsPanelUiTest)
+#include "SegmentsPanelUiTest.moc"

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/brick/VoxelRuns.h"
+#include "tests/support/cases/SurfaceCases.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/panels/refine/ComparePanel.h"
+
+#include <QFile>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+constexpr double radius = 10.0; // voxels
+
+/// A ball as segment 1, and a mask's file with one that is a voxel wider.
+class CompareFixture : public test::WorkspaceFixture {
+public:
+    CompareFixture()
+        : panel(workspace)
+    {
+        apply(test::ballMask(glm::ivec3(test::smallHead::side), radius));
+        workspace.setActiveSegment(1);
+        const core::ImportMask larger =
+            test::ballMask(glm::ivec3(test::smallHead::side), radius + 1.0);
+        truth.assign(workspace.volume()->geometry.voxelCount(), 0);
+        // Named: as a temporary of the loop's range it would be gone before the first turn.
+        const std::optional<core::VoxelRuns> runs =
+            core::unpackedRuns(larger.segments->front().voxels, truth.size());
+        for (const core::VoxelRun& run : runs->runs())
+            std::fill_n(truth.begin() + std::ptrdiff_t(run.first), run.count, std::uint8_t(1));
+        QFile file(path());
+        if (!file.open(QIODevice::WriteOnly))
+            qFatal("no file");
+        // 1 x 1 x 1.5 mm about the origin, as the small head is.
+        file.write("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 40 40 40\n"
+                   "space: left-posterior-superior\n"
+                   "space directions: (1,0,0) (0,1,0) (0,0,1.5)\n"
+                   "space origin: (-20,-20,-30)\nencoding: raw\n\n");
+        file.write(reinterpret_cast<const char*>(truth.data()), qint64(truth.size()));
+    }
+    [[nodiscard]] QString path() const { return folder.filePath(QStringLiteral("truth.nrrd")); }
+    [[nodiscard]] QString text(const char* name) const
+    {
+        return panel.findChild<QLabel*>(QLatin1String(name))->text();
+    }
+    /// Edits are answered when somebody polls.
+    [[nodiscard]] bool upToDate()
+    {
+        session().poll();
+        QCoreApplication::processEvents();
+        return panel.comparison().outcome() && !panel.comparison().isBehind();
+    }
+    [[nodiscard]] const core::MaskComparison& outcome()
+    {
+        return panel.comparison().outcome()->comparison;
+    }
+
+    QTemporaryDir folder;
+    std::vector<std::uint8_t> truth;
+    ui::ComparePanel panel;
+};
+
+/// The same by the definition (seed B §7.3), from labels.
+double errorOf(const std::vector<std::uint8_t>& mask, const std::vector<std::uint8_t>& reference)
+{
+    double differ = 0.0;
+    double all = 0.0;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        differ += (mask[i] == 1) != (reference[i] == 1) ? 1.0 : 0.0;
+        all += reference[i] == 1 ? 1.0 : 0.0;
+    }
+    return differ / all;
+}
+
+} // namespace
+
+class ComparePanelUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void itFollowsWhatIsPainted()
+    {
+        CompareFixture fixture;
+        QVERIFY(fixture.panel.summary().isEmpty());
+        fixture.panel.comparison().read(fixture.path());
+        QTRY_VERIFY(fixture.upToDate());
+        const auto errorNow = [&] { return errorOf(*fixture.session().labels(0), fixture.truth); };
+        const double error = errorNow();
+        QVERIFY(error > 0.1 && error < 0.5);
+        QCOMPARE(*fixture.outcome().relativeVolumeError, error);
+        QCOMPARE(fixture.text("compareWhat"), QStringLiteral("Ball"));
+        QVERIFY(fixture.text("compareError").endsWith(QStringLiteral(" %")));
+        QVERIFY(fixture.text("compareHd95").endsWith(QStringLiteral(" mm")));
+        QVERIFY(fixture.panel.summary().startsWith(QStringLiteral("Dice ")));
+
+        fixture.apply(core::PaintStroke{.segment = 1,
+            .path = {.radiusMm = 4.0, .pointsLps = {glm::dvec3(radius + 6.0, 0.0, 0.0)}}});
+        QTRY_VERIFY(fixture.upToDate() && *fixture.outcome().relativeVolumeError != error);
+        QCOMPARE(*fixture.outcome().relativeVolumeError, errorNow());
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QTRY_VERIFY(fixture.upToDate() && *fixture.outcome().relativeVolumeError == error);
+    }
+
+    void aSurfaceIsComparedBeforeItIsWrittenBack()
+    {
+        CompareFixture fixture;
+        fixture.panel.comparison().read(fixture.path());
+        QTRY_VERIFY(fixture.upToDate());
+        const double before = *fixture.outcome().relativeVolumeError;
+        fixture.apply(core::LaySurface{.segment = 1, .vertices = 800});
+        QTRY_VERIFY(fixture.upToDate() && fixture.panel.comparison().outcome()->ofSurface);
+        QVERIFY(fixture.text("compareWhat").startsWith(QStringLiteral("Surface of Ball")));
+        const double laid = *fixture.outcome().relativeVolumeError;
+        QVERIFY(std::abs(laid - before) < 0.05);
+        // A dent.
+        fixture.apply(core::SpherePush{
+            .path = {.radiusMm = 6.0, .pointsLps = {glm::dvec3(radius + 1.0, 0.0, 0.0)}}});
+        QTRY_VERIFY(fixture.upToDate() && *fixture.outcome().relativeVolumeError > laid + 0.005);
+        const double dented = *fixture.outcome().relativeVolumeError;
+        fixture.apply(core::WriteBack{});
+        fixture.apply(core::DropSurface{});
+        // The voxels say the same, but for where the surface is not quite what it was laid around:
+        // there they stay as they were.
+        QTRY_VERIFY(fixture.upToDate() && !fixture.panel.comparison().outcome()->ofSurface);
+        const double written = *fixture.outcome().relativeVolumeError;
+        QVERIFY(written > before + 0.005);
+        QVERIFY(std::abs((written - before) - (dented - laid)) < 0.005);
+    }
+
+    void badFilesAreTold()
+    {
+        CompareFixture fixture;
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        fixture.panel.comparison().read(QStringLiteral("/nowhere/at/all.nrrd"));
+        QTRY_COMPARE(failed.size(), 1);
+        QVERIFY(failed.first()
+                    .first()
+                    .value<core::Error>()
+                    .arguments.join(QLatin1Char(' '))
+                    .contains(QStringLiteral("all.nrrd")));
+        QCOMPARE(fixture.panel.comparison().chosen(), -1);
+        QVERIFY(fixture.text("compareWhat").contains(QStringLiteral("Choose a mask")));
+    }
+
+    void nothingIsComparedWithoutASegment()
+    {
+        CompareFixture fixture;
+        fixture.panel.comparison().read(fixture.path());
+        QTRY_VERIFY(fixture.upToDate());
+        fixture.workspace.setActiveSegment(0);
+        QTRY_VERIFY(!fixture.panel.comparison().outcome());
+        QVERIFY(fixture.text("compareWhat").contains(QStringLiteral("Choose a segment")));
+        // A study that is closed takes its reference along, also one that is being read.
+        fixture.panel.comparison().read(fixture.path());
+        fixture.workspace.setSession(nullptr);
+        // What was read comes a moment later and is dropped, of which nothing tells.
+        QTest::qWait(50);
+        QVERIFY(!fixture.panel.comparison().isBehind());
+        QVERIFY(fixture.panel.comparison().references().isEmpty());
+    }
+};
+
+BURIN_WINDOW_TEST(ComparePanelUiTest)
+#include "ComparePanelUiTest.moc"

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tasks/MaskImporter.h"
+
+#include "core/nifti/NiftiWriter.h"
+#include "core/session/EditSession.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/frame/MessageBar.h"
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QFile>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+class ImportFixture : public test::WindowFixture {
+public:
+    ImportFixture()
+        : test::WindowFixture(test::headFirstSupine())
+    {
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    [[nodiscard]] QString path(const char* name) const
+    {
+        return folder.filePath(QLatin1String(name));
+    }
+    /// Label 1 in two slices, 2 in one voxel, on the study's grid or beside it.
+    [[nodiscard]] QString mask(const char* name, const glm::dvec3& movedMm = glm::dvec3(0.0)) const
+    {
+        core::VolumeGeometry geometry = workspace.volume()->geometry;
+        geometry.indexToWorld[3] += glm::dvec4(movedMm, 0.0);
+        std::vector<std::uint8_t> labels(geometry.voxelCount(), 0);
+        const std::size_t slice = std::size_t(geometry.size.x) * std::size_t(geometry.size.y);
+        std::fill_n(labels.begin(), 2 * slice, std::uint8_t(1));
+        labels[5 * slice] = 2;
+        const auto written =
+            core::writeNifti(path(name), {.geometry = geometry, .voxels = labels}, false);
+        return written ? path(name) : QString();
+    }
+    /// Until the file that is being read has become a step, or has not.
+    void finish()
+    {
+        QTRY_VERIFY(!window.importer().busy());
+        QVERIFY(session().settle());
+    }
+    void drop(const QString& file)
+    {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(file)});
+        QDragEnterEvent enter(
+            QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&window, &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent event(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&window, &event);
+    }
+    QTemporaryDir folder;
+};
+
+} // namespace
+
+class MaskImporterUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void segmentsComeInAsOneStep()
+    {
+        ImportFixture fixture;
+        const QByteArray before = fixture.session().stateHash();
+        QSignalSpy imported(&fixture.window.importer(), &ui::MaskImporter::imported);
+        fixture.window.importer().import(fixture.mask("some.nii"));
+        QVERIFY(fixture.window.importer().busy());
+        fixture.finish();
+        QCOMPARE(imported.count(), 1);
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));
+        const auto& segments = fixture.session().document().segments;
+        QCOMPARE(segments.size(), std::size_t(2));
+        QVERIFY(imported[0][1].toStringList().isEmpty());
+        const QString sentence = fixture.window.messages().sentence();
+        QVERIFY2(sentence.contains(QStringLiteral("2 segments")), qPrintable(sentence));
+        reference::DenseFields fields = fixture.engine.fields();
+        const auto& labels = fields.labels(0);
+        QCOMPARE(int(labels.at({3, 4, 0})), int(segments[0].label));
+        QCOMPARE(int(labels.at({3, 4, 1})), int(segments[0].label));
+        QCOMPARE(int(labels.at({0, 0, 5})), int(segments[1].label));
+        QCOMPARE(int(labels.at({3, 4, 5})), 0);
+        QVERIFY(fixture.session().undo());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), before);
+    }
+
+    void aMaskThatIsDroppedIsTakenIn()
+    {
+        ImportFixture fixture;
+        fixture.drop(fixture.mask("some-seg.nii"));
+        fixture.finish();
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(2));
+    }
+
+    void anotherGridIsTold()
+    {
+        ImportFixture fixture;
+        QSignalSpy imported(&fixture.window.importer(), &ui::MaskImporter::imported);
+        fixture.window.importer().import(fixture.mask("moved.nii", {0.7, 0.0, 0.0}));
+        fixture.finish();
+        QCOMPARE(imported.count(), 1);
+        QVERIFY(!imported[0][1].toStringList().isEmpty());
+        QVERIFY(
+            fixture.window.messages().sentence().contains(imported[0][1].toStringList().first()));
+    }
+
+    void whatCannotBeReadIsSaidAndNothingChanges_data()
+    {
+        QTest::addColumn<bool>("outside");
+        QTest::newRow("no mask") << false;
+        QTest::newRow("wholly outside") << true;
+    }
+    void whatCannotBeReadIsSaidAndNothingChanges()
+    {
+        QFETCH(bool, outside);
+        ImportFixture fixture;
+        QString file = fixture.path("none.nii");
+        if (outside) {
+            file = fixture.mask("far.nii", {5000.0, 0.0, 0.0});
+        } else {
+            QFile bytes(file);
+            QVERIFY(bytes.open(QIODevice::WriteOnly) && bytes.write("no mask at all") > 0);
+        }
+        QSignalSpy failed(&fixture.window.importer(), &ui::MaskImporter::failed);
+        fixture.window.importer().import(file);
+        fixture.finish();
+        QCOMPARE(failed.count(), 1);
+        QVERIFY(fixture.session().history().rows().empty());
+        const QString sentence = fixture.window.messages().sentence();
+        QVERIFY2(
+            sentence.contains(outside ? QStringLiteral("far.nii") : QStringLiteral("none.nii")),
+            qPrintable(sentence));
+    }
+
+    void whatIsLikeAMask()
+    {
+        ImportFixture fixture;
+        QVERIFY(ui::MaskImporter::looksLikeMask(QStringLiteral("/a/b.seg.nrrd")));
+        QVERIFY(ui::MaskImporter::looksLikeMask(QStringLiteral("/a/Labels.nii.gz")));
+        QVERIFY(!ui::MaskImporter::looksLikeMask(QStringLiteral("/a/brain.nii.gz")));
+        QVERIFY(!ui::MaskImporter::looksLikeMask(fixture.folder.path()));
+    }
+};
+
+BURIN_WINDOW_TEST(MaskImporterUiTest)
+#include "MaskImporterUiTest.moc"

@@ -1,0 +1,445 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditJson.h"
+#include "core/edits/schema/EditQuantise.h"
+#include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/tools/growth/PaintTool.h"
+#include "ui/tools/sculpt/CarveBrushTool.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QJsonDocument>
+#include <QToolButton>
+#include <QtTest>
+
+#include <cmath>
+#include <set>
+
+namespace {
+
+using Brush = ui::Workspace::Brush;
+using core::BrushPath;
+
+/// The real window with the small head; the 3D view looks at its bone from the front.
+class BrushFixture : public test::WindowFixture {
+public:
+    explicit BrushFixture(Brush brush)
+        : test::WindowFixture(test::smallHead::volume())
+        , paint(workspace)
+        , carve(workspace)
+        , slice(window.views().axial())
+        , view(window.views().volume())
+    {
+        ui::Workspace::VolumeDisplay display = workspace.volumeDisplay();
+        display.surfaceThreshold = 300.0;
+        workspace.setVolumeDisplay(display);
+        workspace.setBrushSettings(Brush::Paint, {.radiusMm = 3.0, .disc = true});
+        workspace.setBrushSettings(Brush::Carve, {.radiusMm = 3.0});
+        workspace.setActiveTool(brush == Brush::Paint ? static_cast<ui::Tool*>(&paint) : &carve);
+        view.lookFrom({0.0, -1.0, 0.0});
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    [[nodiscard]] static QPointF middleOf(const QWidget& widget)
+    {
+        return QPointF(widget.width(), widget.height()) / 2.0;
+    }
+    [[nodiscard]] const core::Edit& lastEdit()
+    {
+        return session().history().row(session().history().position()).edit;
+    }
+    /// Voxels that hold something, in a field of bytes.
+    [[nodiscard]] std::set<std::array<int, 3>> voxels(
+        core::Field field, std::uint8_t plane, int least)
+    {
+        std::set<std::array<int, 3>> found;
+        const core::BrickGrid grid{workspace.volume()->geometry.size};
+        core::ReadBricks read;
+        for (int brick = 0; brick < grid.brickCount(); ++brick)
+            read.keys.push_back({field, plane, std::uint32_t(brick)});
+        session().ask(read, [&](const core::EngineResult& result) {
+            for (const core::BrickChange& brick : result.changes) {
+                const core::VoxelBox box = grid.boxOf(int(brick.key.brick));
+                for (int z = box.minimum.z; z < box.maximum.z && !brick.after.empty(); ++z)
+                    for (int y = box.minimum.y; y < box.maximum.y; ++y)
+                        for (int x = box.minimum.x; x < box.maximum.x; ++x)
+                            if (brick.after[std::size_t(core::BrickGrid::offsetInBrick({x, y, z}))]
+                                >= least)
+                                found.insert({x, y, z});
+            }
+        });
+        session().poll();
+        return found;
+    }
+    [[nodiscard]] auto painted() { return voxels(core::Field::Labels, 0, 1); }
+    [[nodiscard]] auto carved() { return voxels(core::Field::Coverage, 1, 128); }
+
+    ui::PaintTool paint;
+    ui::CarveBrushTool carve;
+    ui::SliceView& slice;
+    ui::VolumeView& view;
+};
+
+struct Reading {
+    QPointF offset; ///< logical pixels from the view's middle
+    quint64 milliseconds = 0;
+};
+
+const std::vector<Reading> stroke{
+    {{0.0, 0.0}, 70000}, {{6.5, 2.0}, 70008}, {{24.25, 9.5}, 70017}, {{42.0, 1.0}, 70025}};
+
+void draw(BrushFixture& fixture, QWidget& widget, test::Pen& pen,
+    const std::vector<Reading>& readings = stroke)
+{
+    const QPointF middle = BrushFixture::middleOf(widget);
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        if (i == 0)
+            pen.press(middle + readings[i].offset, 0.5, readings[i].milliseconds);
+        else
+            pen.move(middle + readings[i].offset, 0.5, readings[i].milliseconds);
+        fixture.session().poll();
+    }
+}
+
+void lift(BrushFixture& fixture, QWidget& widget, test::Pen& pen)
+{
+    pen.release(BrushFixture::middleOf(widget) + stroke.back().offset, 70100);
+    fixture.session().poll();
+    QVERIFY(fixture.session().settle());
+}
+
+/// A straight way from left to right over the middle, in so many readings, resting in between.
+std::vector<Reading> across(double halfPixels, int readings)
+{
+    std::vector<Reading> way;
+    for (int i = 0; i <= readings; ++i) {
+        const QPointF at(halfPixels * (2.0 * i / readings - 1.0), 0.0);
+        for (int rest = 0; rest < 3; ++rest)
+            way.push_back({at, 80000 + quint64(way.size()) * 4});
+    }
+    return way;
+}
+
+QByteArray canonical(const core::Edit& edit)
+{
+    return QJsonDocument(core::editToJson(core::quantised(edit))).toJson(QJsonDocument::Compact);
+}
+
+} // namespace
+
+class BrushToolsUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aPenStrokeOnASliceIsTheEditOfARecipe()
+    {
+        BrushFixture fixture(Brush::Paint);
+        const ui::ViewContext context = fixture.slice.context();
+        test::Pen pen(fixture.slice);
+        pen.hover(BrushFixture::middleOf(fixture.slice), 69990);
+        draw(fixture, fixture.slice, pen);
+        QVERIFY(fixture.session().transactionOpen());
+        QVERIFY(fixture.painted().size() > 30); // it shows while the pen is down
+        lift(fixture, fixture.slice, pen);
+        // A segment for it, and the stroke.
+        QCOMPARE(fixture.session().history().position(), core::RowId(2));
+
+        const auto& scene = std::get<gpu::SliceScene>(context.scene);
+        core::PaintStroke expected{.segment = 1};
+        expected.path.radiusMm = 3.0;
+        expected.path.shape = BrushPath::Shape::Disc;
+        expected.path.normalLps = glm::cross(scene.rightLps, scene.downLps);
+        for (const Reading& reading : stroke)
+            expected.path.pointsLps.push_back(scene.centreLps
+                + scene.mmPerPixel
+                    * (scene.rightLps * reading.offset.x() + scene.downLps * reading.offset.y()));
+        QCOMPARE(canonical(fixture.lastEdit()), canonical(expected));
+        const auto voxels = fixture.painted();
+        for (const auto& voxel : voxels)
+            QCOMPARE(voxel[2], (*voxels.begin())[2]); // of one slice
+
+        test::WorkspaceFixture recipe;
+        recipe.apply(fixture.session().history().row(1).edit);
+        recipe.apply(expected);
+        QCOMPARE(recipe.session().stateHash(), fixture.session().stateHash());
+    }
+
+    void theEraserEndAndControlErase()
+    {
+        BrushFixture fixture(Brush::Paint);
+        ui::Workspace::BrushSettings settings = fixture.workspace.brushSettings(Brush::Paint);
+        settings.disc = false;
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+        {
+            test::Pen pen(fixture.slice);
+            draw(fixture, fixture.slice, pen);
+            lift(fixture, fixture.slice, pen);
+        }
+        const std::size_t painted = fixture.painted().size();
+        QVERIFY(painted > 100); // a ball goes through more slices than one
+        test::Pen eraser(fixture.slice, test::Pen::End::Eraser);
+        draw(fixture, fixture.slice, eraser, {stroke[0]});
+        eraser.release(BrushFixture::middleOf(fixture.slice), 70100);
+        QVERIFY(fixture.session().settle());
+        const std::size_t left = fixture.painted().size();
+        QVERIFY(left < painted);
+        QVERIFY(std::get<core::PaintStroke>(fixture.lastEdit()).erase);
+
+        const QPoint end = (BrushFixture::middleOf(fixture.slice) + stroke.back().offset).toPoint();
+        QTest::mousePress(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, end);
+        QTest::mouseRelease(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, end);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.painted().size() < left);
+        // Where nothing is left nothing is done, and no entry says so.
+        const core::RowId row = fixture.session().history().position();
+        QTest::mousePress(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, end);
+        QTest::mouseRelease(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, end);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().position(), row);
+    }
+
+    void escapeTakesTheStrokeBack_data()
+    {
+        QTest::addColumn<bool>("inVolume");
+        QTest::addColumn<bool>("carves");
+        QTest::addRow("paint on a slice") << false << false;
+        QTest::addRow("paint in 3D") << true << false;
+        QTest::addRow("carve on a slice") << false << true;
+        QTest::addRow("carve in 3D") << true << true;
+    }
+    void escapeTakesTheStrokeBack()
+    {
+        QFETCH(bool, inVolume);
+        QFETCH(bool, carves);
+        BrushFixture fixture(carves ? Brush::Carve : Brush::Paint);
+        QWidget& widget = inVolume ? static_cast<QWidget&>(fixture.view) : fixture.slice;
+        test::Pen pen(widget);
+        draw(fixture, widget, pen);
+        QVERIFY((carves ? fixture.carved() : fixture.painted()).size() > 30);
+        const QByteArray segmentOnly = fixture.session().stateHash();
+        QTest::keyClick(&widget, Qt::Key_Escape);
+        pen.release(BrushFixture::middleOf(widget), 70200);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(!fixture.session().transactionOpen());
+        QVERIFY(fixture.painted().empty());
+        QVERIFY(fixture.carved().empty());
+        // A segment that was made for the stroke is an entry of its own.
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(carves ? 0 : 1));
+        QCOMPARE(fixture.session().stateHash(), segmentOnly);
+    }
+
+    void paintIn3dLiesOnWhatIsSeen()
+    {
+        BrushFixture fixture(Brush::Paint);
+        test::Pen pen(fixture.view);
+        draw(fixture, fixture.view, pen);
+        lift(fixture, fixture.view, pen);
+        const auto edit = std::get<core::PaintStroke>(fixture.lastEdit());
+        QVERIFY(edit.path.shape == BrushPath::Shape::Ball);
+        QVERIFY(edit.path.lifts.empty());
+        QVERIFY(edit.path.pointsLps.size() > 4);
+        for (const glm::dvec3& point : edit.path.pointsLps) {
+            // The head's bone ends at 16 mm; what is seen looks to −y.
+            QVERIFY2(std::abs(glm::length(point) - 15.7) < 1.2,
+                qPrintable(QString::number(glm::length(point))));
+            QVERIFY(point.y < 0.0);
+        }
+        test::WorkspaceFixture recipe;
+        recipe.apply(fixture.session().history().row(1).edit);
+        recipe.apply(edit);
+        QCOMPARE(recipe.session().stateHash(), fixture.session().stateHash());
+        QVERIFY(fixture.painted().size() > 100);
+    }
+
+    /// The cut follows the surface of pen-down: neither resting nor a fast tablet digs deeper.
+    void carvingDoesNotDependOnTheEventRate()
+    {
+        std::vector<std::set<std::array<int, 3>>> cuts;
+        for (const int readings : {2, 7, 40, 160}) {
+            BrushFixture fixture(Brush::Carve);
+            test::Pen pen(fixture.view);
+            draw(fixture, fixture.view, pen, across(60.0, readings));
+            lift(fixture, fixture.view, pen);
+            cuts.push_back(fixture.carved());
+            QVERIFY(cuts.back().size() > 200);
+            double deepest = 0.0;
+            const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+            for (const auto& voxel : cuts.back())
+                deepest = std::max(
+                    deepest, 16.0 - glm::length(geometry.toWorld({voxel[0], voxel[1], voxel[2]})));
+            QVERIFY2(deepest < 3.0 + 1.6, qPrintable(QString::number(deepest)));
+        }
+        for (const auto& cut : cuts) {
+            std::vector<std::array<int, 3>> apart;
+            std::set_symmetric_difference(
+                cut.begin(), cut.end(), cuts[0].begin(), cuts[0].end(), std::back_inserter(apart));
+            QVERIFY2(apart.size() * 25 < cut.size(),
+                qPrintable(QStringLiteral("%1 of %2").arg(apart.size()).arg(cut.size())));
+        }
+    }
+
+    void restoringIsCarvingTurnedRound()
+    {
+        BrushFixture fixture(Brush::Carve);
+        test::Pen pen(fixture.slice);
+        draw(fixture, fixture.slice, pen);
+        lift(fixture, fixture.slice, pen);
+        QVERIFY(fixture.carved().size() > 100);
+        test::Pen eraser(fixture.slice, test::Pen::End::Eraser);
+        draw(fixture, fixture.slice, eraser);
+        lift(fixture, fixture.slice, eraser);
+        QVERIFY(fixture.carved().empty());
+        QVERIFY(std::get<core::BrushStroke>(fixture.lastEdit()).restore);
+    }
+
+    /// Over the edge of what is seen the brush is lifted; off it nothing happens.
+    void nothingIsDrawnThroughTheAir()
+    {
+        BrushFixture fixture(Brush::Paint);
+        const double perMm = 1.0 / fixture.view.context().mmPerPixel();
+        test::Pen pen(fixture.view);
+        // From the middle over the upper edge, round outside, and back over the right edge.
+        draw(fixture, fixture.view, pen,
+            {{{0.0, 0.0}, 1000}, {{0.0, -30.0 * perMm}, 1010},
+                {{30.0 * perMm, -30.0 * perMm}, 1020}, {{30.0 * perMm, 0.0}, 1030},
+                {{8.0 * perMm, 0.0}, 1040}});
+        lift(fixture, fixture.view, pen);
+        const auto edit = std::get<core::PaintStroke>(fixture.lastEdit());
+        QVERIFY(!edit.path.lifts.empty());
+        for (const glm::dvec3& point : edit.path.pointsLps)
+            QVERIFY(glm::length(point) < 18.0);
+        for (const auto& voxel : fixture.painted())
+            QVERIFY(glm::length(fixture.workspace.volume()->geometry.toWorld(
+                        {voxel[0], voxel[1], voxel[2]}))
+                < 16.0 + 3.0 + 1.5);
+
+        const core::RowId row = fixture.session().history().position();
+        test::Pen beside(fixture.view);
+        draw(fixture, fixture.view, beside,
+            {{{40.0 * perMm, 0.0}, 2000}, {{44.0 * perMm, 0.0}, 2010}});
+        lift(fixture, fixture.view, beside);
+        QCOMPARE(fixture.session().history().position(), row);
+        QVERIFY(!fixture.session().transactionOpen());
+    }
+
+    void whatIsLockedOrMutedIsLeftAlone()
+    {
+        BrushFixture fixture(Brush::Paint);
+        int failures = 0;
+        connect(&fixture.workspace, &ui::Workspace::failed, this, [&failures] { ++failures; });
+        QVERIFY(fixture.session().apply(
+            core::AddSegment{.name = QStringLiteral("Liver"), .rgb = 0x804020, .code = {}}));
+        QVERIFY(fixture.session().apply(
+            core::ChangeSegment{.segment = 1, .name = {}, .rgb = {}, .code = {}, .locked = true}));
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(1);
+        QCOMPARE(fixture.paint.target(), QStringLiteral("Liver is locked"));
+        test::Pen pen(fixture.slice);
+        draw(fixture, fixture.slice, pen);
+        lift(fixture, fixture.slice, pen);
+        QCOMPARE(failures, 1);
+        QVERIFY(fixture.painted().empty());
+
+        fixture.workspace.setActiveTool(&fixture.carve);
+        QCOMPARE(fixture.carve.target(), QStringLiteral("carves layer Sculpt 1"));
+        QVERIFY(fixture.session().apply(core::ChangeLayer{.layer = 1, .muted = true}));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.carve.target(), QStringLiteral("layer Sculpt 1 is muted"));
+        test::Pen other(fixture.view);
+        draw(fixture, fixture.view, other);
+        lift(fixture, fixture.view, other);
+        QCOMPARE(failures, 2);
+        QVERIFY(fixture.carved().empty());
+        QVERIFY(!fixture.session().transactionOpen());
+    }
+
+    /// What is painted for a segment with seeds is a seed too.
+    void paintTakesPartInGrowth()
+    {
+        BrushFixture fixture(Brush::Paint);
+        QVERIFY(fixture.session().apply(
+            core::AddSegment{.name = QStringLiteral("Brain"), .rgb = 0x804020, .code = {}}));
+        QVERIFY(!ui::takesPartInGrowth(fixture.session().history(), 1));
+        QVERIFY(fixture.session().apply(test::WorkspaceFixture::middleSeed(1)));
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(1);
+        QVERIFY(ui::takesPartInGrowth(fixture.session().history(), 1));
+        QVERIFY(!ui::takesPartInGrowth(fixture.session().history(), 2));
+        test::Pen pen(fixture.slice);
+        draw(fixture, fixture.slice, pen);
+        lift(fixture, fixture.slice, pen);
+        QVERIFY(std::get<core::PaintStroke>(fixture.lastEdit()).seeds);
+    }
+
+    void aStrokeEndsWithItsSession()
+    {
+        for (const bool inVolume : {false, true}) {
+            BrushFixture fixture(Brush::Paint);
+            QWidget& widget = inVolume ? static_cast<QWidget&>(fixture.view) : fixture.slice;
+            test::Pen pen(widget);
+            pen.press(BrushFixture::middleOf(widget), 1.0, 10); // in 3D a question is on its way
+            fixture.workspace.setSession(nullptr);
+            pen.move(BrushFixture::middleOf(widget) + QPointF(5, 0), 1.0, 20);
+            pen.release(BrushFixture::middleOf(widget) + QPointF(5, 0), 30);
+            fixture.paint.cancel();
+            QVERIFY(!fixture.workspace.session());
+        }
+    }
+
+    void optionsAndKeysSetTheBrush()
+    {
+        BrushFixture fixture(Brush::Paint);
+        const QPointF at = BrushFixture::middleOf(fixture.slice);
+        QWheelEvent event(at, fixture.slice.mapToGlobal(at), {}, {0, 120}, Qt::NoButton,
+            Qt::ShiftModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&fixture.slice, &event);
+        const auto settings = [&] { return fixture.workspace.brushSettings(Brush::Paint); };
+        QCOMPARE(settings().radiusMm, 3.5);
+        QCOMPARE(fixture.workspace.brushSettings(Brush::Carve).radiusMm, 3.0);
+        fixture.paint.changeRadius(-100);
+        QCOMPARE(settings().radiusMm, ui::BrushTool::minimumRadiusMm);
+
+        auto* radius = fixture.window.findChild<QDoubleSpinBox*>(QStringLiteral("brushRadius"));
+        auto* shape = fixture.window.findChild<QComboBox*>(QStringLiteral("brushShape"));
+        auto* only = fixture.window.findChild<QCheckBox*>(QStringLiteral("brushOnlyBetween"));
+        auto* lower = fixture.window.findChild<QDoubleSpinBox*>(QStringLiteral("brushLower"));
+        auto* over = fixture.window.findChild<QCheckBox*>(QStringLiteral("brushOverwrite"));
+        QVERIFY(radius && shape && only && lower && over);
+        QCOMPARE(radius->value(), ui::BrushTool::minimumRadiusMm);
+        radius->setValue(5.0);
+        QCOMPARE(settings().radiusMm, 5.0);
+        shape->setCurrentIndex(0);
+        Q_EMIT shape->activated(0);
+        QVERIFY(!settings().disc);
+        auto* limits = fixture.window.findChild<QToolButton*>(QStringLiteral("brushLimits"));
+        QVERIFY(limits);
+        QCOMPARE(limits->text(), QStringLiteral("no limits"));
+        QVERIFY(!lower->isEnabled());
+        fixture.workspace.setGrowSettings({.lower = 0.0, .upper = 100.0});
+        only->click();
+        QVERIFY(settings().onlyBetween);
+        QCOMPARE(settings().upper, 100.0);
+        QVERIFY(lower->isEnabled());
+        lower->setValue(20.0);
+        over->click();
+        QVERIFY(limits->toolTip().endsWith(QStringLiteral(": only 20 … 100 HU, over others")));
+        QVERIFY(fixture.window.minimumSizeHint().width() <= 1280);
+        QVERIFY(settings().overwriteUnlocked);
+
+        test::Pen pen(fixture.slice);
+        draw(fixture, fixture.slice, pen);
+        lift(fixture, fixture.slice, pen);
+        const auto& edit = std::get<core::PaintStroke>(fixture.lastEdit());
+        QCOMPARE(*edit.lower, 20.0);
+        QCOMPARE(*edit.upper, 100.0);
+        QVERIFY(edit.overwriteUnlocked);
+        QVERIFY(edit.path.shape == BrushPath::Shape::Ball);
+    }
+};
+
+BURIN_WINDOW_TEST(BrushToolsUiTest)
+#include "BrushToolsUiTest.moc"

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/growth/SeedTool.h"
+
+#include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/tools/aim/PickQuestion.h"
+#include "ui/views/ViewGrid.h"
+#include "ui/workspace/PendingSeeds.h"
+
+#include <QtTest>
+
+#include <array>
+#include <set>
+
+namespace {
+
+class SeedFixture : public test::WindowFixture {
+public:
+    SeedFixture()
+        : test::WindowFixture(test::smallHead::volume())
+        , tool(workspace)
+    {
+        ui::Workspace::VolumeDisplay display = workspace.volumeDisplay();
+        display.surfaceThreshold = 300.0;
+        workspace.setVolumeDisplay(display);
+        workspace.setActiveTool(&tool);
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    void sketch(ui::ImageView& view, const QPointF& from, const QPointF& to,
+        test::Pen::End end = test::Pen::End::Tip)
+    {
+        test::Pen pen(view, end);
+        const QPointF middle = QPointF(view.width(), view.height()) / 2.0;
+        pen.press(middle + from, 0.5, 100);
+        pen.move(middle + (from + to) / 2.0, 0.7, 108);
+        pen.move(middle + to, 0.7, 116);
+        pen.release(middle + to, 124);
+        session().poll(); // the answer about what is seen
+        if (!session().settle())
+            qFatal("the sketch failed");
+    }
+    void stroke(ui::ImageView& view, Qt::KeyboardModifiers modifiers, const QPointF& from,
+        const QPointF& to)
+    {
+        const QPointF middle = QPointF(view.width(), view.height()) / 2.0;
+        QTest::mousePress(&view, Qt::LeftButton, modifiers, (middle + from).toPoint());
+        QTest::mouseMove(&view, (middle + (from + to) / 2.0).toPoint());
+        QTest::mouseMove(&view, (middle + to).toPoint());
+        QTest::mouseRelease(&view, Qt::LeftButton, modifiers, (middle + to).toPoint());
+        session().poll();
+        if (!session().settle())
+            qFatal("the stroke failed");
+    }
+    [[nodiscard]] std::vector<glm::ivec3> seeds(core::RowId row)
+    {
+        const auto& stroke = std::get<core::SeedStroke>(session().history().row(row).edit);
+        std::vector<glm::ivec3> voxels;
+        for (const glm::dvec3& point : stroke.pointsLps) {
+            const glm::dvec3 index = workspace.volume()->geometry.toIndex(point);
+            if (glm::length(index - glm::round(index)) > 1e-3)
+                qFatal("a seed is no voxel's centre");
+            voxels.push_back(glm::ivec3(glm::round(index)));
+        }
+        return voxels;
+    }
+
+    ui::SeedTool tool;
+};
+
+double distanceMm(const glm::ivec3& voxel)
+{
+    return glm::length(glm::dvec3(voxel - test::smallHead::side / 2) * glm::dvec3(1.0, 1.0, 1.5));
+}
+
+} // namespace
+
+class SeedToolUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theFirstSketchMakesASegment()
+    {
+        SeedFixture fixture;
+        fixture.sketch(fixture.window.views().axial(), {-10, 0}, {10, 0});
+        const core::Document& document = fixture.session().document();
+        QCOMPARE(document.segments.size(), std::size_t(1));
+        QCOMPARE(fixture.workspace.activeSegment(), 1);
+        QCOMPARE(fixture.session().history().position(), core::RowId(2));
+        QVERIFY(std::holds_alternative<core::AddSegment>(fixture.session().history().row(1).edit));
+        QVERIFY(std::holds_alternative<core::SeedStroke>(fixture.session().history().row(2).edit));
+        // One undo takes back the seeds only.
+        QVERIFY(fixture.session().undo());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(document.segments.size(), std::size_t(1));
+    }
+
+    void aSketchOnASliceTakesEveryVoxelUnderIt()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        const ui::ViewContext context = view.context();
+        fixture.sketch(view, {-30, 6}, {30, 6});
+        const auto voxels = fixture.seeds(2);
+        std::set<std::array<int, 3>> unique;
+        for (const glm::ivec3& voxel : voxels) {
+            unique.insert({voxel.x, voxel.y, voxel.z});
+            QCOMPARE(voxel.z, voxels.front().z);
+            QCOMPARE(voxel.y, voxels.front().y);
+        }
+        QCOMPARE(unique.size(), voxels.size());
+        for (std::size_t i = 1; i < voxels.size(); ++i)
+            QCOMPARE(std::abs(voxels[i].x - voxels[i - 1].x), 1);
+        const double lengthMm = 60.0 * context.mmPerPixel();
+        QVERIFY(std::abs(double(voxels.size()) - 1.0 - lengthMm) <= 1.0);
+    }
+
+    void aSketchOnThe3DViewLandsOnWhatIsSeen()
+    {
+        SeedFixture fixture;
+        ui::VolumeView& view = fixture.window.views().volume();
+        view.lookFrom({0.0, -1.0, 0.0});
+        fixture.sketch(view, {-20, -8}, {20, 8});
+        const auto voxels = fixture.seeds(2);
+        QVERIFY(voxels.size() > 4);
+        for (const glm::ivec3& voxel : voxels) {
+            // Bone's outer face, on the side that looks to the viewer.
+            QVERIFY(std::abs(distanceMm(voxel) - 16.0) < 1.6);
+            QVERIFY(voxel.y < test::smallHead::side / 2);
+        }
+    }
+
+    void carvedTissueIsNotSeen()
+    {
+        SeedFixture fixture;
+        ui::VolumeView& view = fixture.window.views().volume();
+        view.lookFrom({0.0, -1.0, 0.0});
+        core::DrillStroke hole;
+        hole.view = ui::orthographicView(std::get<gpu::VolumeScene>(view.context().scene));
+        hole.mask.radiusMm = 6.0;
+        hole.depthMm = 40.0;
+        hole.throughGaps = true;
+        hole.surfaceThreshold = 300.0;
+        hole.samples = {{0.0, 0.0, 1.0, 0.0}};
+        QVERIFY(fixture.session().apply(hole));
+        QVERIFY(fixture.session().settle());
+        const auto rows = fixture.session().history().rows().size();
+        fixture.sketch(view, {-1, 0}, {1, 0});
+        // The hole goes right through the head: nothing is left to be seen there.
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+    }
+
+    void aSketchBesideTheVolumeIsTold()
+    {
+        SeedFixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        ui::SliceView& view = fixture.window.views().axial();
+        const QPointF outside(0.0, -0.5 * view.height() + 4.0);
+        const ui::ViewContext context = view.context();
+        QVERIFY(!fixture.workspace.volume()->geometry.contains(
+            glm::ivec3(glm::round(fixture.workspace.volume()->geometry.toIndex(
+                context.toLps(QPointF(view.width(), view.height()) / 2.0 + outside))))));
+        fixture.sketch(view, outside, outside + QPointF(5, 0));
+        QVERIFY(fixture.session().history().rows().empty());
+        QCOMPARE(said.count(), 1);
+        QVERIFY(said[0][0].toString().contains(QStringLiteral("outside the volume")));
+    }
+
+    void escapeDropsTheSketch()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        test::Pen pen(view);
+        const QPointF middle = QPointF(view.width(), view.height()) / 2.0;
+        pen.press(middle, 0.5, 1);
+        pen.move(middle + QPointF(9, 0), 0.5, 2);
+        QTest::keyClick(&view, Qt::Key_Escape);
+        pen.release(middle + QPointF(9, 0), 3);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.session().history().rows().empty());
+    }
+
+    void seedsGoToTheActiveSegment()
+    {
+        SeedFixture fixture;
+        for (const char* name : {"A", "B"})
+            QVERIFY(fixture.session().apply(core::AddSegment{QLatin1String(name), 1, {}}));
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(2);
+        fixture.sketch(fixture.window.views().coronal(), {0, 0}, {5, 5});
+        const auto& edit = fixture.session().history().row(3).edit;
+        QCOMPARE(std::get<core::SeedStroke>(edit).segment, 2);
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(2));
+    }
+
+    void controlTakesSeedsAway()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        fixture.sketch(view, {-30, 6}, {30, 6});
+        const std::size_t sketched = fixture.workspace.seeds().seeds().size();
+        const QByteArray before = fixture.session().stateHash();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.stroke(view, Qt::ControlModifier, {0, 6}, {40, 6});
+        QVERIFY2(fixture.session().history().rows().size() == 3,
+            said.isEmpty() ? "nothing said" : qPrintable(said.last()[0].toString()));
+        const auto& stroke = std::get<core::SeedStroke>(fixture.session().history().row(3).edit);
+        QVERIFY(stroke.pointsLps.empty());
+        QVERIFY(stroke.takenLps && !stroke.takenLps->empty());
+        const std::size_t left = fixture.workspace.seeds().seeds().size();
+        QCOMPARE(left, sketched - stroke.takenLps->size());
+        QVERIFY(left > 0);
+        for (const gpu::SceneSeed& seed : fixture.workspace.seeds().seeds())
+            QVERIFY(view.context().toPixel(seed.lps).x() < view.width() / 2.0);
+        QVERIFY(fixture.session().undo());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), before);
+        QCOMPARE(fixture.workspace.seeds().seeds().size(), sketched);
+    }
+
+    void theEraserTakesSeedsAway()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        fixture.sketch(view, {-10, 6}, {10, 6});
+        fixture.sketch(view, {-20, 6}, {20, 6}, test::Pen::End::Eraser);
+        QVERIFY(fixture.workspace.seeds().seeds().empty());
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(3));
+    }
+
+    void shiftMovesASeed()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        fixture.sketch(view, {-20, 6}, {-20, 6});
+        QCOMPARE(fixture.workspace.seeds().seeds().size(), std::size_t(1));
+        const glm::dvec3 from = fixture.workspace.seeds().seeds().front().lps;
+        fixture.stroke(view, Qt::ShiftModifier, {-20, 6}, {20, -14});
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(3));
+        QCOMPARE(
+            fixture.session().history().row(3).name, QStringLiteral("Move 1 seed of 'Segment 1'"));
+        QCOMPARE(fixture.workspace.seeds().seeds().size(), std::size_t(1));
+        const glm::dvec3 to = fixture.workspace.seeds().seeds().front().lps;
+        const glm::dvec2 movedMm = glm::dvec2(to - from);
+        const double perPixel = view.context().mmPerPixel();
+        QVERIFY(std::abs(std::abs(movedMm.x) - 40.0 * perPixel) <= 0.6);
+        QVERIFY(std::abs(std::abs(movedMm.y) - 20.0 * perPixel) <= 0.6);
+        QCOMPARE(to.z, from.z);
+        // Where none lies, nothing is moved.
+        fixture.stroke(view, Qt::ShiftModifier, {-20, 6}, {0, 0});
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(3));
+    }
+
+    void shiftMovesASeedIn3D()
+    {
+        SeedFixture fixture;
+        ui::VolumeView& view = fixture.window.views().volume();
+        view.lookFrom({0.0, -1.0, 0.0});
+        fixture.sketch(view, {0, 0}, {0, 0});
+        QCOMPARE(fixture.workspace.seeds().seeds().size(), std::size_t(1));
+        fixture.stroke(view, Qt::ShiftModifier, {0, 0}, {15, 0});
+        const auto voxels = fixture.seeds(3);
+        QCOMPARE(voxels.size(), std::size_t(1));
+        QVERIFY(std::abs(distanceMm(voxels.front()) - 16.0) < 1.6);
+        QVERIFY(voxels.front() != fixture.seeds(2).front());
+    }
+
+    /// A growth has accepted them: they are members, and shrinking gives them back first.
+    void acceptedSeedsStay()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        fixture.sketch(view, {-10, 6}, {10, 6});
+        QVERIFY(fixture.session().apply(
+            core::GrowSteps{.criteria = {.lower = -2000, .upper = 3000}, .steps = 1}));
+        QVERIFY(fixture.session().settle());
+        const auto rows = fixture.session().history().rows().size();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.stroke(view, Qt::ControlModifier, {-20, 6}, {20, 6});
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        QVERIFY(said.last()[0].toString().contains(QStringLiteral("waits for a growth")));
+    }
+
+    /// What has grown stays what it is, and the window says so.
+    void aSeedInWhatHasGrownIsTold()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        fixture.sketch(view, {-10, 6}, {10, 6});
+        QVERIFY(fixture.session().apply(
+            core::GrowSteps{.criteria = {.lower = -2000, .upper = 3000}, .steps = 1}));
+        QVERIFY(fixture.session().apply(core::AddSegment{QStringLiteral("Other"), 1, {}}));
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(2);
+        const auto rows = fixture.session().history().rows().size();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.sketch(view, {-8, 6}, {8, 6});
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        QCOMPARE(said.count(), 1);
+        QVERIFY(fixture.workspace.seeds().seeds().empty());
+        QVERIFY2(said[0][0].toString().startsWith(QStringLiteral("No seed was set for Other: "))
+                && said[0][0].toString().endsWith(QStringLiteral("to 'Segment 1'")),
+            qPrintable(said[0][0].toString()));
+        fixture.sketch(view, {-8, 6}, {40, 6});
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        QVERIFY2(said.last()[0].toString().startsWith(QStringLiteral("Seeds for Other: "))
+                && said.last()[0].toString().contains(QStringLiteral(" of ")),
+            qPrintable(said.last()[0].toString()));
+        QVERIFY(fixture.session().history().rows().back().name.contains(
+            QStringLiteral("belong to 'Segment 1')")));
+        // Only those that were taken have dots.
+        const auto text = said.last()[0].toString().remove(QLatin1Char(' '));
+        const auto shown = fixture.workspace.seeds().seeds().size();
+        QVERIFY(shown > 0 && fixture.workspace.seeds().hollow().empty());
+        QVERIFY2(text.contains(QStringLiteral("Other:%1of").arg(shown)), qPrintable(text));
+        // Where all are taken there is nothing to explain.
+        fixture.sketch(view, {-8, -30}, {8, -30});
+        QVERIFY(said.last()[0].toString().endsWith(QStringLiteral("seed voxels for Other")));
+    }
+
+    void opacityIsCountedPerSample()
+    {
+        core::VoxelEncoding encoding;
+        gpu::TransferFunction function{{{0.0, 0, 0.0}, {65535.0, 0, 1.0}}};
+        const auto coarse = ui::opacityOfCodes(function, encoding, 1.0);
+        const auto fine = ui::opacityOfCodes(function, encoding, 0.5);
+        QCOMPARE(coarse.size(), std::size_t(256));
+        QVERIFY(coarse[0] < 200u);
+        // Two half-millimetre samples let through what one of a millimetre does.
+        const double through = 1.0 - fine[128] / 65535.0;
+        QVERIFY(std::abs(through * through - (1.0 - coarse[128] / 65535.0)) < 1e-4);
+        QVERIFY(std::is_sorted(coarse.begin(), coarse.end()));
+    }
+};
+
+BURIN_WINDOW_TEST(SeedToolUiTest)
+#include "SeedToolUiTest.moc"

@@ -1,0 +1,501 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditJson.h"
+#include "core/edits/schema/EditQuantise.h"
+#include "tests/reference/RefusingEngine.h"
+#include "tests/support/cases/SurfaceCases.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/panels/refine/ChunksPanel.h"
+#include "ui/tools/refine/ChunkTool.h"
+#include "ui/views/ViewGrid.h"
+#include "ui/workspace/Chunks.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QJsonDocument>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSlider>
+#include <QtTest>
+
+#include <algorithm>
+
+namespace {
+
+using Mode = core::ChunkToggle::Mode;
+
+// The ball is the ventricle and some of the brain around it; bone lies from 13 to 16 mm.
+constexpr double radius = 9.0;
+constexpr double marginMm = 8.0;
+constexpr int few = 5; // ventricle, brain within and without, bone, air
+constexpr glm::dvec3 inVentricle(0.0, 0.0, 0.0);
+constexpr glm::dvec3 inBone(14.0, 0.0, 0.0);
+
+core::ImportMask ball()
+{
+    return test::ballMask(glm::ivec3(test::smallHead::side), radius);
+}
+
+QByteArray canonical(const core::Edit& edit)
+{
+    return QJsonDocument(core::editToJson(core::quantised(edit))).toJson(QJsonDocument::Compact);
+}
+
+/// The real window with the small head and a ball as segment 1.
+class ChunkFixture : public test::WindowFixture {
+public:
+    ChunkFixture()
+        : test::WindowFixture(test::smallHead::volume())
+        , tool(workspace)
+        , panel(workspace)
+        , slice(window.views().axial())
+        , view(window.views().volume())
+    {
+        apply(ball());
+        workspace.setActiveSegment(1);
+        workspace.setActiveTool(&tool);
+        view.lookFrom({1.0, 0.0, 0.0});
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    [[nodiscard]] ui::Chunks& chunks() { return workspace.chunks(); }
+    void apply(const core::Edit& edit)
+    {
+        QVERIFY(session().apply(edit));
+        settle();
+    }
+    void settle()
+    {
+        QVERIFY(session().settle());
+        QCoreApplication::processEvents();
+        QVERIFY(session().settle()); // what was asked about the change
+        QCoreApplication::processEvents();
+    }
+    /// Chunks are worked out on threads of their own.
+    void await()
+    {
+        const auto there = [this] {
+            session().poll();
+            return chunks().map() != nullptr;
+        };
+        QVERIFY(QTest::qWaitFor(there, 60000));
+        settle();
+    }
+    void divide(int count)
+    {
+        ui::Chunks::Look look = chunks().look();
+        look.count = count;
+        look.bodies = ui::Chunks::Bodies::All;
+        chunks().setLook(look);
+        chunks().divide(marginMm);
+        settle();
+        await();
+    }
+    template <class Widget> [[nodiscard]] Widget* find(const char* name)
+    {
+        return panel.findChild<Widget*>(QLatin1String(name));
+    }
+    [[nodiscard]] core::RowId position() { return session().history().position(); }
+    [[nodiscard]] const core::ChunkToggle* lastClick()
+    {
+        return std::get_if<core::ChunkToggle>(&session().history().row(position()).edit);
+    }
+    [[nodiscard]] std::int64_t voxels() { return session().document().segment(1)->voxels; }
+    template <class View> [[nodiscard]] static QPointF at(View& where, const glm::dvec3& lps)
+    {
+        return where.context().toPixel(lps);
+    }
+    template <class View>
+    void click(View& where, const glm::dvec3& lps, Qt::KeyboardModifiers keys = Qt::NoModifier)
+    {
+        QTest::mouseClick(&where, Qt::LeftButton, keys, at(where, lps).toPoint());
+        settle();
+    }
+    [[nodiscard]] ui::Chunks::Chunk chunkAt(const glm::dvec3& lps)
+    {
+        const glm::ivec3 voxel(glm::round(workspace.volume()->geometry.toIndex(lps)));
+        return chunks().chunkAt(voxel).value();
+    }
+    /// How strongly a slice shows what lies at a place, 0 … 255.
+    [[nodiscard]] std::uint32_t strength(const glm::dvec3& lps)
+    {
+        const auto shown =
+            std::get<gpu::SliceScene>(frames.lastRequest(slice.viewId()).scene).chunks;
+        const glm::ivec3 voxel(glm::round(workspace.volume()->geometry.toIndex(lps)));
+        const glm::ivec3 size = shown->box.maximum - shown->box.minimum;
+        const glm::ivec3 within = voxel - shown->box.minimum;
+        const int leaf =
+            (*shown->leaves)[std::size_t((within.z * size.y + within.y) * size.x + within.x)];
+        return shown->argb[std::size_t(leaf - 1)] >> 24;
+    }
+
+    ui::ChunkTool tool;
+    ui::ChunksPanel panel;
+    ui::SliceView& slice;
+    ui::VolumeView& view;
+};
+
+} // namespace
+
+/// Chunks of a segment, added and taken with mouse and pen.
+class ChunkToolUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void thePanelDivides()
+    {
+        ChunkFixture fixture;
+        auto* divide = fixture.find<QPushButton>("divide");
+        QVERIFY(divide->isEnabled());
+        QVERIFY(!fixture.chunks().areas() && !fixture.chunks().bodies());
+        QVERIFY(fixture.find<QCheckBox>("chunksShown")->isHidden()
+            || fixture.find<QCheckBox>("chunksShown")->parentWidget()->isHidden());
+        fixture.find<QDoubleSpinBox>("chunksMargin")->setValue(marginMm);
+        divide->click();
+        fixture.settle();
+        fixture.await();
+        const core::RowId divided = fixture.position();
+        const auto* edit =
+            std::get_if<core::Chunks>(&fixture.session().history().row(divided).edit);
+        QVERIFY(edit && edit->segment == 1);
+        QCOMPARE(edit->marginMm, marginMm);
+        QVERIFY(fixture.find<QCheckBox>("chunksShown")->isChecked());
+        QVERIFY(fixture.chunks().areas() && fixture.chunks().bodies());
+        const auto requested = [&](gpu::ViewId view) {
+            const gpu::Scene& scene = fixture.frames.lastRequest(view).scene;
+            return std::visit([](const auto& drawn) { return drawn.chunks; }, scene);
+        };
+        QCOMPARE(requested(fixture.slice.viewId()), fixture.chunks().areas());
+        QCOMPARE(requested(fixture.view.viewId()), fixture.chunks().bodies());
+
+        // The slider divides anew without a row, and says how many there are.
+        const auto* state = fixture.find<QLabel>("chunksState");
+        auto* count = fixture.find<QSlider>("chunkCount");
+        count->setValue(count->minimum());
+        const int fewest = fixture.chunks().count();
+        QCOMPARE(fixture.chunks().shownCount(), 5);
+        const auto before = fixture.chunks().areas();
+        count->setValue(count->maximum());
+        QCOMPARE(fixture.chunks().count(), fixture.chunks().map()->tree().finest());
+        QVERIFY(fixture.chunks().count() > 20 * fewest);
+        QVERIFY(fixture.chunks().areas() != before);
+        QCOMPARE(fixture.chunks().areas()->leaves, before->leaves); // sent once
+        QCOMPARE(fixture.position(), divided);
+        QVERIFY2(state->text().endsWith(QStringLiteral("chunks")), qPrintable(state->text()));
+        QVERIFY(fixture.chunks().ownCount() > 0
+            && fixture.chunks().ownCount() < fixture.chunks().count());
+
+        fixture.find<QSlider>("chunkOpacity")->setValue(70);
+        QCOMPARE(fixture.chunks().areas()->opacity, 0.7f);
+        fixture.find<QCheckBox>("chunksShown")->setChecked(false);
+        QVERIFY(!requested(fixture.slice.viewId()) && !requested(fixture.view.viewId()));
+        QCOMPARE(fixture.position(), divided);
+    }
+
+    void whatHasNoVoxelsIsNotDivided()
+    {
+        ChunkFixture fixture;
+        fixture.apply(core::AddSegment{.name = QStringLiteral("Empty"), .rgb = 0x20A0C0});
+        fixture.workspace.setActiveSegment(2);
+        QVERIFY(!fixture.find<QPushButton>("divide")->isEnabled());
+        QVERIFY(fixture.find<QLabel>("chunksWhose")
+                    ->text()
+                    .contains(QStringLiteral("Empty has no voxels yet")));
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const core::RowId before = fixture.position();
+        fixture.chunks().divide(10.0);
+        QCOMPARE(said.size(), 1);
+        QVERIFY(said.last().first().toString().contains(QStringLiteral("has no voxels yet")));
+        // Nor is there anything to click on.
+        fixture.click(fixture.slice, inBone);
+        QVERIFY(said.last().first().toString().contains(QStringLiteral("press Divide")));
+        QCOMPARE(fixture.position(), before);
+    }
+
+    void aDivisionIsAborted()
+    {
+        ChunkFixture fixture;
+        const core::RowId before = fixture.position();
+        fixture.chunks().divide(marginMm);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.position() != before);
+        QVERIFY(fixture.chunks().isWorking()); // what is worked out comes in line with events
+        fixture.find<QPushButton>("chunksAbort")->click();
+        fixture.settle();
+        QCOMPARE(fixture.position(), before);
+        QVERIFY(!fixture.chunks().isWorking() && !fixture.chunks().division());
+    }
+
+    /// The engine cannot read the box: it is said why, and Divide works once it can.
+    void aDivisionThatFailsIsTakenBack()
+    {
+        reference::RefusingEngine engine;
+        ChunkFixture fixture;
+        fixture.workspace.setSession(
+            *core::EditSession::create(engine, test::smallHead::volume(), {}));
+        fixture.apply(ball());
+        fixture.workspace.setActiveSegment(1);
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        const core::RowId before = fixture.position();
+        auto* divide = fixture.find<QPushButton>("divide");
+        const auto isWaiting = [&fixture] {
+            return fixture.find<QProgressBar>("chunksProgress")->isVisibleTo(&fixture.panel);
+        };
+        divide->click();
+        fixture.session().poll(); // the row
+        fixture.session().poll();
+        QCoreApplication::processEvents();
+        QTRY_COMPARE(failed.size(), 1);
+        QCOMPARE(failed.last().first().value<core::Error>().code, core::ErrorCode::OutOfMemory);
+        QVERIFY(!fixture.chunks().isWorking() && !isWaiting());
+        QTRY_COMPARE(fixture.position(), before);
+        QVERIFY(!fixture.chunks().division() && !fixture.chunks().look().shown);
+        QVERIFY(divide->isEnabled());
+
+        QVERIFY(!fixture.session().settle()); // it returns that failure, too
+        engine.refuses = false;
+        divide->click();
+        fixture.await();
+        QVERIFY(fixture.chunks().areas() && !isWaiting());
+        QCOMPARE(failed.size(), 1);
+        // What a recipe, say, divided stays, though it is not shown.
+        fixture.chunks().setLook({});
+        fixture.apply(core::Chunks{.segment = 1, .marginMm = 4.0});
+        engine.refuses = true;
+        fixture.find<QCheckBox>("chunksShown")->setChecked(true);
+        QVERIFY(!fixture.session().settle());
+        QCOMPARE(failed.size(), 2);
+        QVERIFY(!fixture.chunks().isWorking());
+        QVERIFY(!fixture.find<QCheckBox>("chunksShown")->isChecked());
+    }
+
+    /// What it was to be made of is gone by the time it is its turn.
+    void aSegmentThatLosesItsVoxelsIsNotDivided()
+    {
+        ChunkFixture fixture;
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        QVERIFY(fixture.session().undo()); // the ball; it waits for the engine
+        fixture.find<QPushButton>("divide")->click();
+        static_cast<void>(fixture.session().settle());
+        QCoreApplication::processEvents();
+        QCOMPARE(failed.size(), 1);
+        QVERIFY(!fixture.chunks().isWorking() && !fixture.chunks().division());
+        QVERIFY(!fixture.find<QProgressBar>("chunksProgress")->isVisibleTo(&fixture.panel));
+        QVERIFY(fixture.session().redo());
+        fixture.settle();
+        fixture.find<QPushButton>("divide")->click();
+        fixture.settle();
+        fixture.await();
+    }
+
+    void thePanelTellsHowFarItIs()
+    {
+        ChunkFixture fixture;
+        fixture.chunks().divide(marginMm);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.chunks().isWorking());
+        const auto* bar = fixture.find<QProgressBar>("chunksProgress");
+        const auto* step = fixture.find<QLabel>("chunksStep");
+        QVERIFY(bar->isVisibleTo(&fixture.panel) && step->isVisibleTo(&fixture.panel));
+        QVERIFY(bar->maximum() == 100 && bar->minimum() == 0);
+        QVERIFY2(step->text().endsWith(QStringLiteral(" %")), qPrintable(step->text()));
+        // The panel asks while it waits, the map is not taken in meanwhile.
+        QTRY_VERIFY(bar->value() >= 65);
+        QVERIFY2(!step->text().contains(QStringLiteral("Fetching")), qPrintable(step->text()));
+        fixture.await();
+        QVERIFY(!bar->isVisibleTo(&fixture.panel));
+    }
+
+    void aClickOnASliceIsTheEditOfARecipe()
+    {
+        ChunkFixture fixture;
+        fixture.divide(few);
+        const std::int64_t before = fixture.voxels();
+        const QPointF place = fixture.at(fixture.slice, inBone).toPoint();
+        const glm::dvec3 lps = fixture.slice.context().toLps(place);
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        const core::ChunkToggle expected{.segment = 1,
+            .chunks = few,
+            .pointsLps = {geometry.toWorld(glm::round(geometry.toIndex(lps)))}};
+        fixture.click(fixture.slice, inBone);
+        const core::ChunkToggle* click = fixture.lastClick();
+        QVERIFY(click);
+        core::ChunkToggle without = *click;
+        without.bricks.reset();
+        QCOMPARE(canonical(without), canonical(expected));
+        QVERIFY(fixture.voxels() > before + 500);
+
+        // The same edits without a window.
+        test::WorkspaceFixture other;
+        for (const core::Edit& edit : std::vector<core::Edit>{
+                 ball(), core::Chunks{.segment = 1, .marginMm = marginMm}, expected})
+            other.apply(edit);
+        QCOMPARE(other.session().stateHash(), fixture.session().stateHash());
+
+        // Once more, and it goes.
+        fixture.click(fixture.slice, inBone);
+        QCOMPARE(fixture.voxels(), before);
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(4));
+    }
+
+    void undoAndRedoShowWhoHasWhat()
+    {
+        ChunkFixture fixture;
+        fixture.divide(few);
+        const std::uint32_t strong = fixture.strength(inVentricle);
+        const std::uint32_t weak = fixture.strength(inBone);
+        QVERIFY(strong > weak && weak > 0);
+        fixture.click(fixture.slice, inBone);
+        fixture.tool.leave();
+        QCOMPARE(fixture.strength(inBone), strong);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.strength(inBone), weak);
+        QVERIFY(fixture.session().redo());
+        fixture.settle();
+        QCOMPARE(fixture.strength(inBone), strong);
+        // Without the division there is nothing to show.
+        QVERIFY(fixture.session().undo());
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(!fixture.chunks().areas());
+        QVERIFY(fixture.session().redo());
+        fixture.settle();
+        fixture.await();
+        QCOMPARE(fixture.strength(inBone), weak);
+    }
+
+    void theThirdDimensionTakesTheFirstThatIsSeen()
+    {
+        ChunkFixture fixture;
+        fixture.divide(few);
+        // From the left side of the patient, +x: all there is before the middle of the head.
+        const auto pickedAt = [&] {
+            fixture.click(fixture.view, inVentricle);
+            return fixture.lastClick() ? fixture.lastClick()->pointsLps.front()
+                                       : glm::dvec3(1000.0);
+        };
+        const glm::dvec3 whole = pickedAt();
+        const core::VoxelBox& box = fixture.chunks().map()->box();
+        const double face =
+            fixture.workspace.volume()->geometry.toWorld(glm::dvec3(box.maximum - 1)).x;
+        QCOMPARE(whole.x, face); // the box's first voxel
+        // What lies before the plane is not there.
+        core::ClipRegion clip = fixture.workspace.clip();
+        clip.planes[0] = {.pointLps = {3.6, 0.0, 0.0}, .normalLps = {1.0, 0.0, 0.0}, .on = true};
+        fixture.workspace.setClip(clip);
+        QCoreApplication::processEvents();
+        const glm::dvec3 clipped = pickedAt();
+        QVERIFY2(std::abs(clipped.x - 3.5) < 0.6, qPrintable(QString::number(clipped.x)));
+        // Nor are chunks that are not drawn: only the segment's are.
+        clip.planes[0].on = false;
+        fixture.workspace.setClip(clip);
+        fixture.find<QComboBox>("chunkBodies")->setCurrentIndex(0);
+        Q_EMIT fixture.find<QComboBox>("chunkBodies")->activated(0);
+        QCOMPARE(fixture.chunks().look().bodies, ui::Chunks::Bodies::Own);
+        QVERIFY(fixture.session().goTo(2));
+        fixture.settle();
+        fixture.await();
+        const glm::dvec3 own = pickedAt();
+        QVERIFY2(own.x < radius + 1.0 && own.x > radius - 4.0, qPrintable(QString::number(own.x)));
+    }
+
+    void ctrlAndTheEraserOnlyTake()
+    {
+        ChunkFixture fixture;
+        fixture.divide(few);
+        const core::RowId before = fixture.position();
+        fixture.click(fixture.slice, inBone, Qt::ControlModifier);
+        QCOMPARE(fixture.position(), before); // it has none of it
+        fixture.click(fixture.slice, inVentricle, Qt::ControlModifier);
+        QVERIFY(fixture.lastClick() && fixture.lastClick()->mode == Mode::Remove);
+        QVERIFY(fixture.position() != before);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        test::Pen pen(fixture.slice, test::Pen::End::Eraser);
+        pen.press(fixture.at(fixture.slice, inVentricle), 1.0, 70000);
+        pen.release(fixture.at(fixture.slice, inVentricle), 70020);
+        fixture.settle();
+        QVERIFY(fixture.lastClick() && fixture.lastClick()->mode == Mode::Remove);
+    }
+
+    void aDragTakesManyInOneStep()
+    {
+        ChunkFixture fixture;
+        fixture.divide(300);
+        const core::RowId before = fixture.position();
+        const std::int64_t voxels = fixture.voxels();
+        const glm::dvec3 from(11.5, -9.0, 0.0);
+        const glm::dvec3 to(11.5, 9.0, 0.0);
+        QVERIFY(!fixture.chunks().has(fixture.chunkAt(from)));
+        const auto draw = [&](bool lift) {
+            test::Pen pen(fixture.slice);
+            quint64 time = 70000;
+            pen.press(fixture.at(fixture.slice, from), 1.0, time);
+            pen.move(fixture.at(fixture.slice, to), 1.0, time += 20);
+            pen.move(fixture.at(fixture.slice, from), 1.0, time += 20); // over the same again
+            if (lift)
+                pen.release(fixture.at(fixture.slice, from), time + 20);
+        };
+        draw(true);
+        fixture.settle();
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(before + 1));
+        const core::ChunkToggle* drag = fixture.lastClick();
+        QVERIFY(drag && drag->mode == Mode::Add);
+        QVERIFY(drag->pointsLps.size() > 2);
+        std::vector<ui::Chunks::Chunk> met;
+        for (const glm::dvec3& point : drag->pointsLps)
+            met.push_back(fixture.chunkAt(point));
+        std::sort(met.begin(), met.end());
+        QVERIFY(std::adjacent_find(met.begin(), met.end()) == met.end()); // each once
+        for (const ui::Chunks::Chunk chunk : met)
+            QVERIFY(fixture.chunks().has(chunk));
+        QVERIFY(fixture.voxels() > voxels);
+
+        // Taken back while the pen is down: nothing was done.
+        const core::RowId after = fixture.position();
+        const QByteArray hash = fixture.session().stateHash();
+        draw(false);
+        QTest::keyClick(&fixture.slice, Qt::Key_Escape);
+        fixture.settle();
+        QCOMPARE(fixture.position(), after);
+        QCOMPARE(fixture.session().stateHash(), hash);
+    }
+
+    void thePointedOneIsLitAndNamed()
+    {
+        ChunkFixture fixture;
+        fixture.divide(few);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const std::uint32_t weak = fixture.strength(inBone);
+        test::Pen pen(fixture.slice);
+        pen.hover(fixture.at(fixture.slice, inBone), 70000);
+        QVERIFY(fixture.strength(inBone) > weak);
+        // Slices are as urgent as the 3D view, which else would be drawn before them.
+        for (const gpu::ViewId view : {fixture.slice.viewId(), fixture.view.viewId()})
+            QVERIFY(fixture.frames.lastRequest(view).interacting);
+        QVERIFY(!said.isEmpty());
+        const QString text = said.last().first().toString();
+        const double volume = fixture.chunks().millilitres(fixture.chunkAt(inBone));
+        QVERIFY(volume > 1.0 && volume < 50.0);
+        QVERIFY2(text.contains(QLocale().toString(volume, 'f', 1) + QStringLiteral(" ml")),
+            qPrintable(text));
+        fixture.tool.leave();
+        QCOMPARE(fixture.strength(inBone), weak);
+        // Finer and coarser by key.
+        const int count = fixture.chunks().look().count;
+        fixture.tool.changeRadius(-1);
+        QVERIFY(fixture.chunks().look().count > count);
+        fixture.tool.changeRadius(1);
+        QCOMPARE(fixture.chunks().look().count, count);
+    }
+};
+
+BURIN_WINDOW_TEST(ChunkToolUiTest)
+#include "ChunkToolUiTest.moc"

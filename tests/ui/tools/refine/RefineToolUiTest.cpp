@@ -1,0 +1,599 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditJson.h"
+#include "core/edits/schema/EditQuantise.h"
+#include "tests/support/cases/SurfaceCases.h"
+#include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/base/Actions.h"
+#include "ui/panels/refine/RefineActions.h"
+#include "ui/panels/refine/RefinePanel.h"
+#include "ui/tools/refine/RefineTool.h"
+#include "ui/views/ViewGrid.h"
+#include "ui/widgets/FittingLabel.h"
+
+#include <QJsonDocument>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using Mode = ui::Refinement::Mode;
+using core::SurfaceMark;
+
+constexpr double radius = 10.0; // of the ball, voxels across the slices' plane
+
+/// The real window with the small head and a ball as segment 1.
+class RefineFixture : public test::WindowFixture {
+public:
+    RefineFixture()
+        : test::WindowFixture(test::smallHead::volume())
+        , tool(workspace)
+        , panel(workspace)
+        , slice(window.views().axial())
+        , view(window.views().volume())
+    {
+        apply(test::ballMask(glm::ivec3(test::smallHead::side), radius));
+        workspace.setActiveSegment(1);
+        workspace.setActiveTool(&tool);
+        view.lookFrom({0.0, -1.0, 0.0});
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    [[nodiscard]] ui::Refinement& refinement() { return workspace.refinement(); }
+    void apply(const core::Edit& edit)
+    {
+        QVERIFY(session().apply(edit));
+        settle();
+    }
+    /// Updates of the surface come in line with other events.
+    void settle()
+    {
+        QVERIFY(session().settle());
+        QCoreApplication::processEvents();
+    }
+    void lay() { apply(core::LaySurface{.segment = 1, .vertices = 800}); }
+    void set(Mode mode, double radiusMm, SurfaceMark mark = SurfaceMark::Red)
+    {
+        refinement().setSettings({.mode = mode, .mark = mark, .radiusMm = radiusMm});
+    }
+    [[nodiscard]] std::size_t marked(SurfaceMark mark)
+    {
+        return refinement().mirror().markCounts()[std::size_t(mark)];
+    }
+    [[nodiscard]] const core::HistoryRow& lastRow()
+    {
+        return session().history().row(session().history().position());
+    }
+    [[nodiscard]] std::int64_t voxels() { return session().document().segment(1)->voxels; }
+
+    /// While an edit stands open.
+    void settleOpen()
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !refinement().isPreviewing() || apartFrom({15, 0, 0}) <= 1.5, 30000);
+    }
+    void markTheLeft()
+    {
+        apply(core::MarkSurface{.mark = SurfaceMark::Red,
+            .path = {.radiusMm = 7.0, .pointsLps = {glm::dvec3(radius, 0.0, 0.0)}}});
+    }
+    /// How a lobe on the patient's left ought to run, on two slices that cross.
+    void drawLobe()
+    {
+        set(Mode::Template, 5.0);
+        const auto lobe = [](const glm::dvec3& side) {
+            std::vector<glm::dvec3> line;
+            for (int i = -8; i <= 8; ++i) {
+                const double y = 0.75 * i;
+                line.push_back(glm::dvec3(radius + 5.0 - 0.14 * y * y, 0.0, 0.0) + y * side);
+            }
+            return line;
+        };
+        const auto drawOn = [&](ui::SliceView& where, const glm::dvec3& side) {
+            std::vector<QPointF> way;
+            for (const glm::dvec3& place : lobe(side))
+                way.push_back(at(where, place));
+            test::Pen pen(where);
+            quint64 time = 90000;
+            pen.press(way.front(), 1.0, time);
+            for (const QPointF& point : way)
+                pen.move(point, 1.0, time += 12);
+            pen.release(way.back(), time + 12);
+        };
+        drawOn(slice, {0.0, 1.0, 0.0});
+        drawOn(window.views().coronal(), {0.0, 0.0, 1.0});
+    }
+    /// Of the nearest vertex as it is shown, mm.
+    [[nodiscard]] double apartFrom(const glm::dvec3& placeLps)
+    {
+        const core::SurfaceMirror& mirror = refinement().mirror();
+        return glm::distance(mirror.vertex(mirror.nearestVertex(placeLps)).positionLps, placeLps);
+    }
+
+    /// Where a place is in a view, logical pixels.
+    template <class View> [[nodiscard]] static QPointF at(View& where, const glm::dvec3& lps)
+    {
+        return where.context().toPixel(lps);
+    }
+
+    ui::RefineTool tool;
+    ui::RefinePanel panel;
+    ui::SliceView& slice;
+    ui::VolumeView& view;
+};
+
+/// A stroke through these places.
+template <class View>
+void draw(RefineFixture& fixture, View& view, const std::vector<QPointF>& way, bool lift = true)
+{
+    test::Pen pen(view);
+    quint64 time = 70000;
+    pen.press(way.front(), 1.0, time);
+    for (const QPointF& point : way)
+        pen.move(point, 1.0, time += 12);
+    if (!lift)
+        return;
+    pen.release(way.back(), time + 12);
+    fixture.settle();
+}
+
+QByteArray canonical(const core::Edit& edit)
+{
+    return QJsonDocument(core::editToJson(core::quantised(edit))).toJson(QJsonDocument::Compact);
+}
+
+} // namespace
+
+/// The surface of a segment, repaired with the pen.
+class RefineToolUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// What the option bar says of keys is of the mode, and whole as far as it is there.
+    void keysAreThoseOfTheMode()
+    {
+        RefineFixture fixture;
+        fixture.window.resize(1280, 720);
+        fixture.workspace.setActiveTool(&fixture.tool);
+        const auto* keys = fixture.window.findChild<ui::FittingLabel*>(QStringLiteral("toolKeys"));
+        QVERIFY(keys);
+        const QString separator = QStringLiteral(" · ");
+        for (const Mode mode : {Mode::Mark, Mode::Sphere, Mode::Scrape, Mode::Drag, Mode::Template,
+                 Mode::Attract, Mode::Smooth}) {
+            fixture.set(mode, 6.0);
+            QCoreApplication::processEvents();
+            const bool sized = mode != Mode::Template;
+            QCOMPARE(keys->text().contains(QStringLiteral("radius")), sized);
+            QVERIFY(keys->text().contains(QStringLiteral("Esc")));
+            QCOMPARE(keys->text().contains(QStringLiteral("Ctrl")),
+                mode == Mode::Mark || mode == Mode::Sphere);
+            const QString shown = keys->shownText();
+            qInfo("mode %d: %d pixels for %s: %s", int(mode), keys->width(),
+                qUtf8Printable(keys->text()), qUtf8Printable(shown));
+            QVERIFY2(shown.isEmpty() || shown == keys->text()
+                    || keys->text().startsWith(shown + separator),
+                qPrintable(shown));
+        }
+        // Where there is room for some of it, that is what is seen.
+        ui::FittingLabel label(Qt::AlignLeft);
+        label.setParts(separator);
+        label.setText(QStringLiteral("[ ] radius · Ctrl unmarks · Esc cancels"));
+        const auto advance = [&label](const char* text) {
+            return label.fontMetrics().horizontalAdvance(QString::fromUtf8(text));
+        };
+        label.resize(advance("[ ] radius · Ctrl unmarks · Esc cancels") + 1, 20);
+        QCOMPARE(label.shownText(), label.text());
+        label.resize(advance("[ ] radius · Ctrl unmarks · Esc") + 1, 20);
+        QCOMPARE(label.shownText(), QStringLiteral("[ ] radius · Ctrl unmarks"));
+        label.resize(advance("[ ] radius"), 20);
+        QCOMPARE(label.shownText(), QStringLiteral("[ ] radius"));
+        label.resize(advance("[ ] radi"), 20);
+        QCOMPARE(label.shownText(), QString());
+    }
+
+    void thePanelLaysAndWritesBack()
+    {
+        RefineFixture fixture;
+        auto* lay = fixture.panel.findChild<QPushButton*>(QStringLiteral("laySurface"));
+        fixture.panel.findChild<QSpinBox*>(QStringLiteral("surfaceVertices"))->setValue(1000);
+        QVERIFY(lay->isEnabled());
+        lay->click();
+        fixture.settle();
+        QVERIFY(fixture.session().document().surface);
+        const std::size_t vertices = fixture.refinement().mirror().vertexCount();
+        QVERIFY(vertices > 600 && vertices < 1600);
+        QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Surface of 'Ball', ")));
+        auto* write = fixture.panel.findChild<QPushButton*>(QStringLiteral("writeBack"));
+        const auto* state = fixture.panel.findChild<QLabel*>(QStringLiteral("surfaceState"));
+        QVERIFY(!write->isEnabled());
+        // By how much what it encloses is not what the segment holds.
+        QVERIFY(state->text().startsWith(QStringLiteral("Surface of 'Ball', ")));
+        QVERIFY2(state->text().endsWith(QStringLiteral("% off")), qPrintable(state->text()));
+
+        fixture.set(Mode::Sphere, 6.0);
+        const glm::dvec3 front(0.0, -radius, 0.0);
+        draw(fixture, fixture.slice, {fixture.at(fixture.slice, front)});
+        QVERIFY(write->isEnabled());
+        QCOMPARE(fixture.panel.summary(), QStringLiteral("differs from the segment"));
+        QVERIFY(state->text().contains(QStringLiteral("does not hold")));
+        const std::int64_t before = fixture.voxels();
+        write->click();
+        fixture.settle();
+        QVERIFY(fixture.voxels() != before);
+        QVERIFY(
+            fixture.lastRow().name.startsWith(QStringLiteral("Write surface back to 'Ball', ")));
+        QVERIFY(!write->isEnabled());
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.voxels(), before);
+        QVERIFY(write->isEnabled());
+        fixture.panel.findChild<QPushButton*>(QStringLiteral("dropSurface"))->click();
+        fixture.settle();
+        QVERIFY(fixture.refinement().mirror().empty());
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.refinement().mirror().vertexCount(),
+            fixture.session().surface()->vertexCount());
+    }
+
+    void whatIsPaintedSinceIsTold()
+    {
+        RefineFixture fixture;
+        fixture.apply(
+            core::AddSegment{.name = QStringLiteral("Other"), .rgb = 0x4080ff, .code = {}});
+        fixture.lay();
+        const auto differs = [&] { return fixture.session().document().surface->differs; };
+        const auto painted = [](int segment, double x) {
+            return core::PaintStroke{.segment = segment,
+                .path = {.radiusMm = 3.0, .pointsLps = {glm::dvec3(x, 0.0, 0.0)}}};
+        };
+        fixture.apply(painted(2, -16.0));
+        QVERIFY(!differs());
+        QVERIFY(fixture.refinement().caution().isEmpty());
+        fixture.apply(painted(1, radius + 2.0));
+        QVERIFY(differs());
+        QCOMPARE(fixture.refinement().caution(), QStringLiteral("Ball differs from its surface"));
+        QCOMPARE(fixture.panel.summary(), QStringLiteral("differs from the segment"));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(!differs());
+        QVERIFY(fixture.refinement().caution().isEmpty());
+        // What it already holds is no change.
+        fixture.apply(painted(1, 0.0));
+        QVERIFY(!differs());
+    }
+
+    void theSurfaceBecomesABarrier()
+    {
+        RefineFixture fixture;
+        QWidget host;
+        ui::Actions actions(host);
+        const QStringList names = ui::addRefineActions(actions, fixture.workspace);
+        for (const char* id : {"refine.barrier", "refine.openBarrier"}) {
+            QVERIFY(names.contains(QLatin1String(id)));
+            actions.refresh();
+            QVERIFY(!actions[QLatin1String(id)].isEnabled());
+        }
+        auto* shut = fixture.panel.findChild<QPushButton*>(QStringLiteral("surfaceBarrier"));
+        auto* open = fixture.panel.findChild<QPushButton*>(QStringLiteral("openSurfaceBarrier"));
+        QVERIFY(!shut->isVisibleTo(&fixture.panel));
+        fixture.lay();
+        QVERIFY(shut->isVisibleTo(&fixture.panel) && shut->isEnabled() && open->isEnabled());
+        QVERIFY(!shut->toolTip().isEmpty() && !open->toolTip().isEmpty());
+        QVERIFY2(fixture.panel.minimumSizeHint().width() <= 280,
+            qPrintable(QString::number(fixture.panel.minimumSizeHint().width())));
+        fixture.apply(core::AddSegment{.name = QStringLiteral("Within"), .rgb = 1, .code = {}});
+        fixture.apply(core::SeedStroke{.segment = 2, .pointsLps = {glm::dvec3(0.0)}});
+        const std::int64_t held = fixture.voxels();
+
+        shut->click();
+        fixture.settle();
+        QVERIFY(std::holds_alternative<core::SurfaceBarrier>(fixture.lastRow().edit));
+        QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Barrier around surface, ")));
+        QCOMPARE(fixture.voxels(), held);
+        core::GrowSteps grow;
+        grow.criteria = {.lower = -3000, .upper = 3000, .connectivity = 26};
+        grow.criteria.overwriteUnlocked = true;
+        fixture.apply(grow);
+        const auto within = [&fixture] { return fixture.session().document().segment(2)->voxels; };
+        const std::int64_t enclosed = within();
+        QVERIFY(std::abs(double(enclosed - held)) < 0.01 * double(held)); // it was only laid
+
+        actions.refresh();
+        QVERIFY(actions[QStringLiteral("refine.barrier")].isEnabled());
+        actions[QStringLiteral("refine.openBarrier")].trigger();
+        fixture.settle();
+        QCOMPARE(canonical(fixture.lastRow().edit), canonical(core::SurfaceBarrier{.erase = true}));
+        fixture.apply(core::ResumeGrowth{});
+        QVERIFY(within() > 2 * enclosed);
+        // There is nothing left to open.
+        const core::RowId row = fixture.lastRow().id;
+        open->click();
+        fixture.settle();
+        QCOMPARE(fixture.lastRow().id, row);
+    }
+
+    void marksOnASliceAreTheEditOfARecipe()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.set(Mode::Mark, 5.0);
+        const glm::dvec3 from(radius, 0.0, 0.0);
+        const glm::dvec3 to(radius * 0.8, radius * 0.6, 0.0);
+        const std::vector<QPointF> way{
+            fixture.at(fixture.slice, from), fixture.at(fixture.slice, to)};
+        const ui::ViewContext context = fixture.slice.context();
+        draw(fixture, fixture.slice, way);
+        core::MarkSurface expected{.mark = SurfaceMark::Red, .path = {.radiusMm = 5.0}};
+        expected.path.pointsLps = {context.toLps(way[0]), context.toLps(way[1])};
+        QCOMPARE(canonical(fixture.lastRow().edit), canonical(expected));
+        QVERIFY(fixture.marked(SurfaceMark::Red) > 5);
+        QCOMPARE(fixture.refinement().errors().size(), std::size_t(1));
+        const auto* errors = fixture.panel.findChild<QListWidget*>(QStringLiteral("surfaceErrors"));
+        QCOMPARE(errors->count(), 1);
+        // The next error is where it was painted.
+        fixture.refinement().goToError(1);
+        QVERIFY(glm::distance(fixture.workspace.crosshairLps(), glm::mix(from, to, 0.5)) < 5.0);
+        fixture.refinement().changeMarks(core::ChangeMarks::Way::Clear);
+        fixture.settle();
+        QCOMPARE(fixture.marked(SurfaceMark::Red), std::size_t(0));
+        QCOMPARE(errors->count(), 0);
+    }
+
+    void errorsAreSignedOffOneByOne()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.markTheLeft();
+        fixture.apply(core::MarkSurface{.mark = SurfaceMark::Red,
+            .path = {.radiusMm = 4.0, .pointsLps = {glm::dvec3(-radius, 0.0, 0.0)}}});
+        auto* errors = fixture.panel.findChild<QListWidget*>(QStringLiteral("surfaceErrors"));
+        auto* signOff = fixture.panel.findChild<QPushButton*>(QStringLiteral("signOffError"));
+        QCOMPARE(errors->count(), 2);
+        QVERIFY(!signOff->isEnabled());
+        const std::size_t larger = fixture.refinement().errors().front().vertices;
+        const std::size_t smaller = fixture.refinement().errors().back().vertices;
+        errors->setCurrentRow(0);
+        QVERIFY(signOff->isEnabled());
+        signOff->click();
+        fixture.settle();
+        QCOMPARE(errors->count(), 1);
+        QCOMPARE(fixture.marked(SurfaceMark::Green), larger);
+        QCOMPARE(fixture.marked(SurfaceMark::Red), smaller);
+        QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Sign off red region, ")));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(errors->count(), 2);
+    }
+
+    void inTheThirdDimensionTheToolIsOnTheSurface()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.set(Mode::Sphere, 6.0);
+        const QPointF middle = fixture.at(fixture.view, glm::dvec3(0.0));
+        draw(fixture, fixture.view, {middle});
+        const auto* push = std::get_if<core::SpherePush>(&fixture.lastRow().edit);
+        QVERIFY(push);
+        // Half its radius outside of what is seen from the front.
+        QVERIFY(std::abs(push->path.pointsLps.front().y + radius + 3.0) < 0.6);
+        fixture.refinement().writeBack();
+        fixture.settle();
+        const std::int64_t dented = fixture.voxels();
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(dented < fixture.voxels());
+        // Beside the surface there is nothing to push.
+        const core::RowId before = fixture.session().history().position();
+        draw(fixture, fixture.view, {fixture.at(fixture.view, glm::dvec3(18.0, 0.0, 0.0))});
+        QCOMPARE(fixture.session().history().position(), before);
+    }
+
+    void whatIsDraggedFollowsThePen()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.set(Mode::Drag, 6.0);
+        const glm::dvec3 from(radius, 0.0, 0.0);
+        const glm::dvec3 to(radius + 4.0, 0.0, 0.0);
+        draw(fixture, fixture.slice,
+            {fixture.at(fixture.slice, from), fixture.at(fixture.slice, to)});
+        QCOMPARE(fixture.marked(SurfaceMark::Green), std::size_t(1));
+        const core::SurfaceMirror& mirror = fixture.refinement().mirror();
+        const core::VertexId near = mirror.nearestVertex(to);
+        QVERIFY(glm::distance(mirror.vertex(near).positionLps, to) < 1.5);
+    }
+
+    void aStrokeIsTakenBack()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        const QByteArray before = fixture.session().stateHash();
+        const core::SimplexMesh mesh = *fixture.session().surface();
+        fixture.set(Mode::Sphere, 6.0);
+        draw(fixture, fixture.slice,
+            {fixture.at(fixture.slice, {0.0, -radius, 0.0}),
+                fixture.at(fixture.slice, {3.0, -radius, 0.0})},
+            false);
+        QVERIFY(fixture.session().transactionOpen());
+        QTest::keyClick(&fixture.slice, Qt::Key_Escape);
+        fixture.settle();
+        QVERIFY(!fixture.session().transactionOpen());
+        QCOMPARE(fixture.session().stateHash(), before);
+        QVERIFY(core::identical(*fixture.session().surface(), mesh));
+        // What is shown is that, too.
+        const core::SurfaceMirror& mirror = fixture.refinement().mirror();
+        for (const core::VertexId id : mesh.vertexIds())
+            QCOMPARE(mirror.vertex(id).positionLps, mesh.position(id));
+    }
+
+    void doubtsAreToldNotMarked()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        auto* look = fixture.panel.findChild<QPushButton*>(QStringLiteral("lookForDoubts"));
+        auto* list = fixture.panel.findChild<QListWidget*>(QStringLiteral("surfaceDoubts"));
+        const auto found = [&] {
+            fixture.session().poll();
+            QCoreApplication::processEvents();
+            return look->isEnabled();
+        };
+        // The ball lies in the brain, which is the same everywhere: its surface follows no edge,
+        // but that is so everywhere.
+        fixture.apply(core::MarkSurface{.mark = SurfaceMark::Green,
+            .path = {.radiusMm = 6.0, .pointsLps = {glm::dvec3(radius, 0.0, 0.0)}}});
+        look->click();
+        QVERIFY(!look->isEnabled());
+        QTRY_VERIFY(found());
+        const int before = list->count();
+        // The segment grows under what is green.
+        fixture.apply(core::PaintStroke{.segment = 1,
+            .path = {.radiusMm = 7.0, .pointsLps = {glm::dvec3(radius + 1.0, 0.0, 0.0)}}});
+        const std::size_t green = fixture.marked(SurfaceMark::Green);
+        fixture.panel.findChild<QPushButton*>(QStringLiteral("followMask"))->click();
+        QTRY_VERIFY(found());
+        fixture.settle();
+        QVERIFY(list->count() > before);
+        QVERIFY(list->item(0)->text().startsWith(QStringLiteral("Off the mask")));
+        QCOMPARE(fixture.marked(SurfaceMark::Green), green);
+        QCOMPARE(fixture.marked(SurfaceMark::Red), std::size_t(0));
+        Q_EMIT list->itemClicked(list->item(0));
+        QVERIFY(glm::distance(fixture.workspace.crosshairLps(), {radius, 0.0, 0.0}) < 5.0);
+        fixture.refinement().drop();
+        fixture.settle();
+        QCOMPARE(list->count(), 0);
+    }
+
+    void contoursOnTwoPlanesMakeATemplate()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.markTheLeft();
+        const QByteArray before = fixture.session().stateHash();
+        const core::RowId rowBefore = fixture.session().history().position();
+        fixture.drawLobe();
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(2));
+        // Drawing changes nothing yet, and is no step.
+        QCOMPARE(fixture.session().stateHash(), before);
+        const std::vector<std::vector<glm::dvec3>> contours = fixture.refinement().contours();
+
+        fixture.refinement().previewTemplate();
+        QVERIFY(fixture.refinement().isPreviewing());
+        fixture.settleOpen();
+        const glm::dvec3 top(radius + 5.0, 0.0, 0.0);
+        QVERIFY(fixture.refinement().isPreviewing());
+        QVERIFY2(fixture.apartFrom(top) < 1.5, qPrintable(QString::number(fixture.apartFrom(top))));
+        QCOMPARE(fixture.session().history().position(), rowBefore);
+
+        fixture.refinement().dropPreview();
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), before);
+        QVERIFY(fixture.apartFrom(top) > 3.0);
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(2));
+
+        fixture.refinement().previewTemplate();
+        fixture.refinement().takeTemplate();
+        fixture.settle();
+        QVERIFY(fixture.refinement().contours().empty());
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QVERIFY(fixture.apartFrom(top) < 1.5);
+        const core::Edit taken = fixture.lastRow().edit;
+        QCOMPARE(canonical(taken), canonical(core::ApplyTemplate{.contoursLps = contours}));
+        // As a recipe does it at once, to the bit.
+        const QByteArray after = fixture.session().stateHash();
+        QVERIFY(after != before);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), before);
+        fixture.apply(taken);
+        QCOMPARE(fixture.session().stateHash(), after);
+    }
+
+    void aPreviewGivesWay()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.markTheLeft();
+        fixture.drawLobe();
+        const QByteArray before = fixture.session().stateHash();
+        // To Esc, and the contours stay.
+        fixture.refinement().previewTemplate();
+        QTest::keyClick(&fixture.slice, Qt::Key_Escape);
+        fixture.settle();
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QCOMPARE(fixture.session().stateHash(), before);
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(2));
+        // To any other edit.
+        fixture.refinement().previewTemplate();
+        QVERIFY(fixture.refinement().isPreviewing());
+        fixture.refinement().changeMarks(core::ChangeMarks::Way::Grow);
+        fixture.settle();
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QVERIFY(std::holds_alternative<core::ChangeMarks>(fixture.lastRow().edit));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), before);
+        // To undo.
+        fixture.refinement().previewTemplate();
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QCOMPARE(fixture.marked(SurfaceMark::Red), std::size_t(0));
+        // To another contour.
+        QVERIFY(fixture.session().redo());
+        fixture.settle();
+        fixture.refinement().previewTemplate();
+        draw(fixture, fixture.slice,
+            {fixture.at(fixture.slice, {radius, -4.0, 0.0}),
+                fixture.at(fixture.slice, {radius, 4.0, 0.0})});
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(3));
+        fixture.refinement().removeContour();
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(2));
+        QCOMPARE(fixture.session().stateHash(), before);
+    }
+
+    void aTemplateWithoutARedRegionIsRefusedOnce()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.drawLobe();
+        const QByteArray before = fixture.session().stateHash();
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        fixture.refinement().previewTemplate();
+        QTRY_VERIFY((fixture.session().poll(), failed.size() == 1));
+        QVERIFY(failed.first()
+                    .first()
+                    .value<core::Error>()
+                    .arguments.join(QLatin1Char(' '))
+                    .contains(QStringLiteral("red region")));
+        fixture.refinement().dropPreview();
+        // The refusal was told of once, and waits for whoever settles.
+        QVERIFY(!fixture.session().settle());
+        QVERIFY(fixture.session().idle());
+        QCOMPARE(failed.size(), 1);
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QCOMPARE(fixture.session().stateHash(), before);
+    }
+
+    void withoutASurfaceItSaysSo()
+    {
+        RefineFixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const core::RowId before = fixture.session().history().position();
+        draw(fixture, fixture.slice, {fixture.at(fixture.slice, glm::dvec3(0.0))});
+        QCOMPARE(fixture.session().history().position(), before);
+        QVERIFY(!said.isEmpty());
+        QVERIFY(said.last().first().toString().contains(QStringLiteral("panel Surface")));
+    }
+};
+
+BURIN_WINDOW_TEST(RefineToolUiTest)
+#include "RefineToolUiTest.moc"

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/sculpt/PieceTool.h"
+
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/frame/PanelSection.h"
+#include "ui/models/PieceListModel.h"
+#include "ui/panels/lists/PiecesPanel.h"
+#include "ui/tools/growth/SeedTool.h"
+#include "ui/views/ViewGrid.h"
+#include "ui/window/DisplayState.h"
+#include "ui/window/PieceActions.h"
+#include "ui/workspace/Pieces.h"
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QListView>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace {
+
+/// The small head seen from the front, its upper half cut off by a brush in layer 1.
+class PieceFixture : public test::WindowFixture {
+public:
+    PieceFixture()
+        : test::WindowFixture(test::smallHead::volume())
+        , tool(workspace)
+        , view(window.views().volume())
+        , panel(new ui::PiecesPanel(workspace, view))
+    {
+        ui::addPieceActions(window);
+        window.addPanel(panel);
+        window.showPanels(true);
+        workspace.setActiveTool(&tool);
+        view.lookFrom({0.0, -1.0, 0.0});
+        QCoreApplication::sendPostedEvents(); // layouts and frames are posted events
+        core::BrushStroke stroke;
+        stroke.path.radiusMm = 8.0;
+        stroke.path.pointsLps = {{-6, 0, 14}, {6, 0, 14}};
+        apply(stroke);
+    }
+    void apply(const core::Edit& edit)
+    {
+        if (!workspace.session()->apply(edit))
+            qFatal("refused");
+        settle();
+    }
+    void settle()
+    {
+        // What an answer asks for is asked after it came.
+        for (int i = 0; i < 3; ++i) {
+            if (!workspace.session()->settle())
+                qFatal("not settled");
+        }
+    }
+    template <class Widget> [[nodiscard]] Widget& part(const char* name) const
+    {
+        auto* found = panel->findChild<Widget*>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return *found;
+    }
+    [[nodiscard]] const core::Document& document() const { return workspace.session()->document(); }
+    [[nodiscard]] std::size_t rows() const { return workspace.session()->history().rows().size(); }
+    void lift()
+    {
+        workspace.pieces().lift(1);
+        settle();
+    }
+    [[nodiscard]] QPointF middle() const
+    {
+        const core::Piece& piece = document().pieces.front();
+        return view.context().toPixel(*piece.pivotLps + piece.pose.offsetMm);
+    }
+    void pull(const QPointF& from, const QPointF& by)
+    {
+        test::Pen pen(view);
+        pen.press(from, 1.0, 1000);
+        pen.move(from + by * 0.5, 1.0, 1010);
+        pen.move(from + by, 1.0, 1020);
+        pen.release(from + by, 1030);
+        settle();
+    }
+    void save(const char* name)
+    {
+        const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
+        if (!folder.isEmpty())
+            window.grab().save(folder + QLatin1String(name));
+    }
+
+    ui::PieceTool tool;
+    ui::VolumeView& view;
+    ui::PiecesPanel* panel;
+};
+
+} // namespace
+
+class PieceToolUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void aLayerIsLifted()
+    {
+        PieceFixture fixture;
+        QVERIFY(fixture.window.actionTable()[QStringLiteral("pieces.lift")].isEnabled());
+        fixture.window.actionTable()[QStringLiteral("pieces.lift")].trigger();
+        fixture.settle();
+        QCOMPARE(fixture.document().pieces.size(), std::size_t(1));
+        const core::Piece& piece = fixture.document().pieces.front();
+        QCOMPARE(piece.layer, 1);
+        // It turns about the middle of what was cut; voxels are 1.5 mm high.
+        QVERIFY(piece.pivotLps && glm::distance(*piece.pivotLps, glm::dvec3(0, 0, 14)) < 1.5);
+        // What is carved next is another layer's.
+        QCOMPARE(fixture.workspace.activeLayer(), 2);
+        QCOMPARE(fixture.workspace.pieces().active(), piece.id);
+        QCOMPARE(fixture.panel->summary(), QStringLiteral("1 piece"));
+        // An empty layer has nothing to lift.
+        fixture.workspace.pieces().lift(2);
+        fixture.settle();
+        QCOMPARE(fixture.document().pieces.size(), std::size_t(1));
+        const std::vector<gpu::ScenePiece> scene = fixture.workspace.pieces().scene();
+        QCOMPARE(scene.size(), std::size_t(1));
+        QVERIFY(scene.front().shownFromTrue == glm::dmat4(1.0));
+    }
+
+    void theMiddleMovesIt()
+    {
+        PieceFixture fixture;
+        fixture.lift();
+        const std::size_t before = fixture.rows();
+        fixture.pull(fixture.middle(), {40, -25});
+        QCOMPARE(fixture.rows(), before + 1); // one step a drag
+        const double mm = fixture.view.context().mmPerPixel();
+        const glm::dvec3 moved = fixture.document().pieces.front().pose.offsetMm;
+        // From the front the patient's left is right in the picture.
+        QVERIFY2(glm::distance(moved, glm::dvec3(40 * mm, 0, 25 * mm)) < 0.01,
+            qPrintable(QStringLiteral("%1 %2 %3").arg(moved.x).arg(moved.y).arg(moved.z)));
+        QVERIFY(fixture.panel->summary() == QStringLiteral("1 of 1 moved"));
+        fixture.save("/piece-moved.png");
+        QVERIFY(fixture.workspace.session()->undo());
+        fixture.settle();
+        QVERIFY(fixture.document().pieces.front().pose.isHome());
+        // Beside the handles the view turns.
+        const auto camera = fixture.view.camera().towardsViewer;
+        fixture.pull(fixture.middle() + QPointF(110, 60), {20, 0});
+        QVERIFY(fixture.document().pieces.front().pose.isHome());
+        QVERIFY(fixture.view.camera().towardsViewer != camera);
+    }
+
+    void ringAndKnobsTurnIt()
+    {
+        PieceFixture fixture;
+        fixture.lift();
+        const double ring = ui::PieceTool::ringPixels;
+        const double diagonal = ring * std::sqrt(0.5);
+        // A quarter turn in the picture, counter-clockwise: about the direction to the viewer.
+        fixture.pull(fixture.middle() + QPointF(diagonal, diagonal), {0, -2.0 * diagonal});
+        glm::dvec3 turn = fixture.document().pieces.front().pose.rotationDegrees;
+        QVERIFY2(glm::distance(turn, glm::dvec3(0, -90, 0)) < 1.0,
+            qPrintable(QStringLiteral("%1 %2 %3").arg(turn.x).arg(turn.y).arg(turn.z)));
+        fixture.workspace.pieces().setPose(1, {});
+        fixture.settle();
+        fixture.pull(fixture.middle() + QPointF(ring, 0), {50, 0});
+        turn = fixture.document().pieces.front().pose.rotationDegrees;
+        QVERIFY(glm::distance(turn, glm::dvec3(0, 0, 30)) < 1.0);
+        // Escape takes back.
+        test::Pen pen(fixture.view);
+        pen.press(fixture.middle(), 1.0, 1000);
+        pen.move(fixture.middle() + QPointF(30, 30), 1.0, 1010);
+        const std::size_t before = fixture.rows();
+        fixture.tool.cancel();
+        fixture.settle();
+        QCOMPARE(fixture.rows(), before);
+        QVERIFY(fixture.workspace.pieces().pose(fixture.document().pieces.front()).offsetMm
+            == glm::dvec3(0.0));
+        pen.release(fixture.middle(), 1040);
+    }
+
+    void numbersMoveIt()
+    {
+        PieceFixture fixture;
+        const QAbstractItemModelTester tester(fixture.part<QListView>("pieceList").model(),
+            QAbstractItemModelTester::FailureReportingMode::QtTest);
+        fixture.lift();
+        fixture.part<QDoubleSpinBox>("pieceOffset0").setValue(42.0);
+        fixture.settle();
+        QCOMPARE(fixture.document().pieces.front().pose.offsetMm, glm::dvec3(42, 0, 0));
+        fixture.part<QDoubleSpinBox>("pieceZoom").setValue(1.5);
+        fixture.settle();
+        QCOMPARE(fixture.document().pieces.front().pose.zoom, 1.5);
+        const QAbstractItemModel& model = *fixture.part<QListView>("pieceList").model();
+        QCOMPARE(model.index(0, 0).data(ui::PieceListModel::BadgeRole).toString(),
+            QStringLiteral("42 mm · 1.5×"));
+        fixture.part<QToolButton>("piecesHome").click();
+        fixture.settle();
+        QVERIFY(fixture.document().pieces.front().pose.isHome());
+        QVERIFY(!fixture.part<QToolButton>("piecesHome").isEnabled());
+    }
+
+    void aLidOpensOutwards()
+    {
+        PieceFixture fixture;
+        fixture.lift();
+        fixture.part<QToolButton>("pieceLid").click();
+        fixture.settle();
+        const core::Piece& lid = fixture.document().pieces.front();
+        const glm::dmat4 shown = core::shownFromTrue(lid, fixture.workspace.volume()->geometry);
+        // It faces up, so the hinge lies behind: the front edge comes up, the back edge stays low.
+        const glm::dvec3 front(shown * glm::dvec4(*lid.pivotLps + glm::dvec3(0, -7, 0), 1.0));
+        const glm::dvec3 back(shown * glm::dvec4(*lid.pivotLps + glm::dvec3(0, 7, -6), 1.0));
+        QVERIFY2(front.z > lid.pivotLps->z + 2.0, qPrintable(QString::number(front.z)));
+        QVERIFY2(glm::distance(back, *lid.pivotLps + glm::dvec3(0, 7, -6)) < 6.0,
+            qPrintable(QString::number(back.z)));
+        QVERIFY(std::abs(glm::length(lid.pose.rotationDegrees) - 105.0) < 0.1);
+        fixture.save("/piece-lid.png");
+    }
+
+    void looksAreKeptWithTheSession()
+    {
+        PieceFixture fixture;
+        fixture.lift();
+        ui::DisplayState state(fixture.workspace, fixture.window.views(), {});
+        const std::size_t before = fixture.rows();
+        fixture.part<QSlider>("pieceOpacity").setValue(40);
+        QListView& list = fixture.part<QListView>("pieceList");
+        QVERIFY(list.model()->setData(
+            list.model()->index(0, 0), false, ui::PieceListModel::VisibleRole));
+        QCOMPARE(fixture.workspace.pieces().scene().front().opacity, 0.0f);
+        QCOMPARE(fixture.rows(), before); // no step
+        state.keep();
+        const QJsonObject kept = fixture.workspace.session()->display();
+        ui::PieceLook look;
+        fixture.workspace.pieces().setLook(1, look);
+        state.apply(kept);
+        look = fixture.workspace.pieces().look(1);
+        QVERIFY(!look.visible);
+        QCOMPARE(look.opacity, 0.4);
+    }
+
+    void seedsOnAMovedPieceMeanItsTruePlace_data()
+    {
+        QTest::addColumn<int>("mode");
+        QTest::newRow("surface") << int(gpu::RenderMode::Surface);
+        QTest::newRow("DVR") << int(gpu::RenderMode::Dvr);
+        QTest::newRow("MIP") << int(gpu::RenderMode::Mip);
+    }
+    void seedsOnAMovedPieceMeanItsTruePlace()
+    {
+        QFETCH(int, mode);
+        PieceFixture fixture;
+        fixture.lift();
+        ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+        display.mode = gpu::RenderMode(mode);
+        display.surfaceThreshold = 300.0;
+        display.transferFunction.points = {{300.0, 0xFFFFFF, 0.0}, {600.0, 0xFFFFFF, 0.9}};
+        fixture.workspace.setVolumeDisplay(display);
+        core::PiecePose pose;
+        pose.offsetMm = {34, 3, 0};
+        pose.zoom = 1.5;
+        fixture.workspace.pieces().setPose(1, pose);
+        fixture.settle();
+        ui::SeedTool seeds(fixture.workspace);
+        fixture.workspace.setActiveTool(&seeds);
+        // In the picture 6 mm to the right of its middle: 4 mm at its true place.
+        const glm::dvec3 middle = *fixture.document().pieces.front().pivotLps;
+        test::Pen pen(fixture.view);
+        const QPointF at =
+            fixture.view.context().toPixel(middle + pose.offsetMm + glm::dvec3(6, 0, 0));
+        pen.press(at, 1.0, 5000);
+        pen.release(at, 5010);
+        fixture.settle();
+        const auto* stroke = std::get_if<core::SeedStroke>(
+            &fixture.workspace.session()->history().rows().back().edit);
+        QVERIFY(stroke && stroke->pointsLps.size() == 1);
+        const glm::dvec3 seed = stroke->pointsLps.front();
+        QVERIFY2(std::abs(seed.x - middle.x - 4.0) < 1.0 && std::abs(seed.z - middle.z) < 1.2,
+            qPrintable(QStringLiteral("%1 %2 %3").arg(seed.x).arg(seed.y).arg(seed.z)));
+        // On the bone that was cut out, on the side towards the viewer unless brightness decides.
+        QVERIFY(glm::length(seed) > 12.0 && glm::length(seed) < 17.0);
+        QVERIFY(mode == int(gpu::RenderMode::Mip) || seed.y < 0.0);
+        // Where nothing is at home and nothing is shown: no seed.
+        const std::size_t before = fixture.rows();
+        const QPointF beside =
+            fixture.view.context().toPixel(middle + pose.offsetMm + glm::dvec3(0, 0, -30));
+        pen.press(beside, 1.0, 6000);
+        pen.release(beside, 6010);
+        fixture.settle();
+        if (mode != int(gpu::RenderMode::Mip))
+            QCOMPARE(fixture.rows(), before);
+    }
+
+    void aSegmentIsPasted()
+    {
+        PieceFixture fixture;
+        fixture.apply(core::AddSegment{.name = QStringLiteral("Tooth"), .rgb = 0x40C080});
+        core::PaintStroke paint;
+        paint.segment = 1;
+        paint.path.radiusMm = 5.0;
+        paint.path.pointsLps = {{4, 0, -6}};
+        fixture.apply(paint);
+        fixture.workspace.pieces().paste(1);
+        fixture.settle();
+        QCOMPARE(fixture.document().pieces.size(), std::size_t(1));
+        const core::Piece& piece = fixture.document().pieces.front();
+        QCOMPARE(piece.name, QStringLiteral("Tooth"));
+        QVERIFY(glm::distance(*piece.pivotLps, glm::dvec3(4, 0, -6)) < 1.0);
+        QVERIFY(piece.pose.offsetMm.x > 15.0); // beside the head
+        gpu::ScenePiece drawn = fixture.workspace.pieces().scene().front();
+        QVERIFY(drawn.solid && drawn.rgb == 0x40C080);
+        QComboBox& map = fixture.part<QComboBox>("pieceMap");
+        QCOMPARE(map.currentIndex(), 1);
+        map.setCurrentIndex(0);
+        Q_EMIT map.activated(0);
+        drawn = fixture.workspace.pieces().scene().front();
+        QVERIFY(!drawn.solid && drawn.rgb == 0xFFFFFF);
+        fixture.apply(core::RemoveSegment{.segment = 1});
+        QVERIFY(fixture.document().pieces.empty());
+        QCOMPARE(fixture.workspace.pieces().active(), 0);
+    }
+};
+
+BURIN_WINDOW_TEST(PieceToolUiTest)
+#include "PieceToolUiTest.moc"

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/base/StudyTexts.h"
+#include "ui/dialogs/study/OpenStudyDialog.h"
+#include "ui/frame/MessageBar.h"
+#include "ui/frame/ToolColumn.h"
+#include "ui/overlays/CautionStrip.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include <algorithm>
+
+class MainWindowUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void titleSaysWhoseStudy();
+    void textsOfAStudy();
+    void cautionStaysUntilAccepted();
+    void undoSaysWhatItUndoes();
+    void digitsAreWindowPresets();
+    void closingShowsTheStartPage();
+    void listOfVolumesChoosesNothing();
+    void pointsInTimeAreChosen();
+    void openingTellsWhyNot();
+    void toolsFitALowWindow();
+};
+
+void MainWindowUiTest::toolsFitALowWindow()
+{
+    QWidget window;
+    auto* row = new QHBoxLayout(&window);
+    auto* tools = new ui::ToolColumn(&window);
+    row->addWidget(tools);
+    for (int i = 0; i < 12; ++i) {
+        if (i % 4 == 3)
+            tools->addGroupLine();
+        auto* action = new QAction(QStringLiteral("Tool %1").arg(i), tools);
+        tools->addTool(*action, QStringLiteral("Tool"));
+    }
+    window.show();
+    const QList<QToolButton*> buttons = tools->findChildren<QToolButton*>();
+    QCOMPARE(buttons.size(), 12);
+    for (const int height : {560, 1000, 560}) {
+        window.resize(100, height);
+        QTRY_COMPARE(window.height(), height);
+        // Names where there is room for them, and every tool within reach.
+        const Qt::ToolButtonStyle style =
+            height == 1000 ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly;
+        for (const QToolButton* button : buttons) {
+            QTRY_COMPARE(button->toolButtonStyle(), style);
+            QTRY_VERIFY(tools->rect().contains(button->geometry()));
+        }
+    }
+}
+
+void MainWindowUiTest::titleSaysWhoseStudy()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    const QString title = fixture.window.windowTitle();
+    for (const char* part :
+        {"TEST, WINDOW", "T-0815", "1961-02-03", "2026-11-20", "series 3", "Plain"})
+        QVERIFY2(title.contains(QLatin1String(part)), part);
+}
+
+void MainWindowUiTest::textsOfAStudy()
+{
+    QCOMPARE(ui::personName(QStringLiteral("Doe^Jane^A^Dr")), QStringLiteral("Doe, Jane A Dr"));
+    QCOMPARE(ui::personName(QStringLiteral("Doe^^^^")), QStringLiteral("Doe"));
+    QCOMPARE(ui::numberText(-0.04, 1), QStringLiteral("0.0"));
+    QCOMPARE(ui::numberText(-12.5, 1), QString(QChar(0x2212)) + QStringLiteral("12.5"));
+    QCOMPARE(ui::valueText(41.6, QStringLiteral("HU"), 4000.0), QStringLiteral("42 HU"));
+    QCOMPARE(ui::valueText(0.1234, QString(), 0.5), QStringLiteral("0.1234"));
+    QCOMPARE(ui::patientText({}), QStringLiteral("patient not named in the source"));
+}
+
+void MainWindowUiTest::cautionStaysUntilAccepted()
+{
+    core::LoadedVolume volume = test::plainCt(test::headFirstSupine());
+    volume.volume.problems = {
+        {core::VolumeProblem::Kind::Tilt, QStringLiteral("The slices are tilted by 12°."), true},
+        {core::VolumeProblem::Kind::LossyCompression, QStringLiteral("Lossy."), false}};
+    test::WindowFixture fixture(volume);
+    ui::MessageBar& bar = fixture.window.messages();
+    QVERIFY(bar.isVisible());
+    QVERIFY(bar.sentence().contains(QStringLiteral("tilted by 12°")));
+    QVERIFY(!ui::cautionText(volume.volume).contains(QStringLiteral("Lossy")));
+    // Every view carries the strip; its colour is in no picture of this fixture's grey volume.
+    const auto stripIn = [](ui::ImageView* view) {
+        return view->grab().toImage().pixelColor(1, 90) == QColor(0xf0, 0xb0, 0x4a);
+    };
+    for (ui::ImageView* view : fixture.window.views().views())
+        QVERIFY2(stripIn(view), qPrintable(view->title()));
+    auto buttons = bar.findChildren<QPushButton*>();
+    QCOMPARE(buttons.size(), 1);
+    QTest::mouseClick(buttons.front(), Qt::LeftButton);
+    QVERIFY(fixture.workspace.cautionAccepted());
+    QVERIFY(!bar.isVisible());
+    for (ui::ImageView* view : fixture.window.views().views())
+        QVERIFY2(!stripIn(view), qPrintable(view->title()));
+}
+
+void MainWindowUiTest::undoSaysWhatItUndoes()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    QAction& undo = fixture.window.actionTable()[QStringLiteral("edit.undo")];
+    QAction& redo = fixture.window.actionTable()[QStringLiteral("edit.redo")];
+    QVERIFY(!undo.isEnabled());
+    core::EditSession& session = *fixture.workspace.session();
+    QVERIFY(session.apply(core::AddSegment{.name = QStringLiteral("Skull"), .rgb = 0xffffff}));
+    QVERIFY(session.settle());
+    QVERIFY(undo.isEnabled());
+    QVERIFY2(undo.text().contains(session.history().rows().front().name), qPrintable(undo.text()));
+    undo.trigger();
+    QVERIFY(session.settle());
+    QVERIFY(!undo.isEnabled());
+    QVERIFY(redo.isEnabled());
+    QVERIFY(redo.text().contains(QStringLiteral("Skull")));
+}
+
+void MainWindowUiTest::digitsAreWindowPresets()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    fixture.window.actionTable()[QStringLiteral("window.preset5")].trigger();
+    QCOMPARE(fixture.workspace.windowLevel(), (core::WindowLevel{40.0, 80.0}));
+    QVERIFY(fixture.window.actionTable()[QStringLiteral("window.preset5")].isChecked());
+}
+
+void MainWindowUiTest::closingShowsTheStartPage()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    QVERIFY(fixture.window.views().isVisible());
+    fixture.window.closeStudy();
+    QVERIFY(!fixture.window.views().isVisible());
+    QCOMPARE(fixture.window.windowTitle(), QStringLiteral("Burin"));
+    QVERIFY(!fixture.window.actionTable()[QStringLiteral("file.close")].isEnabled());
+}
+
+void MainWindowUiTest::listOfVolumesChoosesNothing()
+{
+    core::StudyListing listing;
+    listing.path = QStringLiteral("folder");
+    core::SeriesEntry entry;
+    entry.geometry.size = {4, 4, 4};
+    entry.key = QStringLiteral("1.2.3");
+    core::SeriesEntry other = entry;
+    other.key = QStringLiteral("1.2.4");
+    core::SeriesEntry single = entry;
+    single.key = QStringLiteral("1.2.5");
+    single.geometry.size.z = 1;
+    listing.studies.push_back({QStringLiteral("1.2"), {entry, other, single}});
+    listing.foreign.push_back({.kind = QStringLiteral("localizer"),
+        .files = {QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")}});
+    ui::OpenStudyDialog dialog(listing);
+    dialog.show();
+    QVERIFY(dialog.chosenKey().isEmpty());
+    auto* list = dialog.findChild<QTreeWidget*>();
+    QCOMPARE(list->topLevelItemCount(), 2);
+    // What is not offered is told, file by file.
+    const auto labels = dialog.findChildren<QLabel*>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->text()
+            == QStringLiteral("Also found: 1 × single image (open its file), 3 × localizer");
+    }));
+    QVERIFY(!dialog.findChild<QComboBox*>()->isVisible());
+    list->topLevelItem(1)->setSelected(true);
+    QCOMPARE(dialog.chosenKey(), QStringLiteral("1.2.4"));
+}
+
+void MainWindowUiTest::pointsInTimeAreChosen()
+{
+    core::StudyListing listing;
+    listing.path = QStringLiteral("folder");
+    core::SeriesEntry entry;
+    entry.geometry.size = {4, 4, 4};
+    entry.key = QStringLiteral("1.2.3");
+    entry.times = QStringList{QStringLiteral("trigger time 0 ms"), QString()};
+    listing.studies.push_back({QStringLiteral("1.2"), {entry}});
+    ui::OpenStudyDialog dialog(listing);
+    dialog.show();
+    auto* time = dialog.findChild<QComboBox*>();
+    QVERIFY(time->isVisible());
+    QCOMPARE(time->count(), 2);
+    QCOMPARE(time->itemText(0), QStringLiteral("1 of 2: trigger time 0 ms"));
+    QCOMPARE(time->itemText(1), QStringLiteral("2 of 2"));
+    QCOMPARE(dialog.chosenKey(), QStringLiteral("1.2.3"));
+    time->setCurrentIndex(1);
+    QCOMPARE(dialog.chosenKey(), QStringLiteral("1.2.3@2"));
+}
+
+void MainWindowUiTest::openingTellsWhyNot()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    QSignalSpy finished(&fixture.window.opener(), &ui::StudyOpener::finished);
+    fixture.window.opener().open(QStringLiteral("/no/such/folder"));
+    QVERIFY(finished.wait(20000));
+    QVERIFY(fixture.window.messages().sentence().contains(QStringLiteral("/no/such/folder")));
+    QVERIFY(fixture.workspace.volume()); // what was open stays open
+}
+
+BURIN_WINDOW_TEST(MainWindowUiTest)
+#include "MainWindowUiTest.moc"

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/base/StudyTexts.h"
+
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+QString joined(QStringList parts)
+{
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(" · "));
+}
+
+QString prefixed(const QString& prefix, const QString& value)
+{
+    return value.isEmpty() ? QString() : prefix + value;
+}
+
+} // namespace
+
+QString personName(const QString& dicomName)
+{
+    // PS3.5 6.2.1: family ^ given ^ middle ^ prefix ^ suffix; "=" parts ways of writing.
+    const QStringList parts = dicomName.section(QLatin1Char('='), 0, 0).split(QLatin1Char('^'));
+    const QString family = parts.value(0).trimmed();
+    QStringList others = parts.mid(1);
+    others.removeAll(QString());
+    const QString rest = others.join(QLatin1Char(' ')).trimmed();
+    if (family.isEmpty() || rest.isEmpty())
+        return family + rest;
+    return family + QStringLiteral(", ") + rest;
+}
+
+QStringList patientLines(const core::StudyIdentity& identity)
+{
+    QStringList lines{personName(identity.patientName),
+        prefixed(QStringLiteral("ID "), identity.patientId),
+        joined({prefixed(QStringLiteral("born "), identity.birthDate), identity.sex})};
+    lines.removeAll(QString());
+    return lines.isEmpty() ? QStringList{QStringLiteral("patient not named in the source")} : lines;
+}
+
+QString patientText(const core::StudyIdentity& identity)
+{
+    return joined(patientLines(identity));
+}
+
+QString studyText(const core::StudyIdentity& identity)
+{
+    return joined({identity.modality, identity.studyDate});
+}
+
+QString seriesText(const core::StudyIdentity& identity)
+{
+    return joined(
+        {prefixed(QStringLiteral("series "), identity.seriesNumber), identity.seriesDescription});
+}
+
+QString slicesApartText(const core::VolumeGeometry& geometry)
+{
+    return geometry.slicePositions.empty()
+        ? QStringLiteral("every %1 mm").arg(QString::number(geometry.spacingMm().z, 'g', 4))
+        : QStringLiteral("unevenly spaced");
+}
+
+QString numberText(double value, int decimals)
+{
+    QString text = QString::number(value, 'f', decimals);
+    if (text.startsWith(QLatin1Char('-'))) {
+        text.remove(0, 1);
+        bool zero = true;
+        for (const QChar character : text)
+            zero = zero && (character == QLatin1Char('0') || character == QLatin1Char('.'));
+        if (!zero)
+            text.prepend(QChar(0x2212));
+    }
+    return text;
+}
+
+QString valueText(double value, const QString& unit, double span)
+{
+    const int decimals = span >= 100.0 ? 0 : span >= 10.0 ? 1 : span >= 1.0 ? 2 : 4;
+    const QString number = numberText(value, decimals);
+    return unit.isEmpty() ? number : number + QLatin1Char(' ') + unit;
+}
+
+QString toleranceText(int tolerance, const core::Volume& volume)
+{
+    const double step = std::abs(volume.encoding.rescaleSlope * volume.encoding.storedStep);
+    return QChar(0xB1)
+        + valueText(step * double(tolerance), volume.unit, volume.maximum - volume.minimum);
+}
+
+QString positionText(const glm::dvec3& lps)
+{
+    return QStringLiteral("%1, %2, %3 mm")
+        .arg(numberText(lps.x, 1), numberText(lps.y, 1), numberText(lps.z, 1));
+}
+
+} // namespace ui

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/tasks/ExportJob.h"
+#include "ui/tasks/LabelFetch.h"
+
+#include <QDialog>
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QRadioButton;
+
+namespace ui {
+
+class DeidentifyBox;
+class ExportRun;
+class TargetRow;
+class Workspace;
+
+/// Writes the study without what is carved away, as a new DICOM series or NIfTI, or the coverage of
+/// the active sculpt layer; then says what was written and what the check of it found. Nothing is
+/// sent anywhere.
+class CarvedExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit CarvedExportDialog(Workspace& workspace, QWidget* parent = nullptr);
+
+    /// Reading coverage, writing or checking.
+    [[nodiscard]] bool running() const { return m_fetch.running() || m_job.running(); }
+
+Q_SIGNALS:
+    void exported(const QString& target);
+
+private:
+    void build();
+    void suggestTarget();
+    void showState();
+    void start();
+    void write(const std::vector<ExportJob::Plane>& layers);
+    void showRunning(bool running);
+    void showReport(const core::ExportReport& report);
+    void showFailure(const core::Error& error);
+    void reject() override;
+
+    Workspace& m_workspace;
+    QRadioButton* m_series = nullptr;
+    QRadioButton* m_nifti = nullptr;
+    QRadioButton* m_coverage = nullptr;
+    QDoubleSpinBox* m_fill = nullptr;
+    QLabel* m_fillLabel = nullptr;
+    TargetRow* m_target = nullptr;
+    DeidentifyBox* m_deidentify = nullptr; ///< of the series
+    ExportRun* m_run = nullptr;
+    QPushButton* m_export = nullptr;
+    QPushButton* m_close = nullptr;
+    bool m_force = false;
+    LabelFetch m_fetch;
+    ExportJob m_job;
+};
+
+} // namespace ui

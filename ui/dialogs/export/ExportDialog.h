@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/export/common/ExportMask.h"
+#include "ui/tasks/ExportJob.h"
+#include "ui/tasks/LabelFetch.h"
+
+#include <QDialog>
+
+class QLabel;
+class QPushButton;
+
+namespace ui {
+
+class ExportOptions;
+class ExportRun;
+class ExportSegments;
+class TargetRow;
+class Workspace;
+
+/// Export of chosen segments in one of core::exportFormats(): whose study it is, which segments
+/// with their millilitres and remarks, codes where they are missing, the file; then what was
+/// written and what the check of the file found.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit ExportDialog(Workspace& workspace, QWidget* parent = nullptr);
+
+    /// Reading labels, writing or checking.
+    [[nodiscard]] bool running() const
+    {
+        return m_fetch.running() || m_coverageFetch.running() || m_job.running();
+    }
+
+Q_SIGNALS:
+    void exported(const QString& file);
+
+private:
+    /// A segment, and the sculpt layer that it was made of.
+    struct MadeOf {
+        std::uint8_t label = 0;
+        std::uint8_t layer = 0;
+        QString name;
+    };
+    void build();
+    void showState();
+    void showChange();
+    void showFormat();
+    void start();
+    void takeLabels(const std::vector<ExportJob::Plane>& planes);
+    void write(const std::vector<ExportJob::Plane>& coverages);
+    void showRunning(bool running);
+    void showReport(const core::ExportReport& report);
+    void showFailure(const core::Error& error);
+    void reject() override;
+
+    Workspace& m_workspace;
+    ExportSegments* m_segments = nullptr;
+    ExportOptions* m_options = nullptr;
+    QLabel* m_ticked = nullptr; ///< how many segments, how much
+    std::vector<QPushButton*> m_tickers;
+    TargetRow* m_target = nullptr;
+    ExportRun* m_run = nullptr;
+    QPushButton* m_export = nullptr;
+    QPushButton* m_send = nullptr; ///< once there is a DICOM file
+    QPushButton* m_close = nullptr;
+    core::ExportRequest m_request; ///< under way; its segments are taken when it is written
+    std::vector<ExportJob::Plane> m_planes;
+    std::vector<MadeOf> m_layers; ///< of a fractional SEG
+    LabelFetch m_fetch;
+    LabelFetch m_coverageFetch;
+    ExportJob m_job;
+};
+
+} // namespace ui

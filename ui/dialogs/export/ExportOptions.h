@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/export/common/ExportMask.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+
+namespace ui {
+
+class DeidentifyBox;
+class Workspace;
+
+/// In which format segments are written, what the format says of itself, and what is to be chosen
+/// for it: axes, compression, how the segments were made, whether the patient is named.
+class ExportOptions : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ExportOptions(Workspace& workspace, QWidget* parent = nullptr);
+
+    [[nodiscard]] core::ExportFormat format() const;
+    [[nodiscard]] const core::ExportFormatFacts& facts() const { return core::factsOf(format()); }
+    /// Format, axes, settings and de-identification.
+    void putInto(core::ExportRequest& request) const;
+
+Q_SIGNALS:
+    void formatChanged();
+    void changed(); ///< any other choice
+
+private:
+    void fillFormats();
+    void showFormat();
+
+    Workspace& m_workspace;
+    QComboBox* m_format = nullptr;
+    QLabel* m_says = nullptr;
+    QComboBox* m_space = nullptr; ///< of surfaces
+    QLabel* m_spaceName = nullptr;
+    QComboBox* m_algorithm = nullptr; ///< of DICOM SEGs
+    QLabel* m_algorithmName = nullptr;
+    QCheckBox* m_deflated = nullptr;
+    QLabel* m_obstacle = nullptr;
+    DeidentifyBox* m_deidentify = nullptr;
+};
+
+} // namespace ui

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/export/ExportSegments.h"
+
+#include "core/export/common/ExportChoices.h"
+#include "core/session/EditSession.h"
+#include "ui/base/StudyTexts.h"
+#include "ui/base/Theme.h"
+#include "ui/dialogs/CodeDialog.h"
+#include "ui/models/SegmentListModel.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QHeaderView>
+#include <QPixmap>
+#include <QStyledItemDelegate>
+
+namespace ui {
+
+namespace {
+
+enum Column { NameColumn, VolumeColumn, CodeColumn, RemarkColumn };
+constexpr int labelRole = Qt::UserRole;
+
+/// Numbers at the right, with a gap to the words of the next column.
+class NumberDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+        const QModelIndex& index) const override
+    {
+        QStyleOptionViewItem narrower = option;
+        narrower.rect.setRight(option.rect.right() - theme::padding);
+        QStyledItemDelegate::paint(painter, narrower, index);
+    }
+};
+
+/// Of a growth; null for other edits.
+const std::optional<int>* askedSteps(const core::Edit& edit)
+{
+    if (const auto* grow = std::get_if<core::GrowSteps>(&edit))
+        return &grow->steps;
+    const auto* change = std::get_if<core::ChangeInterval>(&edit);
+    return change ? &change->steps : nullptr;
+}
+
+/// "Kidney, Right"
+QString codeText(const core::Segment& segment, const core::SegCodes& codes)
+{
+    QStringList words{segment.code.meaning};
+    for (const core::CodedConcept* code : {&codes.modifier, &codes.region, &codes.regionModifier}) {
+        if (code->isSet())
+            words += code->meaning;
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+std::bitset<256> growingLabels(core::EditSession& session)
+{
+    std::bitset<256> seeded;
+    bool grown = false;
+    const core::History& history = session.history();
+    std::bitset<256> pending;
+    for (const core::RowId id : history.standing()) {
+        const core::Edit& edit = history.row(id).edit;
+        if (const auto* seed = std::get_if<core::SeedStroke>(&edit)) {
+            seeded.set(std::size_t(seed->segment));
+            pending.set(std::size_t(seed->segment));
+        } else if (const auto* paint = std::get_if<core::PaintStroke>(&edit);
+                   paint && paint->seeds) {
+            seeded.set(std::size_t(paint->segment));
+            pending.set(std::size_t(paint->segment));
+        } else if (const std::optional<int>* asked = askedSteps(edit)) {
+            pending.reset();
+            // A row without a number of steps ran to closure; so did one that stopped early.
+            const int steps = history.row(id).statistics.generations;
+            grown = !*asked || steps < **asked;
+        } else if (std::holds_alternative<core::ShrinkSteps>(edit)) {
+            grown = false;
+        }
+    }
+    return grown ? pending : seeded;
+}
+
+ExportSegments::ExportSegments(Workspace& workspace, QWidget* parent)
+    : QTreeWidget(parent)
+    , m_workspace(workspace)
+{
+    setObjectName(QStringLiteral("exportSegments"));
+    setHeaderLabels({tr("Segment"), tr("Volume"), tr("Code"), tr("Remarks")});
+    headerItem()->setTextAlignment(VolumeColumn, Qt::AlignRight | Qt::AlignVCenter);
+    setRootIsDecorated(false);
+    setUniformRowHeights(true);
+    setSelectionMode(QAbstractItemView::NoSelection);
+    header()->setSectionResizeMode(RemarkColumn, QHeaderView::Stretch);
+    setItemDelegateForColumn(VolumeColumn, new NumberDelegate(this));
+    setColumnWidth(NameColumn, 200);
+    setColumnWidth(VolumeColumn, 90);
+    setColumnWidth(CodeColumn, 190);
+    fill();
+    connect(this, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item) {
+        if (m_filling)
+            return;
+        const auto label = std::size_t(item->data(NameColumn, labelRole).toInt());
+        m_unticked.set(label, item->checkState(NameColumn) != Qt::Checked);
+        Q_EMIT changed();
+    });
+    connect(this, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int column) {
+        if (column == CodeColumn)
+            chooseCode(item);
+    });
+    connect(&m_workspace, &Workspace::documentChanged, this,
+        [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Segments)
+                fill();
+        });
+}
+
+std::vector<core::Segment> ExportSegments::chosen() const
+{
+    std::vector<core::Segment> segments;
+    const core::EditSession* session = m_workspace.session();
+    for (int row = 0; session && row < topLevelItemCount(); ++row) {
+        const QTreeWidgetItem* item = topLevelItem(row);
+        const auto* segment =
+            session->document().segment(item->data(NameColumn, labelRole).toInt());
+        if (segment && item->checkState(NameColumn) == Qt::Checked)
+            segments.push_back(*segment);
+    }
+    return segments;
+}
+
+void ExportSegments::fill()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    const bool first = topLevelItemCount() == 0;
+    m_filling = true;
+    clear();
+    for (const core::ExportChoice& choice :
+        core::exportChoices(session->document(), growingLabels(*session))) {
+        if (first)
+            m_unticked.set(choice.segment.label, !choice.chosen);
+        addRow(choice.segment, choice.remarks);
+    }
+    m_filling = false;
+    Q_EMIT changed();
+}
+
+void ExportSegments::tickAll(bool ticked)
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    for (const core::Segment& segment : session->document().segments)
+        m_unticked.set(segment.label, !ticked || segment.voxels == 0);
+    fill();
+}
+
+void ExportSegments::addRow(const core::Segment& segment, const QStringList& remarks)
+{
+    auto* item = new QTreeWidgetItem(this);
+    item->setText(NameColumn, segment.name);
+    item->setData(NameColumn, labelRole, int(segment.label));
+    QPixmap swatch(12, 12);
+    swatch.fill(QColor(segment.rgb));
+    item->setIcon(NameColumn, QIcon(swatch));
+    item->setCheckState(NameColumn, m_unticked.test(segment.label) ? Qt::Unchecked : Qt::Checked);
+    item->setText(VolumeColumn,
+        millilitreText(segment.voxels, m_workspace.volume()->geometry.voxelVolumeMm3()));
+    item->setTextAlignment(VolumeColumn, Qt::AlignRight | Qt::AlignVCenter);
+    item->setText(CodeColumn,
+        segment.code.isSet() ? codeText(segment, m_codes[segment.label]) : tr("choose …"));
+    item->setToolTip(CodeColumn, tr("Click to choose what the segment is"));
+    item->setForeground(CodeColumn, segment.code.isSet() ? theme::text : theme::accent);
+    item->setText(RemarkColumn, remarks.join(QStringLiteral(", ")));
+    item->setForeground(RemarkColumn, theme::caution);
+}
+
+void ExportSegments::chooseCode(QTreeWidgetItem* item)
+{
+    core::EditSession* session = m_workspace.session();
+    const int label = item->data(NameColumn, labelRole).toInt();
+    const core::Segment* segment = session ? session->document().segment(label) : nullptr;
+    if (!segment)
+        return;
+    CodeDialog dialog(segment->name, segment->code, this);
+    dialog.askDetails(m_codes[label]);
+    if (dialog.exec() != QDialog::Accepted || session != m_workspace.session())
+        return;
+    m_codes[label] = dialog.details();
+    core::ChangeSegment edit;
+    edit.segment = label;
+    edit.code = dialog.code();
+    if (const auto applied = session->apply(edit); !applied)
+        Q_EMIT failed(applied.error());
+    fill();
+}
+
+} // namespace ui

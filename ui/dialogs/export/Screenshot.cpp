@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/export/Screenshot.h"
+
+#include "core/base/files/StagedFile.h"
+
+#include "core/export/common/MaskSelection.h"
+#include "ui/dialogs/export/ExportRun.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImage>
+#include <QPixmap>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QWidget>
+
+namespace ui {
+
+bool isDicomPicture(const QString& file)
+{
+    return file.endsWith(QLatin1String(".dcm"), Qt::CaseInsensitive);
+}
+
+core::Result<core::ExportReport> savePicture(
+    const QImage& picture, const core::Volume* volume, const QString& file)
+{
+    if (volume && core::isSourceFile(*volume, file))
+        return core::failure(core::ErrorCode::FileUnwritable, file,
+            QStringLiteral("it is a file of the study itself"));
+    if (!isDicomPicture(file)) {
+        auto staged = core::StagedFile::create(file, true);
+        if (!staged)
+            return tl::unexpected(staged.error());
+        // Qt's own writer does not notice a disk that fills up at the end.
+        QBuffer png;
+        QFile written(staged->path());
+        if (!png.open(QIODevice::WriteOnly) || !picture.save(&png, "PNG"))
+            return core::failure(core::ErrorCode::FileUnwritable, file);
+        if (!written.open(QIODevice::WriteOnly | QIODevice::Truncate)
+            || written.write(png.data()) != png.data().size() || !written.flush())
+            return core::failure(core::ErrorCode::FileUnwritable, file, written.errorString());
+        if (const core::Result<void> placed = staged->commit(); !placed)
+            return tl::unexpected(placed.error());
+        core::ExportReport report;
+        report.file = file;
+        report.written +=
+            QStringLiteral("PNG of %1 × %2 pixels.").arg(picture.width()).arg(picture.height());
+        return report;
+    }
+    if (!volume)
+        return core::failure(core::ErrorCode::UnsupportedFormat, file,
+            QStringLiteral("no study is open, which a DICOM picture would belong to"));
+    // Rows without the padding that images have.
+    const QImage rows = picture.convertToFormat(QImage::Format_RGB888);
+    std::vector<std::uint8_t> rgb;
+    for (int y = 0; y < rows.height(); ++y) {
+        const std::uint8_t* row = rows.constScanLine(y);
+        rgb.insert(rgb.end(), row, row + std::ptrdiff_t(rows.width()) * 3);
+    }
+    return core::exportScreenshot(*volume,
+        {.file = file,
+            .force = true,
+            .picture = {.width = rows.width(), .height = rows.height(), .rgb = rgb}},
+        core::Progress());
+}
+
+QString askAndSavePicture(Workspace& workspace, QWidget& window)
+{
+    const QImage picture = window.grab().toImage();
+    const QString folderKey = QStringLiteral("export/folder");
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QDir folder(QSettings().value(folderKey, documents).toString());
+    const bool isDicom =
+        workspace.volume() && core::dicomSegObstacle(*workspace.volume()).isEmpty();
+    const QString png = QObject::tr("PNG picture (*.png)");
+    const QString dicom = QObject::tr("DICOM Secondary Capture, of this patient (*.dcm)");
+    QString kind;
+    QString file = QFileDialog::getSaveFileName(&window, QObject::tr("Save picture of the window"),
+        folder.filePath(QStringLiteral("burin.png")),
+        isDicom ? png + QStringLiteral(";;") + dicom : png, &kind);
+    if (file.isEmpty())
+        return {};
+    // The kind counts where the name was left as it was suggested.
+    if (kind == dicom && file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) {
+        file = file.chopped(4) + QStringLiteral(".dcm");
+        if (QFileInfo::exists(file) && !mayReplace(file, &window))
+            return {};
+    }
+    QSettings().setValue(folderKey, QFileInfo(file).absolutePath());
+    const auto saved = savePicture(picture, workspace.volume(), file);
+    if (!saved) {
+        workspace.fail(saved.error());
+        return {};
+    }
+    return saved->checked.isEmpty()
+        ? QObject::tr("%1 is saved.").arg(file)
+        : QObject::tr("%1 is saved, and was read again and checked. SHA-256: %2")
+              .arg(file, saved->sha256);
+}
+
+} // namespace ui

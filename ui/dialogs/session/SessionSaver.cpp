@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/session/SessionSaver.h"
+
+#include "core/sessionfile/SessionStudy.h"
+#include "core/sessionfile/records/SessionImages.h"
+#include "ui/base/ErrorText.h"
+#include "ui/dialogs/session/SaveSessionDialog.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QDir>
+#include <QEventLoop>
+#include <QFileInfo>
+#include <QPointer>
+#include <QSettings>
+
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+const QLatin1String folderKey("sessions/folder");
+
+/// A name for people: the series, or the study's file or folder.
+QString nameOfStudy(const core::Volume& volume)
+{
+    QString name = volume.identity.seriesDescription;
+    if (name.isEmpty()) {
+        name = QFileInfo(volume.sourcePath).completeBaseName();
+        // Of "ball.nii.gz".
+        if (const QLatin1String inner(".nii"); name.endsWith(inner, Qt::CaseInsensitive))
+            name.chop(inner.size());
+    }
+    for (const QChar forbidden : QStringLiteral("/\\:*?\"<>|"))
+        name.replace(forbidden, u'_');
+    return (name.trimmed().isEmpty() ? QStringLiteral("session") : name.trimmed())
+        + QStringLiteral(".burin");
+}
+
+/// The study is read once more: nobody keeps its voxels but the graphics card.
+core::Result<std::shared_ptr<core::StagedFile>> stageFromStudy(
+    const QString& target, const core::SessionSource& source, const core::Progress& progress)
+{
+    const auto study = core::loadSessionStudy(target, source, source.path, QString(), progress);
+    if (!study && study.error().code == core::ErrorCode::Cancelled)
+        return tl::unexpected(study.error());
+    if (!study)
+        return core::failure(core::ErrorCode::FileUnwritable, target,
+            QStringLiteral("the study's images cannot be read (%1); the session can be saved "
+                           "without them")
+                .arg(errorText(study.error())));
+    auto staged = core::stageImages(target, true, *study, progress);
+    if (!staged)
+        return tl::unexpected(staged.error());
+    return std::make_shared<core::StagedFile>(*std::move(staged));
+}
+
+} // namespace
+
+SessionSaver::SessionSaver(Workspace& workspace, QWidget& window)
+    : QObject(&window)
+    , m_workspace(workspace)
+    , m_window(window)
+{
+    connect(&workspace, &Workspace::sessionClosing, this, &SessionSaver::cancel);
+}
+
+SessionSaver::~SessionSaver()
+{
+    if (m_progress)
+        m_progress->cancel();
+}
+
+void SessionSaver::ask()
+{
+    if (const std::optional<Choice> choice = choose(true))
+        save(*choice);
+}
+
+bool SessionSaver::askAndWait()
+{
+    const std::optional<Choice> choice = choose(false);
+    if (!choice)
+        return false;
+    QEventLoop loop;
+    std::optional<bool> result;
+    save(*choice, [&loop, &result](bool saved) {
+        result = saved;
+        loop.quit();
+    });
+    if (!result)
+        loop.exec(QEventLoop::ExcludeUserInputEvents);
+    return result.value_or(false);
+}
+
+QString SessionSaver::suggestedName() const
+{
+    const QFileInfo file(m_workspace.session()->file());
+    const bool named = !file.fileName().isEmpty()
+        && (m_workingFolder.isEmpty() || file.absoluteDir() != QDir(m_workingFolder));
+    return named ? file.fileName() : nameOfStudy(*m_workspace.volume());
+}
+
+std::optional<SessionSaver::Choice> SessionSaver::choose(bool offerImages)
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (!volume)
+        return {};
+    const bool holdsImages = m_workspace.session()->holdsImages();
+    const QString folder = QSettings().value(folderKey, QDir::homePath()).toString();
+    SaveSessionDialog dialog(folder, suggestedName(), &m_window);
+    if (offerImages)
+        dialog.offerImages(holdsImages, volume->keptHeaders == nullptr);
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
+        return {};
+    const QString target = dialog.selectedFiles().constFirst();
+    QSettings().setValue(folderKey, QFileInfo(target).absolutePath());
+    return Choice{.target = target, .images = offerImages ? dialog.wantsImages() : holdsImages};
+}
+
+void SessionSaver::save(const Choice& choice, std::function<void(bool)> done)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    if (choice.images && !session->holdsImages())
+        stage(choice, done);
+    else
+        goOnIn(choice, nullptr, std::move(done));
+}
+
+void SessionSaver::cancel()
+{
+    if (!m_progress)
+        return;
+    m_progress->cancel();
+    m_progress.reset();
+    m_workspace.say(tr("Saving was cancelled; the session goes on where it was"));
+    Q_EMIT imagesEnded();
+}
+
+void SessionSaver::stage(const Choice& choice, const std::function<void(bool)>& done)
+{
+    cancel();
+    // Reports of what was cancelled meanwhile are dropped on this side of the queue.
+    const auto listener = std::make_shared<core::Progress*>(nullptr);
+    m_progress = std::make_shared<core::Progress>(
+        [this, listener](const QString& step, int piece, int pieces) {
+            const core::Progress* mine = *listener;
+            QMetaObject::invokeMethod(this, [this, mine, step, piece, pieces] {
+                if (m_progress.get() == mine)
+                    Q_EMIT imagesProgressed(step, piece, pieces);
+            });
+        });
+    *listener = m_progress.get();
+    Q_EMIT imagesBegun(choice.target);
+    const core::SessionSource source = core::SessionSource::of(*m_workspace.volume());
+    const auto tell = [this, progress = m_progress, choice, done](const Staged& staged) {
+        QMetaObject::invokeMethod(this,
+            [this, progress, choice, staged, done] { takeStaged(progress, choice, staged, done); });
+    };
+    m_worker.post([tell, progress = m_progress, choice,
+                      source] { tell(stageFromStudy(choice.target, source, *progress)); },
+        [tell](const core::Error& error) { tell(tl::unexpected(error)); });
+}
+
+void SessionSaver::takeStaged(const std::shared_ptr<core::Progress>& progress, const Choice& choice,
+    const Staged& staged, const std::function<void(bool)>& done)
+{
+    const bool wanted = m_progress == progress;
+    if (wanted) {
+        m_progress.reset();
+        Q_EMIT imagesEnded();
+    }
+    if (wanted && staged)
+        return goOnIn(choice, *staged, done);
+    if (wanted)
+        m_workspace.fail(staged.error());
+    if (done)
+        done(false);
+}
+
+void SessionSaver::goOnIn(const Choice& choice, const std::shared_ptr<core::StagedFile>& staged,
+    std::function<void(bool)> done)
+{
+    core::EditSession* session = m_workspace.session();
+    const QString target = choice.target;
+    // Without a file there is none to leave.
+    const bool leavesFile = session->whyReadOnly().isEmpty() && !session->whyNoFile();
+    const QString before = leavesFile ? session->file() : QString();
+    m_workspace.say(tr("Saving the session …"));
+    // It may outlive whoever asked.
+    const QPointer<Workspace> workspace(&m_workspace);
+    const auto tell = [workspace, before, target, done = std::move(done)](
+                          const core::Result<void>& saved) {
+        if (workspace && saved) {
+            workspace->tellSaved(before, target);
+            workspace->say(tr("The session is saved and goes on in %1").arg(target));
+        } else if (workspace) {
+            workspace->fail(saved.error());
+            workspace->say(tr("The session was not saved there; it goes on where it was"));
+        }
+        if (done)
+            done(saved.has_value());
+    };
+    QObject* receiver = &m_workspace;
+    session->saveAs(target, true,
+        [receiver, tell](const core::Result<void>& saved) {
+            QMetaObject::invokeMethod(
+                receiver, [tell, saved] { tell(saved); }, Qt::QueuedConnection);
+        },
+        {.kept = choice.images, .staged = staged});
+}
+
+} // namespace ui

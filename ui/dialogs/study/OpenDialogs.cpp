@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/study/OpenDialogs.h"
+
+#include "core/repair/SeriesRepair.h"
+#include "ui/base/ErrorText.h"
+#include "ui/dialogs/study/OpenStudyDialog.h"
+#include "ui/dialogs/study/SpacingDialog.h"
+#include "ui/frame/MessageBar.h"
+#include "ui/settings/StudyOpener.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace ui {
+
+namespace {
+
+/// Whether what a session was made on is a folder; of pictures a folder, or one with all pages.
+bool isFolder(const LostStudy& lost)
+{
+    const bool isOneFile = lost.why.arguments.value(1).contains(QLatin1String(".tif"));
+    return lost.format.isEmpty() || lost.format == QLatin1String("DICOM")
+        || (lost.format == QLatin1String("pictures") && !isOneFile);
+}
+
+QString volumeFilter()
+{
+    return QStringLiteral(
+        "Volumes and archives (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm *.tif *.tiff *.png "
+        "*.zip *.7z *.tar *.tar.gz *.tgz);;All files (*)");
+}
+
+} // namespace
+
+void askForFolder(StudyOpener& opener, QWidget& parent)
+{
+    const QString path = QFileDialog::getExistingDirectory(
+        &parent, QStringLiteral("Open a study: choose its folder"));
+    if (!path.isEmpty())
+        opener.open(path);
+}
+
+void askForFile(StudyOpener& opener, QWidget& parent)
+{
+    const QString path = QFileDialog::getOpenFileName(
+        &parent, QStringLiteral("Open a volume"), QString(), volumeFilter());
+    if (!path.isEmpty())
+        opener.open(path);
+}
+
+void askForSession(StudyOpener& opener, QWidget& parent)
+{
+    const QString path = QFileDialog::getOpenFileName(&parent, QStringLiteral("Open a session"),
+        QString(), QStringLiteral("Sessions of Burin (*.burin);;All files (*)"));
+    if (!path.isEmpty())
+        opener.openSession(path);
+}
+
+void chooseVolume(
+    const std::shared_ptr<const core::Study>& study, StudyOpener& opener, QWidget& parent)
+{
+    OpenStudyDialog dialog(study->listing(), &parent);
+    if (dialog.exec() == QDialog::Accepted && !dialog.chosenKey().isEmpty())
+        opener.open(study, dialog.chosenKey());
+}
+
+void askForSpacing(const std::shared_ptr<const core::Study>& study, const QString& series,
+    StudyOpener& opener, QWidget& parent)
+{
+    SpacingDialog dialog(*study->listing().find(series), &parent);
+    if (dialog.exec() == QDialog::Accepted)
+        opener.open(study, core::withRepair(series, dialog.repair()));
+}
+
+void offerToFindStudy(const LostStudy& lost, MessageBar& bar, StudyOpener& opener, QWidget& parent)
+{
+    const core::Error& why = lost.why;
+    const QString name = QFileInfo(lost.sessionFile).fileName();
+    const QString problem = why.code == core::ErrorCode::StudyMissing
+        ? QStringLiteral("%1: its study is no longer at %2%3.")
+              .arg(name, why.arguments.value(1),
+                  why.arguments.size() > 2
+                      ? QStringLiteral(", and its own images cannot be used (%1)")
+                            .arg(why.arguments[2])
+                      : QString())
+        : errorText(why) + QLatin1Char('.');
+    const auto ask = [file = lost.sessionFile, name, folder = isFolder(lost), &opener, &parent] {
+        const QString title = QStringLiteral("The study of %1").arg(name);
+        const QString place = folder
+            ? QFileDialog::getExistingDirectory(&parent, title)
+            : QFileDialog::getOpenFileName(&parent, title, QString(), volumeFilter());
+        if (!place.isEmpty())
+            opener.openSession(file, place);
+    };
+    bar.show(MessageBar::Kind::Error,
+        problem + QStringLiteral(" Say where it is; it is checked before the session goes on."),
+        QStringLiteral("Choose its study …"), ask);
+}
+
+} // namespace ui

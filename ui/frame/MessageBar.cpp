@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/frame/MessageBar.h"
+
+#include "ui/base/Icons.h"
+#include "ui/base/Theme.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace ui {
+
+namespace {
+
+QColor colourOf(MessageBar::Kind kind)
+{
+    switch (kind) {
+    case MessageBar::Kind::Notice:
+        return theme::accent;
+    case MessageBar::Kind::Caution:
+        return theme::caution;
+    case MessageBar::Kind::Error:
+        break;
+    }
+    return theme::bad;
+}
+
+} // namespace
+
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent)
+    , m_icon(new QLabel(this))
+    , m_text(new QLabel(this))
+    , m_button(new QPushButton(this))
+{
+    setObjectName(QStringLiteral("messageBar"));
+    setAttribute(Qt::WA_StyledBackground);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(theme::padding, 6, 6, 6);
+    layout->setSpacing(theme::smallPadding);
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* close = new QToolButton(this);
+    close->setIcon(stateIcon(QStringLiteral("close")));
+    close->setIconSize(QSize(16, 16));
+    close->setToolTip(QStringLiteral("Dismiss"));
+    layout->addWidget(m_icon);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(m_button);
+    layout->addWidget(close);
+    connect(close, &QToolButton::clicked, this, &MessageBar::dismiss);
+    connect(m_button, &QPushButton::clicked, this, [this] {
+        const auto run = m_run;
+        dismiss();
+        if (run)
+            run();
+    });
+    dismiss();
+}
+
+void MessageBar::show(Kind kind, const QString& sentence)
+{
+    show(kind, sentence, QString(), {});
+}
+
+void MessageBar::show(
+    Kind kind, const QString& sentence, const QString& button, std::function<void()> run)
+{
+    const QColor colour = colourOf(kind);
+    setStyleSheet(QStringLiteral("#messageBar { background: %1; border-left: 3px solid %2; }")
+                      .arg(theme::raised.name(), colour.name()));
+    m_icon->setPixmap(
+        tintedIcon(kind == Kind::Notice ? QStringLiteral("check") : QStringLiteral("caution"),
+            colour, 18, devicePixelRatioF()));
+    m_text->setText(sentence);
+    m_button->setText(button);
+    m_button->setVisible(!button.isEmpty());
+    // As high without a button, lest what is below move when one comes.
+    m_button->ensurePolished();
+    m_text->setMinimumHeight(m_button->sizeHint().height());
+    m_run = std::move(run);
+    setVisible(true);
+}
+
+void MessageBar::dismiss()
+{
+    m_run = {};
+    setVisible(false);
+    m_text->clear();
+}
+
+QString MessageBar::sentence() const
+{
+    return m_text->text();
+}
+
+} // namespace ui

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/TaskThread.h"
+#include "core/sessionfile/SessionPreview.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QVBoxLayout;
+
+namespace ui {
+
+/// On the start page: the sessions of a folder that can be gone on with, newest first, one card
+/// each. They are read beside the GUI thread and never changed by it. Those that are open in
+/// another window, hold no step or cannot be read are left out.
+class SessionOffers : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr int shownAtFirst = 6;
+
+    explicit SessionOffers(QWidget* parent = nullptr);
+
+    /// Empty: none.
+    void showFolder(const QString& folder);
+    [[nodiscard]] int count() const { return int(m_offers.size()); }
+
+    /// "recovered: 41 steps, last at 14:02"
+    [[nodiscard]] static QString stateText(
+        const core::SessionPreview& preview, const QDateTime& now);
+    /// What it was made on: series, modality, date; without those the study's file or folder.
+    [[nodiscard]] static QString studyText(const core::SessionPreview& preview);
+
+Q_SIGNALS:
+    void openAsked(const QString& sessionFile);
+    void changed(); ///< count() or what is shown
+
+private:
+    void showOffers(std::vector<core::SessionPreview> offers);
+    void build();
+    [[nodiscard]] QWidget* card(const core::SessionPreview& preview);
+    void discard(const core::SessionPreview& preview);
+
+    QString m_folder;
+    int m_reading = 0; ///< the last one asked for
+    std::vector<core::SessionPreview> m_offers;
+    bool m_showAll = false;
+    QVBoxLayout* m_cards;
+    core::TaskThread m_reader; ///< last: what it posts comes back to all of the above
+};
+
+} // namespace ui

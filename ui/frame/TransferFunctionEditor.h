@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/scene/Scene.h"
+#include "ui/widgets/HistogramPlot.h"
+
+#include <optional>
+
+namespace ui {
+
+/// Colour and opacity over values, as points on the histogram: drag a point, double click on empty
+/// ground adds one, double click on a point chooses its colour, Delete removes the chosen one.
+/// Heights are the square roots of opacities per mm, so that faint tissue can be told apart.
+class TransferFunctionEditor : public HistogramPlot {
+    Q_OBJECT
+
+public:
+    explicit TransferFunctionEditor(QWidget* parent = nullptr);
+
+    void setUnit(const QString& unit);
+    void setFunction(const gpu::TransferFunction& function);
+    [[nodiscard]] const gpu::TransferFunction& function() const { return m_function; }
+
+    [[nodiscard]] QSize sizeHint() const override { return {240, 96}; }
+    /// Where a point is drawn, logical pixels.
+    [[nodiscard]] QPointF positionOf(const gpu::TransferFunction::Point& point) const;
+
+Q_SIGNALS:
+    void functionEdited(const gpu::TransferFunction& function); ///< by the user
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    [[nodiscard]] std::optional<std::size_t> pointAt(const QPointF& position) const;
+    [[nodiscard]] double opacityAt(double y) const;
+    void movePoint(std::size_t point, double value, double opacity);
+    void tell();
+
+    gpu::TransferFunction m_function;
+    QString m_unit;
+    std::optional<std::size_t> m_chosen;
+    bool m_dragging = false;
+};
+
+} // namespace ui

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/geometry/SlicePlane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ui {
+
+SliceAxes sliceAxes(SliceOrientation orientation)
+{
+    const glm::dvec3 left(1.0, 0.0, 0.0);
+    const glm::dvec3 back(0.0, 1.0, 0.0);
+    const glm::dvec3 feet(0.0, 0.0, -1.0);
+    const auto axes = [](const glm::dvec3& right, const glm::dvec3& down) {
+        return SliceAxes{right, down, glm::cross(right, down)};
+    };
+    switch (orientation) {
+    case SliceOrientation::Axial:
+        return axes(left, back);
+    case SliceOrientation::Sagittal:
+        return axes(back, feet);
+    case SliceOrientation::Coronal:
+        break;
+    }
+    return axes(left, feet);
+}
+
+int SliceStack::numberAt(const glm::dvec3& lps) const
+{
+    // Halves go up, with a grain of tolerance: positions come from sums of millimetres.
+    const double number = (glm::dot(lps, normalLps) - firstMm) / stepMm;
+    return std::clamp(int(std::floor(number + 0.5 + 1e-6)), 0, std::max(count - 1, 0));
+}
+
+glm::dvec3 SliceStack::movedTo(const glm::dvec3& lps, int number) const
+{
+    const double target = firstMm + std::clamp(number, 0, std::max(count - 1, 0)) * stepMm;
+    return lps + (target - glm::dot(lps, normalLps)) * normalLps;
+}
+
+SliceStack sliceStack(const core::VolumeGeometry& geometry, const glm::dvec3& normalLps)
+{
+    SliceStack stack;
+    stack.normalLps = normalLps;
+
+    double nearest = -1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::dvec3 step(geometry.indexToWorld[axis]);
+        const double along = std::abs(glm::dot(step, stack.normalLps));
+        const double cosine = along / glm::length(step);
+        if (cosine > nearest) {
+            nearest = cosine;
+            stack.stepMm = along;
+        }
+    }
+
+    double lowest = std::numeric_limits<double>::max();
+    double highest = std::numeric_limits<double>::lowest();
+    for (const glm::dvec3& corner : geometry.cornersLps()) {
+        lowest = std::min(lowest, glm::dot(corner, stack.normalLps));
+        highest = std::max(highest, glm::dot(corner, stack.normalLps));
+    }
+    // The cells of the outermost voxels reach half a step beyond their centres.
+    stack.count = std::max(1, int(std::lround((highest - lowest) / stack.stepMm)));
+    stack.firstMm = 0.5 * (lowest + highest) - 0.5 * (stack.count - 1) * stack.stepMm;
+    return stack;
+}
+
+} // namespace ui

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/scene/Scene.h"
+
+#include <QPointF>
+#include <QSizeF>
+
+namespace ui {
+
+/// The view a pointer is in, as tools need it: what is shown and how pixels meet millimetres.
+struct ViewContext {
+    gpu::ViewId view = 0;
+    gpu::Scene scene; ///< what the user looks at right now
+    QSizeF sizePixels; ///< logical pixels
+
+    [[nodiscard]] bool isSlice() const { return std::holds_alternative<gpu::SliceScene>(scene); }
+    /// Logical pixel → LPS mm: on the plane of a slice; on the target's plane of a 3D view.
+    [[nodiscard]] glm::dvec3 toLps(const QPointF& pixel) const;
+    [[nodiscard]] QPointF toPixel(const glm::dvec3& lps) const;
+    [[nodiscard]] double mmPerPixel() const;
+    /// 3D view: millimetres right of and above the target, in the view plane.
+    [[nodiscard]] glm::dvec2 toViewPlaneMm(const QPointF& pixel) const;
+};
+
+} // namespace ui

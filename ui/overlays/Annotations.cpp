@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/overlays/Annotations.h"
+
+#include "ui/base/Theme.h"
+#include "ui/geometry/OrientationLetters.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+constexpr int lineHeight = 17;
+constexpr int topMargin = 9;
+constexpr int bottomMargin = 9;
+
+void paintLines(QPainter& painter, const QRect& view, int firstY, int step, int flags,
+    const QStringList& lines, double width)
+{
+    const QFontMetricsF metrics(painter.font());
+    int y = firstY;
+    for (const QString& line : lines) {
+        if (line.isEmpty())
+            continue;
+        const QRectF box(
+            view.left() + theme::padding, y, view.width() - 2 * theme::padding, lineHeight);
+        paintText(painter, box, flags | Qt::AlignVCenter,
+            metrics.elidedText(line, Qt::ElideRight, width), theme::text);
+        y += step;
+    }
+}
+
+} // namespace
+
+void paintText(
+    QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& colour)
+{
+    // A rim all around: the ground may be white bone as well as air.
+    painter.setPen(QColor(0, 0, 0, 190));
+    for (const QPointF& offset : {QPointF(1.2, 0), QPointF(-1.2, 0), QPointF(0, 1.2),
+             QPointF(0, -1.2), QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)})
+        painter.drawText(box.translated(offset), flags | Qt::TextDontClip, text);
+    painter.setPen(colour);
+    painter.drawText(box, flags | Qt::TextDontClip, text);
+}
+
+void paintCorners(QPainter& painter, const QRect& view, const CornerTexts& texts)
+{
+    painter.save();
+    const double half = view.width() / 2.0 - theme::padding - 24;
+    painter.setFont(theme::headingFont());
+    const QRectF titleBox(view.left() + theme::padding, view.top() + topMargin, half, lineHeight);
+    paintText(painter, titleBox, Qt::AlignLeft | Qt::AlignVCenter, texts.title, texts.titleColour);
+
+    painter.setFont(theme::smallFont());
+    const int top = view.top() + topMargin;
+    const int bottom = view.bottom() + 1 - bottomMargin - lineHeight;
+    paintLines(painter, view, top + lineHeight, lineHeight, Qt::AlignLeft, texts.topLeft, half);
+    paintLines(painter, view, top, lineHeight, Qt::AlignRight, texts.topRight, half);
+    paintLines(painter, view, bottom, -lineHeight, Qt::AlignLeft, texts.bottomLeft, half);
+    paintLines(painter, view, bottom, -lineHeight, Qt::AlignRight, texts.bottomRight, half);
+    painter.restore();
+}
+
+void paintEdgeLetters(
+    QPainter& painter, const QRect& view, const glm::dvec3& rightLps, const glm::dvec3& downLps)
+{
+    painter.save();
+    QFont font = theme::bodyFont();
+    font.setWeight(QFont::Bold);
+    painter.setFont(font);
+    constexpr double box = 44.0;
+    constexpr double inset = 8.0;
+    const QRectF frame(view);
+    const QPointF middle = frame.center();
+    const auto letters = [&](const QRectF& where, int flags, const glm::dvec3& direction) {
+        paintText(painter, where, flags, directionLetters(direction), theme::text);
+    };
+    letters(QRectF(frame.left() + inset, middle.y() - box / 2, box, box),
+        Qt::AlignLeft | Qt::AlignVCenter, -rightLps);
+    letters(QRectF(frame.right() - inset - box, middle.y() - box / 2, box, box),
+        Qt::AlignRight | Qt::AlignVCenter, rightLps);
+    letters(QRectF(middle.x() - box / 2, frame.top() + inset + theme::viewBarHeight - 2, box, box),
+        Qt::AlignHCenter | Qt::AlignTop, -downLps);
+    letters(QRectF(middle.x() - box / 2, frame.bottom() - inset - box, box, box),
+        Qt::AlignHCenter | Qt::AlignBottom, downLps);
+    painter.restore();
+}
+
+double scaleBarLengthMm(double mmPerPixel, double maximumPixels)
+{
+    const double longest = mmPerPixel * maximumPixels;
+    const double power = std::pow(10.0, std::floor(std::log10(longest)));
+    for (const double multiple : {5.0, 2.0}) {
+        if (multiple * power <= longest)
+            return multiple * power;
+    }
+    return power;
+}
+
+void paintScaleBar(QPainter& painter, const QRect& view, int baseline, double mmPerPixel)
+{
+    const double mm = scaleBarLengthMm(mmPerPixel, 110.0);
+    const double pixels = mm / mmPerPixel;
+    const double right = view.right() + 1 - theme::padding;
+    painter.save();
+    painter.setFont(theme::smallFont());
+    const QString text =
+        mm >= 10.0 ? QStringLiteral("%1 cm").arg(mm / 10.0) : QStringLiteral("%1 mm").arg(mm);
+    paintText(painter, QRectF(right - pixels, baseline - 20, pixels, 16),
+        Qt::AlignHCenter | Qt::AlignVCenter, text, theme::text);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.fillRect(QRectF(right - pixels - 1, baseline - 3, pixels + 2, 4), QColor(0, 0, 0, 160));
+    painter.fillRect(QRectF(right - pixels, baseline - 2, pixels, 2), theme::text);
+    painter.restore();
+}
+
+void paintCrosshair(QPainter& painter, const QRect& view, const QPointF& centre,
+    const QColor& horizontal, const QColor& vertical)
+{
+    constexpr double gap = 14.0;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    const auto line = [&](QColor colour, const QPointF& from, const QPointF& to) {
+        colour.setAlpha(210);
+        QPen pen(colour, 1.0);
+        pen.setDashPattern({5.0, 4.0});
+        painter.setPen(pen);
+        painter.drawLine(from, to);
+    };
+    // Lines start at the gap, so that the dashes stand still while the crosshair rests.
+    const QPointF at(std::floor(centre.x()) + 0.5, std::floor(centre.y()) + 0.5);
+    if (at.y() >= view.top() && at.y() <= view.bottom()) {
+        line(horizontal, {at.x() - gap, at.y()}, {double(view.left()), at.y()});
+        line(horizontal, {at.x() + gap, at.y()}, {double(view.right()), at.y()});
+    }
+    if (at.x() >= view.left() && at.x() <= view.right()) {
+        line(vertical, {at.x(), at.y() - gap}, {at.x(), double(view.top())});
+        line(vertical, {at.x(), at.y() + gap}, {at.x(), double(view.bottom())});
+    }
+    painter.restore();
+}
+
+} // namespace ui

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/geometry/Camera.h"
+
+#include <QPointF>
+
+#include <optional>
+
+class QPainter;
+
+namespace ui {
+
+/// The little cube that shows how the patient lies in a 3D view; its faces bear their letters.
+class OrientationCube {
+public:
+    /// @param centre and @param edge in pixels
+    OrientationCube(const Camera& camera, const QPointF& centre, double edge);
+
+    void paint(QPainter& painter) const;
+    /// The side of the patient (outward direction) whose face is at a pixel.
+    [[nodiscard]] std::optional<glm::dvec3> sideAt(const QPointF& pixel) const;
+
+private:
+    struct Face;
+    [[nodiscard]] std::optional<Face> faceTowards(const glm::dvec3& side) const;
+
+    glm::dvec3 m_right;
+    glm::dvec3 m_up;
+    glm::dvec3 m_towardsViewer;
+    QPointF m_centre;
+    double m_edge;
+};
+
+} // namespace ui

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/overlays/Readout.h"
+
+#include "ui/base/StudyTexts.h"
+
+#include <QPointer>
+
+namespace ui {
+
+Readout::Readout(Workspace& workspace, QObject* parent)
+    : QObject(parent)
+    , m_workspace(workspace)
+{
+    connect(&workspace, &Workspace::pointedLpsChanged, this, &Readout::look);
+    connect(&workspace, &Workspace::crosshairChanged, this, &Readout::look);
+    connect(&workspace, &Workspace::documentChanged, this, &Readout::look);
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_asking = false; // a session takes its questions with it
+        m_voxel = glm::ivec3(-1);
+        look();
+    });
+}
+
+void Readout::look()
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (!volume)
+        return show({});
+    m_lps = m_workspace.pointedLps().value_or(m_workspace.crosshairLps());
+    const glm::ivec3 voxel(glm::round(volume->geometry.toIndex(m_lps)));
+    if (!volume->geometry.contains(voxel)) {
+        m_voxel = voxel;
+        return show(positionText(m_lps) + QStringLiteral(" · outside the volume"));
+    }
+    m_voxel = voxel;
+    if (m_asking) {
+        m_stale = true;
+        return;
+    }
+    m_asking = true;
+    m_stale = false;
+    m_workspace.session()->ask(core::ProbeVoxels{{voxel}},
+        [self = QPointer(this), voxel](const core::EngineResult& result) {
+            if (self)
+                self->answer(voxel, result);
+        });
+}
+
+void Readout::answer(const glm::ivec3& voxel, const core::EngineResult& result)
+{
+    m_asking = false;
+    const core::Volume* volume = m_workspace.volume();
+    if (!volume)
+        return;
+    if (voxel == m_voxel && !result.probes.empty()) {
+        const core::ProbedVoxel& probe = result.probes.front();
+        QString text = positionText(m_lps)
+            + QStringLiteral(" · voxel %1, %2, %3 · ").arg(voxel.x).arg(voxel.y).arg(voxel.z)
+            + valueText(volume->encoding.value(probe.code), volume->unit,
+                volume->maximum - volume->minimum);
+        if (const core::Segment* segment = m_workspace.session()->document().segment(probe.label))
+            text += QStringLiteral(" · ") + segment->name;
+        if (probe.tolerance)
+            text += QStringLiteral(" · joins at ") + toleranceText(*probe.tolerance, *volume);
+        show(text);
+    }
+    if (m_stale)
+        look();
+}
+
+void Readout::show(const QString& text)
+{
+    if (text == m_text)
+        return;
+    m_text = text;
+    Q_EMIT textChanged();
+}
+
+} // namespace ui

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/GenerationBar.h"
+
+#include "ui/base/CountText.h"
+#include "ui/base/Theme.h"
+#include "ui/models/SegmentListModel.h"
+#include "ui/widgets/MarkedCurve.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ui {
+
+GenerationBar::GenerationBar(QWidget* parent)
+    : QWidget(parent)
+{
+    setObjectName(QStringLiteral("generationBar"));
+    setFixedHeight(40);
+    setAccessibleName(tr("Generations of the growth"));
+}
+
+void GenerationBar::setSizes(const std::vector<std::uint32_t>& sizes)
+{
+    if (sizes == m_sizes || m_scrubbing)
+        return;
+    m_sizes = sizes;
+    m_shown = int(m_sizes.size());
+    update();
+}
+
+void GenerationBar::setLeak(const std::optional<std::pair<int, int>>& generations)
+{
+    m_leak = generations;
+    update();
+}
+
+void GenerationBar::setScrubbable(bool scrubbable)
+{
+    m_scrubbable = scrubbable;
+    setCursor(scrubbable ? Qt::SizeHorCursor : Qt::ArrowCursor);
+    setFocusPolicy(scrubbable ? Qt::ClickFocus : Qt::NoFocus);
+}
+
+QRectF GenerationBar::area() const
+{
+    return QRectF(rect()).adjusted(6.0, 6.0, -6.0, -6.0);
+}
+
+double GenerationBar::xOf(int generation) const
+{
+    const double steps = std::max<double>(1.0, double(m_sizes.size()) - 1.0);
+    return area().left() + area().width() * (generation - 1) / steps;
+}
+
+int GenerationBar::generationAt(double x) const
+{
+    const double steps = std::max<double>(1.0, double(m_sizes.size()) - 1.0);
+    const double place = 1.0 + (x - area().left()) / area().width() * steps;
+    return std::clamp(int(std::lround(place)), 1, int(m_sizes.size()));
+}
+
+void GenerationBar::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme::window);
+    painter.drawRoundedRect(QRectF(rect()), theme::cornerRadius, theme::cornerRadius);
+    if (m_sizes.empty())
+        return;
+    const QRectF room = area();
+    const double peak = std::max<double>(1.0, *std::max_element(m_sizes.begin(), m_sizes.end()));
+    QPolygonF curve;
+    for (int i = 0; i < int(m_sizes.size()); ++i)
+        curve << QPointF(
+            xOf(i + 1), room.bottom() - double(m_sizes[std::size_t(i)]) / peak * room.height());
+    if (m_leak)
+        paintLeak(painter);
+    // What is shown is filled, what the drag takes back only outlined.
+    const double mark = xOf(m_shown);
+    const MarkedCurve drawn{.curve = curve,
+        .bottom = room.bottom(),
+        .mark = mark,
+        .moving = m_scrubbing,
+        .knob = m_scrubbable};
+    paintMarkedCurve(painter, size(), drawn);
+    paintMark(painter, size(), drawn);
+}
+
+void GenerationBar::paintLeak(QPainter& painter) const
+{
+    const int last = int(m_sizes.size());
+    const QRectF zone(QPointF(xOf(std::clamp(m_leak->first, 1, last)), 3.0),
+        QPointF(xOf(std::clamp(m_leak->second, 1, last)), height() - 3.0));
+    QColor fill = theme::bad;
+    fill.setAlphaF(0.3);
+    painter.fillRect(zone, fill);
+    painter.setPen(theme::bad);
+    painter.setFont(theme::smallFont());
+    // Beside it: a narrow zone has no room for words.
+    painter.drawText(
+        QRectF(0.0, 2.0, zone.left() - 4.0, 16.0), Qt::AlignRight | Qt::AlignVCenter, tr("leak?"));
+    painter.setPen(Qt::NoPen);
+}
+
+QString GenerationBar::textFor(int generation) const
+{
+    if (generation < 1 || generation > int(m_sizes.size()))
+        return tr("Voxels that each generation of the growth added");
+    const auto upTo = m_sizes.begin() + generation;
+    const auto members = std::accumulate(m_sizes.begin(), upTo, qlonglong(0));
+    return tr("Generation %1 added %2 voxels; up to here %3 (%4)")
+        .arg(countText(generation), countText(m_sizes[std::size_t(generation - 1)]),
+            countText(members), millilitreText(members, m_voxelMm3));
+}
+
+QString GenerationBar::scrubText() const
+{
+    if (!m_scrubbing)
+        return {};
+    const auto members =
+        std::accumulate(m_sizes.begin(), m_sizes.begin() + m_shown, std::int64_t(0));
+    return tr("Generation %1 of %2 · %3")
+        .arg(countText(m_shown), countText(qlonglong(m_sizes.size())),
+            millilitreText(members, m_voxelMm3));
+}
+
+void GenerationBar::scrubTo(int generation)
+{
+    if (generation == m_shown)
+        return;
+    m_shown = generation;
+    update();
+    Q_EMIT scrubbed(generation);
+}
+
+void GenerationBar::endScrub(bool kept)
+{
+    if (!m_scrubbing)
+        return;
+    m_scrubbing = false;
+    if (!kept)
+        m_shown = int(m_sizes.size());
+    update();
+    Q_EMIT scrubEnded(kept);
+}
+
+void GenerationBar::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton || !m_scrubbable || m_sizes.empty())
+        return;
+    m_scrubbing = true;
+    QToolTip::hideText(); // it would lie over the pictures that are watched now
+    Q_EMIT scrubBegan();
+    scrubTo(generationAt(event->position().x()));
+}
+
+void GenerationBar::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!m_scrubbing)
+        return;
+    scrubTo(generationAt(event->position().x()));
+}
+
+void GenerationBar::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        endScrub(true);
+}
+
+void GenerationBar::keyPressEvent(QKeyEvent* event)
+{
+    if (m_scrubbing && event->key() == Qt::Key_Escape)
+        endScrub(false);
+    else
+        QWidget::keyPressEvent(event);
+}
+
+bool GenerationBar::event(QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QToolTip::showText(help->globalPos(),
+        m_sizes.empty() ? textFor(0) : textFor(generationAt(help->pos().x())), this);
+    return true;
+}
+
+} // namespace ui

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/GenerationSection.h"
+
+#include "ui/base/Theme.h"
+#include "ui/panels/growth/GenerationBar.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QPointer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+constexpr int countAfterMilliseconds = 120;
+
+} // namespace
+
+GenerationSection::GenerationSection(Workspace& workspace, QWidget* parent)
+    : QWidget(parent)
+    , m_workspace(workspace)
+    , m_bar(new GenerationBar(this))
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_bar);
+    m_countLater.setSingleShot(true);
+    m_countLater.setInterval(countAfterMilliseconds);
+    connect(&m_countLater, &QTimer::timeout, this, &GenerationSection::count);
+    connect(m_bar, &GenerationBar::scrubBegan, this, &GenerationSection::begin);
+    connect(m_bar, &GenerationBar::scrubbed, this, &GenerationSection::goTo);
+    connect(m_bar, &GenerationBar::scrubEnded, this, &GenerationSection::end);
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_sizes.clear();
+        m_added.clear();
+        showSizes();
+        m_countLater.start();
+    });
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            using What = core::DocumentChange::What;
+            if (change.what == What::Growth || change.what == What::History)
+                m_countLater.start();
+        });
+    m_countLater.start();
+}
+
+void GenerationSection::show(const core::GrowthProgress& progress)
+{
+    // After the end its generations are in the words, but not counted yet.
+    if (!progress.open || progress.frontSizes == m_added)
+        return;
+    m_added = progress.frontSizes;
+    showSizes();
+}
+
+void GenerationSection::showLeak(const std::optional<core::LeakAlarm>& alarm)
+{
+    std::optional<std::pair<int, int>> generations;
+    if (alarm)
+        generations = {int(alarm->narrow), int(alarm->generation)};
+    m_bar->setLeak(generations);
+}
+
+QString GenerationSection::scrubText() const
+{
+    return m_bar->scrubText();
+}
+
+void GenerationSection::count()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || m_bar->scrubbing() || session->engine().growthProgress().open)
+        return;
+    session->ask(core::CountGenerations{},
+        [section = QPointer<GenerationSection>(this)](const core::EngineResult& result) {
+            if (!section || result.error || section->m_bar->scrubbing())
+                return;
+            section->m_sizes = result.generationSizes;
+            if (!section->m_sizes.empty())
+                section->m_sizes.erase(section->m_sizes.begin()); // what was painted is no step
+            section->m_added.clear();
+            section->showSizes();
+        });
+}
+
+void GenerationSection::showSizes()
+{
+    std::vector<std::uint32_t> sizes = m_sizes;
+    sizes.insert(sizes.end(), m_added.begin(), m_added.end());
+    m_bar->setSizes(sizes);
+    const core::EditSession* session = m_workspace.session();
+    const core::Volume* volume = m_workspace.volume();
+    if (volume)
+        m_bar->setVoxelMm3(volume->geometry.voxelVolumeMm3());
+    m_bar->setScrubbable(session && m_added.empty() && sizes.size() > 1);
+}
+
+void GenerationSection::begin()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    if (const auto begun = session->begin(core::ShrinkSteps{.steps = 0}); !begun)
+        m_workspace.fail(begun.error());
+}
+
+void GenerationSection::goTo(int generation)
+{
+    core::EditSession* session = m_workspace.session();
+    const core::Growth* growth = session ? session->document().growth(0) : nullptr;
+    if (!growth)
+        return;
+    // The first generation is that of the accepted seeds: all steps lead there.
+    const int steps =
+        generation <= 1 ? int(growth->generation) : int(growth->generation) - generation;
+    session->setShrinkSteps(std::max(steps, 0));
+    Q_EMIT scrubMoved();
+}
+
+void GenerationSection::end(bool kept)
+{
+    if (core::EditSession* session = m_workspace.session(); session && session->transactionOpen())
+        session->end(kept ? core::Ending::Commit : core::Ending::Rollback);
+    m_countLater.start();
+    Q_EMIT scrubMoved();
+}
+
+} // namespace ui

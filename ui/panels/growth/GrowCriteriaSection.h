@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/settings/GrowSettings.h"
+
+#include <QWidget>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+class QToolButton;
+
+namespace ui {
+
+class FoldButton;
+class RangeSlider;
+class SeedBand;
+class Workspace;
+
+/// What growth asks for beyond its interval: one row a limit, a tick and its value. Folded it is
+/// one line that says how many are on. Part of the growth panel.
+class GrowCriteriaSection : public QWidget {
+    Q_OBJECT
+
+public:
+    /// @param band outlives the section
+    GrowCriteriaSection(Workspace& workspace, const SeedBand& band, QWidget* parent = nullptr);
+
+private:
+    /// A limit with a value.
+    struct Row {
+        GrowSettings::Limit GrowSettings::*limit = nullptr;
+        QCheckBox* on = nullptr;
+        QDoubleSpinBox* value = nullptr;
+    };
+    struct AxisRow {
+        QLabel* low = nullptr; ///< orientation letters of its ends
+        QLabel* high = nullptr;
+        RangeSlider* slider = nullptr; ///< mm from the volume's low side
+    };
+
+    void build();
+    void addRow(GrowSettings::Limit GrowSettings::*limit, const char* name, const QString& text,
+        const QString& tip);
+    void buildBox();
+    void showVolume();
+    void showSettings();
+    void showBand();
+    void change(const Row& row);
+    void takeSwitches();
+    void takeAxis(int axis, double lower, double upper);
+    void setBox(const core::ClipRegion::Box& box);
+    [[nodiscard]] core::ClipRegion::Box boxAround(const glm::dvec3& placeLps) const;
+    /// Of the active segment; none: it has none.
+    [[nodiscard]] std::optional<core::ClipRegion::Box> boxAroundSeeds() const;
+
+    Workspace& m_workspace;
+    const SeedBand& m_band;
+    FoldButton* m_fold = nullptr;
+    QWidget* m_body = nullptr;
+    QLabel* m_bandText = nullptr;
+    std::vector<Row> m_rows;
+    QCheckBox* m_onlyVisible = nullptr;
+    QCheckBox* m_boxed = nullptr;
+    QToolButton* m_setBox = nullptr;
+    QWidget* m_boxBody = nullptr;
+    std::array<AxisRow, 3> m_axes;
+};
+
+} // namespace ui

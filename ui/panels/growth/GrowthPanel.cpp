@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/GrowthPanel.h"
+
+#include "core/session/past/RecentGrowth.h"
+#include "ui/base/CountText.h"
+#include "ui/base/Icons.h"
+#include "ui/base/Theme.h"
+#include "ui/models/SegmentListModel.h"
+#include "ui/overlays/SeedBand.h"
+#include "ui/panels/growth/GenerationSection.h"
+#include "ui/panels/growth/GrowCriteriaSection.h"
+#include "ui/panels/growth/LeakSection.h"
+#include "ui/panels/growth/SeedInterval.h"
+#include "ui/panels/growth/SpreadBar.h"
+#include "ui/panels/growth/ToleranceSection.h"
+#include "ui/settings/SeedStatistics.h"
+#include "ui/tasks/LiveInterval.h"
+#include "ui/widgets/FittingLabel.h"
+#include "ui/widgets/HistogramRange.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+constexpr int watchMilliseconds = 40;
+
+QPushButton* transportButton(
+    QWidget* parent, const QString& name, const QString& icon, const QString& text)
+{
+    auto* button = new QPushButton(stateIcon(icon), text, parent);
+    button->setObjectName(name);
+    button->setFixedHeight(theme::rowHeight);
+    return button;
+}
+
+QPushButton* narrowButton(QWidget* parent, const QString& name, const QString& text)
+{
+    auto* button = new QPushButton(text, parent);
+    button->setObjectName(name);
+    button->setProperty("role", QStringLiteral("narrow"));
+    button->setFixedHeight(theme::rowHeight);
+    return button;
+}
+
+bool everySegmentLocked(const core::Document& document)
+{
+    return !document.segments.empty()
+        && std::all_of(document.segments.begin(), document.segments.end(),
+            [](const core::Segment& segment) { return segment.locked; });
+}
+
+} // namespace
+
+GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
+    : Panel(parent)
+    , m_workspace(workspace)
+{
+    build();
+    m_watch.setInterval(watchMilliseconds);
+    connect(&m_watch, &QTimer::timeout, this, &GrowthPanel::poll);
+    m_liveInterval = new LiveInterval(workspace, this);
+    connect(m_liveInterval, &LiveInterval::progressed, this, &GrowthPanel::showState);
+    connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::takeSettings);
+    connect(m_band, &SeedBand::changed, this, [this] {
+        const SeedStretches shown = m_band->stretches().value_or(SeedStretches());
+        m_range->setBands(shown.values, shown.newest);
+    });
+    connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::followInterval);
+    connect(m_range, &HistogramRange::rangeSettled, this, &GrowthPanel::settleInterval);
+    connect(m_range, &HistogramRange::rangeCancelled, m_liveInterval, &LiveInterval::cancel);
+    connect(m_liveInterval, &LiveInterval::returned, this, [this](double lower, double upper) {
+        Workspace::GrowSettings settings = m_workspace.growSettings();
+        settings.lower = lower;
+        settings.upper = upper;
+        m_workspace.setGrowSettings(settings);
+        m_range->showRange();
+    });
+    connect(m_pace, &QComboBox::activated, this, &GrowthPanel::takeSettings);
+    connect(m_overwrite, &QCheckBox::toggled, this, &GrowthPanel::takeSettings);
+    connect(m_step, &QPushButton::clicked, this, &GrowthPanel::step);
+    connect(m_play, &QPushButton::clicked, this, &GrowthPanel::playOrPause);
+    connect(m_toClosure, &QPushButton::clicked, this, &GrowthPanel::runToClosure);
+    connect(m_resume, &QPushButton::clicked, this, &GrowthPanel::resume);
+    connect(m_shrink, &QPushButton::clicked, this, &GrowthPanel::shrinkStep);
+    connect(m_toSeeds, &QPushButton::clicked, this, &GrowthPanel::shrinkToSeeds);
+    connect(m_connectivity, &QComboBox::activated, this, &GrowthPanel::takeSettings);
+
+    connect(&workspace, &Workspace::sessionChanged, this, &GrowthPanel::showVolume);
+    connect(&workspace, &Workspace::growSettingsChanged, this, &GrowthPanel::showSettings);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
+        m_fromSeeds->ask();
+        showState();
+        Q_EMIT summaryChanged(summary());
+    });
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::History)
+                m_fromSeeds->ask();
+            showState();
+            Q_EMIT summaryChanged(summary());
+        });
+    showVolume();
+}
+
+void GrowthPanel::build()
+{
+    m_band = new SeedBand(m_workspace, this);
+    m_criteria = new GrowCriteriaSection(m_workspace, *m_band, this);
+    m_range = new HistogramRange(this);
+    m_range->setObjectName(QStringLiteral("growthInterval"));
+    m_fromSeeds = new SeedInterval(m_workspace, this);
+    connect(m_fromSeeds, &SeedInterval::valuesChanged, this, [this] {
+        m_range->setMarkers(m_fromSeeds->values());
+        showState();
+    });
+    connect(m_fromSeeds, &SeedInterval::intervalTaken, this, [this] {
+        m_range->zoomToRange();
+        followInterval();
+        settleInterval();
+    });
+    m_range->setMiddleWidget(m_fromSeeds);
+    m_step = transportButton(this, QStringLiteral("growStep"), QStringLiteral("step"), tr("Step"));
+    m_step->setToolTip(tr("Grow by one generation"));
+    m_play = transportButton(this, QStringLiteral("growPlay"), QStringLiteral("play"), tr("Grow"));
+    m_play->setDefault(true);
+    m_toClosure =
+        transportButton(this, QStringLiteral("growToClosure"), QStringLiteral("to-end"), tr("All"));
+    m_toClosure->setToolTip(tr("Grow until nothing is left within the interval"));
+    // No pictures on these: the panel is narrow, and the words must be whole.
+    m_shrink = narrowButton(this, QStringLiteral("growShrink"), tr("Shrink"));
+    m_shrink->setToolTip(tr("Take back the last generation; hold it down for more"));
+    m_shrink->setAutoRepeat(true);
+    m_toSeeds = narrowButton(this, QStringLiteral("growToSeeds"), tr("To seeds"));
+    m_toSeeds->setToolTip(tr("Take back all that has grown; the accepted seeds stay"));
+    m_resume = narrowButton(this, QStringLiteral("growResume"), tr("Resume"));
+    m_resume->setToolTip(
+        tr("Go on with the criteria of the growth before; seeds sketched since take part"));
+    m_live = new QCheckBox(tr("live interval"), this);
+    m_live->setObjectName(QStringLiteral("growLive"));
+    m_live->setToolTip(
+        tr("What has grown follows the interval while you move it: wider bounds recover voxels, "
+           "narrower ones take them back with what hung on them"));
+    m_live->setChecked(true);
+    m_connectivity = new QComboBox(this);
+    m_connectivity->setObjectName(QStringLiteral("growConnectivity"));
+    m_connectivity->setFixedHeight(theme::controlHeight);
+    m_connectivity->setToolTip(tr(
+        "Voxels that grow into each other share a face (6 neighbours), a face or an edge (18), or "
+        "a corner too (26)"));
+    m_connectivity->addItem(tr("faces"), 6);
+    m_connectivity->addItem(tr("edges"), 18);
+    m_connectivity->addItem(tr("corners"), 26);
+    m_pace = new QComboBox(this);
+    m_pace->setObjectName(QStringLiteral("growPace"));
+    m_pace->setFixedHeight(theme::controlHeight);
+    m_pace->addItem(tr("full speed"), 0.0);
+    for (const double pace : {60.0, 20.0, 5.0})
+        m_pace->addItem(tr("%1 steps / s").arg(pace), pace);
+    m_overwrite = new QCheckBox(tr("overwrite"), this);
+    m_overwrite->setToolTip(tr("Take voxels of other segments that are not locked"));
+    m_overwrite->setObjectName(QStringLiteral("growOverwrite"));
+    m_advice = new QLabel(this);
+    m_advice->setObjectName(QStringLiteral("growAdvice"));
+    m_advice->setFont(theme::smallFont());
+    m_advice->setWordWrap(true);
+    m_leak = new LeakSection(m_workspace, this);
+    connect(m_leak, &LeakSection::goOnAsked, this, &GrowthPanel::playOrPause);
+    m_progress = new FittingLabel(Qt::AlignLeft, this);
+    m_progress->setObjectName(QStringLiteral("growProgress"));
+    m_progress->setFont(theme::smallFont());
+    m_progress->setProperty("role", QStringLiteral("secondary"));
+    m_generations = new GenerationSection(m_workspace, this);
+    connect(m_generations, &GenerationSection::scrubMoved, this, &GrowthPanel::showState);
+    connect(m_leak, &LeakSection::alarmChanged, m_generations, &GenerationSection::showLeak);
+
+    auto* transport = new QHBoxLayout;
+    transport->setSpacing(theme::smallPadding);
+    transport->addWidget(m_step, 2);
+    transport->addWidget(m_play, 3);
+    transport->addWidget(m_toClosure, 2);
+    auto* back = new QHBoxLayout;
+    back->setSpacing(theme::smallPadding);
+    back->addWidget(m_shrink, 1);
+    back->addWidget(m_toSeeds, 1);
+    back->addWidget(m_connectivity, 1);
+    auto* again = new QHBoxLayout;
+    again->setSpacing(theme::smallPadding);
+    again->addWidget(m_resume, 1);
+    again->addWidget(m_live, 1);
+    auto* pace = new QHBoxLayout;
+    auto* paceLabel = new QLabel(tr("Pace"), this);
+    paceLabel->setProperty("role", QStringLiteral("secondary"));
+    pace->setSpacing(theme::smallPadding);
+    pace->addWidget(paceLabel);
+    pace->addWidget(m_pace, 1);
+    pace->addWidget(m_overwrite);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, theme::padding);
+    layout->setSpacing(theme::smallPadding);
+    layout->addWidget(m_range);
+    layout->addWidget(m_criteria);
+    layout->addWidget(new ToleranceSection(m_workspace, this));
+    layout->addLayout(transport);
+    layout->addLayout(back);
+    layout->addLayout(again);
+    layout->addWidget(m_advice);
+    layout->addWidget(m_leak);
+    layout->addLayout(pace);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_generations);
+    layout->addWidget(new SpreadBar(m_workspace, this));
+}
+
+QString GrowthPanel::title() const
+{
+    return tr("Growth");
+}
+
+QString GrowthPanel::summary() const
+{
+    const core::EditSession* session = m_workspace.session();
+    const core::Segment* segment =
+        session ? session->document().segment(m_workspace.activeSegment()) : nullptr;
+    return segment ? segment->name : QString();
+}
+
+core::GrowSteps GrowthPanel::growEdit() const
+{
+    return growthOf(m_workspace.growSettings());
+}
+
+void GrowthPanel::showVolume()
+{
+    m_watch.stop();
+    m_running = false;
+    m_fromSeeds->forget();
+    m_fronts.clear();
+    const core::Volume* volume = m_workspace.volume();
+    setEnabled(volume != nullptr);
+    if (volume) {
+        m_range->setHistogram(volume->histogram, volume->unit);
+        Workspace::GrowSettings settings = m_workspace.growSettings();
+        // An interval of another study means nothing here: start with what the 3D view shows.
+        const bool fits = settings.lower < settings.upper && settings.lower >= volume->minimum
+            && settings.upper <= volume->maximum;
+        if (!fits) {
+            const double shown = m_workspace.volumeDisplay().surfaceThreshold;
+            settings.lower = std::clamp(shown, volume->minimum, volume->maximum);
+            settings.upper = volume->maximum;
+            m_workspace.setGrowSettings(settings);
+        }
+        takeRecentCriteria();
+    }
+    showSettings();
+    m_range->showRange();
+    m_fromSeeds->ask();
+    showState();
+    Q_EMIT summaryChanged(summary());
+}
+
+/// What a recipe has grown goes on by its own criteria; what a window has kept for the session
+/// comes after this and wins (DisplayState).
+void GrowthPanel::takeRecentCriteria()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    if (const auto criteria = core::recentCriteria(session->history())) {
+        Workspace::GrowSettings settings = m_workspace.growSettings();
+        takeCriteria(*criteria, settings);
+        m_workspace.setGrowSettings(settings);
+    }
+}
+
+void GrowthPanel::showSettings()
+{
+    const Workspace::GrowSettings& settings = m_workspace.growSettings();
+    m_range->setRange(settings.lower, settings.upper);
+    const QSignalBlocker overwrite(m_overwrite);
+    m_overwrite->setChecked(settings.overwriteUnlocked);
+    m_pace->setCurrentIndex(std::max(0, m_pace->findData(settings.generationsPerSecond)));
+    m_connectivity->setCurrentIndex(std::max(0, m_connectivity->findData(settings.connectivity)));
+}
+
+void GrowthPanel::takeSettings()
+{
+    Workspace::GrowSettings settings = m_workspace.growSettings();
+    settings.lower = m_range->lower();
+    settings.upper = m_range->upper();
+    settings.overwriteUnlocked = m_overwrite->isChecked();
+    settings.connectivity = m_connectivity->currentData().toInt();
+    settings.generationsPerSecond = m_pace->currentData().toDouble();
+    m_workspace.setGrowSettings(settings);
+}
+
+void GrowthPanel::followInterval()
+{
+    if (m_live->isChecked() && !m_running && m_liveInterval->possible())
+        m_liveInterval->move(m_range->lower(), m_range->upper());
+}
+
+void GrowthPanel::settleInterval()
+{
+    if (m_liveInterval->follows())
+        m_liveInterval->settle();
+}
+
+bool GrowthPanel::begin(const core::Edit& growth, double generationsPerSecond)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return false;
+    if (const auto begun = session->begin(growth); !begun) {
+        m_workspace.fail(begun.error());
+        return false;
+    }
+    m_running = true;
+    m_leak->showAlarm({});
+    core::GrowAdvance advance;
+    advance.generationsPerSecond = generationsPerSecond;
+    session->extendGrowth(advance);
+    m_watch.start();
+    showState();
+    return true;
+}
+
+void GrowthPanel::step()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || m_running)
+        return;
+    core::GrowSteps edit = growEdit();
+    edit.steps = 1;
+    if (const auto applied = session->apply(edit); !applied)
+        m_workspace.fail(applied.error());
+}
+
+void GrowthPanel::playOrPause()
+{
+    if (m_running) {
+        m_workspace.session()->pauseGrowth();
+        finish();
+    } else {
+        begin(growEdit(), m_workspace.growSettings().generationsPerSecond);
+    }
+}
+
+void GrowthPanel::resume()
+{
+    if (!m_running)
+        begin(core::ResumeGrowth{}, m_workspace.growSettings().generationsPerSecond);
+}
+
+void GrowthPanel::runToClosure()
+{
+    if (!m_running)
+        begin(growEdit(), 0.0);
+}
+
+void GrowthPanel::shrinkStep()
+{
+    shrink(1);
+}
+
+void GrowthPanel::shrinkToSeeds()
+{
+    shrink({});
+}
+
+void GrowthPanel::shrink(std::optional<int> steps)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || m_running)
+        return;
+    if (const auto applied = session->apply(core::ShrinkSteps{.steps = steps}); !applied)
+        m_workspace.fail(applied.error());
+}
+
+void GrowthPanel::finish()
+{
+    m_watch.stop();
+    m_running = false;
+    if (core::EditSession* session = m_workspace.session(); session && session->transactionOpen())
+        session->end(core::Ending::Commit);
+    showState();
+}
+
+void GrowthPanel::poll()
+{
+    core::EditSession* session = m_workspace.session();
+    // Another edit, undo or export closes a running burst by itself.
+    if (!session || !session->transactionOpen()) {
+        finish();
+        return;
+    }
+    const core::GrowthProgress progress = session->engine().growthProgress();
+    if (progress.open && progress.alarm) {
+        const std::optional<core::LeakAlarm> alarm = progress.alarm;
+        finish();
+        m_leak->showAlarm(alarm);
+        m_workspace.say(tr("The growth has stopped: it may have begun to leak"));
+        return;
+    }
+    if (progress.open && progress.atClosure) {
+        finish();
+        m_workspace.say(tr("The growth is complete: nothing is left within the interval"));
+        return;
+    }
+    showState();
+}
+
+void GrowthPanel::showState()
+{
+    core::EditSession* session = m_workspace.session();
+    const int seeds = session ? sketchedSeeds(*session) : 0;
+    const bool allLocked = session && everySegmentLocked(session->document());
+    const bool canGrow = m_running || (seeds > 0 && !allLocked);
+    m_step->setEnabled(canGrow && !m_running);
+    m_play->setEnabled(canGrow);
+    m_toClosure->setEnabled(canGrow && !m_running);
+    const core::Growth* growth = session ? session->document().growth(0) : nullptr;
+    const bool canShrink = growth && growth->generation > 1 && !allLocked && !m_running;
+    const bool hasGrown = session && core::recentCriteria(session->history()).has_value();
+    m_resume->setEnabled(canGrow && !m_running && hasGrown);
+    m_live->setEnabled(hasGrown);
+    m_shrink->setEnabled(canShrink);
+    m_toSeeds->setEnabled(canShrink);
+    // Dark on the accent, as its text is.
+    m_play->setIcon(QIcon(tintedIcon(m_running ? QStringLiteral("pause") : QStringLiteral("play"),
+        canGrow ? theme::window : theme::secondary, 16, devicePixelRatioF())));
+    m_play->setText(m_running ? tr("Pause") : tr("Grow"));
+
+    if (seeds == 0) {
+        m_advice->setText(tr("No seeds yet: take the Seed tool and sketch on what belongs to the "
+                             "segment."));
+    } else if (m_running) {
+        m_advice->setText(tr("Growing; Pause keeps what has grown."));
+    } else if (allLocked) {
+        m_advice->setText(tr("Every segment is locked: unlock the one that is to grow."));
+    } else {
+        m_advice->setText(m_fromSeeds->text(seeds));
+    }
+
+    const core::GrowthProgress progress =
+        session ? session->engine().growthProgress() : core::GrowthProgress();
+    if (progress.open)
+        m_fronts = progress.frontSizes;
+    m_progress->setText(progressText(progress));
+    m_generations->show(progress);
+}
+
+QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return {};
+    const core::Document& document = session->document();
+    const double voxelMm3 = document.volumes.front().geometry.voxelVolumeMm3();
+    if (!m_generations->scrubText().isEmpty())
+        return m_generations->scrubText();
+    if (progress.open && progress.members > 0)
+        return tr("Generation %1 · front %2 · +%3")
+            .arg(countText(progress.generation),
+                countText(m_fronts.empty() ? 0 : qlonglong(m_fronts.back())),
+                millilitreText(progress.members, voxelMm3));
+    const std::uint32_t generation = progress.open ? progress.generation
+        : document.growths.empty()                 ? 0
+                                                   : document.growths.front().generation;
+    const core::History& history = session->history();
+    const core::HistoryRow* row =
+        progress.open || history.position() == 0 ? nullptr : &history.row(history.position());
+    const auto told = [&](const QString& text) {
+        return text.arg(
+            countText(generation), millilitreText(row->statistics.voxelsChanged, voxelMm3));
+    };
+    if (row && std::holds_alternative<core::GrowSteps>(row->edit))
+        return told(tr("Generation %1 · added %2"));
+    if (row && std::holds_alternative<core::ShrinkSteps>(row->edit))
+        return told(tr("Generation %1 · taken back %2"));
+    if (row && std::holds_alternative<core::ChangeInterval>(row->edit))
+        return told(tr("Generation %1 · changed by %2"));
+    return tr("Generation %1").arg(countText(generation));
+}
+
+} // namespace ui

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/Edits.h"
+#include "core/engine/EngineCommands.h"
+#include "ui/frame/Panel.h"
+
+#include <QTimer>
+
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace ui {
+
+class GenerationSection;
+class GrowCriteriaSection;
+class HistogramRange;
+class LeakSection;
+class LiveInterval;
+class SeedBand;
+class SeedInterval;
+class Workspace;
+
+/// Region growing (seed A §5): the interval, and transport buttons like a player's. A burst lasts
+/// from a press on play to pause or closure and is one step of undo; a single step is one as well.
+class GrowthPanel : public Panel {
+    Q_OBJECT
+
+public:
+    explicit GrowthPanel(Workspace& workspace, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString summary() const override;
+
+    /// The edit that the settings stand for; the steps are what the transport adds.
+    [[nodiscard]] core::GrowSteps growEdit() const;
+    [[nodiscard]] bool running() const { return m_running; }
+
+public Q_SLOTS:
+    void step();
+    void playOrPause();
+    void runToClosure();
+    void resume();
+    void shrinkStep();
+    void shrinkToSeeds();
+
+private:
+    void build();
+    void showVolume();
+    void takeRecentCriteria();
+    void showSettings();
+    void takeSettings();
+    void showState();
+    [[nodiscard]] QString progressText(const core::GrowthProgress& progress) const;
+    void poll();
+    bool begin(const core::Edit& growth, double generationsPerSecond);
+    void followInterval();
+    void settleInterval();
+    void shrink(std::optional<int> steps);
+    void finish();
+
+    Workspace& m_workspace;
+    SeedBand* m_band = nullptr;
+    HistogramRange* m_range = nullptr;
+    GrowCriteriaSection* m_criteria = nullptr;
+    SeedInterval* m_fromSeeds = nullptr;
+    QPushButton* m_step = nullptr;
+    QPushButton* m_play = nullptr;
+    QPushButton* m_toClosure = nullptr;
+    QPushButton* m_shrink = nullptr;
+    QPushButton* m_toSeeds = nullptr;
+    QPushButton* m_resume = nullptr;
+    QCheckBox* m_live = nullptr;
+    LiveInterval* m_liveInterval = nullptr;
+    QComboBox* m_connectivity = nullptr;
+    QComboBox* m_pace = nullptr;
+    QCheckBox* m_overwrite = nullptr;
+    QLabel* m_advice = nullptr;
+    LeakSection* m_leak = nullptr;
+    QLabel* m_progress = nullptr;
+    GenerationSection* m_generations = nullptr;
+    QTimer m_watch; ///< only shows; decides nothing about voxels
+    std::vector<std::uint32_t> m_fronts; ///< of the last burst that was watched
+    bool m_running = false;
+};
+
+} // namespace ui

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/LeakSection.h"
+
+#include "core/session/EditSession.h"
+#include "ui/base/CountText.h"
+#include "ui/base/Theme.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr double um2PerMm2 = 1.0e6;
+
+/// A recipe of before may have counted voxels.
+QString widthText(const core::LeakAlarm& alarm)
+{
+    if (alarm.areaUm2 == 0)
+        return LeakSection::tr("%1 voxels").arg(countText(alarm.voxels));
+    return LeakSection::tr("%1 mm²").arg(
+        countText(std::int64_t(std::llround(double(alarm.areaUm2) / um2PerMm2))));
+}
+
+} // namespace
+
+LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
+    : QWidget(parent)
+    , m_workspace(workspace)
+    , m_guard(new QCheckBox(tr("stop at leaks"), this))
+    , m_factor(new QDoubleSpinBox(this))
+    , m_area(new QDoubleSpinBox(this))
+    , m_barriers(new QCheckBox(tr("show barriers"), this))
+    , m_offer(new QWidget(this))
+    , m_text(new QLabel(m_offer))
+{
+    m_guard->setObjectName(QStringLiteral("growGuard"));
+    m_guard->setToolTip(
+        tr("Growth stops where a front that came out of a narrow place gets wide quickly"));
+    m_factor->setObjectName(QStringLiteral("growGuardFactor"));
+    m_factor->setToolTip(tr(
+        "How many times as wide as the narrow place a front may get: less stops sooner, and more "
+        "often without need"));
+    m_factor->setFixedHeight(theme::controlHeight);
+    m_factor->setRange(leastGuard, greatestGuard);
+    m_factor->setDecimals(1);
+    m_factor->setSingleStep(0.1);
+    m_factor->setPrefix(tr("at "));
+    m_factor->setSuffix(tr(" × wider"));
+    m_area->setObjectName(QStringLiteral("growGuardArea"));
+    m_area->setToolTip(
+        tr("How much wider besides: small vessels need less, else their leaks pass unseen"));
+    m_area->setFixedHeight(theme::controlHeight);
+    m_area->setRange(leastGuardAreaMm2, greatestGuardAreaMm2);
+    m_area->setDecimals(1);
+    m_area->setSingleStep(5.0);
+    m_area->setPrefix(tr("by "));
+    m_area->setSuffix(tr(" mm²"));
+    m_barriers->setObjectName(QStringLiteral("growBarriers"));
+    m_barriers->setToolTip(
+        tr("What is shut to growth: stripes in slices, translucent in the 3D view"));
+    m_text->setObjectName(QStringLiteral("leakText"));
+    m_text->setFont(theme::smallFont());
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::RichText);
+    connect(m_text, &QLabel::linkActivated, this, &LeakSection::showPlace);
+    m_text->setStyleSheet(QStringLiteral("color: %1").arg(theme::caution.name()));
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(theme::smallPadding);
+    const auto add = [&](const char* name, const QString& text, const QString& tip,
+                         void (LeakSection::*slot)()) {
+        auto* button = new QPushButton(text, m_offer);
+        button->setObjectName(QLatin1String(name));
+        button->setProperty("role", QStringLiteral("narrow"));
+        button->setFixedHeight(theme::rowHeight);
+        button->setToolTip(tip);
+        buttons->addWidget(button, 1);
+        connect(button, &QPushButton::clicked, this, slot);
+    };
+    add("leakPlug", tr("Plug"),
+        tr("Shut the narrow place, take back what lies beyond, and grow on elsewhere"),
+        &LeakSection::plug);
+    add("leakReject", tr("Reject"), tr("Take back what has grown since the narrow place"),
+        &LeakSection::reject);
+    add("leakAccept", tr("Accept"), tr("It is no leak: grow on"), &LeakSection::accept);
+    auto* offer = new QVBoxLayout(m_offer);
+    offer->setContentsMargins(0, 0, 0, 0);
+    offer->setSpacing(theme::smallPadding);
+    offer->addWidget(m_text);
+    offer->addLayout(buttons);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(theme::smallPadding);
+    auto* guard = new QHBoxLayout;
+    guard->setSpacing(theme::smallPadding);
+    guard->addWidget(m_guard, 1);
+    guard->addWidget(m_factor);
+    layout->addLayout(guard);
+    auto* more = new QHBoxLayout;
+    more->setSpacing(theme::smallPadding);
+    more->addWidget(m_barriers, 1);
+    more->addWidget(m_area);
+    layout->addLayout(more);
+    layout->addWidget(m_offer);
+    m_offer->hide();
+    connect(m_guard, &QCheckBox::toggled, this, &LeakSection::takeSettings);
+    connect(m_factor, &QDoubleSpinBox::valueChanged, this, &LeakSection::takeSettings);
+    connect(m_area, &QDoubleSpinBox::valueChanged, this, &LeakSection::takeSettings);
+    connect(m_barriers, &QCheckBox::toggled, this, [this](bool shown) {
+        Workspace::ViewOptions options = m_workspace.viewOptions();
+        options.showBarriers = shown;
+        m_workspace.setViewOptions(options);
+    });
+    connect(&workspace, &Workspace::viewOptionsChanged, this, &LeakSection::showBarriers);
+    connect(&workspace, &Workspace::growSettingsChanged, this, &LeakSection::showSettings);
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_told = 0;
+        showAlarm({});
+    });
+    connect(&workspace, &Workspace::documentChanged, this, &LeakSection::follow);
+    showSettings();
+    showBarriers();
+}
+
+void LeakSection::showBarriers()
+{
+    const QSignalBlocker quiet(m_barriers);
+    m_barriers->setChecked(m_workspace.viewOptions().showBarriers);
+}
+
+void LeakSection::showSettings()
+{
+    const GrowSettings& settings = m_workspace.growSettings();
+    const GrowSettings::Limit& guard = settings.guard;
+    const QSignalBlocker quietGuard(m_guard);
+    const QSignalBlocker quietFactor(m_factor);
+    const QSignalBlocker quietArea(m_area);
+    m_guard->setChecked(guard.on);
+    m_factor->setValue(guard.value);
+    m_factor->setEnabled(guard.on);
+    m_area->setValue(settings.guardAreaMm2);
+    m_area->setEnabled(guard.on);
+}
+
+void LeakSection::takeSettings()
+{
+    GrowSettings settings = m_workspace.growSettings();
+    settings.guard = {.on = m_guard->isChecked(), .value = m_factor->value()};
+    settings.guardAreaMm2 = m_area->value();
+    m_workspace.setGrowSettings(settings);
+}
+
+void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
+{
+    m_alarm = alarm;
+    m_stands = false;
+    Q_EMIT alarmChanged(m_alarm);
+    // Else the focus would go to whatever comes next in the panel.
+    if (!alarm && m_offer->isAncestorOf(focusWidget()))
+        m_guard->setFocus();
+    m_offer->setVisible(alarm.has_value());
+    m_workspace.setWarnAfter(alarm ? std::optional(alarm->narrow) : std::nullopt);
+    if (alarm)
+        m_text->setText(tr("A leak? Generation %1 burst out of a narrow place, %2 wide. %3")
+                            .arg(countText(alarm->generation), widthText(*alarm),
+                                QStringLiteral("<a href=\"show\" style=\"color: %1\">%2</a>")
+                                    .arg(theme::accent.name(), tr("Show\u00a0it"))));
+}
+
+/// A growth that ended with an alarm is told of once, however it was made. Undone, shrunk or grown
+/// on by other means, there is nothing to decide any more.
+void LeakSection::follow()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    const core::RowId row = session->history().position();
+    const std::optional<core::LeakAlarm> alarm = session->leakAlarm();
+    if (alarm && row != std::exchange(m_told, row) && alarm != m_alarm)
+        showAlarm(alarm);
+    if (!m_alarm)
+        return;
+    const core::Growth* growth = session->document().growth(0);
+    const bool there = growth && growth->generation == m_alarm->generation;
+    if (m_stands && !there)
+        showAlarm({});
+    else
+        m_stands = there;
+}
+
+void LeakSection::apply(const core::Edit& edit)
+{
+    if (const auto applied = m_workspace.session()->apply(edit); !applied)
+        m_workspace.fail(applied.error());
+}
+
+void LeakSection::showPlace()
+{
+    if (m_alarm)
+        m_workspace.setCrosshairLps(
+            m_workspace.volume()->geometry.toWorld(glm::dvec3(m_alarm->voxel)));
+}
+
+void LeakSection::accept()
+{
+    showAlarm({});
+    Q_EMIT goOnAsked();
+}
+
+void LeakSection::reject()
+{
+    const core::LeakAlarm alarm = *m_alarm;
+    showAlarm({});
+    apply(core::ShrinkSteps{.steps = int(alarm.generation - alarm.narrow)});
+}
+
+void LeakSection::plug()
+{
+    const core::LeakAlarm alarm = *m_alarm;
+    showAlarm({});
+    apply(core::PlugLeak{
+        .pointLps = m_workspace.volume()->geometry.toWorld(glm::dvec3(alarm.voxel))});
+    Q_EMIT goOnAsked();
+}
+
+} // namespace ui

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/Edits.h"
+#include "core/engine/EngineCommands.h"
+#include "core/history/History.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+
+namespace ui {
+
+class Workspace;
+
+/// The leak guard of the growth panel: whether growth stops where a front bursts out of a narrow
+/// place, and, when it did, what is to become of it; and whether the barriers that keep it out are
+/// shown.
+class LeakSection : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LeakSection(Workspace& workspace, QWidget* parent = nullptr);
+
+    /// Offers what can be done; none: nothing any more.
+    void showAlarm(const std::optional<core::LeakAlarm>& alarm);
+
+Q_SIGNALS:
+    void goOnAsked();
+    /// What is offered to be decided on; none: nothing any more.
+    void alarmChanged(const std::optional<core::LeakAlarm>& alarm);
+
+private:
+    void showSettings();
+    void takeSettings();
+    void showBarriers();
+    void follow();
+    void showPlace();
+    void accept();
+    void reject();
+    void plug();
+    void apply(const core::Edit& edit);
+
+    Workspace& m_workspace;
+    QCheckBox* m_guard = nullptr;
+    QDoubleSpinBox* m_factor = nullptr;
+    QDoubleSpinBox* m_area = nullptr;
+    QCheckBox* m_barriers = nullptr;
+    QWidget* m_offer = nullptr;
+    QLabel* m_text = nullptr;
+    std::optional<core::LeakAlarm> m_alarm;
+    bool m_stands = false; ///< the growth has come to the alarm's generation
+    core::RowId m_told = 0; ///< the last growth whose alarm was shown
+};
+
+} // namespace ui

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/lists/SegmentDelegate.h"
+
+#include "ui/base/Icons.h"
+#include "ui/base/Theme.h"
+#include "ui/models/SegmentListModel.h"
+#include "ui/panels/lists/EyeRowDelegate.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+namespace ui {
+
+namespace {
+
+constexpr int nameLeft = 66;
+constexpr int lockWidth = 22;
+constexpr int volumeWidth = 74;
+
+QRect nameRect(const QRect& row)
+{
+    return {
+        row.left() + nameLeft, row.top() + 3, row.width() - nameLeft - volumeWidth - lockWidth, 18};
+}
+
+} // namespace
+
+QRect SegmentDelegate::eyeRect(const QRect& row)
+{
+    return EyeRowDelegate::eyeRect(row);
+}
+
+QRect SegmentDelegate::colourRect(const QRect& row)
+{
+    return {row.left() + 40, row.top() + (row.height() - 14) / 2, 14, 14};
+}
+
+QRect SegmentDelegate::codeRect(const QRect& row)
+{
+    return {row.left() + nameLeft, row.top() + 21, row.width() - nameLeft - lockWidth - 8, 16};
+}
+
+QRect SegmentDelegate::lockRect(const QRect& row)
+{
+    return {row.right() - lockWidth, row.top() + 4, 16, 16};
+}
+
+QRect SegmentDelegate::shieldRect(const QRect& row)
+{
+    return lockRect(row).translated(0, 17);
+}
+
+QSize SegmentDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const
+{
+    return {160, rowHeight};
+}
+
+void SegmentDelegate::paint(
+    QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    const QRect row = option.rect;
+    const bool active = index.data(SegmentListModel::ActiveRole).toBool();
+    const bool visible = index.data(SegmentListModel::VisibleRole).toBool();
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    paintRowGround(painter, option, active);
+    const double ratio = painter->device()->devicePixelRatioF();
+    painter->drawPixmap(eyeRect(row),
+        tintedIcon(visible ? QStringLiteral("eye") : QStringLiteral("eye-off"),
+            visible ? theme::text : theme::secondary, 20, ratio));
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(index.data(SegmentListModel::ColourRole).value<QColor>());
+    painter->drawRoundedRect(colourRect(row), 3.0, 3.0);
+
+    painter->setFont(option.font);
+    painter->setPen(visible ? theme::text : theme::secondary);
+    painter->drawText(nameRect(row), Qt::AlignLeft | Qt::AlignVCenter,
+        QFontMetrics(option.font)
+            .elidedText(index.data().toString(), Qt::ElideRight, nameRect(row).width()));
+    const bool coded = !index.data(SegmentListModel::CodeRole).toStringList().isEmpty();
+    painter->setFont(theme::smallFont());
+    painter->setPen(coded ? theme::secondary : theme::caution);
+    painter->drawText(codeRect(row), Qt::AlignLeft | Qt::AlignVCenter,
+        QFontMetrics(theme::smallFont())
+            .elidedText(index.data(SegmentListModel::CodeTextRole).toString(), Qt::ElideRight,
+                codeRect(row).width()));
+    const bool unwritten = index.data(SegmentListModel::UnwrittenRole).toBool();
+    painter->setPen(unwritten ? theme::caution : theme::secondary);
+    const QRect volume(row.right() - lockWidth - volumeWidth, row.top() + 3, volumeWidth - 4, 18);
+    const QString millilitres = index.data(SegmentListModel::VolumeRole).toString();
+    painter->drawText(volume, Qt::AlignRight | Qt::AlignVCenter,
+        unwritten ? QStringLiteral("≠ ") + millilitres : millilitres);
+    const bool locked = index.data(SegmentListModel::LockedRole).toBool();
+    const bool isProtected = index.data(SegmentListModel::ProtectedRole).toBool();
+    // What is not on says where to click, to who is looking there.
+    const bool looking = option.state.testFlag(QStyle::State_MouseOver);
+    if (locked || looking) {
+        painter->drawPixmap(lockRect(row),
+            tintedIcon(locked ? QStringLiteral("lock") : QStringLiteral("unlock"),
+                locked ? theme::text : theme::secondary, 16, ratio));
+    }
+    if (isProtected || looking) {
+        if (!isProtected)
+            painter->setOpacity(0.45);
+        painter->drawPixmap(shieldRect(row),
+            tintedIcon(QStringLiteral("shield"), isProtected ? theme::accent : theme::secondary, 16,
+                ratio));
+    }
+    painter->restore();
+}
+
+bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
+    const QStyleOptionViewItem& option, const QModelIndex& index)
+{
+    const bool press = event->type() == QEvent::MouseButtonPress;
+    const bool release = event->type() == QEvent::MouseButtonRelease;
+    const bool twice = event->type() == QEvent::MouseButtonDblClick;
+    if (press || release || twice) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        const QPoint at = mouse->position().toPoint();
+        const bool eye = eyeRect(option.rect).adjusted(-6, -10, 4, 10).contains(at);
+        const bool colour = colourRect(option.rect).adjusted(-5, -13, 5, 13).contains(at);
+        const bool code = codeRect(option.rect).contains(at);
+        const bool lock = lockRect(option.rect).adjusted(-3, -4, 4, 0).contains(at);
+        const bool shield = shieldRect(option.rect).adjusted(-3, 0, 4, 3).contains(at);
+        if (mouse->button() == Qt::LeftButton && (eye || colour || code || lock || shield)) {
+            // On release, so that a click begun elsewhere does nothing; a double click is two
+            // clicks.
+            if (release && eye) {
+                model->setData(index, !index.data(SegmentListModel::VisibleRole).toBool(),
+                    SegmentListModel::VisibleRole);
+            } else if (release && lock) {
+                model->setData(index, !index.data(SegmentListModel::LockedRole).toBool(),
+                    SegmentListModel::LockedRole);
+            } else if (release && shield) {
+                model->setData(index, !index.data(SegmentListModel::ProtectedRole).toBool(),
+                    SegmentListModel::ProtectedRole);
+            } else if (release && colour) {
+                Q_EMIT colourAsked(index);
+            } else if (release && code) {
+                Q_EMIT codeAsked(index);
+            }
+            return eye || colour || lock || shield || twice;
+        }
+    }
+    return QStyledItemDelegate::editorEvent(event, model, option, index);
+}
+
+void SegmentDelegate::updateEditorGeometry(
+    QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const
+{
+    editor->setGeometry(nameRect(option.rect).adjusted(-8, -2, 0, 4));
+}
+
+} // namespace ui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/frame/Panel.h"
+
+#include <QTimer>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSlider;
+
+namespace ui {
+
+class Workspace;
+
+/// A segment and what lies around it divided into chunks: into how many, and how they are shown.
+class ChunksPanel : public Panel {
+    Q_OBJECT
+
+public:
+    explicit ChunksPanel(Workspace& workspace, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString summary() const override;
+    [[nodiscard]] bool foldedAtFirst() const override { return true; }
+
+private:
+    void buildDividing();
+    void buildLook();
+    void show();
+    void showStage();
+    void takeLook();
+
+    Workspace& m_workspace;
+    QLabel* m_whose = nullptr;
+    QDoubleSpinBox* m_margin = nullptr;
+    QPushButton* m_divide = nullptr;
+    QWidget* m_waiting = nullptr; ///< while chunks are being worked out
+    QProgressBar* m_progress = nullptr;
+    QLabel* m_step = nullptr;
+    QTimer m_asking; ///< how far it is, while it is waited for
+    QWidget* m_looks = nullptr; ///< of a division
+    QCheckBox* m_shown = nullptr;
+    QLabel* m_state = nullptr;
+    QSlider* m_count = nullptr; ///< hundredths of its logarithm
+    QLabel* m_countText = nullptr;
+    QSlider* m_opacity = nullptr;
+    QLabel* m_opacityText = nullptr;
+    QComboBox* m_bodies = nullptr;
+    QLabel* m_hint = nullptr;
+};
+
+} // namespace ui

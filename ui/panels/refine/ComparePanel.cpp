@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/refine/ComparePanel.h"
+
+#include "ui/base/Theme.h"
+#include "ui/tasks/MaskImporter.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+QLabel* smallLabel(const QString& text, QWidget* parent)
+{
+    auto* label = new QLabel(text, parent);
+    label->setFont(theme::smallFont());
+    return label;
+}
+
+QString number(double value, int decimals)
+{
+    return QLocale().toString(value, 'f', decimals);
+}
+
+} // namespace
+
+ComparePanel::ComparePanel(Workspace& workspace, QWidget* parent)
+    : Panel(parent)
+    , m_workspace(workspace)
+    , m_comparison(workspace)
+    , m_reference(new QComboBox(this))
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, theme::padding);
+    layout->setSpacing(theme::smallPadding);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(theme::smallPadding);
+    m_open = new QPushButton(tr("Reference …"), this);
+    m_open->setObjectName(QStringLiteral("compareOpen"));
+    m_open->setToolTip(tr("A mask's file that is held for the truth; nothing of it is taken into "
+                          "the session"));
+    m_reference->setObjectName(QStringLiteral("compareReference"));
+    m_reference->setAccessibleName(tr("Reference"));
+    m_reference->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    row->addWidget(m_open);
+    row->addWidget(m_reference, 1);
+    layout->addLayout(row);
+    m_what = smallLabel({}, this);
+    m_what->setObjectName(QStringLiteral("compareWhat"));
+    m_what->setProperty("role", QStringLiteral("secondary"));
+    m_what->setWordWrap(true);
+    layout->addWidget(m_what);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    grid->setColumnStretch(1, 1);
+    struct Row {
+        const char* name;
+        QString text;
+        QString tip;
+    };
+    const std::array<Row, 4> rows{
+        Row{"compareError", tr("Volume error"),
+            tr("Voxels in which both differ, in percent of the reference's (rVE)")},
+        Row{"compareDice", tr("Dice"), tr("Twice the voxels that both have, by the sum of both")},
+        Row{"compareHd95", tr("95 % within"),
+            tr("So far 95 % of either surface are from the other one at most (HD95)")},
+        Row{"compareMean", tr("Mean distance"), tr("Of both surfaces from one another")}};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        QLabel* name = smallLabel(rows[i].text, this);
+        name->setToolTip(rows[i].tip);
+        m_values[i] = smallLabel({}, this);
+        m_values[i]->setObjectName(QLatin1String(rows[i].name));
+        m_values[i]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        grid->addWidget(name, int(i), 0);
+        grid->addWidget(m_values[i], int(i), 1);
+    }
+    layout->addLayout(grid);
+
+    connect(m_open, &QPushButton::clicked, this, &ComparePanel::ask);
+    connect(m_reference, &QComboBox::activated, &m_comparison, &LiveComparison::choose);
+    connect(&m_comparison, &LiveComparison::changed, this, &ComparePanel::show);
+    connect(&m_comparison, &LiveComparison::failed, &workspace, &Workspace::fail);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &ComparePanel::show);
+    show();
+}
+
+QString ComparePanel::title() const
+{
+    return tr("Comparison");
+}
+
+QString ComparePanel::summary() const
+{
+    const auto& outcome = m_comparison.outcome();
+    return outcome ? tr("Dice %1").arg(number(outcome->comparison.dice, 3)) : QString();
+}
+
+void ComparePanel::ask()
+{
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("A mask to compare with"), QString(), maskFilter());
+    if (!path.isEmpty())
+        m_comparison.read(path);
+}
+
+QString ComparePanel::whatIsCompared() const
+{
+    const core::EditSession* session = m_workspace.session();
+    const auto& outcome = m_comparison.outcome();
+    if (m_comparison.isReading())
+        return tr("Reading …");
+    if (m_comparison.chosen() < 0)
+        return tr("Choose a mask that is held for the truth.");
+    const core::Segment* segment =
+        session && outcome ? session->document().segment(outcome->segment) : nullptr;
+    if (!segment)
+        return m_comparison.isBehind() ? tr("Comparing …") : tr("Choose a segment in the list.");
+    const QString what =
+        outcome->ofSurface ? tr("Surface of %1").arg(segment->name) : segment->name;
+    return m_comparison.isBehind() ? tr("%1 …").arg(what) : what;
+}
+
+void ComparePanel::show()
+{
+    const QSignalBlocker blocker(m_reference);
+    m_reference->clear();
+    m_reference->addItems(m_comparison.references());
+    m_reference->setCurrentIndex(m_comparison.chosen());
+    m_reference->setEnabled(m_reference->count() > 1);
+    m_reference->setToolTip(m_comparison.path());
+    m_open->setEnabled(m_workspace.volume() && !m_comparison.isReading());
+    m_what->setText(whatIsCompared());
+    for (QLabel* value : m_values)
+        value->setText(QStringLiteral("–"));
+    if (const auto& outcome = m_comparison.outcome()) {
+        const core::MaskComparison& comparison = outcome->comparison;
+        if (comparison.relativeVolumeError)
+            m_values[0]->setText(
+                tr("%1 %").arg(number(100.0 * *comparison.relativeVolumeError, 2)));
+        m_values[1]->setText(number(comparison.dice, 4));
+        if (comparison.distances) {
+            m_values[2]->setText(tr("%1 mm").arg(number(comparison.distances->hausdorff95Mm, 2)));
+            m_values[3]->setText(tr("%1 mm").arg(number(comparison.distances->meanMm, 2)));
+        }
+    }
+    Q_EMIT summaryChanged(summary());
+}
+
+} // namespace ui

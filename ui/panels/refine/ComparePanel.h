@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/frame/Panel.h"
+#include "ui/tasks/LiveComparison.h"
+
+#include <array>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace ui {
+
+/// How far the surface that is being refined, or the active segment, is from a mask that is held
+/// for the truth, while one works: relative volume error (seed B §7.3), Dice, distances.
+class ComparePanel : public Panel {
+    Q_OBJECT
+
+public:
+    explicit ComparePanel(Workspace& workspace, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString summary() const override;
+    [[nodiscard]] bool foldedAtFirst() const override { return true; }
+    [[nodiscard]] LiveComparison& comparison() { return m_comparison; }
+
+private:
+    void ask();
+    void show();
+    [[nodiscard]] QString whatIsCompared() const;
+
+    Workspace& m_workspace;
+    LiveComparison m_comparison;
+    QPushButton* m_open = nullptr;
+    QComboBox* m_reference = nullptr;
+    QLabel* m_what = nullptr;
+    std::array<QLabel*, 4> m_values{}; ///< relative volume error, Dice, 95 %, mean
+};
+
+} // namespace ui

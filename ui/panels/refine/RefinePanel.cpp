@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/refine/RefinePanel.h"
+
+#include "core/refine/deform/RefineSurface.h"
+#include "ui/base/Theme.h"
+#include "ui/panels/refine/DoubtsSection.h"
+#include "ui/workspace/Refinement.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+constexpr int mostRows = 4;
+constexpr int fewestVertices = 1000;
+constexpr int vertexStep = 1000;
+
+QLabel* smallLabel(const QString& text, QWidget* parent)
+{
+    auto* label = new QLabel(text, parent);
+    label->setFont(theme::smallFont());
+    label->setWordWrap(true);
+    return label;
+}
+
+QString areaText(double areaMm2)
+{
+    return areaMm2 < 100.0
+        ? RefinePanel::tr("%1 mm²").arg(QLocale().toString(areaMm2, 'f', 0))
+        : RefinePanel::tr("%1 cm²").arg(QLocale().toString(areaMm2 / 100.0, 'f', 1));
+}
+
+} // namespace
+
+RefinePanel::RefinePanel(Workspace& workspace, QWidget* parent)
+    : Panel(parent)
+    , m_workspace(workspace)
+    , m_pages(new QStackedWidget(this))
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(
+        theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
+    layout->addWidget(m_pages);
+    m_pages->addWidget(buildLaying());
+    m_pages->addWidget(buildRefining());
+    connect(&workspace.refinement(), &Refinement::changed, this, &RefinePanel::show);
+    connect(&workspace.refinement(), &Refinement::lookChanged, this, &RefinePanel::show);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &RefinePanel::show);
+    connect(&workspace, &Workspace::sessionChanged, this, &RefinePanel::show);
+    show();
+}
+
+QWidget* RefinePanel::buildLaying()
+{
+    auto* page = new QWidget(m_pages);
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(theme::smallPadding);
+    m_whose = smallLabel({}, page);
+    m_whose->setProperty("role", QStringLiteral("secondary"));
+    layout->addWidget(m_whose);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(theme::smallPadding);
+    m_vertices = new QSpinBox(page);
+    m_vertices->setObjectName(QStringLiteral("surfaceVertices"));
+    m_vertices->setAccessibleName(tr("Vertices"));
+    m_vertices->setRange(fewestVertices - vertexStep, core::mostVertices);
+    m_vertices->setSingleStep(vertexStep);
+    m_vertices->setGroupSeparatorShown(true);
+    m_vertices->setSpecialValueText(tr("as many as it takes"));
+    m_vertices->setValue(m_vertices->minimum());
+    m_vertices->setSuffix(tr(" vertices"));
+    m_vertices->setToolTip(tr("How fine the surface is. As many vertices as it takes: it encloses "
+                              "what the segment holds, but for a thousandth"));
+    m_lay = new QPushButton(tr("Lay surface"), page);
+    m_lay->setObjectName(QStringLiteral("laySurface"));
+    row->addWidget(m_vertices, 1);
+    row->addWidget(m_lay);
+    layout->addLayout(row);
+    layout->addStretch(1);
+    connect(m_lay, &QPushButton::clicked, this, [this] {
+        const int asked = m_vertices->value();
+        m_workspace.refinement().lay(asked < fewestVertices ? 0 : asked);
+    });
+    return page;
+}
+
+QWidget* RefinePanel::buildRefining()
+{
+    auto* page = new QWidget(m_pages);
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(theme::smallPadding);
+    m_state = smallLabel({}, page);
+    m_state->setObjectName(QStringLiteral("surfaceState"));
+    layout->addWidget(m_state);
+    // Side by side they would not fit into the column.
+    auto* buttons = new QGridLayout;
+    buttons->setSpacing(theme::smallPadding);
+    const auto button = [page](const QString& text, const char* name, const QString& tip) {
+        auto* made = new QPushButton(text, page);
+        made->setObjectName(QLatin1String(name));
+        made->setToolTip(tip);
+        return made;
+    };
+    m_write = button(tr("Write back"), "writeBack",
+        tr("The segment follows the surface to where it was moved; all other voxels stay"));
+    m_follow = button(tr("Follow mask"), "followMask",
+        tr("What is yellow goes to the boundary of what the segment holds now"));
+    m_drop = button(tr("Remove"), "dropSurface", tr("Do without the surface; undo brings it back"));
+    auto* shut = button(tr("Make barrier"), "surfaceBarrier",
+        tr("No growth passes through the surface: the voxels just outside of it are shut"));
+    auto* open = button(tr("Open barrier"), "openSurfaceBarrier",
+        tr("Growth passes again: barriers just outside of the surface are taken away"));
+    buttons->addWidget(m_write, 0, 0, 1, 2);
+    buttons->addWidget(m_follow, 1, 0);
+    buttons->addWidget(m_drop, 1, 1);
+    buttons->addWidget(shut, 2, 0);
+    buttons->addWidget(open, 2, 1);
+    layout->addLayout(buttons);
+
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    grid->setColumnStretch(1, 1);
+    m_style = new QComboBox(page);
+    m_style->setObjectName(QStringLiteral("surfaceStyle"));
+    m_style->setAccessibleName(tr("Drawn"));
+    m_style->addItems({tr("smooth"), tr("wireframe"), tr("grey values")});
+    grid->addWidget(smallLabel(tr("Drawn"), page), 0, 0);
+    grid->addWidget(m_style, 0, 1, 1, 2);
+    m_opacity = new QSlider(Qt::Horizontal, page);
+    m_opacity->setObjectName(QStringLiteral("surfaceOpacity"));
+    m_opacity->setAccessibleName(tr("Opacity"));
+    m_opacity->setRange(0, 100);
+    m_opacityText = smallLabel({}, page);
+    m_opacityText->setProperty("role", QStringLiteral("secondary"));
+    m_opacityText->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_opacityText->setMinimumWidth(
+        m_opacityText->fontMetrics().horizontalAdvance(tr("%1 %").arg(100)));
+    grid->addWidget(smallLabel(tr("Opacity"), page), 1, 0);
+    grid->addWidget(m_opacity, 1, 1);
+    grid->addWidget(m_opacityText, 1, 2);
+    layout->addLayout(grid);
+    auto* shown = new QHBoxLayout;
+    m_marks = new QCheckBox(tr("marks"), page);
+    m_marks->setObjectName(QStringLiteral("surfaceMarks"));
+    m_contours = new QCheckBox(tr("contours on slices"), page);
+    m_contours->setObjectName(QStringLiteral("surfaceContours"));
+    shown->addWidget(m_marks);
+    shown->addWidget(m_contours);
+    shown->addStretch(1);
+    layout->addLayout(shown);
+
+    m_counts = smallLabel({}, page);
+    m_counts->setObjectName(QStringLiteral("markCounts"));
+    m_counts->setProperty("role", QStringLiteral("secondary"));
+    layout->addWidget(m_counts);
+    m_errors = new QListWidget(page);
+    m_errors->setObjectName(QStringLiteral("surfaceErrors"));
+    m_errors->setAccessibleName(tr("Errors"));
+    layout->addWidget(m_errors);
+    m_signOff = button(tr("Sign off"), "signOffError",
+        tr("The chosen error is right as it is now: it turns green, and nothing moves it"));
+    layout->addWidget(m_signOff, 0, Qt::AlignRight);
+    m_doubts = new DoubtsSection(m_workspace, page);
+    layout->addWidget(m_doubts);
+
+    Refinement& refinement = m_workspace.refinement();
+    connect(m_write, &QPushButton::clicked, &refinement, &Refinement::writeBack);
+    connect(m_follow, &QPushButton::clicked, &refinement, [this, &refinement] {
+        refinement.followMask();
+        // What stays although the mask went elsewhere is told of.
+        m_doubts->doubts().look();
+    });
+    connect(m_drop, &QPushButton::clicked, &refinement, &Refinement::drop);
+    connect(
+        shut, &QPushButton::clicked, &refinement, [&refinement] { refinement.makeBarrier(false); });
+    connect(
+        open, &QPushButton::clicked, &refinement, [&refinement] { refinement.makeBarrier(true); });
+    connect(m_style, &QComboBox::activated, this, &RefinePanel::takeLook);
+    connect(m_opacity, &QSlider::valueChanged, this, &RefinePanel::takeLook);
+    connect(m_marks, &QCheckBox::toggled, this, &RefinePanel::takeLook);
+    connect(m_contours, &QCheckBox::toggled, this, &RefinePanel::takeLook);
+    connect(m_signOff, &QPushButton::clicked, this,
+        [this] { m_workspace.refinement().signOff(m_errors->currentRow()); });
+    connect(m_errors, &QListWidget::currentRowChanged, this,
+        [this](int row) { m_signOff->setEnabled(row >= 0); });
+    connect(m_errors, &QListWidget::itemActivated, this,
+        [this](QListWidgetItem* item) { m_workspace.refinement().showError(m_errors->row(item)); });
+    connect(m_errors, &QListWidget::itemClicked, this,
+        [this](QListWidgetItem* item) { m_workspace.refinement().showError(m_errors->row(item)); });
+    return page;
+}
+
+QString RefinePanel::title() const
+{
+    return tr("Surface");
+}
+
+QString RefinePanel::summary() const
+{
+    const Refinement& refinement = m_workspace.refinement();
+    const std::optional<core::RefinedSurface> surface = refinement.surface();
+    if (!surface)
+        return {};
+    return surface->isApart()
+        ? tr("differs from the segment")
+        : tr("%1 vertices").arg(QLocale().toString(qulonglong(refinement.mirror().vertexCount())));
+}
+
+QString RefinePanel::asLaidText() const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return {};
+    const core::History& history = session->history();
+    core::RowId id = history.position();
+    while (id != 0 && !std::holds_alternative<core::LaySurface>(history.row(id).edit))
+        id = history.row(id).parent;
+    return id == 0 ? QString() : history.row(id).name;
+}
+
+void RefinePanel::show()
+{
+    const Refinement& refinement = m_workspace.refinement();
+    const core::EditSession* session = m_workspace.session();
+    const std::optional<core::RefinedSurface> surface = refinement.surface();
+    m_pages->setCurrentIndex(surface ? 1 : 0);
+    const core::Segment* segment = session
+        ? session->document().segment(surface ? surface->segment : m_workspace.activeSegment())
+        : nullptr;
+    m_lay->setEnabled(segment != nullptr);
+    m_whose->setText(segment
+            ? tr("Repair %1 instead of redrawing it: a surface around it is marked, pushed and "
+                 "written back.")
+                  .arg(segment->name)
+            : tr("Choose the segment to repair in the list of segments."));
+    if (surface) {
+        const QString name = segment ? segment->name : QString();
+        m_state->setText(surface->isApart()
+                ? tr("%1: the segment does not hold what the surface encloses").arg(name)
+                : asLaidText());
+        m_state->setProperty(
+            "role", surface->isApart() ? QStringLiteral("caution") : QStringLiteral("plain"));
+        m_state->setStyleSheet(surface->isApart()
+                ? QStringLiteral("color: %1").arg(theme::caution.name())
+                : QString());
+        m_write->setEnabled(surface->isApart());
+        const Refinement::Look& look = refinement.look();
+        const QSignalBlocker style(m_style);
+        const QSignalBlocker opacity(m_opacity);
+        const QSignalBlocker marks(m_marks);
+        const QSignalBlocker contours(m_contours);
+        m_style->setCurrentIndex(int(look.style));
+        m_opacity->setValue(int(std::lround(100.0f * look.opacity)));
+        m_opacityText->setText(tr("%1 %").arg(m_opacity->value()));
+        m_marks->setChecked(look.showMarks);
+        m_contours->setChecked(look.contours);
+        showErrors();
+    }
+    Q_EMIT summaryChanged(summary());
+}
+
+void RefinePanel::showErrors()
+{
+    const Refinement& refinement = m_workspace.refinement();
+    const std::array<std::size_t, 3> counts = refinement.mirror().markCounts();
+    const double all = std::max<double>(1.0, double(refinement.mirror().vertexCount()));
+    const auto share = [&](core::SurfaceMark mark) {
+        return QLocale().toString(100.0 * double(counts[std::size_t(mark)]) / all, 'f', 1);
+    };
+    m_counts->setText(tr("green %1 %, red %2 %, the rest follows the mask")
+                          .arg(share(core::SurfaceMark::Green), share(core::SurfaceMark::Red)));
+    const std::vector<core::MarkedRegion>& errors = refinement.errors();
+    const int current = m_errors->currentRow();
+    const QSignalBlocker blocker(m_errors);
+    m_errors->clear();
+    for (std::size_t i = 0; i < errors.size(); ++i)
+        m_errors->addItem(tr("Error %1 · %2").arg(i + 1).arg(areaText(errors[i].areaMm2)));
+    m_errors->setCurrentRow(std::min(current, m_errors->count() - 1));
+    m_errors->setVisible(!errors.empty());
+    m_signOff->setVisible(!errors.empty());
+    m_signOff->setEnabled(m_errors->currentRow() >= 0);
+    const int rowHeight = std::max(m_errors->sizeHintForRow(0), theme::controlHeight);
+    m_errors->setFixedHeight(
+        rowHeight * std::clamp(m_errors->count(), 1, mostRows) + 2 * m_errors->frameWidth());
+}
+
+void RefinePanel::takeLook()
+{
+    m_workspace.refinement().setLook({.style = gpu::SurfaceStyle(m_style->currentIndex()),
+        .opacity = float(m_opacity->value()) / 100.0f,
+        .showMarks = m_marks->isChecked(),
+        .contours = m_contours->isChecked()});
+}
+
+} // namespace ui

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/frame/Panel.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QSlider;
+class QSpinBox;
+class QStackedWidget;
+
+namespace ui {
+
+class DoubtsSection;
+class Workspace;
+
+/// The surface that is being refined: it is laid here, how it looks, what is marked as wrong, and
+/// whether the segment holds what it encloses.
+class RefinePanel : public Panel {
+    Q_OBJECT
+
+public:
+    explicit RefinePanel(Workspace& workspace, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString summary() const override;
+    [[nodiscard]] bool foldedAtFirst() const override { return true; }
+
+private:
+    QWidget* buildLaying();
+    QWidget* buildRefining();
+    [[nodiscard]] QString asLaidText() const;
+    void show();
+    void showErrors();
+    void takeLook();
+
+    Workspace& m_workspace;
+    QStackedWidget* m_pages = nullptr;
+    QLabel* m_whose = nullptr; ///< of the laying
+    QSpinBox* m_vertices = nullptr;
+    QPushButton* m_lay = nullptr;
+    QLabel* m_state = nullptr;
+    QPushButton* m_write = nullptr;
+    QPushButton* m_follow = nullptr;
+    QPushButton* m_drop = nullptr;
+    QComboBox* m_style = nullptr;
+    QSlider* m_opacity = nullptr;
+    QLabel* m_opacityText = nullptr;
+    QCheckBox* m_marks = nullptr;
+    QCheckBox* m_contours = nullptr;
+    QLabel* m_counts = nullptr;
+    QListWidget* m_errors = nullptr;
+    QPushButton* m_signOff = nullptr;
+    DoubtsSection* m_doubts = nullptr;
+};
+
+} // namespace ui

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/report/AuditSaver.h"
+
+#include "core/base/Guarded.h"
+#include "ui/report/WriteAudit.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QFileDialog>
+#include <QPointer>
+#include <QStandardPaths>
+
+#include <utility>
+
+namespace ui {
+
+AuditSaver::AuditSaver(Workspace& workspace, QWidget* window)
+    : QObject(window)
+    , m_workspace(workspace)
+    , m_window(window)
+{
+}
+
+AuditSaver::~AuditSaver()
+{
+    m_thread.reset();
+}
+
+void AuditSaver::ask()
+{
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    QFileDialog dialog(m_window, tr("Audit report"), folder,
+        tr("Report to print (*.pdf);;Page for a browser (*.html)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("pdf"));
+    dialog.selectFile(QStringLiteral("audit.pdf"));
+    QObject::connect(
+        &dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+            dialog.setDefaultSuffix(filter.contains(QLatin1String("html")) ? QStringLiteral("html")
+                                                                           : QStringLiteral("pdf"));
+        });
+    if (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty())
+        save(dialog.selectedFiles().first());
+}
+
+void AuditSaver::save(const QString& path)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || m_busy)
+        return;
+    if (const QString problem = auditNameProblem(path); !problem.isEmpty()) {
+        Q_EMIT failed({core::ErrorCode::FileUnwritable, {path, problem}});
+        return;
+    }
+    m_busy = true;
+    session->closeGrowth();
+    // The workspace outlives the session, which answers before it is gone.
+    session->audit([workspace = &m_workspace, guard = QPointer(this), path](
+                       const core::Result<core::AuditReport>& report) {
+        QMetaObject::invokeMethod(
+            workspace,
+            [guard, path, report] {
+                if (!guard)
+                    return;
+                if (report)
+                    return guard->write(*report, path);
+                guard->m_busy = false;
+                Q_EMIT guard->failed(report.error());
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void AuditSaver::write(const core::AuditReport& report, const QString& path)
+{
+    const auto tell = [this, path](const core::Result<void>& written) {
+        QMetaObject::invokeMethod(
+            this, [this, path, written] { take(path, written); }, Qt::QueuedConnection);
+    };
+    const core::Result<void> begun = core::guarded([&] {
+        m_thread.emplace();
+        m_thread->post([tell, report, path] { tell(writeAudit(report, path, true)); },
+            [tell](const core::Error& error) { tell(tl::unexpected(error)); });
+    });
+    if (!begun)
+        take(path, begun);
+}
+
+void AuditSaver::take(const QString& path, const core::Result<void>& written)
+{
+    m_thread.reset();
+    m_busy = false;
+    if (written)
+        Q_EMIT saved(path);
+    else
+        Q_EMIT failed(written.error());
+}
+
+} // namespace ui

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/TaskThread.h"
+#include "core/sessionfile/AuditReport.h"
+
+#include <QObject>
+
+#include <optional>
+
+class QWidget;
+
+namespace ui {
+
+class Workspace;
+
+/// Writes audit reports of the open session beside the window's work: the session's file is read on
+/// its own thread, the report is laid out on another. One at a time.
+class AuditSaver : public QObject {
+    Q_OBJECT
+
+public:
+    AuditSaver(Workspace& workspace, QWidget* window);
+    ~AuditSaver() override;
+
+    /// Asks where to.
+    void ask();
+    /// @param path replaced if it is there: whoever chose it was asked
+    void save(const QString& path);
+
+Q_SIGNALS:
+    void saved(const QString& path);
+    void failed(const core::Error& error);
+
+private:
+    void write(const core::AuditReport& report, const QString& path);
+    void take(const QString& path, const core::Result<void>& written);
+
+    Workspace& m_workspace;
+    QWidget* m_window;
+    bool m_busy = false;
+    std::optional<core::TaskThread> m_thread; ///< while a report is laid out
+};
+
+} // namespace ui

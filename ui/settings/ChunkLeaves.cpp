@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/settings/ChunkLeaves.h"
+
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+glm::ivec3 sizeOf(const core::VoxelBox& box)
+{
+    return box.maximum - box.minimum;
+}
+
+} // namespace
+
+ChunkLeaves::ChunkLeaves(std::shared_ptr<const core::ChunkMap> chunks)
+    : map(std::move(chunks))
+    , voxels(std::size_t(map->tree().finest()))
+    , colours(map->tree(), sizeOf(map->box()))
+{
+    const glm::ivec3 size = sizeOf(map->box());
+    auto leaves = std::make_shared<std::vector<std::uint16_t>>(
+        std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    // Leaf by leaf: a chunk knows its voxels.
+    for (std::size_t leaf = 0; leaf < voxels.size(); ++leaf) {
+        const auto its = map->tree().voxels(core::ChunkTree::Chunk(leaf));
+        voxels[leaf] = std::uint32_t(its.size());
+        for (const std::uint32_t voxel : its)
+            (*leaves)[voxel] = std::uint16_t(leaf + 1);
+    }
+    ofVoxel = std::move(leaves);
+}
+
+} // namespace ui

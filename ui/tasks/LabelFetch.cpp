@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tasks/LabelFetch.h"
+
+#include <QPointer>
+
+#include <utility>
+
+namespace ui {
+
+void LabelFetch::start(
+    core::EditSession& session, const std::set<std::uint8_t>& planes, core::Field field)
+{
+    session.closeGrowth();
+    const glm::ivec3 size = session.document().volumes.front().geometry.size;
+    m_work = std::make_shared<Work>(Work{session, {}});
+    for (const std::uint8_t plane : planes)
+        m_work->readers.emplace_back(size, plane, field);
+    askNext();
+}
+
+void LabelFetch::askNext()
+{
+    Work& work = *m_work;
+    while (work.current < work.readers.size()) {
+        if (auto question = work.readers[work.current].next()) {
+            // An answer to what was cancelled, or asked by somebody who is gone, is dropped.
+            work.session.ask(*std::move(question),
+                [fetch = QPointer<LabelFetch>(this), asked = std::weak_ptr<Work>(m_work)](
+                    const core::EngineResult& answer) {
+                    if (fetch && fetch->m_work && fetch->m_work == asked.lock())
+                        fetch->take(answer);
+                });
+            return;
+        }
+        ++work.current;
+    }
+    std::vector<ExportJob::Plane> planes;
+    for (core::LabelReader& reader : work.readers)
+        planes.push_back({reader.plane(), reader.takeLabels()});
+    m_work.reset();
+    Q_EMIT finished(planes);
+}
+
+void LabelFetch::take(const core::EngineResult& answer)
+{
+    Work& work = *m_work;
+    const core::RowId position = work.session.history().position();
+    if (!work.position)
+        work.position = position;
+    if (*work.position != position)
+        return fail({core::ErrorCode::Internal,
+            {QStringLiteral("export"), QStringLiteral("the study was edited meanwhile")}});
+    if (const auto taken = work.readers[work.current].take(answer); !taken)
+        return fail(taken.error());
+    int done = 0;
+    int total = 0;
+    for (const core::LabelReader& reader : work.readers) {
+        done += reader.bricksRead();
+        total += reader.bricks();
+    }
+    const std::weak_ptr<Work> mine = m_work;
+    Q_EMIT progressed(done, total);
+    if (m_work && m_work == mine.lock())
+        askNext();
+}
+
+void LabelFetch::fail(const core::Error& error)
+{
+    m_work.reset();
+    Q_EMIT failed(error);
+}
+
+} // namespace ui

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/EditSession.h"
+#include "core/session/past/LabelReader.h"
+#include "ui/tasks/ExportJob.h"
+
+#include <QObject>
+
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace ui {
+
+/// Label planes, or the coverage of sculpt layers, of a session as they are after all that was
+/// asked of it, read from the engine a portion at a time while the window goes on. GUI thread;
+/// never waits.
+class LabelFetch : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    /// Closes a growth that runs. @param session lives until the fetch ended or was cancelled
+    void start(core::EditSession& session, const std::set<std::uint8_t>& planes,
+        core::Field field = core::Field::Labels);
+    /// Nothing is told any more.
+    void cancel() { m_work.reset(); }
+    [[nodiscard]] bool running() const { return m_work != nullptr; }
+
+Q_SIGNALS:
+    void progressed(int done, int total);
+    void finished(const std::vector<ExportJob::Plane>& planes);
+    void failed(const core::Error& error);
+
+private:
+    struct Work {
+        core::EditSession& session;
+        std::vector<core::LabelReader> readers; ///< one per plane, in turn
+        std::size_t current = 0;
+        std::optional<core::RowId> position{}; ///< of the history, at the first answer
+    };
+    void askNext();
+    void take(const core::EngineResult& answer);
+    void fail(const core::Error& error);
+
+    std::shared_ptr<Work> m_work;
+};
+
+} // namespace ui

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tasks/LiveInterval.h"
+
+#include "core/session/past/RecentGrowth.h"
+#include "ui/settings/GrowSettings.h"
+#include "ui/workspace/Workspace.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int watchMilliseconds = 15;
+/// A growth that has not arrived by then shows how far it came, and gives way to newer bounds.
+constexpr qint64 patienceMilliseconds = 200;
+
+} // namespace
+
+LiveInterval::LiveInterval(Workspace& workspace, QObject* parent)
+    : QObject(parent)
+    , m_workspace(workspace)
+{
+    m_watch.setInterval(watchMilliseconds);
+    connect(&m_watch, &QTimer::timeout, this, &LiveInterval::poll);
+    connect(&workspace, &Workspace::sessionClosing, this, &LiveInterval::close);
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        // A session opens with the bounds that its window had.
+        m_stands.reset();
+        m_rows = 0;
+        followHistory();
+    });
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::History)
+                followHistory();
+        });
+}
+
+bool LiveInterval::possible() const
+{
+    const core::EditSession* session = m_workspace.session();
+    return session && session->whyReadOnly().isEmpty() && (m_open || !session->transactionOpen())
+        && core::recentCriteria(session->history()).has_value();
+}
+
+void LiveInterval::move(double lower, double upper)
+{
+    m_wanted = {lower, upper};
+    send(false);
+}
+
+void LiveInterval::settle()
+{
+    if (m_wanted)
+        send(true);
+    end(core::Ending::Commit);
+}
+
+void LiveInterval::cancel()
+{
+    end(core::Ending::Rollback);
+}
+
+void LiveInterval::end(core::Ending ending)
+{
+    core::EditSession* session = m_workspace.session();
+    const bool open = m_open && session && session->transactionOpen();
+    close();
+    if (open)
+        session->end(ending);
+}
+
+void LiveInterval::followHistory()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    const std::size_t rows = session->history().rows().size();
+    const bool walked = std::exchange(m_rows, rows) == rows;
+    const auto criteria = core::recentCriteria(session->history());
+    const auto before = m_stands;
+    m_stands.reset();
+    if (criteria)
+        m_stands = {criteria->lower, criteria->upper};
+    // A new step has the bounds that were asked for; those may have been moved on since.
+    if (walked && !m_open && m_stands && m_stands != before)
+        Q_EMIT returned(m_stands->first, m_stands->second);
+}
+
+void LiveInterval::send(bool atOnce)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return close();
+    if (m_open && !session->transactionOpen())
+        m_open = false; // something else has closed it
+    if (!m_open) {
+        core::ChangeInterval change;
+        change.criteria.lower = m_wanted->first;
+        change.criteria.upper = m_wanted->second;
+        change.guard = growthOf(m_workspace.growSettings()).guard;
+        if (const auto begun = session->begin(change); !begun) {
+            close();
+            m_workspace.fail(begun.error());
+            return;
+        }
+        m_open = true;
+        m_watch.start();
+    } else {
+        const bool arrived = !session->engine().growthProgress().running;
+        if (!atOnce && !arrived && m_sinceSent.elapsed() < patienceMilliseconds)
+            return;
+        session->setInterval(m_wanted->first, m_wanted->second);
+    }
+    m_wanted.reset();
+    m_sinceSent.start();
+    session->extendGrowth({});
+}
+
+void LiveInterval::poll()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || !session->transactionOpen())
+        return close();
+    if (m_wanted)
+        send(false);
+    Q_EMIT progressed();
+}
+
+void LiveInterval::close()
+{
+    m_watch.stop();
+    m_open = false;
+    m_wanted.reset();
+    Q_EMIT progressed();
+}
+
+} // namespace ui

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tasks/SurfaceDoubts.h"
+
+#include "core/refine/fit/SurfaceDoubts.h"
+#include "core/refine/voxels/BoxMask.h"
+#include "ui/workspace/Refinement.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QPointer>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr double reachVoxels = 1.5; // of the finest spacing, to either side of the surface
+constexpr double offVoxels = 1.5;
+constexpr double walkVoxels = 4.0; // as the surface itself looks for the mask's boundary
+constexpr std::size_t leastVertices = 6; // fewer are noise
+
+double finestMm(const core::VolumeGeometry& geometry)
+{
+    const glm::dvec3 spacing = geometry.spacingMm();
+    return std::min({spacing.x, spacing.y, spacing.z});
+}
+
+core::VoxelBox boxAround(
+    const core::SurfaceMirror& surface, const core::VolumeGeometry& geometry, double marginMm)
+{
+    glm::dvec3 least(std::numeric_limits<double>::max());
+    glm::dvec3 most(std::numeric_limits<double>::lowest());
+    surface.forEachVertex([&](core::VertexId, const core::SurfaceUpdate::Vertex& vertex) {
+        const glm::dvec3 index = geometry.toIndex(vertex.positionLps);
+        least = glm::min(least, index);
+        most = glm::max(most, index);
+    });
+    const glm::dvec3 margin = marginMm / geometry.spacingMm() + 1.0;
+    core::VoxelBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int end = geometry.size[axis];
+        box.minimum[axis] = std::clamp(int(std::floor(least[axis] - margin[axis])), 0, end - 1);
+        box.maximum[axis] =
+            std::clamp(int(std::ceil(most[axis] + margin[axis])) + 1, box.minimum[axis] + 1, end);
+    }
+    return box;
+}
+
+} // namespace
+
+/// The thread's from when all is fetched.
+struct SurfaceDoubts::Job {
+    core::SurfaceMirror surface;
+    core::VolumeGeometry geometry;
+    int label = 0;
+    std::vector<std::uint8_t> labels; ///< of the segment's plane, x fastest
+    core::VoxelBox box;
+    std::vector<std::uint16_t> codes; ///< of the box
+
+    [[nodiscard]] std::vector<Doubt> found();
+};
+
+std::vector<SurfaceDoubts::Doubt> SurfaceDoubts::Job::found()
+{
+    const double voxelMm = finestMm(geometry);
+    std::vector<Doubt> doubts;
+    const auto add = [&](const std::vector<bool>& isDoubted, Doubt::Why why) {
+        for (const core::MarkedRegion& region : surface.regions(isDoubted)) {
+            if (region.vertices >= leastVertices)
+                doubts.push_back({.why = why, .region = region});
+        }
+    };
+    const core::BoxMask mask = core::BoxMask::of(labels, std::uint8_t(label), geometry.size);
+    if (!mask.empty()) {
+        const core::BoundaryForce boundary(mask, geometry, walkVoxels);
+        add(core::offTheMask(surface, boundary, offVoxels * voxelMm), Doubt::Why::OffMask);
+    }
+    const core::GreyBox grey(geometry, box.minimum, box.maximum - box.minimum, std::move(codes));
+    add(core::withoutAnEdge(surface, grey, reachVoxels * voxelMm), Doubt::Why::NoEdge);
+    return doubts;
+}
+
+SurfaceDoubts::SurfaceDoubts(Workspace& workspace, QObject* parent)
+    : QObject(parent)
+    , m_workspace(workspace)
+{
+    connect(&workspace, &Workspace::sessionClosing, this, &SurfaceDoubts::forget);
+    connect(&workspace, &Workspace::sessionChanged, this, &SurfaceDoubts::forget);
+    connect(&workspace.refinement(), &Refinement::changed, this, [this] {
+        if (!m_workspace.refinement().surface() && (m_job || !m_doubts.empty()))
+            forget();
+    });
+    connect(
+        &m_fetch, &LabelFetch::finished, this, [this](const std::vector<ExportJob::Plane>& planes) {
+            if (!m_job)
+                return;
+            m_job->labels = planes.front().labels;
+            askForCodes(m_job);
+        });
+    connect(&m_fetch, &LabelFetch::failed, this, &SurfaceDoubts::fail);
+}
+
+void SurfaceDoubts::forget()
+{
+    m_fetch.cancel();
+    m_job.reset();
+    m_doubts.clear();
+    Q_EMIT changed();
+}
+
+void SurfaceDoubts::fail(const core::Error& error)
+{
+    forget();
+    Q_EMIT failed(error);
+}
+
+void SurfaceDoubts::look()
+{
+    core::EditSession* session = m_workspace.session();
+    const std::optional<core::RefinedSurface> surface = m_workspace.refinement().surface();
+    if (!session || !surface || m_workspace.refinement().mirror().empty())
+        return;
+    forget();
+    m_job = std::make_shared<Job>();
+    m_job->surface = m_workspace.refinement().mirror();
+    m_job->geometry = m_workspace.volume()->geometry;
+    m_job->label = surface->segment;
+    m_job->box =
+        boxAround(m_job->surface, m_job->geometry, 2.0 * reachVoxels * finestMm(m_job->geometry));
+    m_fetch.start(*session, {session->document().segment(surface->segment)->plane});
+    Q_EMIT changed();
+}
+
+void SurfaceDoubts::askForCodes(const std::shared_ptr<Job>& job)
+{
+    m_workspace.session()->ask(
+        core::ReadCodes{job->box}, [self = QPointer(this), job](const core::EngineResult& answer) {
+            if (!self || self->m_job != job)
+                return;
+            if (answer.error)
+                return self->fail(*answer.error);
+            job->codes = answer.codes;
+            self->workOut(job);
+        });
+}
+
+void SurfaceDoubts::workOut(const std::shared_ptr<Job>& job)
+{
+    // What was under way when the question came has changed it since.
+    job->surface = m_workspace.refinement().mirror();
+    // The thread ends before the object does.
+    m_thread.post(
+        [this, job] {
+            auto found = std::make_shared<std::vector<Doubt>>(job->found());
+            QMetaObject::invokeMethod(
+                this,
+                [this, job, found] {
+                    if (m_job != job)
+                        return;
+                    m_job.reset();
+                    m_doubts = std::move(*found);
+                    Q_EMIT changed();
+                },
+                Qt::QueuedConnection);
+        },
+        [this, job](const core::Error& error) {
+            QMetaObject::invokeMethod(
+                this,
+                [this, job, error] {
+                    if (m_job == job)
+                        fail(error);
+                },
+                Qt::QueuedConnection);
+        });
+}
+
+} // namespace ui

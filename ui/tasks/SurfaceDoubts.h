@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/TaskThread.h"
+#include "core/refine/mesh/SurfaceMirror.h"
+#include "ui/tasks/LabelFetch.h"
+
+#include <QObject>
+
+#include <memory>
+#include <vector>
+
+namespace ui {
+
+class Workspace;
+
+/// Parts of the surface that is being refined where a second look may pay (seed B §4.3;
+/// core/refine/fit/SurfaceDoubts.h): looked for beside the window's work, told, never applied. GUI
+/// thread.
+class SurfaceDoubts : public QObject {
+    Q_OBJECT
+
+public:
+    struct Doubt {
+        enum class Why {
+            NoEdge, ///< it follows the mask where grey values show no edge
+            OffMask, ///< green or red stands off what the segment holds by now
+        };
+        Why why = Why::NoEdge;
+        core::MarkedRegion region;
+    };
+
+    explicit SurfaceDoubts(Workspace& workspace, QObject* parent = nullptr);
+
+    /// What was found before goes.
+    void look();
+    [[nodiscard]] bool isLooking() const { return m_job != nullptr; }
+    /// Of either kind the largest first; as the surface was when it was looked at.
+    [[nodiscard]] const std::vector<Doubt>& doubts() const { return m_doubts; }
+
+Q_SIGNALS:
+    void changed();
+    void failed(const core::Error& error);
+
+private:
+    struct Job;
+    void forget();
+    void askForCodes(const std::shared_ptr<Job>& job);
+    void workOut(const std::shared_ptr<Job>& job);
+    void fail(const core::Error& error);
+
+    Workspace& m_workspace;
+    LabelFetch m_fetch;
+    std::shared_ptr<Job> m_job; ///< what is under way
+    std::vector<Doubt> m_doubts;
+    core::TaskThread m_thread; ///< last: it uses all of the above
+};
+
+} // namespace ui

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/aim/SeenVoxels.h"
+
+#include "core/edits/engine/PickRays.h"
+#include "ui/tools/aim/PickQuestion.h"
+#include "ui/workspace/Workspace.h"
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace ui {
+
+namespace {
+
+struct Sample {
+    glm::ivec3 voxel{0};
+    double depthMm = 0.0; ///< behind the target's plane, as shown
+    int code = 0;
+};
+
+/// A point's way through one piece; samples that are no voxel of it are taken out.
+struct Way {
+    std::size_t point = 0;
+    gpu::ScenePiece piece;
+    double sampleMm = 0.0; ///< at the true place
+    std::vector<Sample> samples;
+};
+
+struct Question {
+    gpu::VolumeScene scene;
+    core::Volume volume; ///< its description
+    SeenVoxels seen; ///< of the rest of the volume
+    std::vector<double> depthMm;
+    std::vector<Way> ways;
+    std::function<void(const core::Result<SeenVoxels>&)> then;
+};
+
+glm::dvec3 forwardOf(const gpu::VolumeScene& scene)
+{
+    return glm::normalize(scene.targetLps - scene.eyeLps);
+}
+
+core::BrickKey keyOf(const gpu::ScenePiece& piece, std::uint32_t brick)
+{
+    return {.field = piece.layer > 0 ? core::Field::Coverage : core::Field::Labels,
+        .plane = std::uint8_t(piece.layer),
+        .brick = brick};
+}
+
+/// The ways of all points through all shown pieces, as if each were at home and the viewer moved.
+std::vector<Way> waysThrough(const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& planeMm,
+    const core::Volume& volume)
+{
+    std::vector<Way> ways;
+    for (const gpu::ScenePiece& piece : scene.pieces) {
+        if (piece.opacity <= 0.0f || piece.id == 0)
+            continue;
+        const double zoom = std::cbrt(std::abs(glm::determinant(glm::dmat3(piece.shownFromTrue))));
+        const glm::dmat4 toTrue = glm::inverse(piece.shownFromTrue);
+        core::OrthographicView view = orthographicView(scene);
+        view.eyeLps = glm::dvec3(toTrue * glm::dvec4(view.eyeLps, 1.0));
+        view.targetLps = glm::dvec3(toTrue * glm::dvec4(view.targetLps, 1.0));
+        view.up = glm::normalize(glm::dmat3(toTrue) * view.up);
+        std::vector<glm::dvec2> points = planeMm;
+        for (glm::dvec2& point : points)
+            point /= zoom;
+        const core::PickRays picked = core::pickRays(view, points, volume.geometry, scene.clip);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const core::PickVoxels::Ray& ray = picked.rays[i];
+            Way way{.point = i, .piece = piece, .sampleMm = picked.sampleMm, .samples = {}};
+            for (int n = 0; n < ray.samples; ++n) {
+                const glm::dvec3 index = glm::dvec3(ray.origin + ray.step * n) / 65536.0;
+                const glm::dvec3 shown(
+                    piece.shownFromTrue * glm::dvec4(volume.geometry.toWorld(index), 1.0));
+                const glm::ivec3 voxel(glm::round(index));
+                if (volume.geometry.contains(voxel))
+                    way.samples.push_back({.voxel = voxel,
+                        .depthMm = glm::dot(shown - scene.targetLps, forwardOf(scene))});
+            }
+            if (!way.samples.empty())
+                ways.push_back(std::move(way));
+        }
+    }
+    return ways;
+}
+
+/// Takes out what does not belong to the piece.
+void keepMembers(
+    std::vector<Way>& ways, const core::EngineResult& bricks, const core::BrickGrid& grid)
+{
+    std::map<core::BrickKey, const std::vector<std::uint8_t>*> known;
+    for (const core::BrickChange& brick : bricks.changes)
+        known[brick.key] = &brick.after;
+    for (Way& way : ways) {
+        std::erase_if(way.samples, [&](const Sample& sample) {
+            const int brick = grid.brickOf(sample.voxel);
+            const auto found = known.find(keyOf(way.piece, std::uint32_t(brick)));
+            if (found == known.end() || found->second->empty())
+                return true;
+            const glm::ivec3 local =
+                sample.voxel - grid.brickPosition(brick) * core::BrickGrid::side;
+            const int value = (*found->second)[std::size_t(
+                local.x + core::BrickGrid::side * (local.y + core::BrickGrid::side * local.z))];
+            return way.piece.layer > 0 ? value < 128 : value != way.piece.segment;
+        });
+    }
+    std::erase_if(ways, [](const Way& way) { return way.samples.empty(); });
+}
+
+/// What of a piece is seen on a way, as the mode draws it; null: nothing.
+const Sample* seenOf(const Way& way, const Question& question)
+{
+    const core::VoxelEncoding& encoding = question.volume.encoding;
+    const gpu::VolumeScene& scene = question.scene;
+    const bool shaded =
+        scene.mode == gpu::RenderMode::Surface || scene.mode == gpu::RenderMode::Dvr;
+    if (way.piece.solid && shaded)
+        return &way.samples.front();
+    if (scene.mode == gpu::RenderMode::Surface) {
+        const int threshold = encoding.lowestCodeAtLeast(scene.surfaceThreshold);
+        for (const Sample& sample : way.samples) {
+            if (sample.code >= threshold)
+                return &sample;
+        }
+        return nullptr;
+    }
+    if (scene.mode == gpu::RenderMode::Dvr) {
+        const bool own = !way.piece.transferFunction.points.empty();
+        const std::vector<std::uint32_t> opacity = opacityOfCodes(
+            own ? way.piece.transferFunction : scene.transferFunction, encoding, way.sampleMm);
+        double through = 1.0;
+        for (const Sample& sample : way.samples) {
+            through *=
+                1.0 - double(way.piece.opacity) * opacity[std::size_t(sample.code) >> 8] / 65535.0;
+            if (through <= 0.5)
+                return &sample;
+        }
+        return nullptr;
+    }
+    const Sample* brightest = &way.samples.front();
+    for (const Sample& sample : way.samples) {
+        if (sample.code > brightest->code)
+            brightest = &sample;
+    }
+    return brightest;
+}
+
+/// @param codes of the rest's voxels, one per point
+void choose(Question& question, const std::vector<int>& codes)
+{
+    SeenVoxels seen = question.seen;
+    std::vector<double> depth = question.depthMm;
+    std::vector<int> brightness = codes;
+    const bool shaded = question.scene.mode == gpu::RenderMode::Surface
+        || question.scene.mode == gpu::RenderMode::Dvr;
+    for (const Way& way : question.ways) {
+        const Sample* sample = seenOf(way, question);
+        if (!sample)
+            continue;
+        const bool wins = !seen[way.point]
+            || (shaded ? sample->depthMm < depth[way.point] : sample->code > brightness[way.point]);
+        if (!wins)
+            continue;
+        seen[way.point] = SeenVoxel{sample->voxel, way.piece.id};
+        depth[way.point] = sample->depthMm;
+        brightness[way.point] = sample->code;
+    }
+    question.then(seen);
+}
+
+void askCodes(Workspace& workspace, const std::shared_ptr<Question>& question)
+{
+    core::ProbeVoxels probe;
+    for (const Way& way : question->ways) {
+        for (const Sample& sample : way.samples)
+            probe.voxels.push_back(sample.voxel);
+    }
+    for (const auto& voxel : question->seen)
+        probe.voxels.push_back(voxel.value_or(SeenVoxel()).voxel);
+    workspace.session()->ask(std::move(probe), [question](const core::EngineResult& result) {
+        if (result.error)
+            return question->then(tl::unexpected(*result.error));
+        std::size_t next = 0;
+        for (Way& way : question->ways) {
+            for (Sample& sample : way.samples)
+                sample.code = result.probes[next++].code;
+        }
+        std::vector<int> codes;
+        while (next < result.probes.size())
+            codes.push_back(result.probes[next++].code);
+        choose(*question, codes);
+    });
+}
+
+void askMembers(Workspace& workspace, const std::shared_ptr<Question>& question)
+{
+    const core::BrickGrid grid{question->volume.geometry.size};
+    std::set<core::BrickKey> keys;
+    for (const Way& way : question->ways) {
+        for (const Sample& sample : way.samples)
+            keys.insert(keyOf(way.piece, std::uint32_t(grid.brickOf(sample.voxel))));
+    }
+    core::ReadBricks read{{keys.begin(), keys.end()}};
+    workspace.session()->ask(
+        std::move(read), [&workspace, question, grid](const core::EngineResult& result) {
+            if (result.error)
+                return question->then(tl::unexpected(*result.error));
+            keepMembers(question->ways, result, grid);
+            if (question->ways.empty())
+                return question->then(question->seen);
+            askCodes(workspace, question);
+        });
+}
+
+} // namespace
+
+void askWhatIsSeen(Workspace& workspace, const gpu::VolumeScene& scene,
+    const std::vector<glm::dvec2>& planeMm,
+    const std::function<void(const core::Result<SeenVoxels>&)>& then)
+{
+    auto question = std::make_shared<Question>();
+    question->scene = scene;
+    question->volume = *workspace.volume();
+    question->ways = waysThrough(scene, planeMm, *workspace.volume());
+    question->then = then;
+    workspace.session()->ask(pickQuestion(scene, planeMm, *workspace.volume()),
+        [&workspace, question](const core::EngineResult& result) {
+            if (result.error)
+                return question->then(tl::unexpected(*result.error));
+            question->seen.clear();
+            for (const std::optional<glm::ivec3>& voxel : result.picks)
+                question->seen.push_back(
+                    voxel ? std::optional<SeenVoxel>({.voxel = *voxel}) : std::nullopt);
+            for (const auto& voxel : question->seen) {
+                const glm::dvec3 lps = question->volume.geometry.toWorld(
+                    glm::dvec3(voxel.value_or(SeenVoxel()).voxel));
+                question->depthMm.push_back(
+                    glm::dot(lps - question->scene.targetLps, forwardOf(question->scene)));
+            }
+            if (question->ways.empty())
+                return question->then(question->seen);
+            askMembers(workspace, question);
+        });
+}
+
+} // namespace ui

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/common/BrushTool.h"
+
+#include "ui/tools/aim/CursorLabel.h"
+#include "ui/tools/aim/SeenSurface.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <QPointer>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+/// From pen-down until the session has been told all of it.
+struct BrushTool::Stroke {
+    ViewContext view; ///< of pen-down; holds for the whole stroke
+    core::BrushPath path; ///< without points
+    bool inverted = false;
+    bool begun = false; ///< in the session
+    bool failed = false;
+    bool cancelled = false;
+    bool released = false;
+    glm::dvec3 last{0.0}; ///< LPS
+
+    // 3D only.
+    std::optional<SeenSurface> surface;
+    glm::dvec2 lastPlaneMm{0.0};
+    int questions = 0; ///< not answered yet
+    bool lifted = false; ///< nothing was seen on the way here
+};
+
+BrushTool::BrushTool(Workspace& workspace, Workspace::Brush brush, QObject* parent)
+    : Tool(parent)
+    , m_workspace(workspace)
+    , m_brush(brush)
+{
+    connect(&workspace, &Workspace::brushSettingsChanged, this, &Tool::overlayChanged);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &Tool::overlayChanged);
+    connect(&workspace, &Workspace::activeLayerChanged, this, &Tool::overlayChanged);
+    // A stroke ends with the session it was begun in.
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        if (m_stroke)
+            m_stroke->cancelled = true;
+        m_stroke.reset();
+    });
+}
+
+BrushTool::~BrushTool() = default;
+
+const Workspace::BrushSettings& BrushTool::settings() const
+{
+    return m_workspace.brushSettings(m_brush);
+}
+
+bool BrushTool::worksIn(const ViewContext& view) const
+{
+    const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
+    return !scene || scene->orthographic;
+}
+
+core::BrushPath BrushTool::pathIn(const ViewContext& view) const
+{
+    core::BrushPath path;
+    path.radiusMm = settings().radiusMm;
+    const auto* slice = std::get_if<gpu::SliceScene>(&view.scene);
+    if (slice && settings().disc) {
+        path.shape = core::BrushPath::Shape::Disc;
+        path.normalLps = glm::normalize(glm::cross(slice->rightLps, slice->downLps));
+    }
+    return path;
+}
+
+void BrushTool::press(const PointerSample& sample, const ViewContext& view)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || !worksIn(view) || m_stroke)
+        return;
+    m_stroke = std::make_shared<Stroke>();
+    m_stroke->view = view;
+    m_stroke->path = pathIn(view);
+    m_stroke->inverted = sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
+    if (view.isSlice()) {
+        goTo(*m_stroke, view.toLps(sample.position), false);
+    } else {
+        m_stroke->surface.emplace(std::get<gpu::VolumeScene>(view.scene), *m_workspace.volume(),
+            m_stroke->path.radiusMm, reachMm());
+        m_stroke->lastPlaneMm = view.toViewPlaneMm(sample.position);
+        askOnTheWay(m_stroke->lastPlaneMm);
+    }
+    if (m_stroke && m_stroke->failed)
+        m_stroke.reset();
+    showCursor(sample, view.view);
+}
+
+void BrushTool::drag(const PointerSample& sample, const ViewContext& view)
+{
+    if (!m_stroke || m_stroke->released || view.view != m_stroke->view.view)
+        return;
+    if (m_stroke->view.isSlice())
+        goTo(*m_stroke, m_stroke->view.toLps(sample.position), false);
+    else
+        askOnTheWay(m_stroke->view.toViewPlaneMm(sample.position));
+    showCursor(sample, view.view);
+}
+
+void BrushTool::release(const PointerSample& sample, const ViewContext& view)
+{
+    if (!m_stroke)
+        return;
+    m_stroke->released = true;
+    if (m_stroke->questions == 0)
+        finish(m_stroke);
+    showCursor(sample, view.view);
+}
+
+void BrushTool::cancel()
+{
+    if (!m_stroke)
+        return;
+    const std::shared_ptr<Stroke> stroke = std::exchange(m_stroke, nullptr);
+    stroke->cancelled = true;
+    core::EditSession* session = m_workspace.session();
+    if (session && stroke->begun)
+        session->end(core::Ending::Rollback);
+    m_workspace.say(tr("The stroke was taken back"));
+    Q_EMIT overlayChanged();
+}
+
+void BrushTool::finish(const std::shared_ptr<Stroke>& stroke)
+{
+    if (stroke->begun)
+        m_workspace.session()->end(core::Ending::Commit);
+    else if (!stroke->failed)
+        m_workspace.say(tr("Nothing is seen there"));
+    if (m_stroke == stroke)
+        m_stroke.reset();
+}
+
+void BrushTool::goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted)
+{
+    core::EditSession& session = *m_workspace.session();
+    if (stroke.begun) {
+        if (pointLps != stroke.last || lifted)
+            session.extendPath({pointLps}, lifted);
+        stroke.last = pointLps;
+        return;
+    }
+    if (stroke.failed)
+        return;
+    core::BrushPath path = stroke.path;
+    path.pointsLps = {pointLps};
+    const core::Result<core::Edit> edit = strokeAlong(path, stroke.inverted, stroke.view);
+    const core::Result<void> begun =
+        edit ? session.begin(*edit) : core::Result<void>(tl::unexpected(edit.error()));
+    stroke.last = pointLps;
+    stroke.begun = bool(begun);
+    stroke.failed = !begun;
+    if (!begun)
+        m_workspace.fail(begun.error());
+}
+
+void BrushTool::askOnTheWay(const glm::dvec2& planeMm)
+{
+    const std::shared_ptr<Stroke> stroke = m_stroke;
+    const glm::dvec2 from = std::exchange(stroke->lastPlaneMm, planeMm);
+    const auto cells = stroke->surface->cellsAhead(from, planeMm);
+    if (cells.empty() && stroke->questions == 0)
+        return follow(*stroke, from, planeMm);
+    ++stroke->questions;
+    m_workspace.session()->ask(stroke->surface->question(cells),
+        [tool = QPointer<BrushTool>(this), stroke, cells, from, planeMm](
+            const core::EngineResult& answer) {
+            if (!tool || stroke->cancelled)
+                return;
+            --stroke->questions;
+            if (answer.error) {
+                stroke->failed = !stroke->begun;
+                tool->m_workspace.fail(*answer.error);
+            } else {
+                stroke->surface->take(cells, answer);
+                tool->follow(*stroke, from, planeMm);
+            }
+            if (stroke->released && stroke->questions == 0)
+                tool->finish(stroke);
+        });
+}
+
+void BrushTool::follow(Stroke& stroke, const glm::dvec2& from, const glm::dvec2& to)
+{
+    const int pieces =
+        std::max(1, int(std::ceil(glm::distance(from, to) / stroke.surface->stepMm())));
+    const auto& scene = std::get<gpu::VolumeScene>(stroke.view.scene);
+    const glm::dvec3 forward = glm::normalize(scene.targetLps - scene.eyeLps);
+    for (int piece = 1; piece <= pieces; ++piece) {
+        const auto seen = stroke.surface->at(from + (to - from) * (double(piece) / pieces));
+        if (!seen) {
+            stroke.lifted = true;
+            continue;
+        }
+        // What lies behind an edge is another place: nothing is drawn through the air between.
+        const bool jumps = std::abs(glm::dot(*seen - stroke.last, forward)) > stroke.path.radiusMm;
+        goTo(stroke, *seen, stroke.begun && (stroke.lifted || jumps));
+        stroke.lifted = false;
+    }
+}
+
+void BrushTool::hover(const PointerSample& sample, const ViewContext& view)
+{
+    showCursor(sample, view.view);
+}
+
+void BrushTool::leave()
+{
+    m_cursorView.reset();
+    Q_EMIT overlayChanged();
+}
+
+void BrushTool::showCursor(const PointerSample& sample, gpu::ViewId view)
+{
+    m_cursor = sample.position;
+    m_cursorView = view;
+    m_inverted = m_stroke ? m_stroke->inverted
+                          : sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
+    Q_EMIT overlayChanged();
+}
+
+void BrushTool::changeRadius(int steps)
+{
+    Workspace::BrushSettings changed = settings();
+    const double step = changed.radiusMm < 10.0 ? 0.5 : changed.radiusMm < 30.0 ? 1.0 : 2.0;
+    changed.radiusMm = std::clamp(std::round((changed.radiusMm + steps * step) / step) * step,
+        minimumRadiusMm, maximumRadiusMm);
+    m_workspace.setBrushSettings(m_brush, changed);
+}
+
+void BrushTool::paintOverlay(QPainter& painter, const ViewContext& view) const
+{
+    if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
+        return;
+    const double radius =
+        (m_stroke ? m_stroke->path.radiusMm : settings().radiusMm) / view.mmPerPixel();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    // A dark rim under the bright line keeps the outline visible on bone and on black alike.
+    painter.setPen(QPen(QColor(0, 0, 0, 150), 3.5));
+    painter.drawEllipse(m_cursor, radius, radius);
+    QPen line(colour(), 1.6);
+    if (m_inverted)
+        line.setDashPattern({4.0, 3.0});
+    painter.setPen(line);
+    painter.drawEllipse(m_cursor, radius, radius);
+
+    QString size = tr("radius %1 mm").arg(QLocale().toString(settings().radiusMm, 'f', 1));
+    if (view.isSlice())
+        size += settings().disc ? tr(", this slice") : tr(", a ball");
+    QStringList lines{action(m_inverted), size};
+    if (const QString text = limits(); !text.isEmpty())
+        lines += text;
+    drawCursorLabel(painter, view.sizePixels, m_cursor, radius, lines);
+}
+
+} // namespace ui

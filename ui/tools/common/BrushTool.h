@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/edits/kinds/Edits.h"
+#include "ui/input/Tool.h"
+#include "ui/workspace/Workspace.h"
+
+#include <memory>
+#include <optional>
+
+namespace ui {
+
+/// What paint and the carve brush have in common: a ball or disc that follows the pen, on a slice
+/// along its plane, in the 3D view along the surface that is seen. Ctrl and the pen's eraser end
+/// turn it round. One edit per stroke; it shows while the pen is down, and cancel() takes it back.
+class BrushTool : public Tool {
+    Q_OBJECT
+
+public:
+    static constexpr double minimumRadiusMm = 0.5;
+    static constexpr double maximumRadiusMm = 60.0;
+
+    BrushTool(Workspace& workspace, Workspace::Brush brush, QObject* parent);
+    ~BrushTool() override;
+
+    [[nodiscard]] QString target() const override { return action(m_inverted); }
+    [[nodiscard]] bool worksIn(const ViewContext& view) const override;
+
+    void press(const PointerSample& sample, const ViewContext& view) override;
+    void drag(const PointerSample& sample, const ViewContext& view) override;
+    void release(const PointerSample& sample, const ViewContext& view) override;
+    void cancel() override;
+    void hover(const PointerSample& sample, const ViewContext& view) override;
+    void leave() override;
+    void changeRadius(int steps) override;
+
+    void paintOverlay(QPainter& painter, const ViewContext& view) const override;
+
+protected:
+    [[nodiscard]] Workspace& workspace() const { return m_workspace; }
+    [[nodiscard]] const Workspace::BrushSettings& settings() const;
+    /// "paints Liver", "erases Liver", or why it cannot.
+    [[nodiscard]] virtual QString action(bool inverted) const = 0;
+    /// Which voxels alone may change, in words; empty: any.
+    [[nodiscard]] virtual QString limits() const { return {}; }
+    [[nodiscard]] virtual QColor colour() const = 0;
+    /// What a stroke that begins now does along a path.
+    [[nodiscard]] virtual core::Result<core::Edit> strokeAlong(
+        const core::BrushPath& path, bool inverted, const ViewContext& view) = 0;
+    /// How far around its radius a stroke changes what the 3D view shows, mm.
+    [[nodiscard]] virtual double reachMm() const = 0;
+
+private:
+    struct Stroke;
+
+    [[nodiscard]] core::BrushPath pathIn(const ViewContext& view) const;
+    /// 3D: asks what is seen along the way to here, then goes on there.
+    void askOnTheWay(const glm::dvec2& planeMm);
+    void follow(Stroke& stroke, const glm::dvec2& from, const glm::dvec2& to);
+    void goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted);
+    void finish(const std::shared_ptr<Stroke>& stroke);
+    void showCursor(const PointerSample& sample, gpu::ViewId view);
+
+    Workspace& m_workspace;
+    Workspace::Brush m_brush;
+    std::shared_ptr<Stroke> m_stroke; ///< until all of it is told
+    QPointF m_cursor;
+    std::optional<gpu::ViewId> m_cursorView;
+    bool m_inverted = false;
+};
+
+} // namespace ui

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/geometry/ViewContext.h"
+
+#include <QPolygonF>
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <vector>
+
+class QPainter;
+
+namespace ui {
+
+/// A curve that is being drawn on the 3D view (seed A §4.1). It closes by itself and may cross
+/// itself; the view of pen-down holds until it is finished.
+class CurveSketch {
+public:
+    void begin(const QPointF& at, const ViewContext& view);
+    void extend(const QPointF& at);
+    void drop() { m_view.reset(); }
+
+    [[nodiscard]] bool drawing() const { return m_view.has_value(); }
+    /// Of pen-down; only while drawing.
+    [[nodiscard]] const ViewContext& view() const { return *m_view; }
+    /// As far as it is drawn: millimetres in the view plane, right of and above the target.
+    [[nodiscard]] std::vector<glm::dvec2> curveMm() const;
+    /// The same, and the drawing is over. Empty: what was drawn is too small to mean anything.
+    [[nodiscard]] std::vector<glm::dvec2> finish();
+
+    void paint(QPainter& painter) const;
+
+private:
+    std::optional<ViewContext> m_view; ///< set while drawing
+    QPolygonF m_points; ///< logical pixels
+};
+
+} // namespace ui

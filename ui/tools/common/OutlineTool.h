@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/Edits.h"
+#include "ui/input/Tool.h"
+#include "ui/tools/aim/SurfacePreview.h"
+#include "ui/tools/common/CurveSketch.h"
+
+#include <optional>
+#include <vector>
+
+namespace ui {
+
+/// What tools share that cut inside a curve sketched on the 3D view (seed A §4.1). The curve closes
+/// by itself; with Ctrl, or the pen's eraser end, the tool restores. Points are millimetres in the
+/// view plane, right of and above the target.
+class OutlineTool : public Tool {
+    Q_OBJECT
+
+public:
+    explicit OutlineTool(Workspace& workspace, QObject* parent = nullptr);
+
+    [[nodiscard]] QString target() const override;
+    [[nodiscard]] bool worksIn(const ViewContext& view) const override;
+
+    void press(const PointerSample& sample, const ViewContext& view) override;
+    void drag(const PointerSample& sample, const ViewContext& view) override;
+    void release(const PointerSample& sample, const ViewContext& view) override;
+    void cancel() override;
+    void hover(const PointerSample& sample, const ViewContext& view) override;
+    void leave() override;
+    void paintOverlay(QPainter& painter, const ViewContext& view) const override;
+
+protected:
+    struct Sketch {
+        core::OrthographicView view;
+        std::vector<glm::dvec2> polygonMm;
+        bool restore = false;
+        core::HiddenSides hidden{}; ///< what the view's clip region hides
+    };
+    /// A curve was closed that is large enough to mean something.
+    virtual void cut(const Sketch& sketch) = 0;
+    /// A new one is begun.
+    virtual void begin() { }
+    /// Whether what a curve would take of the surface is shown beforehand, and what that is.
+    [[nodiscard]] virtual bool showsTaken() const { return false; }
+    [[nodiscard]] virtual SurfacePatch taken(SurfacePatch surface) const { return surface; }
+    /// Words at the cursor.
+    [[nodiscard]] virtual QStringList lines() const = 0;
+
+    [[nodiscard]] Workspace& workspace() const { return m_workspace; }
+    [[nodiscard]] double surfaceThreshold() const;
+
+private:
+    void showCursor(const PointerSample& sample, gpu::ViewId view);
+
+    Workspace& m_workspace;
+    SurfacePreview m_preview;
+    CurveSketch m_sketch;
+    bool m_restores = false;
+    QPointF m_cursor;
+    std::optional<gpu::ViewId> m_cursorView;
+};
+
+} // namespace ui

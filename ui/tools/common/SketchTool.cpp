@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/common/SketchTool.h"
+
+#include "ui/tools/aim/CursorLabel.h"
+#include "ui/tools/aim/SeenVoxels.h"
+#include "ui/tools/aim/SketchedVoxels.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QPainter>
+#include <QPointer>
+
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+glm::dvec2 pixelOf(const PointerSample& sample)
+{
+    return {sample.position.x(), sample.position.y()};
+}
+
+} // namespace
+
+SketchTool::SketchTool(Workspace& workspace, QObject* parent)
+    : Tool(parent)
+    , m_workspace(workspace)
+{
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_strokeView.reset();
+        m_path.clear();
+        sketchOver();
+        Q_EMIT overlayChanged();
+    });
+}
+
+QString SketchTool::keys() const
+{
+    return tr("Esc drops the sketch");
+}
+
+bool SketchTool::worksIn(const ViewContext& view) const
+{
+    const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
+    return !scene || scene->orthographic;
+}
+
+void SketchTool::press(const PointerSample& sample, const ViewContext& view)
+{
+    if (!m_workspace.volume() || !worksIn(view) || m_strokeView)
+        return;
+    if (sample.eraserEnd && !takesEraser()) {
+        m_workspace.say(tr("A sketch has no use for the eraser end; turn the pen"));
+        return;
+    }
+    m_modifiers = sample.modifiers;
+    m_withEraser = sample.eraserEnd;
+    m_strokeView = view;
+    m_path = {pixelOf(sample)};
+    sketchBegan(view);
+    sketchGrew(m_path);
+    hover(sample, view);
+}
+
+void SketchTool::drag(const PointerSample& sample, const ViewContext& view)
+{
+    if (!m_strokeView || view.view != m_strokeView->view)
+        return;
+    m_path.push_back(pixelOf(sample));
+    sketchGrew(m_path);
+    hover(sample, view);
+}
+
+void SketchTool::release(const PointerSample&, const ViewContext&)
+{
+    if (!m_strokeView)
+        return;
+    // On the 3D view the sketch is not over before it is known what was seen.
+    const bool waits = !finishOtherwise(m_path, *m_strokeView) && !commitOnSlice();
+    if (waits)
+        askWhatIsSeen();
+    m_strokeView.reset();
+    m_path.clear();
+    m_modifiers = {};
+    m_withEraser = false;
+    if (!waits)
+        sketchOver();
+    Q_EMIT overlayChanged();
+}
+
+void SketchTool::cancel()
+{
+    if (!m_strokeView)
+        return;
+    m_strokeView.reset();
+    m_path.clear();
+    sketchOver();
+    m_workspace.say(tr("The sketch was dropped"));
+    Q_EMIT overlayChanged();
+}
+
+void SketchTool::hover(const PointerSample& sample, const ViewContext& view)
+{
+    m_cursor = sample.position;
+    m_cursorView = view.view;
+    Q_EMIT overlayChanged();
+}
+
+void SketchTool::leave()
+{
+    m_cursorView.reset();
+    Q_EMIT overlayChanged();
+}
+
+bool SketchTool::commitOnSlice()
+{
+    if (!m_strokeView->isSlice())
+        return false;
+    const std::vector<glm::ivec3> voxels =
+        voxelsUnder(m_path, *m_strokeView, *m_workspace.volume());
+    if (voxels.empty())
+        m_workspace.say(outsideText());
+    else
+        commit(voxels);
+    return true;
+}
+
+void SketchTool::askWhatIsSeen()
+{
+    const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
+    ui::askWhatIsSeen(m_workspace, scene,
+        planePointsUnder(m_path, *m_strokeView, *m_workspace.volume()),
+        [tool = QPointer<SketchTool>(this), modifiers = m_modifiers, eraser = m_withEraser](
+            const core::Result<SeenVoxels>& seen) {
+            if (!tool)
+                return;
+            // The next sketch may have begun, with other keys.
+            const auto nextModifiers = std::exchange(tool->m_modifiers, modifiers);
+            const bool nextEraser = std::exchange(tool->m_withEraser, eraser);
+            tool->commitSeen(seen);
+            tool->m_modifiers = nextModifiers;
+            tool->m_withEraser = nextEraser;
+            if (!tool->drawing())
+                tool->sketchOver();
+        });
+}
+
+void SketchTool::commitSeen(const core::Result<SeenVoxels>& seen)
+{
+    if (!seen)
+        return m_workspace.fail(seen.error());
+    std::vector<glm::ivec3> voxels;
+    for (const auto& pick : *seen) {
+        if (pick)
+            voxels.push_back(pick->voxel);
+    }
+    if (voxels.empty())
+        m_workspace.say(nothingSeenText());
+    else
+        commit(uniqueVoxels(voxels));
+}
+
+void SketchTool::paintOverlay(QPainter& painter, const ViewContext& view) const
+{
+    if (!m_workspace.session() || !worksIn(view))
+        return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_strokeView && m_strokeView->view == view.view) {
+        QPolygonF line;
+        for (const glm::dvec2& pixel : m_path)
+            line.push_back({pixel.x, pixel.y});
+        if (line.size() == 1)
+            line.push_back(line.front());
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor(0, 0, 0, 150), 5.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolyline(line);
+        painter.setPen(QPen(colour(), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolyline(line);
+    }
+    if (m_cursorView != view.view)
+        return;
+    painter.setPen(QPen(QColor(0, 0, 0, 180), 1.0));
+    painter.setBrush(colour());
+    painter.drawEllipse(m_cursor, 4.0, 4.0);
+    drawCursorLabel(painter, view.sizePixels, m_cursor, 4.0, cursorLines());
+}
+
+} // namespace ui

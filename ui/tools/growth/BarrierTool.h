@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/tools/common/BrushTool.h"
+
+namespace ui {
+
+/// Shuts places to growth, on slices and on the surface that the 3D view shows; with Ctrl or the
+/// pen's eraser end it opens them again. What a growth added there goes.
+class BarrierTool : public BrushTool {
+    Q_OBJECT
+
+public:
+    explicit BarrierTool(Workspace& workspace, QObject* parent = nullptr);
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] QString iconName() const override;
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] QString keys() const override;
+    [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
+
+protected:
+    [[nodiscard]] QString action(bool inverted) const override;
+    [[nodiscard]] QColor colour() const override;
+    [[nodiscard]] core::Result<core::Edit> strokeAlong(
+        const core::BrushPath& path, bool inverted, const ViewContext& view) override;
+    [[nodiscard]] double reachMm() const override { return 0.0; }
+};
+
+} // namespace ui

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/growth/PaintTool.h"
+
+#include "ui/tools/common/BrushOptions.h"
+#include "ui/workspace/SegmentActions.h"
+
+#include <algorithm>
+
+namespace ui {
+
+PaintTool::PaintTool(Workspace& workspace, QObject* parent)
+    : BrushTool(workspace, Workspace::Brush::Paint, parent)
+{
+}
+
+QString PaintTool::name() const
+{
+    return tr("Paint");
+}
+
+QString PaintTool::iconName() const
+{
+    return QStringLiteral("paint");
+}
+
+QString PaintTool::hint() const
+{
+    return tr("Paint: draw on a slice or on the 3D view; Ctrl or the eraser end erases");
+}
+
+QString PaintTool::keys() const
+{
+    return tr("[ ] radius · Ctrl erases · Esc cancels");
+}
+
+QWidget* PaintTool::createOptions(QWidget* parent)
+{
+    return new BrushOptions(workspace(), Workspace::Brush::Paint, parent);
+}
+
+QString PaintTool::action(bool inverted) const
+{
+    const core::EditSession* session = workspace().session();
+    if (!session)
+        return {};
+    const core::Segment* segment = session->document().segment(workspace().activeSegment());
+    if (!segment)
+        return inverted ? tr("no segment to erase") : tr("paints a new segment");
+    if (segment->locked)
+        return tr("%1 is locked").arg(segment->name);
+    return (inverted ? tr("erases %1") : tr("paints %1")).arg(segment->name);
+}
+
+QString PaintTool::limits() const
+{
+    return intervalText(workspace());
+}
+
+QColor PaintTool::colour() const
+{
+    const core::EditSession* session = workspace().session();
+    if (!session)
+        return {};
+    const core::Segment* segment = session->document().segment(workspace().activeSegment());
+    return segment ? QColor(segment->rgb) : QColor(nextSegmentColour(session->document()));
+}
+
+core::Result<core::Edit> PaintTool::strokeAlong(
+    const core::BrushPath& path, bool inverted, const ViewContext&)
+{
+    const core::Result<int> label = ensureActiveSegment(workspace());
+    if (!label)
+        return tl::unexpected(label.error());
+    const Workspace::BrushSettings& now = settings();
+    core::PaintStroke stroke;
+    stroke.segment = *label;
+    stroke.path = path;
+    stroke.erase = inverted;
+    stroke.overwriteUnlocked = now.overwriteUnlocked && !inverted;
+    stroke.seeds = !inverted && takesPartInGrowth(workspace().session()->history(), *label);
+    if (now.onlyBetween) {
+        stroke.lower = std::min(now.lower, now.upper);
+        stroke.upper = std::max(now.lower, now.upper);
+    }
+    return core::Edit(stroke);
+}
+
+bool takesPartInGrowth(const core::History& history, int segment)
+{
+    const std::vector<core::RowId> rows = history.standing();
+    return std::any_of(rows.begin(), rows.end(), [&](core::RowId row) {
+        const core::Edit& edit = history.row(row).edit;
+        const auto* seeds = std::get_if<core::SeedStroke>(&edit);
+        const auto* paint = std::get_if<core::PaintStroke>(&edit);
+        return (seeds && seeds->segment == segment)
+            || (paint && paint->seeds && paint->segment == segment);
+    });
+}
+
+} // namespace ui

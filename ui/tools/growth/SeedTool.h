@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/Edits.h"
+#include "ui/tools/common/SketchTool.h"
+
+namespace ui {
+
+/// Sketches seeds of the active segment (seed A §5.1). One SeedStroke per sketch; the first sketch
+/// of a session makes a segment, as an entry of its own. With Ctrl, or the pen's eraser end, seeds
+/// under the path that no growth has accepted are taken away, of whichever segment; with Shift the
+/// one under the pointer is moved.
+class SeedTool : public SketchTool {
+    Q_OBJECT
+
+public:
+    explicit SeedTool(Workspace& workspace, QObject* parent = nullptr);
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] QString iconName() const override;
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] QString target() const override;
+    [[nodiscard]] QString keys() const override;
+    [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
+
+    void paintOverlay(QPainter& painter, const ViewContext& view) const override;
+
+private:
+    [[nodiscard]] bool takesEraser() const override { return true; }
+    bool finishOtherwise(const std::vector<glm::dvec2>& pixels, const ViewContext& view) override;
+    void commit(const std::vector<glm::ivec3>& voxels) override;
+    [[nodiscard]] bool takesAway() const;
+    [[nodiscard]] bool moves() const;
+    void takeAway(const std::vector<glm::dvec2>& pixels, const ViewContext& view);
+    void move(const glm::dvec2& from, const glm::dvec2& to, const ViewContext& view);
+    void apply(const core::SeedStroke& stroke, const QString& done);
+    /// Says what became of a stroke that was carried out.
+    void tellOf(const core::SeedStroke& stroke, const QString& done);
+    [[nodiscard]] QColor colour() const override;
+    [[nodiscard]] QString outsideText() const override;
+    [[nodiscard]] QString nothingSeenText() const override;
+};
+
+} // namespace ui

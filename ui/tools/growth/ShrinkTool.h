@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/tools/common/SketchTool.h"
+
+namespace ui {
+
+class ShrinkForesight;
+class SketchedVoxels;
+
+/// Takes back the sketched places and what grew through them (core::ShrinkAt): cut off at its
+/// narrowest passage, or half-way to the seeds, which is shut; with Ctrl only the sketched voxels.
+/// While the pen is down it shows what that would be.
+class ShrinkTool : public SketchTool {
+    Q_OBJECT
+
+public:
+    explicit ShrinkTool(Workspace& workspace, QObject* parent = nullptr);
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] QString iconName() const override;
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] QString target() const override;
+    [[nodiscard]] QString keys() const override;
+
+    [[nodiscard]] const ShrinkForesight& foresight() const { return *m_foresight; }
+
+private:
+    void sketchBegan(const ViewContext& view) override;
+    void sketchGrew(const std::vector<glm::dvec2>& pixels) override;
+    void sketchOver() override;
+    [[nodiscard]] QStringList cursorLines() const override;
+    void commit(const std::vector<glm::ivec3>& voxels) override;
+    [[nodiscard]] QColor colour() const override;
+    [[nodiscard]] QString outsideText() const override;
+    [[nodiscard]] QString nothingSeenText() const override;
+
+    SketchedVoxels* m_sketched;
+    ShrinkForesight* m_foresight;
+};
+
+} // namespace ui

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/input/Tool.h"
+#include "ui/workspace/Chunks.h"
+#include "ui/workspace/Workspace.h"
+
+#include <optional>
+#include <vector>
+
+namespace ui {
+
+/// Adds chunks to the segment that is divided, or takes them away, with mouse or pen, in slices and
+/// in the 3D view. A click takes a chunk that the segment has and gives it any other one; a drag
+/// does to all chunks on its way what a click does to the first; with Ctrl, or the pen's eraser
+/// end, chunks are only taken away. One edit a stroke, when the pen is lifted.
+class ChunkTool : public Tool {
+    Q_OBJECT
+
+public:
+    explicit ChunkTool(Workspace& workspace, QObject* parent = nullptr);
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] QString iconName() const override;
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] QString target() const override;
+    [[nodiscard]] QString keys() const override;
+    [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
+    [[nodiscard]] QJsonObject settingsJson() const override;
+    void applySettings(const QJsonObject& settings) override;
+    [[nodiscard]] bool worksIn(const ViewContext& view) const override;
+
+    void press(const PointerSample& sample, const ViewContext& view) override;
+    void drag(const PointerSample& sample, const ViewContext& view) override;
+    void release(const PointerSample& sample, const ViewContext& view) override;
+    void cancel() override;
+    void hover(const PointerSample& sample, const ViewContext& view) override;
+    void leave() override;
+    void changeRadius(int steps) override;
+    void paintOverlay(QPainter& painter, const ViewContext& view) const override;
+
+private:
+    using Chunk = Chunks::Chunk;
+    struct Stroke {
+        ViewContext view; ///< of pen-down; holds for the whole stroke
+        QPointF last;
+        core::ChunkToggle edit; ///< a point for each chunk
+        std::vector<Chunk> chunks; ///< in the order of its points
+        bool removes = false; ///< and nothing else
+    };
+
+    /// Adds the chunks between the last place and this one.
+    void follow(const QPointF& to);
+    void pick(const glm::ivec3& voxel);
+    void point(const QPointF& pixel, const ViewContext& view, bool removes);
+    void forget();
+    [[nodiscard]] QString segmentName() const;
+    [[nodiscard]] QString chunkText(Chunk chunk) const;
+    [[nodiscard]] QString whyNot() const;
+
+    Workspace& m_workspace;
+    std::optional<Stroke> m_stroke;
+    std::optional<Chunk> m_pointed; ///< chunk under the pointer
+    QPointF m_cursor;
+    std::optional<gpu::ViewId> m_cursorView;
+    bool m_removes = false;
+};
+
+} // namespace ui

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/refine/RefineTool.h"
+
+#include "ui/tools/aim/CursorLabel.h"
+#include "ui/tools/refine/RefineOptions.h"
+
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+/// From where rays of the 3D view are cast: before all that there is.
+constexpr double farMm = 5000.0;
+constexpr double leastContourPixels = 6.0;
+constexpr double closingPixels = 12.0;
+
+glm::dvec3 forwardOf(const ViewContext& view)
+{
+    const auto& scene = std::get<gpu::VolumeScene>(view.scene);
+    return glm::normalize(scene.targetLps - scene.eyeLps);
+}
+
+} // namespace
+
+RefineTool::RefineTool(Workspace& workspace, QObject* parent)
+    : Tool(parent)
+    , m_workspace(workspace)
+{
+    connect(&workspace.refinement(), &Refinement::settingsChanged, this, &Tool::overlayChanged);
+    connect(&workspace.refinement(), &Refinement::changed, this, &Tool::overlayChanged);
+    // A stroke ends with the session it was begun in.
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_stroke.reset();
+        m_contour.reset();
+    });
+    connect(&workspace.refinement(), &Refinement::contoursChanged, this, &Tool::overlayChanged);
+}
+
+QString RefineTool::name() const
+{
+    return tr("Refine");
+}
+
+QString RefineTool::iconName() const
+{
+    return QStringLiteral("refine");
+}
+
+QString RefineTool::hint() const
+{
+    return tr("Refine: mark what is wrong with the surface, then push, scrape, drag or smooth it");
+}
+
+QString RefineTool::target() const
+{
+    const std::optional<core::RefinedSurface> surface = m_workspace.refinement().surface();
+    if (!surface)
+        return tr("no surface yet: lay one in the panel Surface");
+    const core::Segment* segment = m_workspace.session()->document().segment(surface->segment);
+    const QString name = segment ? segment->name : QString();
+    switch (m_workspace.refinement().settings().mode) {
+    case Refinement::Mode::Mark:
+        return tr("marks the surface of %1").arg(name);
+    case Refinement::Mode::Sphere:
+        return (m_inverted ? tr("pushes %1 outwards") : tr("pushes %1")).arg(name);
+    case Refinement::Mode::Scrape:
+        return tr("scrapes %1").arg(name);
+    case Refinement::Mode::Drag:
+        return tr("drags a point of %1").arg(name);
+    case Refinement::Mode::Attract:
+        return tr("draws %1 to edges").arg(name);
+    case Refinement::Mode::Template:
+        return tr("draws how %1 ought to run").arg(name);
+    case Refinement::Mode::Smooth:
+        break;
+    }
+    return tr("smooths %1").arg(name);
+}
+
+QString RefineTool::keys() const
+{
+    switch (m_workspace.refinement().settings().mode) {
+    case Refinement::Mode::Mark:
+        return tr("[ ] radius · Ctrl unmarks · Esc cancels");
+    case Refinement::Mode::Sphere:
+        return tr("[ ] radius · Ctrl outwards · Esc cancels");
+    case Refinement::Mode::Template:
+        return tr("Esc takes back · back to the start: closed");
+    case Refinement::Mode::Scrape:
+    case Refinement::Mode::Drag:
+    case Refinement::Mode::Attract:
+    case Refinement::Mode::Smooth:
+        break;
+    }
+    return tr("[ ] radius · Esc cancels");
+}
+
+QWidget* RefineTool::createOptions(QWidget* parent)
+{
+    return new RefineOptions(m_workspace, parent);
+}
+
+bool RefineTool::worksIn(const ViewContext& view) const
+{
+    const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
+    return !scene || scene->orthographic;
+}
+
+bool RefineTool::takes(const PointerSample&, const ViewContext& view) const
+{
+    return view.isSlice() || m_workspace.refinement().settings().mode != Refinement::Mode::Template;
+}
+
+std::optional<core::MeshHit> RefineTool::hitAt(
+    const core::SurfaceMirror& surface, const ViewContext& view, const QPointF& pixel) const
+{
+    const glm::dvec3 forward = forwardOf(view);
+    return surface.hit(view.toLps(pixel) - farMm * forward, forward);
+}
+
+std::optional<glm::dvec3> RefineTool::placeOf(Stroke& stroke, const QPointF& pixel) const
+{
+    if (stroke.view.isSlice())
+        return stroke.view.toLps(pixel);
+    const glm::dvec3 forward = forwardOf(stroke.view);
+    const glm::dvec3 onTarget = stroke.view.toLps(pixel);
+    using Mode = Refinement::Mode;
+    // What is dragged moves in the plane of the view; so does a scraper, which stays in its own.
+    const bool stays = stroke.settings.mode == Mode::Drag || stroke.settings.mode == Mode::Scrape;
+    if (stays && stroke.depthMm != 0.0)
+        return onTarget + (stroke.depthMm - farMm) * forward;
+    const std::optional<core::MeshHit> hit = hitAt(stroke.surface, stroke.view, pixel);
+    if (!hit)
+        return std::nullopt;
+    stroke.depthMm = hit->distanceMm;
+    if (stroke.settings.mode != Mode::Sphere)
+        return hit->placeLps;
+    const double off = 0.5 * stroke.settings.radiusMm;
+    return hit->placeLps + (stroke.inverted ? -off : off) * hit->normalLps;
+}
+
+core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) const
+{
+    const core::SurfacePath path{.radiusMm = stroke.settings.radiusMm, .pointsLps = {placeLps}};
+    switch (stroke.settings.mode) {
+    case Refinement::Mode::Mark:
+        return core::MarkSurface{
+            .mark = stroke.inverted ? core::SurfaceMark::Yellow : stroke.settings.mark,
+            .path = path};
+    case Refinement::Mode::Sphere:
+        return core::SpherePush{.path = path};
+    case Refinement::Mode::Scrape: {
+        const core::VertexId near = stroke.surface.nearestVertex(placeLps);
+        glm::dvec3 normal = stroke.surface.vertex(near).normalLps;
+        if (const auto* slice = std::get_if<gpu::SliceScene>(&stroke.view.scene)) {
+            const glm::dvec3 across = glm::cross(slice->rightLps, slice->downLps);
+            normal -= glm::dot(normal, across) * across;
+        }
+        const double length = glm::length(normal);
+        return core::PlaneScrape{
+            .path = path, .normalLps = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0)};
+    }
+    case Refinement::Mode::Drag:
+        return core::PointDrag{.path = path};
+    case Refinement::Mode::Attract:
+        return core::AttractSurface{.path = path};
+    case Refinement::Mode::Smooth:
+    case Refinement::Mode::Template: // no stroke of it is an edit
+        break;
+    }
+    return core::SmoothSurface{.path = path};
+}
+
+void RefineTool::press(const PointerSample& sample, const ViewContext& view)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || !worksIn(view) || m_stroke || m_contour)
+        return;
+    Refinement& refinement = m_workspace.refinement();
+    if (!refinement.surface() || refinement.mirror().empty())
+        return m_workspace.say(
+            tr("There is no surface yet: lay one around a segment in the panel Surface"));
+    if (refinement.settings().mode == Refinement::Mode::Template) {
+        m_contour = Contour{.view = view, .pointsLps = {view.toLps(sample.position)}};
+        return hover(sample, view);
+    }
+    refinement.dropPreview();
+    m_stroke = Stroke{.view = view,
+        .surface = refinement.mirror(),
+        .settings = refinement.settings(),
+        .inverted = sample.eraserEnd || (sample.modifiers & Qt::ControlModifier)};
+    const std::optional<glm::dvec3> place = placeOf(*m_stroke, sample.position);
+    if (!place) {
+        m_stroke.reset();
+        return m_workspace.say(tr("The surface is not there"));
+    }
+    m_stroke->last = *place;
+    if (const auto begun = session->begin(editOf(*m_stroke, *place)); !begun) {
+        m_stroke.reset();
+        m_workspace.fail(begun.error());
+    }
+    hover(sample, view);
+}
+
+void RefineTool::drag(const PointerSample& sample, const ViewContext& view)
+{
+    if (m_contour && view.view == m_contour->view.view) {
+        m_contour->pointsLps.push_back(m_contour->view.toLps(sample.position));
+        return hover(sample, view);
+    }
+    if (!m_stroke || view.view != m_stroke->view.view)
+        return;
+    const std::optional<glm::dvec3> place = placeOf(*m_stroke, sample.position);
+    if (place && *place != m_stroke->last) {
+        m_workspace.session()->extendPath({*place});
+        m_stroke->last = *place;
+    }
+    hover(sample, view);
+}
+
+void RefineTool::release(const PointerSample& sample, const ViewContext& view)
+{
+    if (m_contour) {
+        endContour();
+        return hover(sample, view);
+    }
+    if (!m_stroke)
+        return;
+    m_stroke.reset();
+    m_workspace.session()->end(core::Ending::Commit);
+    hover(sample, view);
+}
+
+void RefineTool::endContour()
+{
+    std::vector<glm::dvec3> points = std::move(m_contour->pointsLps);
+    const double pixelMm = m_contour->view.mmPerPixel();
+    m_contour.reset();
+    double lengthMm = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        lengthMm += glm::distance(points[i - 1], points[i]);
+    if (points.size() < 2 || lengthMm < leastContourPixels * pixelMm)
+        return;
+    // A contour has three points at least; a flick of the pen may have two.
+    if (points.size() == 2)
+        points.insert(points.begin() + 1, 0.5 * (points.front() + points.back()));
+    // Whoever comes back to where he began means a closed line.
+    if (lengthMm > 4.0 * closingPixels * pixelMm
+        && glm::distance(points.front(), points.back()) < closingPixels * pixelMm)
+        points.back() = points.front();
+    m_workspace.refinement().addContour(std::move(points));
+}
+
+void RefineTool::putAway()
+{
+    cancel();
+    m_workspace.refinement().dropPreview();
+}
+
+void RefineTool::cancel()
+{
+    if (m_contour) {
+        m_contour.reset();
+        return Q_EMIT overlayChanged();
+    }
+    // Esc once more: what is only looked at goes first, then what was drawn.
+    if (!m_stroke && m_workspace.refinement().isPreviewing())
+        return m_workspace.refinement().dropPreview();
+    if (!m_stroke)
+        return;
+    m_stroke.reset();
+    if (core::EditSession* session = m_workspace.session())
+        session->end(core::Ending::Rollback);
+    m_workspace.say(tr("The stroke was taken back"));
+    Q_EMIT overlayChanged();
+}
+
+void RefineTool::hover(const PointerSample& sample, const ViewContext& view)
+{
+    m_cursor = sample.position;
+    m_cursorView = view.view;
+    m_inverted = m_stroke ? m_stroke->inverted
+                          : sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
+    Q_EMIT overlayChanged();
+}
+
+void RefineTool::leave()
+{
+    m_cursorView.reset();
+    Q_EMIT overlayChanged();
+}
+
+void RefineTool::changeRadius(int steps)
+{
+    Refinement::Settings settings = m_workspace.refinement().settings();
+    const double step = settings.radiusMm < 10.0 ? 0.5 : settings.radiusMm < 30.0 ? 1.0 : 2.0;
+    settings.radiusMm = std::clamp(std::round((settings.radiusMm + steps * step) / step) * step,
+        minimumRadiusMm, maximumRadiusMm);
+    m_workspace.refinement().setSettings(settings);
+}
+
+QColor RefineTool::colour() const
+{
+    const Refinement::Settings& settings = m_workspace.refinement().settings();
+    if (settings.mode != Refinement::Mode::Mark)
+        return toolColour();
+    const gpu::SurfaceColours colours;
+    const auto mark = m_inverted ? core::SurfaceMark::Yellow : settings.mark;
+    return QColor(QRgb(colours.markRgb[std::size_t(mark)]));
+}
+
+void RefineTool::paintContours(QPainter& painter, const ViewContext& view) const
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    const auto* slice = std::get_if<gpu::SliceScene>(&view.scene);
+    const auto draw = [&](const std::vector<glm::dvec3>& points) {
+        QPolygonF line;
+        double apartMm = 0.0;
+        for (const glm::dvec3& point : points) {
+            line << view.toPixel(point);
+            if (slice)
+                apartMm = std::max(apartMm,
+                    std::abs(glm::dot(
+                        point - slice->centreLps, glm::cross(slice->rightLps, slice->downLps))));
+        }
+        // Those of other planes are seen through the slice, faintly.
+        const int alpha = apartMm < 0.5 ? 255 : 90;
+        painter.setPen(QPen(QColor(0, 0, 0, alpha / 2), 3.4));
+        painter.drawPolyline(line);
+        QColor colour = toolColour();
+        colour.setAlpha(alpha);
+        painter.setPen(QPen(colour, 1.6));
+        painter.drawPolyline(line);
+    };
+    for (const auto& contour : m_workspace.refinement().contours())
+        draw(contour);
+    if (m_contour)
+        draw(m_contour->pointsLps);
+}
+
+void RefineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
+{
+    if (m_workspace.session())
+        paintContours(painter, view);
+    if (m_workspace.refinement().settings().mode == Refinement::Mode::Template)
+        return;
+    if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
+        return;
+    const double radiusMm = m_workspace.refinement().settings().radiusMm;
+    const double radius = radiusMm / view.mmPerPixel();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    // A dark rim under the bright line keeps the outline visible on bone and on black alike.
+    painter.setPen(QPen(QColor(0, 0, 0, 150), 3.5));
+    painter.drawEllipse(m_cursor, radius, radius);
+    QPen line(colour(), 1.6);
+    if (m_inverted)
+        line.setDashPattern({4.0, 3.0});
+    painter.setPen(line);
+    painter.drawEllipse(m_cursor, radius, radius);
+    drawCursorLabel(painter, view.sizePixels, m_cursor, radius,
+        {target(), tr("radius %1 mm").arg(QLocale().toString(radiusMm, 'f', 1))});
+}
+
+} // namespace ui

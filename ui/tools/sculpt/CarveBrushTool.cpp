@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/sculpt/CarveBrushTool.h"
+
+#include "core/edits/engine/HiddenSides.h"
+#include "ui/tools/aim/CursorLabel.h"
+#include "ui/tools/common/BrushOptions.h"
+#include "ui/workspace/LayerActions.h"
+
+#include <algorithm>
+
+namespace ui {
+
+CarveBrushTool::CarveBrushTool(Workspace& workspace, QObject* parent)
+    : BrushTool(workspace, Workspace::Brush::Carve, parent)
+{
+}
+
+QString CarveBrushTool::name() const
+{
+    return tr("Carve");
+}
+
+QString CarveBrushTool::iconName() const
+{
+    return QStringLiteral("carve");
+}
+
+QString CarveBrushTool::hint() const
+{
+    return tr("Carve brush: draw in the 3D view or on a slice; Ctrl or the eraser end restores");
+}
+
+QString CarveBrushTool::keys() const
+{
+    return tr("[ ] radius · Ctrl restores · Esc cancels");
+}
+
+QWidget* CarveBrushTool::createOptions(QWidget* parent)
+{
+    return new BrushOptions(workspace(), Workspace::Brush::Carve, parent);
+}
+
+QString CarveBrushTool::action(bool inverted) const
+{
+    return carvingTarget(workspace(), inverted);
+}
+
+QColor CarveBrushTool::colour() const
+{
+    return toolColour();
+}
+
+core::Result<core::Edit> CarveBrushTool::strokeAlong(
+    const core::BrushPath& path, bool inverted, const ViewContext& view)
+{
+    core::BrushStroke stroke;
+    stroke.layer = workspace().activeLayer();
+    stroke.path = path;
+    stroke.restore = inverted;
+    if (const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene))
+        stroke.hidden = core::hiddenSides(scene->clip, workspace().volume()->geometry);
+    return core::Edit(stroke);
+}
+
+double CarveBrushTool::reachMm() const
+{
+    // The edge of a cut is soft, and radiation blurs it by three voxels.
+    const glm::dvec3 spacing = workspace().volume()->geometry.spacingMm();
+    return settings().radiusMm + 5.0 * std::max({spacing.x, spacing.y, spacing.z});
+}
+
+} // namespace ui

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/tools/sculpt/DrillTool.h"
+
+namespace ui {
+
+/// A drill whose mask stands across the surface under the pen and goes in along its normal (seed A
+/// §4.3; DESIGN §5). It shares the drill's tip and has a depth of its own.
+class LaserTool final : public DrillTool {
+    Q_OBJECT
+
+public:
+    using DrillTool::DrillTool;
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] QString iconName() const override;
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
+
+protected:
+    [[nodiscard]] core::Edit editIn(const ViewContext& view, bool restore) const override;
+    [[nodiscard]] double& depthIn(Workspace::DrillSettings& settings) const override;
+    [[nodiscard]] bool followsSurface() const override { return true; }
+};
+
+} // namespace ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/input/Tool.h"
+#include "ui/tools/view/PlaneHandles.h"
+#include "ui/workspace/CuttingPlane.h"
+
+#include <optional>
+#include <vector>
+
+namespace ui {
+
+class Workspace;
+
+/// Puts the cutting plane where it is wanted (seed B §4.1): by handles in slices and in the 3D
+/// view, by dragging in the pen view itself, through three places, or across what runs at a place.
+/// Elsewhere the view navigates. No step of undo.
+class PlaneTool : public Tool {
+    Q_OBJECT
+
+public:
+    /// What a press means.
+    enum class Aim { Handles, ThreePoints, Across };
+
+    explicit PlaneTool(Workspace& workspace, QObject* parent = nullptr);
+
+    [[nodiscard]] Aim aim() const { return m_aim; }
+    /// The others come back to the handles once they are done.
+    void setAim(Aim aim);
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] QString iconName() const override;
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] QString target() const override;
+    [[nodiscard]] QString keys() const override;
+    [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
+    [[nodiscard]] bool worksIn(const ViewContext& view) const override;
+    [[nodiscard]] bool takes(const PointerSample& sample, const ViewContext& view) const override;
+
+    void press(const PointerSample& sample, const ViewContext& view) override;
+    void drag(const PointerSample& sample, const ViewContext& view) override;
+    void release(const PointerSample& sample, const ViewContext& view) override;
+    void cancel() override;
+    void hover(const PointerSample& sample, const ViewContext& view) override;
+    void leave() override;
+    void paintOverlay(QPainter& painter, const ViewContext& view) const override;
+
+Q_SIGNALS:
+    void aimChanged();
+
+private:
+    struct Drag {
+        std::optional<PlaneHandle> handle; ///< none: the plane itself is turned in the pen view
+        gpu::ViewId view = 0;
+        QPointF last;
+        CuttingPlane::Pose before;
+    };
+    [[nodiscard]] std::optional<PlaneHandle> handleAt(
+        const QPointF& pixel, const ViewContext& view) const;
+    void turnInPenView(const PointerSample& sample, const ViewContext& view);
+    /// Where a press points at: on a slice at once, in the 3D view once the engine has answered.
+    void point(const QPointF& pixel, const ViewContext& view);
+    void take(const glm::dvec3& placeLps);
+
+    Workspace& m_workspace;
+    Aim m_aim = Aim::Handles;
+    std::vector<glm::dvec3> m_points; ///< of Aim::ThreePoints, so far
+    std::optional<Drag> m_drag;
+    std::optional<int> m_hovered; ///< PlaneHandle::id
+    gpu::ViewId m_hoveredView = 0;
+};
+
+} // namespace ui

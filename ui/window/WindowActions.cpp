@@ -1,0 +1,494 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/WindowActions.h"
+
+#include "ui/dialogs/AuthorDialog.h"
+#include "ui/dialogs/KeysDialog.h"
+#include "ui/dialogs/PenTesterDialog.h"
+#include "ui/dialogs/session/HistoryMemoryDialog.h"
+#include "ui/dialogs/study/OpenDialogs.h"
+#include "ui/frame/MessageBar.h"
+#include "ui/input/Tool.h"
+#include "ui/report/AuditSaver.h"
+#include "ui/tasks/MaskImporter.h"
+#include "ui/views/ViewGrid.h"
+#include "ui/window/BookmarkMenu.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/PacsActions.h"
+#include "ui/workspace/ClipSteps.h"
+#include "ui/workspace/InitialDisplay.h"
+#include "ui/workspace/LayerActions.h"
+#include "ui/workspace/SegmentActions.h"
+
+#include <QApplication>
+#include <QDesktopServices>
+#include <QUrl>
+
+#include <array>
+
+namespace ui {
+
+namespace {
+
+using Keys = QList<QKeySequence>;
+
+/// The standard sides, with the letters they are known by.
+struct Side {
+    const char* id;
+    const char* text;
+    const char* key;
+    glm::dvec3 direction;
+};
+const std::array<Side, 6> sides{
+    Side{"view.fromFront", "From the front (A)", "Shift+A", {0.0, -1.0, 0.0}},
+    Side{"view.fromBack", "From the back (P)", "Shift+P", {0.0, 1.0, 0.0}},
+    Side{"view.fromLeft", "From the left (L)", "Shift+L", {1.0, 0.0, 0.0}},
+    Side{"view.fromRight", "From the right (R)", "Shift+R", {-1.0, 0.0, 0.0}},
+    Side{"view.fromAbove", "From above (S)", "Shift+S", {0.0, 0.0, 1.0}},
+    Side{"view.fromBelow", "From below (I)", "Shift+I", {0.0, 0.0, -1.0}},
+};
+
+void carryOut(Workspace& workspace, core::Result<void> (core::EditSession::*step)())
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    // A stroke under the pen would be what an impatient undo means.
+    if (workspace.activeTool())
+        workspace.activeTool()->putAway();
+    if (const auto done = (session->*step)(); !done)
+        workspace.fail(done.error());
+}
+
+void addFileActions(MainWindow& window)
+{
+    Actions& actions = window.actionTable();
+    Workspace& workspace = window.workspace();
+    actions.add({.id = QStringLiteral("file.openFolder"),
+        .text = QStringLiteral("Open study folder …"),
+        .keys = {QKeySequence::Open},
+        .icon = QStringLiteral("open"),
+        .run = [&window] { askForFolder(window.opener(), window); }});
+    actions.add({.id = QStringLiteral("file.openFile"),
+        .text = QStringLiteral("Open file …"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+O"))},
+        .run = [&window] { askForFile(window.opener(), window); }});
+    actions.add({.id = QStringLiteral("file.openSession"),
+        .text = QStringLiteral("Open session …"),
+        .run = [&window] { askForSession(window.opener(), window); }});
+    auto* audit = new AuditSaver(workspace, &window);
+    QObject::connect(audit, &AuditSaver::failed, &workspace, &Workspace::fail);
+    QObject::connect(audit, &AuditSaver::saved, &window, [&window](const QString& path) {
+        window.messages().show(MessageBar::Kind::Notice,
+            QStringLiteral("The audit report is in %1.").arg(path), QStringLiteral("Show it"),
+            [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); });
+    });
+    actions.add({.id = QStringLiteral("file.auditReport"),
+        .text = QStringLiteral("Audit report …"),
+        .tip = QStringLiteral("Who did what and when in this session, checked, to print or keep"),
+        .run = [audit] { audit->ask(); },
+        .possible = [&workspace] { return workspace.session() != nullptr; }});
+    MaskImporter& importer = window.importer();
+    QObject::connect(&importer, &MaskImporter::failed, &workspace, &Workspace::fail);
+    QObject::connect(&importer, &MaskImporter::imported, &window,
+        [&window, &workspace](const QString& rowName, const QStringList& notes) {
+            const auto kind =
+                notes.isEmpty() ? MessageBar::Kind::Notice : MessageBar::Kind::Caution;
+            window.messages().show(kind,
+                (QStringList{rowName + QLatin1Char('.')} + notes).join(QLatin1Char(' ')),
+                QStringLiteral("Undo"), [&workspace] {
+                    if (core::EditSession* session = workspace.session())
+                        static_cast<void>(session->undo());
+                });
+        });
+    QObject::connect(
+        &importer, &MaskImporter::nothingTaken, &window, [&window](const QString& path) {
+            window.messages().show(MessageBar::Kind::Notice,
+                QStringLiteral("%1: segments that are here have all of its voxels already; nothing "
+                               "was taken.")
+                    .arg(path));
+        });
+    actions.add({.id = QStringLiteral("file.importMask"),
+        .text = QStringLiteral("Import mask …"),
+        .tip = QStringLiteral("Segments from a DICOM SEG, NIfTI, NRRD or MetaImage file, laid on "
+                              "this study"),
+        .run = [&importer] { importer.ask(); },
+        .possible = [&workspace,
+                        &importer] { return workspace.session() != nullptr && !importer.busy(); }});
+    actions.add({.id = QStringLiteral("file.demonstration"),
+        .text = QStringLiteral("Open the demonstration study"),
+        .icon = QStringLiteral("demo"),
+        .run = [&window] { Q_EMIT window.demonstrationAsked(); }});
+    actions.add({.id = QStringLiteral("file.saveAs"),
+        .text = QStringLiteral("Save session as …"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+S"))},
+        .tip = QStringLiteral("Every step is on disk already; this moves the session to a file of "
+                              "your own, with the study's images if you like"),
+        .run = [&window] { window.saveSessionAs(); },
+        .possible =
+            [&workspace] {
+                return workspace.session() && !workspace.session()->file().isEmpty();
+            }});
+    actions.add({.id = QStringLiteral("file.close"),
+        .text = QStringLiteral("Close study"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+W"))},
+        .run = [&window] { window.closeStudy(); },
+        .possible = [&window,
+                        &workspace] { return workspace.session() || window.opener().busy(); }});
+    actions.add({.id = QStringLiteral("file.quit"),
+        .text = QStringLiteral("Quit"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Q"))},
+        .run = [] { QApplication::closeAllWindows(); }});
+    actions.add({.id = QStringLiteral("help.keys"),
+        .text = QStringLiteral("Mouse, pen and keys"),
+        .keys = {QKeySequence(QStringLiteral("F1"))},
+        .run = [&window] { KeysDialog(window.actionTable(), &window).exec(); }});
+    actions.add({.id = QStringLiteral("help.pen"),
+        .text = QStringLiteral("Pen tester"),
+        .run = [&window] { PenTesterDialog(&window).exec(); }});
+    actions.add({.id = QStringLiteral("help.about"),
+        .text = QStringLiteral("About Burin"),
+        .run = [&window] { window.showAbout(); }});
+}
+
+void addEditActions(MainWindow& window)
+{
+    Actions& actions = window.actionTable();
+    Workspace& workspace = window.workspace();
+    actions.add({.id = QStringLiteral("edit.undo"),
+        .text = QStringLiteral("Undo"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Z"))},
+        .icon = QStringLiteral("undo"),
+        .run =
+            [&workspace] {
+                if (workspace.clipSteps().canUndo())
+                    workspace.clipSteps().undo();
+                else
+                    carryOut(workspace, &core::EditSession::undo);
+            },
+        .possible =
+            [&workspace] {
+                return workspace.clipSteps().canUndo()
+                    || (workspace.session() && workspace.session()->history().canUndo());
+            },
+        .currentText =
+            [&workspace] {
+                if (workspace.clipSteps().canUndo())
+                    return QStringLiteral("Undo: Clip");
+                if (!workspace.session() || !workspace.session()->history().canUndo())
+                    return QStringLiteral("Undo");
+                const core::History& history = workspace.session()->history();
+                return QStringLiteral("Undo: %1").arg(history.row(history.position()).name);
+            }});
+    actions.add({.id = QStringLiteral("edit.redo"),
+        .text = QStringLiteral("Redo"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Y")),
+            QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
+        .icon = QStringLiteral("redo"),
+        .run =
+            [&workspace] {
+                if (workspace.clipSteps().canRedo())
+                    workspace.clipSteps().redo();
+                else
+                    carryOut(workspace, &core::EditSession::redo);
+            },
+        .possible =
+            [&workspace] {
+                return workspace.clipSteps().canRedo()
+                    || (workspace.session() && workspace.session()->history().canRedo());
+            },
+        .currentText =
+            [&workspace] {
+                if (workspace.clipSteps().canRedo())
+                    return QStringLiteral("Redo: Clip");
+                if (!workspace.session() || !workspace.session()->history().canRedo())
+                    return QStringLiteral("Redo");
+                const core::History& history = workspace.session()->history();
+                return QStringLiteral("Redo: %1").arg(history.row(history.redoTarget()).name);
+            }});
+    actions.add({.id = QStringLiteral("edit.author"),
+        .text = QStringLiteral("Name in the audit trail …"),
+        .run = [&window] { AuthorDialog(&window).exec(); }});
+    actions.add({.id = QStringLiteral("edit.historyMemory"),
+        .text = QStringLiteral("Memory for history …"),
+        .run = [&window] { HistoryMemoryDialog(window.workspace(), &window).exec(); }});
+}
+
+void addToolActions(MainWindow& window)
+{
+    Actions& actions = window.actionTable();
+    Workspace& workspace = window.workspace();
+    actions.add({.id = QStringLiteral("tool.navigate"),
+        .text = QStringLiteral("Navigate"),
+        .keys = {QKeySequence(QStringLiteral("V"))},
+        .icon = QStringLiteral("navigate"),
+        .run = [&workspace] { workspace.setActiveTool(nullptr); },
+        .possible = [&workspace] { return workspace.volume() != nullptr; },
+        .checked = [&workspace] { return workspace.activeTool() == nullptr; }});
+    const auto radius = [&workspace](int steps) {
+        return [&workspace, steps] { workspace.activeTool()->changeRadius(steps); };
+    };
+    const auto hasTool = [&workspace] { return workspace.volume() && workspace.activeTool(); };
+    actions.add({.id = QStringLiteral("tool.larger"),
+        .text = QStringLiteral("Larger mask"),
+        .keys = {QKeySequence(QStringLiteral("]"))},
+        .run = radius(1),
+        .possible = hasTool});
+    actions.add({.id = QStringLiteral("tool.smaller"),
+        .text = QStringLiteral("Smaller mask"),
+        .keys = {QKeySequence(QStringLiteral("["))},
+        .run = radius(-1),
+        .possible = hasTool});
+}
+
+void addToggle(MainWindow& window, const char* id, const char* text, const char* key,
+    bool Workspace::ViewOptions::*option)
+{
+    Workspace& workspace = window.workspace();
+    window.actionTable().add({.id = QLatin1String(id),
+        .text = QLatin1String(text),
+        .keys =
+            *key ? QList<QKeySequence>{QKeySequence(QLatin1String(key))} : QList<QKeySequence>(),
+        .run =
+            [&workspace, option] {
+                Workspace::ViewOptions options = workspace.viewOptions();
+                options.*option = !(options.*option);
+                workspace.setViewOptions(options);
+            },
+        .checked = [&workspace, option] { return workspace.viewOptions().*option; }});
+}
+
+void addLayout(MainWindow& window, const char* id, const char* text, const char* key,
+    const std::function<ImageView*()>& view)
+{
+    window.actionTable().add({.id = QLatin1String(id),
+        .text = QLatin1String(text),
+        .keys = {QKeySequence(QLatin1String(key))},
+        .run = [&window, view] { window.views().maximise(view()); },
+        .checked = [&window, view] { return window.views().maximised() == view(); }});
+}
+
+void addMode(
+    MainWindow& window, const char* id, const char* text, const char* key, gpu::RenderMode mode)
+{
+    Workspace& workspace = window.workspace();
+    window.actionTable().add({.id = QLatin1String(id),
+        .text = QLatin1String(text),
+        .keys = {QKeySequence(QLatin1String(key))},
+        .run =
+            [&workspace, mode] {
+                Workspace::VolumeDisplay display = workspace.volumeDisplay();
+                display.mode = mode;
+                workspace.setVolumeDisplay(display);
+            },
+        .checked = [&workspace, mode] { return workspace.volumeDisplay().mode == mode; }});
+}
+
+void addViewActions(MainWindow& window)
+{
+    Actions& actions = window.actionTable();
+    actions.add({.id = QStringLiteral("view.four"),
+        .text = QStringLiteral("Four views"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+1"))},
+        .run = [&window] { window.views().arrange(ViewGrid::Layout::Four); },
+        .checked =
+            [&window] {
+                return window.views().arrangement() == ViewGrid::Layout::Four
+                    && !window.views().maximised();
+            }});
+    addLayout(window, "view.volume", "3D alone", "Ctrl+2",
+        [&window] { return &window.views().volume(); });
+    addLayout(window, "view.axial", "Axial alone", "Ctrl+3",
+        [&window] { return &window.views().axial(); });
+    addLayout(window, "view.sagittal", "Sagittal alone", "Ctrl+4",
+        [&window] { return &window.views().sagittal(); });
+    addLayout(window, "view.coronal", "Coronal alone", "Ctrl+5",
+        [&window] { return &window.views().coronal(); });
+    actions.add({.id = QStringLiteral("view.reset"),
+        .text = QStringLiteral("Reset view"),
+        .keys = {QKeySequence(QStringLiteral("R"))},
+        .icon = QStringLiteral("reset-view"),
+        .run = [&window] { window.views().current().resetView(); }});
+    actions.add({.id = QStringLiteral("view.resetAll"),
+        .text = QStringLiteral("Reset all views"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+R"))},
+        .run = [&window] { window.views().resetViews(); }});
+    actions.add({.id = QStringLiteral("view.bookmark"),
+        .text = QStringLiteral("Bookmark this view …"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+B"))},
+        .run = [&window] { window.bookmarks().ask(); },
+        .possible = [&window] { return window.workspace().session() != nullptr; }});
+    addToggle(
+        window, "view.inverted", "Inverted grey scale", "I", &Workspace::ViewOptions::inverted);
+    addToggle(window, "view.crosshair", "Crosshair", "F7", &Workspace::ViewOptions::showCrosshair);
+    addToggle(window, "view.patient", "Patient in the corners", "F8",
+        &Workspace::ViewOptions::showPatient);
+    addToggle(window, "view.segments", "Segments", "H", &Workspace::ViewOptions::showSegments);
+    addToggle(window, "view.carved", "Outline of carving in slices", "Shift+H",
+        &Workspace::ViewOptions::showCarved);
+    addToggle(
+        window, "view.barriers", "Barriers of growth", "", &Workspace::ViewOptions::showBarriers);
+    addToggle(window, "view.hole", "Carving as a hole in slices", "",
+        &Workspace::ViewOptions::carvedAsHole);
+    actions.add({.id = QStringLiteral("view.panels"),
+        .text = QStringLiteral("Show panels"),
+        .keys = {QKeySequence(QStringLiteral("F9"))},
+        .run = [&window] { window.showPanels(!window.panelsShown()); },
+        .checked = [&window] { return window.panelsShown(); }});
+    actions.add({.id = QStringLiteral("view.resetPanels"),
+        .text = QStringLiteral("All panels back into the column"),
+        .run = [&window] { window.resetPanels(); }});
+    actions.add({.id = QStringLiteral("view.fullScreen"),
+        .text = QStringLiteral("Full screen"),
+        .keys = {QKeySequence(QStringLiteral("F11"))},
+        .run = [&window] { window.setWindowState(window.windowState() ^ Qt::WindowFullScreen); },
+        .checked = [&window] { return window.isFullScreen(); }});
+    addMode(window, "view.surface", "Surface", "Alt+1", gpu::RenderMode::Surface);
+    addMode(window, "view.dvr", "Volume rendering", "Alt+2", gpu::RenderMode::Dvr);
+    addMode(window, "view.mip", "Maximum intensity", "Alt+3", gpu::RenderMode::Mip);
+    addMode(window, "view.xray", "X-ray", "Alt+4", gpu::RenderMode::Xray);
+    for (const Side& side : sides) {
+        actions.add({.id = QLatin1String(side.id),
+            .text = QLatin1String(side.text),
+            .keys = {QKeySequence(QLatin1String(side.key))},
+            .run = [&window, &side] { window.views().volume().lookFrom(side.direction); }});
+    }
+}
+
+void addListActions(MainWindow& window)
+{
+    Actions& actions = window.actionTable();
+    Workspace& workspace = window.workspace();
+    const auto isOpen = [&workspace] { return workspace.session() != nullptr; };
+    const auto activeSegment = [&workspace]() -> const core::Segment* {
+        const core::EditSession* session = workspace.session();
+        return session ? session->document().segment(workspace.activeSegment()) : nullptr;
+    };
+    const auto activeLayer = [&workspace]() -> const core::SculptLayer* {
+        const core::EditSession* session = workspace.session();
+        return session ? session->document().layer(workspace.activeLayer()) : nullptr;
+    };
+    actions.add({.id = QStringLiteral("segments.add"),
+        .text = QStringLiteral("Add segment"),
+        .run =
+            [&workspace] {
+                if (const auto added = addSegment(workspace); !added)
+                    workspace.fail(added.error());
+            },
+        .possible = isOpen});
+    actions.add({.id = QStringLiteral("segments.remove"),
+        .text = QStringLiteral("Delete segment"),
+        .run = [&workspace] { removeSegment(workspace, workspace.activeSegment()); },
+        .possible = [activeSegment] { return activeSegment() && !activeSegment()->locked; },
+        .currentText =
+            [activeSegment] {
+                const core::Segment* segment = activeSegment();
+                return segment ? QStringLiteral("Delete segment '%1'").arg(segment->name)
+                               : QStringLiteral("Delete segment");
+            }});
+    actions.add({.id = QStringLiteral("layers.add"),
+        .text = QStringLiteral("Add sculpt layer"),
+        .run =
+            [&workspace] {
+                if (const auto added = addLayer(workspace); !added)
+                    workspace.fail(added.error());
+            },
+        .possible = isOpen});
+    actions.add({.id = QStringLiteral("layers.mute"),
+        .text = QStringLiteral("Mute sculpt layer"),
+        .run =
+            [&workspace, activeLayer] {
+                const core::SculptLayer* layer = activeLayer();
+                const auto muted = workspace.session()->apply(
+                    core::ChangeLayer{.layer = layer->id, .muted = !layer->muted});
+                if (!muted)
+                    workspace.fail(muted.error());
+            },
+        .possible = [activeLayer] { return activeLayer() != nullptr; },
+        .checked = [activeLayer] { return activeLayer() && activeLayer()->muted; },
+        .currentText =
+            [activeLayer] {
+                const core::SculptLayer* layer = activeLayer();
+                return layer ? QStringLiteral("Mute layer '%1'").arg(layer->name)
+                             : QStringLiteral("Mute sculpt layer");
+            }});
+    actions.add({.id = QStringLiteral("layers.solo"),
+        .text = QStringLiteral("Solo sculpt layer"),
+        .run =
+            [&workspace, activeLayer] {
+                const core::SculptLayer* layer = activeLayer();
+                const auto changed = workspace.session()->apply(
+                    core::ChangeLayer{.layer = layer->id, .solo = !layer->solo});
+                if (!changed)
+                    workspace.fail(changed.error());
+            },
+        .possible = [activeLayer] { return activeLayer() != nullptr; },
+        .checked = [activeLayer] { return activeLayer() && activeLayer()->solo; },
+        .currentText =
+            [activeLayer] {
+                const core::SculptLayer* layer = activeLayer();
+                return layer ? QStringLiteral("Solo layer '%1'").arg(layer->name)
+                             : QStringLiteral("Solo sculpt layer");
+            }});
+    actions.add({.id = QStringLiteral("layers.toSegment"),
+        .text = QStringLiteral("New segment of what the layer has carved"),
+        .run = [&workspace] { layerToSegment(workspace, workspace.activeLayer(), std::nullopt); },
+        .possible = [activeLayer] { return activeLayer() != nullptr; }});
+    actions.add({.id = QStringLiteral("segments.seen"),
+        .text = QStringLiteral("New segment of what I see in 3D"),
+        .run = [&workspace] { segmentWhatIsSeen(workspace, std::nullopt); },
+        .possible = isOpen});
+}
+
+void addPresetActions(MainWindow& window)
+{
+    Workspace& workspace = window.workspace();
+    const auto preset = [&workspace](int number) -> std::optional<WindowPreset> {
+        const core::Volume* volume = workspace.volume();
+        if (!volume)
+            return std::nullopt;
+        const auto presets = windowPresets(*volume);
+        if (number > int(presets.size()))
+            return std::nullopt;
+        return presets[std::size_t(number - 1)];
+    };
+    for (int number = 1; number <= 9; ++number) {
+        window.actionTable().add({.id = QStringLiteral("window.preset%1").arg(number),
+            .text = QString(),
+            .keys = {QKeySequence(QString::number(number))},
+            .run =
+                [&workspace, preset, number] {
+                    if (const auto chosen = preset(number))
+                        workspace.setWindowLevel(chosen->window);
+                },
+            .possible = [preset, number] { return preset(number).has_value(); },
+            .checked =
+                [&workspace, preset, number] {
+                    const auto chosen = preset(number);
+                    return chosen && chosen->window == workspace.windowLevel();
+                },
+            .currentText =
+                [preset, number] {
+                    const auto chosen = preset(number);
+                    return chosen ? QStringLiteral("%1  (%2 / %3)")
+                                        .arg(chosen->name)
+                                        .arg(chosen->window.width, 0, 'f', 0)
+                                        .arg(chosen->window.centre, 0, 'f', 0)
+                                  : QStringLiteral("—");
+                }});
+    }
+}
+
+} // namespace
+
+void addWindowActions(MainWindow& window)
+{
+    addFileActions(window);
+    addPacsActions(window);
+    addEditActions(window);
+    addToolActions(window);
+    addViewActions(window);
+    addListActions(window);
+    addPresetActions(window);
+}
+
+} // namespace ui

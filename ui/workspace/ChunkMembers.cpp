@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workspace/ChunkMembers.h"
+
+#include "ui/workspace/Workspace.h"
+
+#include <QPointer>
+
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr std::size_t bricksAtOnce = 1024; ///< 4 MiB: other work comes in between
+
+core::VoxelBox common(const core::VoxelBox& one, const core::VoxelBox& other)
+{
+    const core::VoxelBox box{.minimum = glm::max(one.minimum, other.minimum),
+        .maximum = glm::min(one.maximum, other.maximum)};
+    return glm::all(glm::lessThan(box.minimum, box.maximum)) ? box : core::VoxelBox{};
+}
+
+} // namespace
+
+ChunkMembers::ChunkMembers(Workspace& workspace, QObject* parent)
+    : QObject(parent)
+    , m_workspace(workspace)
+{
+}
+
+void ChunkMembers::begin(std::shared_ptr<const ChunkLeaves> leaves, int segment)
+{
+    ++m_count;
+    m_leaves = std::move(leaves);
+    m_segment = segment;
+    m_asking = false;
+    m_dirty.clear();
+    m_own.clear();
+    m_isOwn.clear();
+    const core::EditSession* session = m_workspace.session();
+    const core::Segment* its = session ? session->document().segment(segment) : nullptr;
+    if (!m_leaves || !its) {
+        m_leaves.reset();
+        return;
+    }
+    m_plane = its->plane;
+    m_own.assign(m_leaves->voxels.size(), 0);
+    m_isOwn.assign(m_leaves->ofVoxel->size(), false);
+    look(m_leaves->map->box());
+}
+
+void ChunkMembers::look(const core::VoxelBox& box)
+{
+    if (!m_leaves)
+        return;
+    const core::VoxelBox own = common(box, m_leaves->map->box());
+    if (own.empty())
+        return;
+    const core::BrickGrid grid{m_leaves->map->volumeSize()};
+    const glm::ivec3 first = own.minimum / core::BrickGrid::side;
+    const glm::ivec3 last = (own.maximum - 1) / core::BrickGrid::side;
+    for (int z = first.z; z <= last.z; ++z) {
+        for (int y = first.y; y <= last.y; ++y) {
+            for (int x = first.x; x <= last.x; ++x)
+                m_dirty.insert(
+                    std::uint32_t(grid.brickOf(glm::ivec3(x, y, z) * core::BrickGrid::side)));
+        }
+    }
+    if (!m_asking)
+        askNext();
+}
+
+void ChunkMembers::askNext()
+{
+    if (m_dirty.empty() || !m_workspace.session())
+        return;
+    core::ReadBricks question;
+    while (!m_dirty.empty() && question.keys.size() < bricksAtOnce)
+        question.keys.push_back(
+            {core::Field::Labels, m_plane, m_dirty.extract(m_dirty.begin()).value()});
+    m_asking = true;
+    m_workspace.session()->ask(std::move(question),
+        [members = QPointer<ChunkMembers>(this), count = m_count](
+            const core::EngineResult& result) {
+            if (members && members->m_count == count)
+                members->take(result);
+        });
+}
+
+void ChunkMembers::take(const core::EngineResult& result)
+{
+    m_asking = false;
+    bool changes = false;
+    for (const core::BrickChange& brick : result.changes)
+        changes = takeBrick(brick) || changes;
+    askNext();
+    if (changes)
+        Q_EMIT changed();
+}
+
+bool ChunkMembers::takeBrick(const core::BrickChange& brick)
+{
+    const core::VoxelBox& box = m_leaves->map->box();
+    const core::BrickGrid grid{m_leaves->map->volumeSize()};
+    const core::VoxelBox part = common(grid.boxOf(int(brick.key.brick)), box);
+    const glm::ivec3 size = box.maximum - box.minimum;
+    bool changes = false;
+    for (int z = part.minimum.z; z < part.maximum.z; ++z) {
+        for (int y = part.minimum.y; y < part.maximum.y; ++y) {
+            const glm::ivec3 from(part.minimum.x, y, z);
+            const glm::ivec3 within = from - box.minimum;
+            std::size_t at = (std::size_t(within.z) * std::size_t(size.y) + std::size_t(within.y))
+                    * std::size_t(size.x)
+                + std::size_t(within.x);
+            auto offset = std::size_t(core::BrickGrid::offsetInBrick(from));
+            for (int x = from.x; x < part.maximum.x; ++x, ++at, ++offset) {
+                const bool own = !brick.after.empty() && brick.after[offset] == m_segment;
+                if (m_isOwn[at] == own)
+                    continue;
+                m_isOwn[at] = own;
+                const std::uint16_t leaf = (*m_leaves->ofVoxel)[at];
+                if (leaf == 0)
+                    continue;
+                m_own[leaf - 1U] += own ? 1U : ~std::uint32_t(0);
+                changes = true;
+            }
+        }
+    }
+    return changes;
+}
+
+} // namespace ui

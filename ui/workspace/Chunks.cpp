@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workspace/Chunks.h"
+
+#include "ui/workspace/Workspace.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+/// Light and dark, warm and cool, none near another.
+constexpr std::array<std::uint32_t, core::ChunkColours::colours> palette{0xE6553C, 0x3F7FE0,
+    0xE8D84A, 0xA970E0, 0x35A04F, 0xF2A134, 0x4FC3F7, 0xD63F86, 0x9BD64A, 0x6B5BD6, 0xF0A58A,
+    0x3CD0C0, 0xE07AD0, 0xA86B3F, 0xB9C8A4, 0x7F9BC8};
+
+/// Smaller than the pieces that chunks are joined of (core::ChunkPieces).
+constexpr std::size_t speckVoxels = 64;
+
+// Of 255: chunks that the segment has, has not, and those a tool is about.
+constexpr std::uint32_t ownShare = 255;
+constexpr std::uint32_t otherShare = 90;
+constexpr std::uint32_t litOwnShare = 255;
+constexpr std::uint32_t litOtherShare = 225;
+
+std::uint32_t mixed(std::uint32_t rgb, std::uint32_t other, int percent)
+{
+    std::uint32_t result = 0;
+    for (const int shift : {16, 8, 0}) {
+        const int from = int(rgb >> shift & 255U);
+        const int to = int(other >> shift & 255U);
+        result |= std::uint32_t(from + (to - from) * percent / 100) << shift;
+    }
+    return result;
+}
+
+} // namespace
+
+Chunks::Chunks(Workspace& workspace)
+    : QObject(&workspace)
+    , m_workspace(workspace)
+    , m_members(workspace)
+{
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_wanted.reset();
+        m_leaves.reset();
+        m_lit.clear();
+        m_dividedAfter = std::numeric_limits<core::RowId>::max();
+        if (m_look.shown) {
+            m_look.shown = false;
+            Q_EMIT lookChanged();
+        }
+        follow();
+    });
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Chunks
+                || change.what == core::DocumentChange::What::Segments)
+                follow();
+            else if (change.what == core::DocumentChange::What::Labels)
+                m_members.look(change.box);
+        });
+    connect(&m_members, &ChunkMembers::changed, this, [this] {
+        colour();
+        Q_EMIT changed();
+    });
+}
+
+std::optional<core::ChunkDivision> Chunks::division() const
+{
+    const core::EditSession* session = m_workspace.session();
+    return session ? session->document().chunks : std::nullopt;
+}
+
+bool Chunks::isWorking() const
+{
+    return m_look.shown && division() && !m_leaves;
+}
+
+core::ChunkWorker* Chunks::worker() const
+{
+    core::EditSession* session = m_workspace.session();
+    return session ? core::ChunkWorker::of(session->engine()) : nullptr;
+}
+
+core::ChunkWorker::Stage Chunks::stage() const
+{
+    const core::ChunkWorker* its = worker();
+    // The rest is done here.
+    return (its ? its->stage() : std::nullopt)
+        .value_or(
+            core::ChunkWorker::Stage{.step = QStringLiteral("Colouring them"), .percent = 100});
+}
+
+void Chunks::follow()
+{
+    const std::optional<core::ChunkDivision> now = division();
+    std::shared_ptr<const core::ChunkMap> wanted;
+    if (now && m_look.shown) {
+        wanted = m_workspace.session()->chunkMap();
+        const core::ChunkWorker* its = worker();
+        if (!wanted && its && its->lastFailure())
+            return takeBack(); // the session says why
+    }
+    if (wanted != m_wanted || (now && now->segment != m_segment)) {
+        m_segment = now ? now->segment : 0;
+        m_wanted = std::move(wanted);
+        m_leaves.reset();
+        m_specks = 0;
+        m_count = 0;
+        m_lit.clear();
+        m_members.begin(nullptr, 0);
+        colour();
+        if (m_wanted)
+            m_thread.post(
+                [this, map = m_wanted] {
+                    auto leaves = std::make_shared<const ChunkLeaves>(map);
+                    QMetaObject::invokeMethod(
+                        this, [this, leaves = std::move(leaves)] { take(leaves); },
+                        Qt::QueuedConnection);
+                },
+                [this](const core::Error& error) {
+                    QMetaObject::invokeMethod(
+                        this,
+                        [this, error] {
+                            takeBack();
+                            m_workspace.fail(error);
+                        },
+                        Qt::QueuedConnection);
+                });
+    }
+    Q_EMIT changed();
+}
+
+void Chunks::take(const std::shared_ptr<const ChunkLeaves>& leaves)
+{
+    if (leaves->map != m_wanted)
+        return;
+    m_leaves = leaves;
+    const core::ChunkTree& tree = m_leaves->map->tree();
+    const std::vector<Chunk> roots = tree.division(tree.fewest());
+    m_specks = int(std::count_if(roots.begin(), roots.end(),
+        [&tree](Chunk chunk) { return tree.voxels(chunk).size() < speckVoxels; }));
+    m_members.begin(m_leaves, m_segment);
+    colour();
+    Q_EMIT changed();
+}
+
+void Chunks::setLook(const Look& look)
+{
+    Look wanted = look;
+    wanted.count = std::clamp(look.count, fewest, most);
+    wanted.opacity = std::clamp(look.opacity, 0.0f, 1.0f);
+    if (wanted == m_look)
+        return;
+    const bool shows = wanted.shown != m_look.shown;
+    if (wanted.count != m_look.count)
+        m_lit.clear();
+    m_look = wanted;
+    if (shows) {
+        // Who asks again has it tried again.
+        if (core::ChunkWorker* its = worker(); its && m_look.shown)
+            its->forgetFailure();
+        follow();
+    }
+    colour();
+    Q_EMIT lookChanged();
+}
+
+int Chunks::count() const
+{
+    const core::ChunkMap* chunks = map();
+    return chunks
+        ? std::clamp(m_look.count + m_specks, chunks->tree().fewest(), chunks->tree().finest())
+        : 0;
+}
+
+int Chunks::ownCount() const
+{
+    if (!m_leaves)
+        return 0;
+    int own = 0;
+    const core::ChunkTree& tree = m_leaves->map->tree();
+    for (const Chunk chunk : tree.division(count()))
+        own += has(chunk) && tree.voxels(chunk).size() >= speckVoxels ? 1 : 0;
+    return own;
+}
+
+std::optional<Chunks::Chunk> Chunks::chunkAt(const glm::ivec3& voxel) const
+{
+    return m_leaves ? m_leaves->map->chunkAt(voxel, count()) : std::nullopt;
+}
+
+bool Chunks::has(Chunk chunk) const
+{
+    return chunk < m_has.size() && m_has[chunk];
+}
+
+double Chunks::millilitres(Chunk chunk) const
+{
+    if (!m_leaves)
+        return 0.0;
+    const glm::dvec3 spacing = m_workspace.volume()->geometry.spacingMm();
+    return double(m_leaves->map->tree().voxels(chunk).size()) * spacing.x * spacing.y * spacing.z
+        / 1000.0;
+}
+
+void Chunks::setLit(std::vector<Chunk> chunks)
+{
+    if (chunks == m_lit)
+        return;
+    m_lit = std::move(chunks);
+    colour();
+}
+
+void Chunks::countOwn()
+{
+    if (m_count != count()) {
+        m_count = count();
+        m_chunkOfLeaf = m_leaves->map->tree().chunksOfLeaves(m_count);
+        m_colourOfLeaf = m_leaves->colours.of(m_leaves->map->tree(), m_count);
+    }
+    const std::vector<std::uint32_t>& own = m_members.own();
+    std::vector<std::int64_t> lead; // by chunk, twice its own voxels less all
+    for (std::size_t leaf = 0; leaf < m_chunkOfLeaf.size(); ++leaf) {
+        const Chunk chunk = m_chunkOfLeaf[leaf];
+        lead.resize(std::max(lead.size(), std::size_t(chunk) + 1));
+        lead[chunk] +=
+            2 * std::int64_t(own.empty() ? 0 : own[leaf]) - std::int64_t(m_leaves->voxels[leaf]);
+    }
+    m_has.assign(lead.size(), false);
+    for (std::size_t chunk = 0; chunk < lead.size(); ++chunk)
+        m_has[chunk] = lead[chunk] > 0;
+}
+
+std::vector<std::uint32_t> Chunks::argbOfLeaves(bool bodies) const
+{
+    const core::ChunkTree& tree = m_leaves->map->tree();
+    std::vector<std::uint32_t> argb(m_chunkOfLeaf.size());
+    for (std::size_t leaf = 0; leaf < argb.size(); ++leaf) {
+        const Chunk chunk = m_chunkOfLeaf[leaf];
+        const bool isOwn = m_has[chunk];
+        const bool isLit = std::find(m_lit.begin(), m_lit.end(), chunk) != m_lit.end();
+        const bool isHidden = bodies && !isOwn && !isLit
+            && (m_look.bodies == Bodies::Own
+                || (m_look.bodies == Bodies::Alike && tree.likelihood(chunk) >= 0));
+        const std::uint32_t rgb = palette[m_colourOfLeaf[leaf]];
+        const std::uint32_t share = isHidden ? 0
+            : isLit                          ? (isOwn ? litOwnShare : litOtherShare)
+                                             : (isOwn ? ownShare : otherShare);
+        argb[leaf] = share << 24 | (isLit ? mixed(rgb, 0xFFFFFF, 55) : rgb);
+    }
+    return argb;
+}
+
+std::shared_ptr<const gpu::SceneChunks> Chunks::scene(std::vector<std::uint32_t> argb) const
+{
+    auto chunks = std::make_shared<gpu::SceneChunks>();
+    chunks->box = m_leaves->map->box();
+    chunks->leaves = m_leaves->ofVoxel;
+    chunks->argb = std::move(argb);
+    chunks->opacity = m_look.opacity;
+    return chunks;
+}
+
+void Chunks::colour()
+{
+    if (!m_leaves || !m_look.shown) {
+        if (m_areas || m_bodies) {
+            m_areas.reset();
+            m_bodies.reset();
+            Q_EMIT pictureChanged();
+        }
+        return;
+    }
+    countOwn();
+    const auto same = [this](const std::shared_ptr<const gpu::SceneChunks>& shown,
+                          const std::vector<std::uint32_t>& argb) {
+        return shown && shown->leaves == m_leaves->ofVoxel && shown->argb == argb
+            && shown->opacity == m_look.opacity;
+    };
+    std::vector<std::uint32_t> areas = argbOfLeaves(false);
+    std::vector<std::uint32_t> bodies = argbOfLeaves(true);
+    const bool sameAreas = same(m_areas, areas);
+    const bool sameBodies = same(m_bodies, bodies);
+    if (!sameAreas)
+        m_areas = scene(std::move(areas));
+    if (!sameBodies)
+        m_bodies = scene(std::move(bodies));
+    if (!sameAreas || !sameBodies)
+        Q_EMIT pictureChanged();
+}
+
+void Chunks::divide(double marginMm)
+{
+    core::EditSession* session = m_workspace.session();
+    const core::Segment* segment =
+        session ? session->document().segment(m_workspace.activeSegment()) : nullptr;
+    if (!segment)
+        return m_workspace.say(tr("No segment is chosen: choose the one to divide in the list"));
+    if (segment->voxels == 0)
+        return m_workspace.say(
+            tr("%1 has no voxels yet: grow, paint or import it, then divide what lies around it")
+                .arg(segment->name));
+    m_dividedAfter = core::RowId(session->history().rows().size());
+    if (const auto applied =
+            session->apply(core::Chunks{.segment = segment->label, .marginMm = marginMm});
+        !applied)
+        return m_workspace.fail(applied.error());
+    m_workspace.say(tr("%1 and what lies around it is being divided …").arg(segment->name));
+    Look look = m_look;
+    look.shown = true;
+    setLook(look);
+}
+
+void Chunks::abort()
+{
+    if (!isWorking())
+        return;
+    if (core::ChunkWorker* its = worker())
+        its->cancel();
+    takeBack();
+}
+
+/// Nothing is shown, and no division stays that led to nothing.
+void Chunks::takeBack()
+{
+    Look look = m_look;
+    look.shown = false;
+    setLook(look);
+    core::EditSession* session = m_workspace.session();
+    const core::RowId row = session->history().position();
+    if (row <= m_dividedAfter
+        || !std::holds_alternative<core::Chunks>(session->history().row(row).edit))
+        return;
+    if (const auto undone = session->undo(); !undone)
+        m_workspace.fail(undone.error());
+}
+
+} // namespace ui

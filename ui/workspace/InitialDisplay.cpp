@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workspace/InitialDisplay.h"
+
+#include "core/volume/SurfaceThreshold.h"
+#include "ui/settings/TransferPresets.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ui {
+
+namespace {
+
+gpu::TransferFunction ctTransferFunction()
+{
+    // Skin faint, soft tissue warm, contrast and bone bright and dense.
+    return {{{-400.0, 0x6b3b2a, 0.0}, {-150.0, 0xc98f6a, 0.004}, {20.0, 0xb5654c, 0.012},
+        {90.0, 0xc76a54, 0.03}, {220.0, 0xe3c08e, 0.12}, {450.0, 0xf3e3c4, 0.45},
+        {1200.0, 0xffffff, 0.9}}};
+}
+
+gpu::TransferFunction rampTransferFunction(double from, double to)
+{
+    const double span = std::max(to - from, 1e-6);
+    return {{{from, 0x3a2a20, 0.0}, {from + 0.3 * span, 0xa8694c, 0.01},
+        {from + 0.6 * span, 0xd9ab7c, 0.05}, {to, 0xffffff, 0.35}}};
+}
+
+/// From where tissue begins to what nearly nothing exceeds.
+core::WindowLevel mipWindow(const core::Volume& volume)
+{
+    const double low =
+        volume.unit == QLatin1String("HU") ? 0.0 : core::otsuThreshold(volume.histogram);
+    const double high = std::max(quantile(volume.histogram, 0.9995), low + 1e-3);
+    return {0.5 * (low + high), high - low};
+}
+
+/// From what a path through air alone would give to what one through the object alone would.
+core::WindowLevel xrayWindow(const core::Histogram& histogram)
+{
+    const double parted = core::otsuThreshold(histogram);
+    const double binWidth = (histogram.maximum - histogram.minimum)
+        / double(std::max<std::size_t>(histogram.counts.size(), 1));
+    glm::dvec2 sum(0.0);
+    glm::dvec2 count(1e-9);
+    for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+        const double value = histogram.minimum + (double(bin) + 0.5) * binWidth;
+        const int side = value < parted ? 0 : 1;
+        sum[side] += value * histogram.counts[bin];
+        count[side] += histogram.counts[bin];
+    }
+    const double low = sum[0] / count[0];
+    const double high = std::max(sum[1] / count[1], low + 1e-3);
+    return {0.5 * (low + high), high - low};
+}
+
+} // namespace
+
+Workspace::VolumeDisplay initialVolumeDisplay(const core::Volume& volume)
+{
+    Workspace::VolumeDisplay display;
+    display.mipWindow = mipWindow(volume);
+    display.xrayWindow = xrayWindow(volume.histogram);
+    display.surfaceThreshold = core::usualSurfaceThreshold(volume);
+    display.transferFunction = volume.unit == QLatin1String("HU")
+        ? ctTransferFunction()
+        : rampTransferFunction(display.surfaceThreshold, volume.maximum);
+    return display;
+}
+
+glm::dvec3 initialCrosshairLps(const core::VolumeGeometry& geometry)
+{
+    return geometry.toWorld(glm::dvec3(geometry.size / 2));
+}
+
+std::vector<WindowPreset> windowPresets(const core::Volume& volume)
+{
+    if (volume.unit == QLatin1String("HU")) {
+        return {{QStringLiteral("Soft tissue"), {40.0, 400.0}},
+            {QStringLiteral("Lung"), {-600.0, 1500.0}}, {QStringLiteral("Liver"), {90.0, 150.0}},
+            {QStringLiteral("Bone"), {480.0, 2500.0}}, {QStringLiteral("Brain"), {40.0, 80.0}},
+            {QStringLiteral("Mediastinum"), {50.0, 350.0}},
+            {QStringLiteral("Angio"), {300.0, 600.0}}, {QStringLiteral("Stroke"), {32.0, 12.0}},
+            {QStringLiteral("As stored"), volume.defaultWindow}};
+    }
+    const double range = std::max(volume.maximum - volume.minimum, 1e-6);
+    const auto share = [&](double part) {
+        return core::WindowLevel{volume.minimum + 0.5 * part * range, part * range};
+    };
+    return {{QStringLiteral("As stored"), volume.defaultWindow},
+        {QStringLiteral("Full range"), share(1.0)}, {QStringLiteral("Lower half"), share(0.5)},
+        {QStringLiteral("Lower quarter"), share(0.25)}};
+}
+
+} // namespace ui

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workspace/Pieces.h"
+
+#include "ui/base/StudyTexts.h"
+#include "ui/workspace/LayerActions.h"
+#include "ui/workspace/OpeningView.h"
+#include "ui/workspace/Workspace.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+constexpr double lidDegrees = 105.0;
+
+/// "Lid 2" or so: the first such name that is free.
+QString freeName(const core::Document& document, const QString& pattern)
+{
+    for (int number = 1;; ++number) {
+        const QString name = pattern.arg(number);
+        const bool taken = std::any_of(document.pieces.begin(), document.pieces.end(),
+            [&name](const core::Piece& piece) { return piece.name == name; });
+        if (!taken)
+            return name;
+    }
+}
+
+glm::dvec3 middleOf(const core::VolumeGeometry& geometry)
+{
+    return geometry.toWorld((glm::dvec3(geometry.size) - 1.0) / 2.0);
+}
+
+} // namespace
+
+Pieces::Pieces(Workspace& workspace)
+    : QObject(&workspace)
+    , m_workspace(workspace)
+{
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_looks.clear();
+        m_held = 0;
+        m_active = 0;
+        follow();
+        Q_EMIT looksChanged();
+        Q_EMIT activeChanged();
+    });
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Pieces
+                || change.what == core::DocumentChange::What::Segments)
+                follow();
+        });
+}
+
+void Pieces::follow()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    const core::Document& document = session->document();
+    if (m_held != 0 && !document.piece(m_held))
+        m_held = 0;
+    if (!document.piece(m_active))
+        setActive(document.pieces.empty() ? 0 : document.pieces.back().id);
+}
+
+PieceLook Pieces::look(int piece) const
+{
+    const auto found = m_looks.find(piece);
+    return found == m_looks.end() ? PieceLook() : found->second;
+}
+
+void Pieces::setLook(int piece, const PieceLook& look)
+{
+    if (look == this->look(piece))
+        return;
+    m_looks[piece] = look;
+    Q_EMIT looksChanged();
+}
+
+void Pieces::setActive(int piece)
+{
+    if (piece == m_active)
+        return;
+    m_active = piece;
+    Q_EMIT activeChanged();
+}
+
+core::PiecePose Pieces::pose(const core::Piece& piece) const
+{
+    return piece.id == m_held ? m_heldPose : piece.pose;
+}
+
+void Pieces::hold(int piece, const core::PiecePose& pose)
+{
+    if (m_held == piece && m_heldPose == pose)
+        return;
+    m_held = piece;
+    m_heldPose = pose;
+    Q_EMIT looksChanged();
+}
+
+void Pieces::letGo(bool keep)
+{
+    if (m_held == 0)
+        return;
+    const int piece = std::exchange(m_held, 0);
+    if (keep)
+        setPose(piece, m_heldPose);
+    Q_EMIT looksChanged();
+}
+
+void Pieces::setPose(int piece, const core::PiecePose& pose)
+{
+    if (!m_workspace.session())
+        return;
+    core::ChangePiece edit;
+    edit.piece = piece;
+    edit.offsetMm = pose.offsetMm;
+    edit.rotationDegrees = pose.rotationDegrees;
+    edit.zoom = std::clamp(pose.zoom, 0.125, 16.0);
+    apply(edit);
+}
+
+void Pieces::apply(const core::ChangePiece& edit)
+{
+    if (const auto applied = m_workspace.session()->apply(edit); !applied)
+        m_workspace.fail(applied.error());
+}
+
+void Pieces::sendHome()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    if (const auto applied = session->apply(core::SendPiecesHome{}); !applied)
+        m_workspace.fail(applied.error());
+}
+
+bool Pieces::allHome() const
+{
+    const core::EditSession* session = m_workspace.session();
+    return !session
+        || std::all_of(session->document().pieces.begin(), session->document().pieces.end(),
+            [](const core::Piece& piece) { return piece.pose.isHome(); });
+}
+
+void Pieces::measure(int layer, int segment, std::function<void(const Extent&)> then)
+{
+    const core::VolumeGeometry geometry = m_workspace.volume()->geometry;
+    const core::BrickGrid grid{geometry.size};
+    core::ReadBricks question;
+    for (int brick = 0; brick < grid.brickCount(); ++brick)
+        question.keys.push_back({.field = layer > 0 ? core::Field::Coverage : core::Field::Labels,
+            .plane = std::uint8_t(layer),
+            .brick = std::uint32_t(brick)});
+    m_workspace.session()->ask(std::move(question),
+        [this, geometry, grid, segment, then = std::move(then)](const core::EngineResult& answer) {
+            constexpr int side = core::BrickGrid::side;
+            Extent extent;
+            glm::dvec3 low(1e300);
+            glm::dvec3 high(-1e300);
+            for (const core::BrickChange& brick : answer.changes) {
+                const glm::ivec3 origin = grid.brickPosition(int(brick.key.brick)) * side;
+                for (std::size_t i = 0; i < brick.after.size(); ++i) {
+                    const int value = brick.after[i];
+                    if (segment > 0 ? value != segment : value < 128)
+                        continue;
+                    const glm::ivec3 local(
+                        int(i) % side, int(i) / side % side, int(i) / (side * side));
+                    const glm::dvec3 at = geometry.toWorld(glm::dvec3(origin + local));
+                    low = glm::min(low, at);
+                    high = glm::max(high, at);
+                    if ((local.x + local.y + local.z) % 3 == 0)
+                        extent.pointsLps.push_back(at);
+                }
+            }
+            if (extent.pointsLps.empty()) {
+                m_workspace.say(tr("There is nothing in it yet"));
+                return;
+            }
+            extent.middleLps = (low + high) / 2.0;
+            extent.sizeLps = high - low;
+            then(extent);
+        });
+}
+
+void Pieces::lift(int layer)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    measure(layer, 0, [this, layer](const Extent& extent) {
+        core::EditSession& open = *m_workspace.session();
+        core::CutPiece edit;
+        edit.layer = layer;
+        edit.name = freeName(open.foreseenDocument(), tr("Piece %1"));
+        edit.pivotLps = extent.middleLps;
+        if (const auto lifted = open.apply(edit); !lifted)
+            return m_workspace.fail(lifted.error());
+        setActive(open.foreseenDocument().pieces.back().id);
+        // What is carved from now on is not to join the piece.
+        if (m_workspace.activeLayer() == layer) {
+            if (const auto added = addLayer(m_workspace); !added)
+                m_workspace.fail(added.error());
+        }
+        m_workspace.say(tr("%1 can be moved: tool Pieces, or the panel's numbers").arg(edit.name));
+    });
+}
+
+void Pieces::paste(int segment)
+{
+    const glm::dvec3 rightLps(1, 0, 0);
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    measure(0, segment, [this, segment, rightLps](const Extent& extent) {
+        core::EditSession& open = *m_workspace.session();
+        const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
+        const core::Segment* known = open.document().segment(segment);
+        if (!known)
+            return;
+        core::PastePiece edit;
+        edit.segment = segment;
+        edit.name = known->name;
+        edit.pivotLps = extent.middleLps;
+        // Beside all of the volume.
+        double reach = 0.0;
+        for (const glm::dvec3& corner : geometry.cornersLps())
+            reach = std::max(reach, glm::dot(corner - extent.middleLps, rightLps));
+        edit.pose.offsetMm =
+            rightLps * std::round(reach * 0.8 + glm::dot(extent.sizeLps, glm::abs(rightLps)) / 2.0);
+        if (const auto pasted = open.apply(edit); !pasted)
+            return m_workspace.fail(pasted.error());
+        setActive(open.foreseenDocument().pieces.back().id);
+    });
+}
+
+void Pieces::remove(int piece)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    if (const auto removed = session->apply(core::RemovePiece{.piece = piece}); !removed)
+        m_workspace.fail(removed.error());
+}
+
+void Pieces::openLikeALid(int piece, const glm::dvec3& upLps)
+{
+    core::EditSession* session = m_workspace.session();
+    const core::Piece* known = session ? session->document().piece(piece) : nullptr;
+    if (!known)
+        return;
+    measure(known->layer, known->segment, [this, piece, upLps](const Extent& extent) {
+        const core::Piece* lid = m_workspace.session()->document().piece(piece);
+        if (!lid)
+            return;
+        const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
+        glm::dvec3 outward = extent.middleLps - middleOf(geometry);
+        if (glm::length(outward) < 1.0)
+            outward = glm::dvec3(0, 0, 1);
+        outward = glm::normalize(outward);
+        glm::dvec3 towardsHinge = upLps - glm::dot(upLps, outward) * outward;
+        if (glm::length(towardsHinge) < 0.1) // it faces up: the hinge is behind
+            towardsHinge = glm::dvec3(0, 1, 0) - outward.y * outward;
+        towardsHinge = glm::normalize(towardsHinge);
+        // The rim there, and of the rim what lies deepest.
+        double farthest = -1e300;
+        for (const glm::dvec3& point : extent.pointsLps)
+            farthest = std::max(farthest, glm::dot(point, towardsHinge));
+        glm::dvec3 hinge(0.0);
+        double count = 0.0;
+        double deepest = 1e300;
+        for (const glm::dvec3& point : extent.pointsLps) {
+            if (glm::dot(point, towardsHinge) < farthest - 4.0)
+                continue;
+            hinge += point;
+            count += 1.0;
+            deepest = std::min(deepest, glm::dot(point, outward));
+        }
+        hinge /= count;
+        hinge += (deepest - glm::dot(hinge, outward)) * outward;
+        core::PiecePose pose;
+        pose.rotationDegrees = lidDegrees * glm::cross(outward, towardsHinge);
+        const glm::dvec3 pivot = core::pivotOf(*lid, geometry);
+        pose.offsetMm =
+            hinge + core::rotationMatrix(pose.rotationDegrees) * (pivot - hinge) - pivot;
+        setPose(piece, pose);
+    });
+}
+
+std::vector<gpu::ScenePiece> Pieces::scene() const
+{
+    std::vector<gpu::ScenePiece> result;
+    const core::EditSession* session = m_workspace.session();
+    if (!session || !m_workspace.volume())
+        return result;
+    const core::Document& document = session->document();
+    for (const core::Piece& piece : document.pieces) {
+        const PieceLook look = this->look(piece.id);
+        core::Piece shown = piece;
+        shown.pose = pose(piece);
+        gpu::ScenePiece drawn = scenePiece(shown, document);
+        drawn.opacity = look.visible ? float(look.opacity) : 0.0f;
+        drawn.solid = drawn.solid && !look.tissue;
+        drawn.rgb = look.rgb.value_or(drawn.solid ? drawn.rgb : 0xFFFFFFU);
+        drawn.transferFunction = look.map;
+        result.push_back(drawn);
+    }
+    return result;
+}
+
+QString Pieces::badge(const core::PiecePose& pose)
+{
+    QStringList parts;
+    if (const double mm = glm::length(pose.offsetMm); mm >= 0.05)
+        parts += tr("%1 mm").arg(numberText(mm, mm < 10.0 ? 1 : 0));
+    if (const double degrees = glm::length(pose.rotationDegrees); degrees >= 0.5)
+        parts += tr("%1°").arg(numberText(degrees, 0));
+    if (std::abs(pose.zoom - 1.0) > 1e-6)
+        parts += tr("%1×").arg(QString::number(pose.zoom, 'g', 3));
+    return parts.join(QStringLiteral(" · "));
+}
+
+} // namespace ui

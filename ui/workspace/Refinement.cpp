@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workspace/Refinement.h"
+
+#include "ui/workspace/Workspace.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ui {
+
+Refinement::Refinement(Workspace& workspace)
+    : QObject(&workspace)
+    , m_workspace(workspace)
+{
+    connect(&workspace, &Workspace::sessionChanged, this, &Refinement::follow);
+    connect(&workspace, &Workspace::sessionClosing, this, [this] {
+        m_contours.clear();
+        Q_EMIT contoursChanged();
+    });
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Surface
+                || change.what == core::DocumentChange::What::Segments)
+                Q_EMIT changed();
+        });
+}
+
+/// Updates come from the thread that deforms: those for pictures go on at once, ours in line.
+void Refinement::follow()
+{
+    const core::SurfaceUpdate nothing{.isWhole = true, .vertices = {}, .faces = {}};
+    core::EditSession* session = m_workspace.session();
+    if (!session) {
+        m_workspace.frames().updateSurface(nothing);
+        take(nothing);
+        return;
+    }
+    session->setSurfaceListener([this, &frames = m_workspace.frames()](core::SurfaceUpdate update) {
+        frames.updateSurface(update);
+        QMetaObject::invokeMethod(
+            this, [this, update = std::move(update)] { take(update); }, Qt::QueuedConnection);
+    });
+}
+
+void Refinement::take(const core::SurfaceUpdate& update)
+{
+    m_mirror.take(update);
+    m_errors = m_mirror.regions(core::SurfaceMark::Red);
+    m_error = std::min(m_error, int(m_errors.size()) - 1);
+    Q_EMIT changed();
+}
+
+std::optional<core::RefinedSurface> Refinement::surface() const
+{
+    const core::EditSession* session = m_workspace.session();
+    return session ? session->document().surface : std::nullopt;
+}
+
+void Refinement::setLook(const Look& look)
+{
+    if (look == m_look)
+        return;
+    m_look = look;
+    Q_EMIT lookChanged();
+}
+
+void Refinement::setSettings(const Settings& settings)
+{
+    if (settings == m_settings)
+        return;
+    m_settings = settings;
+    Q_EMIT settingsChanged();
+}
+
+gpu::SurfaceColours Refinement::colours() const
+{
+    gpu::SurfaceColours colours;
+    if (const core::Segment* segment =
+            m_workspace.session()->document().segment(surface()->segment))
+        colours.rgb = segment->rgb;
+    if (!m_look.showMarks)
+        colours.markOpacity = 0.0f;
+    return colours;
+}
+
+std::optional<gpu::SceneSurface> Refinement::scene() const
+{
+    if (!surface() || m_look.opacity <= 0.0f)
+        return std::nullopt;
+    return gpu::SceneSurface{.style = m_look.style,
+        .colours = colours(),
+        .opacity = m_look.opacity,
+        .window = m_workspace.windowLevel(),
+        .clip = {}};
+}
+
+std::optional<gpu::SceneContour> Refinement::contour() const
+{
+    if (!surface() || !m_look.contours)
+        return std::nullopt;
+    gpu::SceneContour contour{.colours = colours()};
+    contour.colours.markOpacity = m_look.showMarks ? 1.0f : 0.0f;
+    return contour;
+}
+
+void Refinement::apply(const core::Edit& edit)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    if (const auto applied = session->apply(edit); !applied)
+        m_workspace.fail(applied.error());
+}
+
+QString Refinement::caution() const
+{
+    const auto known = surface();
+    const core::Segment* segment =
+        known ? m_workspace.session()->document().segment(known->segment) : nullptr;
+    if (!segment || !known->isApart())
+        return {};
+    return tr("%1 differs from its surface").arg(segment->name);
+}
+
+void Refinement::addContour(std::vector<glm::dvec3> pointsLps)
+{
+    dropPreview();
+    m_contours.push_back(std::move(pointsLps));
+    Q_EMIT contoursChanged();
+}
+
+void Refinement::removeContour()
+{
+    dropPreview();
+    if (m_contours.empty())
+        return;
+    m_contours.pop_back();
+    Q_EMIT contoursChanged();
+}
+
+void Refinement::clearContours()
+{
+    dropPreview();
+    if (m_contours.empty())
+        return;
+    m_contours.clear();
+    Q_EMIT contoursChanged();
+}
+
+bool Refinement::isPreviewing() const
+{
+    const core::EditSession* session = m_workspace.session();
+    return session && session->templateOpen();
+}
+
+void Refinement::previewTemplate()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || m_contours.empty() || isPreviewing())
+        return;
+    const auto begun = session->begin(core::ApplyTemplate{.contoursLps = m_contours});
+    if (!begun)
+        return m_workspace.fail(begun.error());
+    Q_EMIT contoursChanged();
+}
+
+void Refinement::takeTemplate()
+{
+    if (!isPreviewing())
+        return;
+    m_contours.clear();
+    m_workspace.session()->end(core::Ending::Commit);
+    Q_EMIT contoursChanged();
+}
+
+void Refinement::dropPreview()
+{
+    if (!isPreviewing())
+        return;
+    m_workspace.session()->end(core::Ending::Rollback);
+    Q_EMIT contoursChanged();
+}
+
+void Refinement::lay(int vertices)
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || !session->document().segment(m_workspace.activeSegment()))
+        return m_workspace.say(tr("No segment is chosen: choose the one to repair in the list"));
+    m_workspace.say(tr("The surface is being laid …"));
+    apply(core::LaySurface{.segment = m_workspace.activeSegment(), .vertices = vertices});
+}
+
+void Refinement::writeBack()
+{
+    apply(core::WriteBack{});
+}
+
+void Refinement::followMask()
+{
+    apply(core::FollowMask{});
+}
+
+void Refinement::makeBarrier(bool erase)
+{
+    apply(core::SurfaceBarrier{.erase = erase});
+}
+
+void Refinement::drop()
+{
+    apply(core::DropSurface{});
+}
+
+void Refinement::changeMarks(core::ChangeMarks::Way way)
+{
+    const bool isYellow = m_settings.mark == core::SurfaceMark::Yellow;
+    apply(
+        core::ChangeMarks{.mark = isYellow ? core::SurfaceMark::Red : m_settings.mark, .way = way});
+}
+
+void Refinement::signOff(int place)
+{
+    if (place < 0 || place >= int(m_errors.size()))
+        return;
+    apply(core::ChangeMarks{.mark = core::SurfaceMark::Red,
+        .way = core::ChangeMarks::Way::Accept,
+        .nearLps = m_mirror.vertex(m_errors[std::size_t(place)].first).positionLps});
+}
+
+void Refinement::goToError(int by)
+{
+    if (m_errors.empty())
+        return m_workspace.say(tr("Nothing is marked red"));
+    const int count = int(m_errors.size());
+    showError(m_error < 0 ? (by > 0 ? 0 : count - 1) : (m_error + by + count) % count);
+}
+
+void Refinement::showError(int place)
+{
+    if (place < 0 || place >= int(m_errors.size()))
+        return;
+    m_error = place;
+    const core::MarkedRegion& error = m_errors[std::size_t(m_error)];
+    showRegion(error);
+    m_workspace.say(tr("Error %1 of %2, %3 mm²")
+                        .arg(m_error + 1)
+                        .arg(m_errors.size())
+                        .arg(QString::number(error.areaMm2, 'f', 0)));
+}
+
+void Refinement::showRegion(const core::MarkedRegion& region)
+{
+    m_workspace.setCrosshairLps(region.middleLps);
+    Q_EMIT shown(region.middleLps, region.normalLps);
+}
+
+} // namespace ui

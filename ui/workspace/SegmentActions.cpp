@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workspace/SegmentActions.h"
+
+#include "core/document/SegmentColours.h"
+#include "ui/base/CountText.h"
+#include "ui/workspace/Workspace.h"
+
+#include <algorithm>
+
+namespace ui {
+
+std::uint32_t nextSegmentColour(const core::Document& document)
+{
+    return core::usualSegmentColour(document.segments.size());
+}
+
+QString nextSegmentName(const core::Document& document)
+{
+    for (qsizetype number = qsizetype(document.segments.size()) + 1;; ++number) {
+        const QString name = QObject::tr("Segment %1").arg(number);
+        const bool taken = std::any_of(document.segments.begin(), document.segments.end(),
+            [&name](const core::Segment& segment) { return segment.name == name; });
+        if (!taken)
+            return name;
+    }
+}
+
+core::Result<int> addSegment(Workspace& workspace)
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return core::failure(core::ErrorCode::Internal, QStringLiteral("no study is open"));
+    // While the engine is busy the new segment waits in line; its label is known all the same.
+    const core::Document before = session->foreseenDocument();
+    core::AddSegment edit;
+    edit.name = nextSegmentName(before);
+    edit.rgb = nextSegmentColour(before);
+    if (const auto added = session->apply(edit); !added)
+        return tl::unexpected(added.error());
+    const int label = session->foreseenDocument().segments.back().label;
+    workspace.setActiveSegment(label);
+    return label;
+}
+
+core::Result<int> ensureActiveSegment(Workspace& workspace)
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return addSegment(workspace);
+    const core::Document document = session->foreseenDocument();
+    if (document.segment(workspace.activeSegment()))
+        return workspace.activeSegment();
+    if (document.segments.empty())
+        return addSegment(workspace);
+    workspace.setActiveSegment(document.segments.front().label);
+    return workspace.activeSegment();
+}
+
+void removeSegment(Workspace& workspace, int label)
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    session->closeGrowth();
+    const core::Document before = session->foreseenDocument();
+    const core::Segment* segment = before.segment(label);
+    // What still waits for the engine may change the count.
+    const bool counted = session->idle();
+    if (const auto removed = session->apply(core::RemoveSegment{.segment = label}); !removed)
+        return workspace.fail(removed.error());
+    if (workspace.activeSegment() == label) {
+        const auto place = std::size_t(segment - before.segments.data());
+        const bool isLast = place + 1 == before.segments.size();
+        const std::size_t next = isLast ? place - 1 : place + 1;
+        workspace.setActiveSegment(before.segments.size() > 1 ? before.segments[next].label : 0);
+    }
+    workspace.say(counted ? QObject::tr("Deleted '%1', %2 voxels; Ctrl+Z brings it back")
+                                .arg(segment->name, countText(segment->voxels))
+                          : QObject::tr("Deleted '%1'; Ctrl+Z brings it back").arg(segment->name));
+}
+
+} // namespace ui

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workspace/Workspace.h"
+
+#include "ui/base/AuthorName.h"
+#include "ui/base/Theme.h"
+#include "ui/input/Tool.h"
+#include "ui/settings/HistoryMemory.h"
+#include "ui/workspace/Chunks.h"
+#include "ui/workspace/ClipSteps.h"
+#include "ui/workspace/CuttingPlane.h"
+#include "ui/workspace/InitialDisplay.h"
+#include "ui/workspace/LayerLooks.h"
+#include "ui/workspace/OpeningView.h"
+#include "ui/workspace/PendingSeeds.h"
+#include "ui/workspace/Pieces.h"
+#include "ui/workspace/Refinement.h"
+
+#include <chrono>
+#include <utility>
+
+namespace ui {
+
+Workspace::Workspace(gpu::FrameSource& frames, QObject* parent)
+    : QObject(parent)
+    , m_frames(frames)
+    , m_clipSteps(new ClipSteps(*this))
+    , m_pieces(new Pieces(*this))
+    , m_seeds(new PendingSeeds(*this))
+    , m_refinement(new Refinement(*this))
+    , m_plane(new CuttingPlane(*this))
+    , m_chunks(new Chunks(*this))
+    , m_layerLooks(new LayerLooks(*this))
+{
+    m_retry.setInterval(std::chrono::seconds(5));
+    connect(&m_retry, &QTimer::timeout, this, [this] {
+        if (m_session)
+            m_session->retryWriting();
+    });
+}
+
+Workspace::~Workspace() = default;
+
+const core::Volume* Workspace::volume() const
+{
+    if (!m_session || m_session->document().volumes.empty())
+        return nullptr;
+    return &m_session->document().volumes.front();
+}
+
+void Workspace::setSession(std::unique_ptr<core::EditSession> session)
+{
+    if (m_tool)
+        m_tool->putAway();
+    if (m_session) {
+        Q_EMIT sessionClosing();
+        m_session->setListener({});
+        m_session->setErrorListener({});
+    }
+    m_retry.stop();
+    m_session = std::move(session);
+    if (m_session) {
+        m_session->setListener([this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Disk)
+                followDisk();
+            else if (change.what == core::DocumentChange::What::Layers)
+                followLayers();
+            Q_EMIT documentChanged(change);
+        });
+        m_session->setErrorListener([this](const core::Error& error) { fail(error); });
+        m_session->setOrigin([] { return core::presentOrigin(authorName()); });
+        applyHistoryMemory();
+    }
+    m_cautionAccepted = false;
+    m_warnAfter.reset();
+    m_pointedLps.reset();
+    m_atTolerance.reset();
+    m_activeSegment = 0;
+    m_activeLayer = 0;
+    if (const core::Volume* opened = volume()) {
+        const core::VolumeGeometry& geometry = opened->geometry;
+        m_crosshairLps = initialCrosshairLps(geometry);
+        m_windowLevel = opened->defaultWindow;
+        m_volumeDisplay = initialVolumeDisplay(*opened);
+        m_clip = core::wholeVolume(geometry);
+        m_viewOptions.inverted = opened->displayInverted;
+        if (!m_session->document().segments.empty())
+            m_activeSegment = m_session->document().segments.front().label;
+        if (!m_session->document().layers.empty())
+            m_activeLayer = m_session->document().layers.front().id;
+    }
+    Q_EMIT sessionChanged();
+    Q_EMIT crosshairChanged();
+    Q_EMIT windowLevelChanged();
+    Q_EMIT volumeDisplayChanged();
+    Q_EMIT clipChanged();
+    Q_EMIT viewOptionsChanged();
+    Q_EMIT activeSegmentChanged();
+    Q_EMIT activeLayerChanged();
+    Q_EMIT cautionAcceptedChanged();
+    if (m_session && m_session->diskTrouble() && !m_session->whyNoFile()) {
+        fail({core::ErrorCode::SessionUnwritten, m_session->diskTrouble()->arguments});
+        followDisk();
+    }
+}
+
+void Workspace::dropSession()
+{
+    m_retry.stop();
+    m_session.reset();
+}
+
+void Workspace::applyHistoryMemory()
+{
+    if (m_session)
+        m_session->setStepMemory(std::size_t(historyMebibytes()) << 20);
+}
+
+void Workspace::followDisk()
+{
+    const bool troubled = m_session->diskTrouble().has_value();
+    if (!troubled && m_retry.isActive() && !m_session->whyNoFile())
+        say(tr("Everything is on disk again."));
+    if (troubled)
+        m_retry.start();
+    else
+        m_retry.stop();
+}
+
+void Workspace::setCrosshairLps(const glm::dvec3& position)
+{
+    if (position == m_crosshairLps)
+        return;
+    m_crosshairLps = position;
+    Q_EMIT crosshairChanged();
+}
+
+void Workspace::setWindowLevel(const core::WindowLevel& window)
+{
+    if (window == m_windowLevel)
+        return;
+    m_windowLevel = window;
+    Q_EMIT windowLevelChanged();
+}
+
+void Workspace::setActiveSegment(int label)
+{
+    if (label == m_activeSegment)
+        return;
+    m_activeSegment = label;
+    Q_EMIT activeSegmentChanged();
+}
+
+void Workspace::setActiveLayer(int id)
+{
+    if (id == m_activeLayer)
+        return;
+    m_activeLayer = id;
+    Q_EMIT activeLayerChanged();
+}
+
+/// A layer that undo has taken away is carved no more. (One that is about to come is not there
+/// yet.)
+void Workspace::followLayers()
+{
+    const core::Document document = m_session->foreseenDocument();
+    if (!document.layer(m_activeLayer) && !document.layers.empty())
+        setActiveLayer(document.layers.front().id);
+}
+
+Workspace::GreyWindow Workspace::greyWindow(gpu::RenderMode mode)
+{
+    switch (mode) {
+    case gpu::RenderMode::Mip:
+        return &VolumeDisplay::mipWindow;
+    case gpu::RenderMode::Xray:
+        return &VolumeDisplay::xrayWindow;
+    case gpu::RenderMode::Surface:
+    case gpu::RenderMode::Dvr:
+        break;
+    }
+    return nullptr;
+}
+
+void Workspace::setVolumeDisplay(const VolumeDisplay& display)
+{
+    if (display == m_volumeDisplay)
+        return;
+    m_volumeDisplay = display;
+    Q_EMIT volumeDisplayChanged();
+}
+
+void Workspace::setClip(const core::ClipRegion& clip)
+{
+    if (clip == m_clip)
+        return;
+    m_clip = clip;
+    Q_EMIT clipChanged();
+}
+
+gpu::SegmentDisplay Workspace::segmentDisplay() const
+{
+    if (!m_session)
+        return {};
+    gpu::SegmentDisplay display =
+        ui::segmentDisplay(m_session->document(), m_viewOptions.showSegments);
+    display.warningRgb = theme::caution.rgb() & 0xFFFFFFu;
+    if (m_warnAfter)
+        display.warnAfterGeneration = *m_warnAfter;
+    display.atTolerance = m_atTolerance;
+    display.showBarriers = m_viewOptions.showBarriers;
+    return display;
+}
+
+void Workspace::setWarnAfter(std::optional<std::uint32_t> generation)
+{
+    if (generation == m_warnAfter)
+        return;
+    m_warnAfter = generation;
+    Q_EMIT viewOptionsChanged();
+}
+
+void Workspace::setAtTolerance(const std::optional<gpu::ToleranceDisplay>& shown)
+{
+    if (shown == m_atTolerance)
+        return;
+    m_atTolerance = shown;
+    Q_EMIT atToleranceChanged();
+}
+
+void Workspace::setDrillSettings(const DrillSettings& settings)
+{
+    if (settings == m_drill)
+        return;
+    m_drill = settings;
+    Q_EMIT drillSettingsChanged();
+}
+
+const Workspace::BrushSettings& Workspace::brushSettings(Brush brush) const
+{
+    return brush == Brush::Paint ? m_paint : brush == Brush::Carve ? m_carve : m_barrier;
+}
+
+void Workspace::setBrushSettings(Brush brush, const BrushSettings& settings)
+{
+    BrushSettings& mine = brush == Brush::Paint ? m_paint
+        : brush == Brush::Carve                 ? m_carve
+                                                : m_barrier;
+    if (settings == mine)
+        return;
+    mine = settings;
+    Q_EMIT brushSettingsChanged();
+}
+
+void Workspace::setGrowSettings(const GrowSettings& settings)
+{
+    if (settings == m_grow)
+        return;
+    m_grow = settings;
+    Q_EMIT growSettingsChanged();
+}
+
+void Workspace::setViewOptions(const ViewOptions& options)
+{
+    if (options == m_viewOptions)
+        return;
+    m_viewOptions = options;
+    Q_EMIT viewOptionsChanged();
+}
+
+void Workspace::acceptCaution()
+{
+    if (m_cautionAccepted)
+        return;
+    m_cautionAccepted = true;
+    Q_EMIT cautionAcceptedChanged();
+}
+
+void Workspace::setPointedLps(const std::optional<glm::dvec3>& position)
+{
+    if (position == m_pointedLps)
+        return;
+    m_pointedLps = position;
+    Q_EMIT pointedLpsChanged();
+}
+
+void Workspace::setActiveTool(Tool* tool)
+{
+    if (tool == m_tool)
+        return;
+    if (m_tool)
+        m_tool->putAway();
+    m_tool = tool;
+    Q_EMIT activeToolChanged();
+}
+
+} // namespace ui
