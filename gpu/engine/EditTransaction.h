@@ -3,52 +3,16 @@
 
 #include "core/base/Result.h"
 #include "core/engine/EngineCommands.h"
+#include "gpu/engine/EditWork.h"
 #include "gpu/fields/BeforeImages.h"
-#include "gpu/kernels/growth/GrowthKernel.h"
-#include "gpu/kernels/labels/EraseKernel.h"
-#include "gpu/kernels/labels/LabelKernel.h"
-#include "gpu/kernels/labels/ShutKernel.h"
-#include "gpu/kernels/sculpt/CapsuleKernel.h"
-#include "gpu/kernels/sculpt/DrillKernel.h"
-#include "gpu/kernels/sculpt/LaserKernel.h"
-#include "gpu/kernels/sculpt/PeelKernel.h"
-#include "gpu/kernels/sculpt/ScissorsKernel.h"
-#include "gpu/kernels/shrink/ShrinkKernel.h"
-#include "gpu/kernels/spread/SpreadKernel.h"
-#include "gpu/kernels/spread/ToleranceKernel.h"
 
 #include <memory>
 #include <optional>
 
 namespace gpu {
 
-/// Every compiled kernel that edits, or works out what an edit would do.
-struct EditPrograms {
-    explicit EditPrograms(const ShaderLibrary& library)
-        : growth(library)
-        , mask(library)
-        , erase(library)
-        , capsule(library)
-        , label(library)
-        , shut(library)
-        , laser(library)
-        , spread(library)
-        , tolerance(library)
-    {
-    }
-
-    GrowthPrograms growth;
-    MaskPrograms mask;
-    ErasePrograms erase;
-    CapsulePrograms capsule;
-    LabelPrograms label;
-    ShutPrograms shut;
-    LaserPrograms laser;
-    SpreadPrograms spread;
-    TolerancePrograms tolerance;
-};
-
-/// The one open edit: what it wrote, what was there before, how it goes on. Engine thread only.
+/// The one open edit: what was there before, and what becomes of it. What is written is its work's
+/// (EditWork), of which it knows no kind. Engine thread only.
 class EditTransaction {
 public:
     /// Errors: InvalidField; then nothing was changed. Throws GlFailure with everything as it was,
@@ -62,14 +26,14 @@ public:
     /// the open stroke's path. @return whether it did
     [[nodiscard]] bool join(core::EngineExtension& earlier, core::EngineExtension& next) const;
 
-    /// Steps of a growth that were asked for and not yet done, or work of growing from seeds.
-    [[nodiscard]] bool hasStepsLeft() const
+    /// Whether there is more to do that was asked for: steps of a growth, or other work.
+    [[nodiscard]] bool hasStepsLeft() const { return m_work && m_work->hasStepsLeft(); }
+    [[nodiscard]] double generationsPerSecond() const
     {
-        return m_spread ? !m_spread->done() : m_stepsLeft != 0;
+        return m_work ? m_work->generationsPerSecond() : 0.0;
     }
-    [[nodiscard]] double generationsPerSecond() const { return m_generationsPerSecond; }
-    /// Does up to @p rings of them, or so much of that work.
-    void advance(int rings);
+    /// Does up to @p rings of them, or so much of that work. Only while there is more to do.
+    void advance(int rings) { m_work->advance(rings); }
 
     /// Closes; fills changes, statistics, generation and atClosure of the result.
     void commit(core::EngineResult& result);
@@ -81,33 +45,18 @@ public:
     [[nodiscard]] core::GrowthProgress progress() const;
 
 private:
-    EditTransaction(GrowthPrograms& growthPrograms, VoxelFields& fields)
-        : m_growthPrograms(growthPrograms)
+    EditTransaction(EditPrograms& programs, VoxelFields& fields)
+        : m_programs(programs)
         , m_fields(fields)
         , m_before(fields)
     {
     }
-    core::Result<void> start(EditPrograms& programs);
-    [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const;
-    core::Result<void> growAnew(const core::GrowBurst& burst);
+    core::Result<void> start(const core::EngineEdit& edit);
 
-    GrowthPrograms& m_growthPrograms;
+    EditPrograms& m_programs;
     VoxelFields& m_fields;
     BeforeImages m_before;
-    core::EngineEdit m_edit;
-    std::vector<std::uint32_t> m_seedBricks;
-    std::vector<core::BrickKey> m_wholeKeys; ///< of an edit that is done once it has begun
-    std::uint32_t m_cutTo = 0; ///< generation
-    Scissored m_scissored;
-    std::optional<GrowthKernel> m_growth;
-    std::optional<ShrinkKernel> m_shrink;
-    std::optional<DrillKernel> m_drill;
-    std::optional<LaserKernel> m_laser;
-    std::optional<PeelKernel> m_peel;
-    std::optional<CapsuleKernel> m_capsule;
-    std::unique_ptr<SpreadKernel> m_spread;
-    int m_stepsLeft = 0; ///< negative: to closure
-    double m_generationsPerSecond = 0.0;
+    std::unique_ptr<EditWork> m_work; ///< null once abandoned
     std::optional<core::Error> m_abandoned;
 };
 

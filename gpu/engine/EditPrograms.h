@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/kernels/cut/MaskPrograms.h"
+#include "gpu/kernels/growth/GrowthKernel.h"
+#include "gpu/kernels/labels/EraseKernel.h"
+#include "gpu/kernels/labels/LabelKernel.h"
+#include "gpu/kernels/labels/ShutKernel.h"
+#include "gpu/kernels/sculpt/CapsuleKernel.h"
+#include "gpu/kernels/sculpt/LaserKernel.h"
+#include "gpu/kernels/spread/SpreadKernel.h"
+#include "gpu/kernels/spread/ToleranceKernel.h"
+
+namespace gpu {
+
+/// Every compiled kernel that edits, or works out what an edit would do.
+struct EditPrograms {
+    explicit EditPrograms(const ShaderLibrary& library)
+        : growth(library)
+        , mask(library)
+        , erase(library)
+        , capsule(library)
+        , label(library)
+        , shut(library)
+        , laser(library)
+        , spread(library)
+        , tolerance(library)
+    {
+    }
+
+    GrowthPrograms growth;
+    MaskPrograms mask;
+    ErasePrograms erase;
+    CapsulePrograms capsule;
+    LabelPrograms label;
+    ShutPrograms shut;
+    LaserPrograms laser;
+    SpreadPrograms spread;
+    TolerancePrograms tolerance;
+};
+
+} // namespace gpu

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/engine/EditWork.h"
+
+#include "gpu/engine/EditTransaction.h"
+
+namespace gpu {
+
+namespace {
+
+/// Why an extension does not fit; one of a kind that has no sentence does not compile.
+struct Misfits {
+    const char* operator()(const core::DrillPath&) const
+    {
+        return "the open edit is no stroke of drill or laser";
+    }
+    const char* operator()(const core::CapsulePath&) const
+    {
+        return "the open edit is no stroke of a brush";
+    }
+    const char* operator()(const core::PeelDepth&) const { return "the open edit is no peel"; }
+    const char* operator()(const core::ShrinkTo&) const { return "the open edit is no shrinking"; }
+    const char* operator()(const core::ForgetSpread&) const
+    {
+        return "the open edit does not grow from seeds";
+    }
+    const char* operator()(const core::GrowAdvance&) const { return noGrowth; }
+    const char* operator()(const core::GrowPause&) const { return noGrowth; }
+    const char* operator()(const core::GrowAnew&) const { return noGrowth; }
+
+    static constexpr const char* noGrowth = "the open edit is no growth";
+};
+
+} // namespace
+
+core::Result<void> EditWork::extend(const core::EngineExtension& extension)
+{
+    return refusal("extension", std::visit(Misfits(), extension));
+}
+
+bool EditWork::join(core::EngineExtension&, core::EngineExtension&) const
+{
+    return false;
+}
+
+void EditWork::advance(int) { }
+
+void EditWork::finish(core::EngineResult&) { }
+
+void EditWork::rollBack(core::EngineResult&) { }
+
+std::vector<core::BrickKey> keysOf(
+    core::Field field, std::uint8_t plane, const std::vector<std::uint32_t>& bricks)
+{
+    std::vector<core::BrickKey> keys;
+    keys.reserve(bricks.size());
+    for (const std::uint32_t brick : bricks)
+        keys.push_back({.field = field, .plane = plane, .brick = brick});
+    return keys;
+}
+
+} // namespace gpu

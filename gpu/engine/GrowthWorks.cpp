@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/engine/EditTransaction.h"
+#include "gpu/engine/EditWork.h"
+#include "gpu/kernels/growth/GrowthKernel.h"
+#include "gpu/kernels/shrink/CutGrown.h"
+#include "gpu/kernels/shrink/ShrinkKernel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gpu {
+
+namespace {
+
+class SeedWork final : public EditWork {
+public:
+    SeedWork(const core::SeedPlacement& seeds, const WorkContext& context)
+        : m_plane(seeds.plane)
+        , m_bricks(placeSeeds(context.programs.growth, context.fields, context.before, seeds))
+    {
+    }
+    std::vector<core::BrickKey> touchedKeys() const override
+    {
+        return keysOf(core::Field::SeedWords, m_plane, m_bricks);
+    }
+
+private:
+    std::uint8_t m_plane;
+    std::vector<std::uint32_t> m_bricks;
+};
+
+class GrowthWork final : public EditWork {
+public:
+    GrowthWork(const core::GrowBurst& burst, const WorkContext& context)
+        : m_context(context)
+    {
+        open(burst);
+    }
+
+    core::Result<void> extend(const core::EngineExtension& extension) override
+    {
+        if (const auto* anew = std::get_if<core::GrowAnew>(&extension))
+            return growAnew(anew->burst);
+        if (const auto* steps = std::get_if<core::GrowAdvance>(&extension)) {
+            m_generationsPerSecond = steps->generationsPerSecond;
+            m_stepsLeft = steps->steps < 0 || m_stepsLeft < 0 ? core::GrowAdvance::toClosure
+                                                              : m_stepsLeft + steps->steps;
+            return {};
+        }
+        if (!std::holds_alternative<core::GrowPause>(extension))
+            return EditWork::extend(extension);
+        m_stepsLeft = 0;
+        return {};
+    }
+    bool hasStepsLeft() const override { return m_stepsLeft != 0; }
+    double generationsPerSecond() const override { return m_generationsPerSecond; }
+    void advance(int rings) override
+    {
+        const int wanted = m_stepsLeft < 0 ? rings : std::min(rings, m_stepsLeft);
+        const int done = m_kernel->advance(wanted);
+        if (done < std::min(wanted, GrowthKernel::ringsPerBatch))
+            m_stepsLeft = 0; // at closure, alarmed, or at the last generation a word can hold
+        else if (m_stepsLeft > 0)
+            m_stepsLeft -= done;
+    }
+
+    std::vector<core::BrickKey> touchedKeys() const override
+    {
+        const std::vector<std::uint32_t> bricks = m_kernel->touchedBricks();
+        std::vector<core::BrickKey> keys = keysOf(core::Field::Labels, m_plane, bricks);
+        append(keys, keysOf(core::Field::SeedWords, m_plane, bricks));
+        if (m_kernel->keepsBeneath())
+            append(keys, keysOf(core::Field::Beneath, m_plane, bricks));
+        return keys;
+    }
+    void finish(core::EngineResult& result) override
+    {
+        m_kernel->releaseUnused();
+        m_kernel->releaseBeneath(result.changes);
+        result.generation = m_kernel->generation();
+        result.atClosure = m_kernel->atClosure();
+        result.alarm = m_kernel->alarm();
+        result.statistics.generations = int(m_kernel->frontSizes().size());
+    }
+    void rollBack(core::EngineResult& result) override
+    {
+        m_kernel->releaseUnused();
+        m_kernel->releaseBeneath({});
+        result.generation = m_openedAt;
+    }
+    core::GrowthProgress progress() const override
+    {
+        return {.open = true,
+            .running = hasStepsLeft(),
+            .atClosure = m_kernel->atClosure(),
+            .generation = m_kernel->generation(),
+            .members = m_kernel->members(),
+            .frontSizes = m_kernel->frontSizes(),
+            .alarm = m_kernel->alarm()};
+    }
+
+private:
+    void open(const core::GrowBurst& burst)
+    {
+        m_plane = burst.plane;
+        m_openedAt = burst.generation;
+        m_kernel.emplace(m_context.programs.growth, m_context.fields, m_context.before, burst);
+        m_kernel->open();
+    }
+    core::Result<void> growAnew(const core::GrowBurst& burst)
+    {
+        if (const core::Result<void> checked = checkEdit(burst, m_context.fields.grid()); !checked)
+            return checked;
+        if (burst.plane != m_plane)
+            return refusal("plane", "is another one");
+        m_context.before.restore(touchedKeys());
+        m_kernel->releaseUnused();
+        m_kernel->releaseBeneath({});
+        open(burst);
+        m_stepsLeft = 0;
+        return {};
+    }
+
+    WorkContext m_context;
+    std::uint8_t m_plane = 0;
+    std::uint32_t m_openedAt = 0; ///< generation
+    std::optional<GrowthKernel> m_kernel;
+    int m_stepsLeft = 0; ///< negative: to closure
+    double m_generationsPerSecond = 0.0;
+};
+
+class ShrinkWork final : public EditWork {
+public:
+    ShrinkWork(const core::ShrinkGrowth& shrink, const WorkContext& context)
+        : m_kernel(context.programs.growth.shrink, context.fields, context.before, shrink)
+    {
+    }
+
+    core::Result<void> extend(const core::EngineExtension& extension) override
+    {
+        const auto* shrink = std::get_if<core::ShrinkTo>(&extension);
+        if (!shrink)
+            return EditWork::extend(extension);
+        if (shrink->keep > m_kernel.openedAt())
+            return refusal("keep", "is more than there is");
+        m_kernel.shrinkTo(shrink->keep, shrink->keep == 0);
+        return {};
+    }
+    /// The last word counts; one that is refused must be refused by itself.
+    bool join(core::EngineExtension& earlier, core::EngineExtension& next) const override
+    {
+        auto* shrink = std::get_if<core::ShrinkTo>(&earlier);
+        if (!shrink)
+            return false;
+        const core::ShrinkTo& later = std::get<core::ShrinkTo>(next);
+        if (std::max(shrink->keep, later.keep) > m_kernel.openedAt())
+            return false;
+        *shrink = later;
+        return true;
+    }
+    std::vector<core::BrickKey> touchedKeys() const override { return m_kernel.touchedKeys(); }
+    void finish(core::EngineResult& result) override
+    {
+        result.generation = m_kernel.generation();
+        result.statistics.generations = int(m_kernel.openedAt() - m_kernel.generation());
+    }
+    void rollBack(core::EngineResult& result) override { result.generation = m_kernel.openedAt(); }
+
+private:
+    ShrinkKernel m_kernel;
+};
+
+/// What was cut off a growth, at once.
+class CutWork final : public EditWork {
+public:
+    CutWork(std::uint32_t openedAt, CutOutcome outcome)
+        : m_openedAt(openedAt)
+        , m_outcome(std::move(outcome))
+    {
+    }
+    std::vector<core::BrickKey> touchedKeys() const override { return m_outcome.keys; }
+    void finish(core::EngineResult& result) override
+    {
+        result.generation = m_outcome.generation;
+        result.statistics.generations = std::max(int(m_openedAt) - int(m_outcome.generation), 0);
+    }
+    void rollBack(core::EngineResult& result) override { result.generation = m_openedAt; }
+
+private:
+    std::uint32_t m_openedAt; ///< generation
+    CutOutcome m_outcome;
+};
+
+class SpreadWork final : public EditWork {
+public:
+    SpreadWork(std::unique_ptr<SpreadKernel> kernel, VoxelFields& fields)
+        : m_kernel(std::move(kernel))
+        , m_fields(fields)
+    {
+    }
+
+    core::Result<void> extend(const core::EngineExtension& extension) override
+    {
+        if (!std::holds_alternative<core::ForgetSpread>(extension))
+            return EditWork::extend(extension);
+        m_kernel->forget();
+        return {};
+    }
+    bool hasStepsLeft() const override { return !m_kernel->done(); }
+    void advance(int rings) override { m_kernel->advance(std::size_t(4 * rings * rings)); }
+    std::vector<core::BrickKey> touchedKeys() const override { return m_kernel->touchedKeys(); }
+    void finish(core::EngineResult&) override { m_kernel->close(true); }
+    void rollBack(core::EngineResult&) override { m_kernel->close(false); }
+    void abandon() override
+    {
+        m_kernel.reset();
+        m_fields.spread().release();
+    }
+    core::GrowthProgress progress() const override { return {.running = hasStepsLeft()}; }
+
+private:
+    std::unique_ptr<SpreadKernel> m_kernel;
+    VoxelFields& m_fields;
+};
+
+} // namespace
+
+BegunWork beginWork(const core::SeedPlacement& edit, const WorkContext& context)
+{
+    return std::make_unique<SeedWork>(edit, context);
+}
+
+BegunWork beginWork(const core::GrowBurst& edit, const WorkContext& context)
+{
+    return std::make_unique<GrowthWork>(edit, context);
+}
+
+BegunWork beginWork(const core::ShrinkGrowth& edit, const WorkContext& context)
+{
+    return std::make_unique<ShrinkWork>(edit, context);
+}
+
+BegunWork beginWork(const core::CutGrowth& edit, const WorkContext& context)
+{
+    core::Result<CutOutcome> outcome = cutGrown(context.fields, context.before, edit);
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    return std::make_unique<CutWork>(edit.generation, *std::move(outcome));
+}
+
+BegunWork beginWork(const core::SpreadLabels& edit, const WorkContext& context)
+{
+    try {
+        auto kernel =
+            SpreadKernel::begin(context.programs.spread, context.fields, context.before, edit);
+        if (!kernel)
+            return tl::unexpected(kernel.error());
+        return std::make_unique<SpreadWork>(*std::move(kernel), context.fields);
+    } catch (...) {
+        context.fields.spread().release();
+        throw;
+    }
+}
+
+} // namespace gpu
