@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/ChunkVoxels.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SparedSegments.h"
+#include "core/edits/kinds/IsOneOf.h"
 
 namespace core {
 
@@ -42,6 +44,76 @@ template <class T> Result<void> discardValue(const Result<T>& result)
     return {};
 }
 
+/// What is looked at of each kind of edit: one that is not named does not compile.
+class Checks {
+public:
+    const Document& document;
+
+    Result<void> operator()(const DrillStroke& drill) const
+    {
+        return carves("drill.layer", drill.layer, drillCut(drill, document));
+    }
+    Result<void> operator()(const LaserStroke& laser) const
+    {
+        return carves("laser.layer", laser.layer, laserCut(laser, document));
+    }
+    Result<void> operator()(const PeelCut& peel) const
+    {
+        return carves("peel.layer", peel.layer, maskPeel(peel, document));
+    }
+    Result<void> operator()(const ScissorsCut& cut) const
+    {
+        return carves("scissors.layer", cut.layer, maskScissors(cut, document));
+    }
+    Result<void> operator()(const BrushStroke& brush) const
+    {
+        return carves("brush.layer", brush.layer, capsuleCut(brush, document));
+    }
+    Result<void> operator()(const SegmentToLayer& cover) const
+    {
+        return carves("segmentToLayer.layer", cover.layer, coverLabel(cover, document));
+    }
+
+    Result<void> operator()(const Chunks& chunks) const
+    {
+        if (!chunks.owners)
+            return {};
+        return discardValue(ownedBox(chunks, document.volumes.front().geometry));
+    }
+    Result<void> operator()(const ChunkToggle& toggle) const
+    {
+        return discardValue(chunkClick(toggle, document));
+    }
+
+    /// That they can be converted says it all.
+    template <class E>
+    requires isOneOf<E, SeedStroke, GrowSteps, ChangeInterval, GrowFromSeeds, ShrinkSteps, ShrinkAt,
+        PlugLeak, BarrierStroke, PaintStroke, LayerToSegment, SegmentSeen, ImportMask>
+        Result<void>
+    operator()(const E& edit) const { return discardValue(engineEditOf(edit, document)); }
+    /// What the document said to them is all; a growth that goes on, what takes older rows back and
+    /// revisions read the history, not the document.
+    template <class E>
+    requires isOneOf<E, AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer,
+        ChangeLayer, MoveLayer, RemoveLayer, MergeLayers, AddBookmark, RemoveBookmark, CutPiece,
+        PastePiece, ChangePiece, SendPiecesHome, RemovePiece, AddMeasurement, RemoveMeasurement,
+        LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
+        PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, SurfaceBarrier,
+        ResumeGrowth, RevertRows, ReviseStroke>
+        Result<void>
+    operator()(const E&) const { return {}; }
+
+private:
+    template <class Command>
+    [[nodiscard]] Result<void> carves(
+        const char* field, int layer, const Result<Command>& command) const
+    {
+        if (const Result<void> checked = checkLayer(field, layer, document); !checked)
+            return checked;
+        return discardValue(command);
+    }
+};
+
 } // namespace
 
 Result<void> checkAgainst(const Document& document, const Edit& edit)
@@ -53,70 +125,7 @@ Result<void> checkAgainst(const Document& document, const Edit& edit)
     }
     if (const Result<void> checked = checkSparedAreThere(edit, document); !checked)
         return checked;
-    if (const auto* carved = std::get_if<LayerToSegment>(&edit))
-        return discardValue(labelCarved(*carved, document));
-    if (const auto* seen = std::get_if<SegmentSeen>(&edit))
-        return discardValue(labelSeen(*seen, document));
-    if (const auto* mask = std::get_if<ImportMask>(&edit))
-        return discardValue(labelListed(*mask, document));
-    if (const auto* chunks = std::get_if<Chunks>(&edit); chunks && chunks->owners)
-        return discardValue(ownedBox(*chunks, document.volumes.front().geometry));
-    if (const auto* toggle = std::get_if<ChunkToggle>(&edit))
-        return discardValue(chunkClick(*toggle, document));
-    if (const auto* cover = std::get_if<SegmentToLayer>(&edit)) {
-        if (const Result<void> checked = checkLayer("segmentToLayer.layer", cover->layer, document);
-            !checked)
-            return checked;
-        return discardValue(coverLabel(*cover, document));
-    }
-    if (const auto* seed = std::get_if<SeedStroke>(&edit))
-        return discardValue(seedPlacement(*seed, document));
-    if (const auto* grow = std::get_if<GrowSteps>(&edit))
-        return discardValue(growBurst(*grow, document));
-    if (const auto* shrink = std::get_if<ShrinkSteps>(&edit))
-        return discardValue(shrinkGrowth(*shrink, document));
-    if (const auto* shrink = std::get_if<ShrinkAt>(&edit))
-        return discardValue(cutGrowth(*shrink, document));
-    if (const auto* plug = std::get_if<PlugLeak>(&edit))
-        return discardValue(cutGrowth(*plug, document));
-    if (const auto* spread = std::get_if<GrowFromSeeds>(&edit))
-        return discardValue(spreadLabels(*spread, document));
-    if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
-        if (const Result<void> checked = checkLayer("drill.layer", drill->layer, document);
-            !checked)
-            return checked;
-        return discardValue(drillCut(*drill, document));
-    }
-    if (const auto* laser = std::get_if<LaserStroke>(&edit)) {
-        if (const Result<void> checked = checkLayer("laser.layer", laser->layer, document);
-            !checked)
-            return checked;
-        return discardValue(laserCut(*laser, document));
-    }
-    if (const auto* paint = std::get_if<PaintStroke>(&edit))
-        return discardValue(paintLabel(*paint, document));
-    if (const auto* barrier = std::get_if<BarrierStroke>(&edit))
-        return discardValue(paintBarrier(*barrier, document));
-    if (const auto* change = std::get_if<ChangeInterval>(&edit))
-        return discardValue(growBurst(*change, document));
-    if (const auto* brush = std::get_if<BrushStroke>(&edit)) {
-        if (const Result<void> checked = checkLayer("brush.layer", brush->layer, document);
-            !checked)
-            return checked;
-        return discardValue(capsuleCut(*brush, document));
-    }
-    if (const auto* peel = std::get_if<PeelCut>(&edit)) {
-        if (const Result<void> checked = checkLayer("peel.layer", peel->layer, document); !checked)
-            return checked;
-        return discardValue(maskPeel(*peel, document));
-    }
-    if (const auto* cut = std::get_if<ScissorsCut>(&edit)) {
-        if (const Result<void> checked = checkLayer("scissors.layer", cut->layer, document);
-            !checked)
-            return checked;
-        return discardValue(maskScissors(*cut, document));
-    }
-    return {}; // "undo only" and revisions read the history, not the document
+    return std::visit(Checks{document}, edit);
 }
 
 } // namespace core

@@ -2,6 +2,7 @@
 #include "core/recipe/RecipeElsewhere.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/IsOneOf.h"
 
 #include <type_traits>
 
@@ -12,8 +13,6 @@ namespace {
 /// Maker of what every document begins with.
 constexpr std::size_t fromTheStart = std::size_t(-1);
 constexpr int firstLayer = 1;
-
-template <class E, class... Es> constexpr bool isOneOf = (std::is_same_v<E, Es> || ...);
 
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "core/recipe/RecipeStep.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/schema/EditQuantise.h"
 
 #include <QJsonObject>
@@ -26,8 +27,6 @@ constexpr std::array<MoveWord, 3> moveWords{{
     {HistoryMove::Kind::Redo, "redo", "Brings back the step that was taken back last."},
     {HistoryMove::Kind::GoTo, "goTo", "Walks to any row of the history, on any branch."},
 }};
-
-template <class E, class... Es> constexpr bool isOneOf = (std::is_same_v<E, Es> || ...);
 
 const MoveWord* moveNamed(const QString& name)
 {

@@ -3,6 +3,7 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/EditTask.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "core/edits/schema/EditSchema.h"
 #include "core/session/operations/EditOperation.h"
@@ -123,21 +124,7 @@ Result<void> EditSession::begin(const Edit& edit)
         if (const Result<void> checked = checkFieldsAtBegin(edit); !checked)
             return checked;
         const Edit rounded = quantised(edit);
-        const bool isStroke = std::holds_alternative<DrillStroke>(rounded)
-            || std::holds_alternative<PaintStroke>(rounded)
-            || std::holds_alternative<BarrierStroke>(rounded)
-            || std::holds_alternative<BrushStroke>(rounded)
-            || std::holds_alternative<PeelCut>(rounded)
-            || std::holds_alternative<LaserStroke>(rounded)
-            || std::holds_alternative<GrowFromSeeds>(rounded);
-        const bool isGrowth = std::holds_alternative<GrowSteps>(rounded)
-            || std::holds_alternative<ResumeGrowth>(rounded)
-            || std::holds_alternative<ChangeInterval>(rounded)
-            || std::holds_alternative<ShrinkSteps>(rounded);
-        // A template is begun to be looked at before it is taken.
-        const bool isSurface =
-            surfacePathOf(rounded) != nullptr || std::holds_alternative<ApplyTemplate>(rounded);
-        if (!isStroke && !isGrowth && !isSurface)
+        if (!canStandOpen(rounded))
             return failure(ErrorCode::InvalidField, editName(rounded),
                 QStringLiteral("it is carried out whole, there is nothing to begin"));
         m_queue->closeGrowth();
@@ -146,7 +133,7 @@ Result<void> EditSession::begin(const Edit& edit)
                 QStringLiteral("another stroke has not ended yet"));
         if (const Result<void> checked = m_queue->check(rounded); !checked)
             return checked;
-        if (isSurface)
+        if (taskOf(rounded) == EditTask::Surface)
             m_queue->submit(
                 std::make_unique<SurfaceOperation>(rounded, SurfaceOperation::Kind::Interactive));
         else

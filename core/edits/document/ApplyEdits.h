@@ -4,15 +4,12 @@
 #include "core/base/Result.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edits.h"
-
-#include <type_traits>
+#include "core/edits/kinds/IsOneOf.h"
 
 namespace core::applyEdits {
 
 // Between the sources of applyToDocument() (DocumentEdits.h): what an edit of the surface or of
 // chunks changes in the document. Each returns whether anything is different now.
-
-template <class E, class... Es> constexpr bool isOneOf = (std::is_same_v<E, Es> || ...);
 
 [[nodiscard]] tl::unexpected<Error> unknownSegment(int label);
 

@@ -16,7 +16,6 @@ constexpr int mostPieces = 64; // what one ray can meet (gpu/render)
 constexpr int lastLayer = 254; // 255 is where strokes of the past are tried (PastCoverage)
 
 using applyEdits::apply;
-using applyEdits::isOneOf;
 using applyEdits::unknownSegment;
 
 Result<bool> apply(const AddSegment& edit, Document& document)

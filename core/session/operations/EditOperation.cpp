@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/operations/EditOperation.h"
 
-#include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/SurfacePaths.h"
+#include "core/edits/EditTask.h"
 #include "core/session/operations/ChunkOperation.h"
 #include "core/session/operations/DocumentOperation.h"
 #include "core/session/operations/RevertOperation.h"
@@ -14,18 +13,22 @@ namespace core {
 
 std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
 {
-    if (isOfSurface(edit))
-        return std::make_unique<SurfaceOperation>(edit, SurfaceOperation::Kind::Whole, again);
-    if (const auto* chunks = std::get_if<Chunks>(&edit))
-        return std::make_unique<DivideOperation>(*chunks, again);
-    if (const auto* toggle = std::get_if<ChunkToggle>(&edit))
-        return std::make_unique<ToggleChunks>(*toggle, again);
-    if (changesDocumentOnly(edit))
+    switch (taskOf(edit)) {
+    case EditTask::Document:
         return std::make_unique<DocumentOperation>(edit, again);
-    if (const auto* revert = std::get_if<RevertRows>(&edit))
-        return std::make_unique<RevertOperation>(*revert, again);
-    if (const auto* revise = std::get_if<ReviseStroke>(&edit))
-        return std::make_unique<ReviseOperation>(*revise, again);
+    case EditTask::Surface:
+        return std::make_unique<SurfaceOperation>(edit, SurfaceOperation::Kind::Whole, again);
+    case EditTask::Chunks:
+        if (const auto* chunks = std::get_if<Chunks>(&edit))
+            return std::make_unique<DivideOperation>(*chunks, again);
+        return std::make_unique<ToggleChunks>(std::get<ChunkToggle>(edit), again);
+    case EditTask::History:
+        if (const auto* revert = std::get_if<RevertRows>(&edit))
+            return std::make_unique<RevertOperation>(*revert, again);
+        return std::make_unique<ReviseOperation>(std::get<ReviseStroke>(edit), again);
+    case EditTask::Engine:
+        break;
+    }
     return std::make_unique<VoxelOperation>(edit, VoxelOperation::Kind::Whole, again);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/operations/RestoreSession.h"
 
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/SurfacePaths.h"
 #include "core/refine/mesh/SurfaceDelta.h"
 #include "core/session/operations/EditOperation.h"
 #include "core/session/operations/WalkOperation.h"
@@ -46,7 +46,8 @@ Result<void> restoreSurface(SessionState& state, RowId base)
 {
     SurfaceState& surface = state.surface;
     for (const HistoryRow& row : state.file->contents().rows) {
-        if (!isOfSurface(row.edit) || !changesDocumentOnly(row.edit) || row.stateHash.isEmpty())
+        if (taskOf(row.edit) != EditTask::Surface || !changesDocumentOnly(row.edit)
+            || row.stateHash.isEmpty())
             continue;
         const Result<BrickDelta> delta = state.file->readDelta(row.id);
         if (!delta)

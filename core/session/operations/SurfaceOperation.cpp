@@ -83,8 +83,8 @@ void SurfaceOperation::work(SessionState& state)
     m_reader.reset();
     if (std::holds_alternative<WriteBack>(m_edit))
         m_read.past = surfacePast(state.history, state.surface);
-    m_work =
-        std::make_shared<SurfaceWork>(state.surface, m_edit, state.document, std::move(m_read));
+    m_work = std::make_shared<SurfaceWork>(
+        state.surface, *surfaceEditOf(m_edit), state.document, std::move(m_read));
     const SurfacePath* path = surfacePathOf(m_edit);
     post(state, [this, work = m_work, points = path ? path->pointsLps : std::vector<glm::dvec3>()] {
         const Result<void> begun = work->begin();

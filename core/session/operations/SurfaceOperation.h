@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/SurfacePaths.h"
+#include "core/edits/kinds/SurfaceEdit.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/state/Operation.h"
 #include "core/session/surface/SurfaceWork.h"

@@ -2,6 +2,7 @@
 #include "core/session/operations/VoxelOperation.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SparedSegments.h"
@@ -52,13 +53,6 @@ std::vector<BrickImage> imagesBefore(const std::vector<BrickChange>& changes)
     return images;
 }
 
-template <class Command> Result<EngineEdit> asEngineEdit(Result<Command> command)
-{
-    if (!command)
-        return tl::unexpected(command.error());
-    return EngineEdit(*std::move(command));
-}
-
 } // namespace
 
 VoxelOperation::VoxelOperation(Edit edit, Kind kind, RowId again)
@@ -68,65 +62,19 @@ VoxelOperation::VoxelOperation(Edit edit, Kind kind, RowId again)
 {
 }
 
+/// Keeps what its extensions go by.
 Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
 {
-    if (const auto* seed = std::get_if<SeedStroke>(&m_edit))
-        return asEngineEdit(seedPlacement(*seed, document));
-    if (const auto* grow = std::get_if<GrowSteps>(&m_edit))
-        return asEngineEdit(growBurst(*grow, document));
-    if (const auto* change = std::get_if<ChangeInterval>(&m_edit))
-        return asEngineEdit(growBurst(*change, document));
-    if (const auto* barrier = std::get_if<BarrierStroke>(&m_edit))
-        return asEngineEdit(paintBarrier(*barrier, document));
-    if (const auto* shrink = std::get_if<ShrinkSteps>(&m_edit)) {
-        Result<ShrinkGrowth> command = shrinkGrowth(*shrink, document);
-        if (command)
-            m_firstGeneration = command->generation;
-        return asEngineEdit(std::move(command));
-    }
-    if (const auto* shrinkAt = std::get_if<ShrinkAt>(&m_edit))
-        return asEngineEdit(cutGrowth(*shrinkAt, document));
-    if (const auto* plug = std::get_if<PlugLeak>(&m_edit))
-        return asEngineEdit(cutGrowth(*plug, document));
-    if (const auto* fromSeeds = std::get_if<GrowFromSeeds>(&m_edit))
-        return asEngineEdit(spreadLabels(*fromSeeds, document));
-    if (const auto* remove = std::get_if<RemoveSegment>(&m_edit))
-        return asEngineEdit(eraseLabel(*remove, document));
-    if (const auto* paint = std::get_if<PaintStroke>(&m_edit))
-        return asEngineEdit(paintLabel(*paint, document));
-    if (const auto* brush = std::get_if<BrushStroke>(&m_edit))
-        return asEngineEdit(capsuleCut(*brush, document));
-    if (const auto* peel = std::get_if<PeelCut>(&m_edit))
-        return asEngineEdit(maskPeel(*peel, document));
-    if (const auto* scissors = std::get_if<ScissorsCut>(&m_edit))
-        return asEngineEdit(maskScissors(*scissors, document));
-    if (const auto* carved = std::get_if<LayerToSegment>(&m_edit))
-        return asEngineEdit(labelCarved(*carved, document));
-    if (const auto* seen = std::get_if<SegmentSeen>(&m_edit))
-        return asEngineEdit(labelSeen(*seen, document));
-    if (const auto* mask = std::get_if<ImportMask>(&m_edit))
-        return asEngineEdit(labelListed(*mask, document));
-    if (const auto* segment = std::get_if<SegmentToLayer>(&m_edit))
-        return asEngineEdit(coverLabel(*segment, document));
-    const auto* removed = std::get_if<RemoveLayer>(&m_edit);
-    const auto* merged = std::get_if<MergeLayers>(&m_edit);
-    if (removed || merged) {
-        // What waited in line may meet another document than the one it was checked against.
-        if (const Result<void> checked = checkAgainst(document, m_edit); !checked)
-            return tl::unexpected(checked.error());
-        return EngineEdit(removed ? foldLayer(*removed) : foldLayer(*merged));
-    }
-    if (const auto* laser = std::get_if<LaserStroke>(&m_edit)) {
-        Result<LaserCut> cut = laserCut(*laser, document);
-        if (cut)
-            m_path.emplace(*laser, *cut);
-        return asEngineEdit(std::move(cut));
-    }
-    const auto& drill = std::get<DrillStroke>(m_edit);
-    Result<DrillCut> cut = drillCut(drill, document);
-    if (cut)
-        m_path.emplace(drill, *cut);
-    return asEngineEdit(std::move(cut));
+    Result<EngineEdit> edit = engineEditOf(m_edit, document);
+    if (!edit)
+        return edit;
+    if (const auto* shrink = std::get_if<ShrinkGrowth>(&*edit))
+        m_firstGeneration = shrink->generation;
+    if (const auto* drill = std::get_if<DrillStroke>(&m_edit))
+        m_path.emplace(*drill, std::get<DrillCut>(*edit));
+    if (const auto* laser = std::get_if<LaserStroke>(&m_edit))
+        m_path.emplace(*laser, std::get<LaserCut>(*edit));
+    return edit;
 }
 
 bool VoxelOperation::foresee(Document& document) const

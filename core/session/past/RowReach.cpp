@@ -4,6 +4,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SparedSegments.h"
 #include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/IsOneOf.h"
 #include "core/sculpt/Radiation.h"
 
 #include <algorithm>
@@ -39,15 +40,6 @@ double drillReachMm(const DrillCut& cut)
         / 65536.0;
 }
 
-/// What a growth asks of voxels; null for other edits.
-const GrowCriteria* criteriaOf(const Edit& edit)
-{
-    if (const auto* grow = std::get_if<GrowSteps>(&edit))
-        return &grow->criteria;
-    const auto* interval = std::get_if<ChangeInterval>(&edit);
-    return interval ? &interval->criteria : nullptr;
-}
-
 /// The bricks under a brush.
 std::set<std::uint32_t> bricksUnder(
     const BrushPath& path, const CapsuleFrame& frame, const VolumeGeometry& geometry)
@@ -59,18 +51,6 @@ std::set<std::uint32_t> bricksUnder(
         under.insert(near.begin(), near.end());
     }
     return under;
-}
-
-/// Of a brush that writes labels and seed words: its way, and the plane; null for other edits.
-std::pair<const BrushPath*, std::uint8_t> labelledPath(const Edit& edit, const Document& document)
-{
-    if (const auto* barrier = std::get_if<BarrierStroke>(&edit))
-        return {&barrier->path, document.growths.front().plane};
-    const auto* paint = std::get_if<PaintStroke>(&edit);
-    if (!paint)
-        return {nullptr, std::uint8_t(0)};
-    const Segment* segment = document.segment(paint->segment);
-    return {&paint->path, segment ? segment->plane : std::uint8_t(0)};
 }
 
 } // namespace
@@ -99,144 +79,231 @@ RowReach::SweptMask RowReach::sweptMask(const MaskFrame& frame, const BrickGrid&
     return mask;
 }
 
-RowReach::SweptMask RowReach::sweptOutline(const MaskFrame& frame, const BrickGrid& grid,
-    const std::vector<glm::dvec2>& outline, const RowTrace& trace)
-{
-    glm::dvec2 low = outline.front();
-    glm::dvec2 high = low;
-    for (const glm::dvec2& point : outline) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
-    return sweptMask(frame, grid, {(low + high) / 2.0}, glm::length(high - low) / 2.0, trace);
-}
+/// What the result of each kind of edit depends on: one that is not told of does not compile.
+class RowReach::Kinds {
+public:
+    const Document& document;
+    const std::vector<BrickKey>& written;
+    const RowTrace& trace;
+    std::optional<std::uint8_t> labelsRead; ///< the plane of what is spared
 
-RowReach::RowReach(const Edit& edit, const Document& document, const std::vector<BrickKey>& written,
-    const RowTrace& trace)
-{
-    const BrickGrid grid{document.volumes.front().geometry.size};
-    const SparedSegments* spared = sparedBy(edit);
-    std::optional<std::uint8_t> labelsRead;
-    if (spared && *spared)
-        labelsRead = sparedLabels(*spared, document).plane;
-    if (const auto* seed = std::get_if<SeedStroke>(&edit)) {
+    Reach operator()(const SeedStroke& seed) const
+    {
+        std::vector<glm::dvec3> points = seed.pointsLps;
+        if (seed.takenLps)
+            points.insert(points.end(), seed.takenLps->begin(), seed.takenLps->end());
         Bricks bricks;
-        const Segment* segment = document.segment(seed->segment);
-        const std::uint8_t plane = segment ? segment->plane : std::uint8_t(0);
-        std::vector<glm::dvec3> points = seed->pointsLps;
-        if (seed->takenLps)
-            points.insert(points.end(), seed->takenLps->begin(), seed->takenLps->end());
-        if (const auto voxels = seedVoxels(points, document.volumes.front().geometry)) {
+        if (const auto voxels = seedVoxels(points, geometry())) {
             for (const glm::ivec3& voxel : *voxels)
-                bricks.keys.insert({Field::SeedWords, plane, std::uint32_t(grid.brickOf(voxel))});
+                bricks.keys.insert({Field::SeedWords, planeOf(seed.segment),
+                    std::uint32_t(grid().brickOf(voxel))});
         }
-        m_reach = std::move(bricks);
-    } else if (const GrowCriteria* asked = criteriaOf(edit); asked && trace.grownBeside) {
-        m_reach = Growth{.plane = document.growths.front().plane,
-            .coverage = asked->onlyVisible,
-            .beside = *trace.grownBeside};
-    } else if (const GrowCriteria* criteria = criteriaOf(edit); criteria && criteria->onlyVisible) {
-        Fields fields{.plane = document.growths.front().plane, .layers = {}};
-        fields.layers.set();
-        m_reach = fields;
-    } else if (std::holds_alternative<GrowSteps>(edit) || std::holds_alternative<ShrinkSteps>(edit)
-        || std::holds_alternative<ShrinkAt>(edit) || std::holds_alternative<PlugLeak>(edit)
-        || std::holds_alternative<RemoveSegment>(edit)
-        || std::holds_alternative<ChangeInterval>(edit)
-        || std::holds_alternative<GrowFromSeeds>(edit) || std::holds_alternative<WriteBack>(edit)
-        || std::holds_alternative<SurfaceBarrier>(edit)) {
-        m_reach = Plane{document.growths.front().plane};
-    } else if (const auto* drill = std::get_if<DrillStroke>(&edit)) {
-        std::vector<glm::dvec2> path;
-        for (const PenSample& sample : drill->samples)
-            path.emplace_back(sample.xMm, sample.yMm);
-        if (const Result<DrillCut> cut = drillCut(*drill, document))
-            m_reach = sweptMask(cut->frame, grid, std::move(path), drillReachMm(*cut), trace);
-    } else if (const auto* laser = std::get_if<LaserStroke>(&edit)) {
-        std::vector<glm::dvec2> path;
-        for (const PenSample& sample : laser->samples)
-            path.emplace_back(sample.xMm, sample.yMm);
-        if (const Result<LaserCut> cut = laserCut(*laser, document))
-            m_reach = sweptMask(cut->frame, grid, std::move(path), laserReachMm(*cut), trace);
-    } else if (const auto* peel = std::get_if<PeelCut>(&edit)) {
-        if (const Result<MaskPeel> cut = maskPeel(*peel, document))
-            m_reach = sweptOutline(cut->frame, grid, peel->polygonMm, trace);
-    } else if (const auto* scissors = std::get_if<ScissorsCut>(&edit)) {
-        if (const Result<MaskScissors> cut = maskScissors(*scissors, document))
-            m_reach = sweptOutline(cut->frame, grid, scissors->polygonMm, trace);
-    } else if (const auto [path, plane] = labelledPath(edit, document); path) {
+        return bricks;
+    }
+
+    Reach operator()(const GrowSteps& grow) const { return asked(grow.criteria); }
+    Reach operator()(const ChangeInterval& change) const { return asked(change.criteria); }
+    /// Growths that go by the whole plane.
+    template <class E>
+    requires isOneOf<E, ResumeGrowth, ShrinkSteps, ShrinkAt, PlugLeak, RemoveSegment, GrowFromSeeds,
+        WriteBack, SurfaceBarrier>
+        Reach operator()(const E&) const
+    {
+        return wholeGrowth();
+    }
+
+    Reach operator()(const DrillStroke& drill) const
+    {
+        const Result<DrillCut> cut = drillCut(drill, document);
+        return cut ? swept(cut->frame, pathOf(drill.samples), drillReachMm(*cut)) : nothing();
+    }
+    Reach operator()(const LaserStroke& laser) const
+    {
+        const Result<LaserCut> cut = laserCut(laser, document);
+        return cut ? swept(cut->frame, pathOf(laser.samples), laserReachMm(*cut)) : nothing();
+    }
+    Reach operator()(const PeelCut& peel) const
+    {
+        const Result<MaskPeel> cut = maskPeel(peel, document);
+        return cut ? sweptOutline(cut->frame, peel.polygonMm) : nothing();
+    }
+    Reach operator()(const ScissorsCut& scissors) const
+    {
+        const Result<MaskScissors> cut = maskScissors(scissors, document);
+        return cut ? sweptOutline(cut->frame, scissors.polygonMm) : nothing();
+    }
+
+    Reach operator()(const PaintStroke& paint) const
+    {
+        return labelled(paint.path, planeOf(paint.segment));
+    }
+    Reach operator()(const BarrierStroke& barrier) const
+    {
+        return labelled(barrier.path, growthPlane());
+    }
+    Reach operator()(const BrushStroke& brush) const
+    {
         Bricks bricks;
-        const VolumeGeometry& geometry = document.volumes.front().geometry;
-        if (const auto frame = capsuleFrame(*path, geometry, {})) {
-            for (const std::uint32_t brick : bricksUnder(*path, *frame, geometry)) {
-                bricks.keys.insert({Field::Labels, plane, brick});
-                bricks.keys.insert({Field::SeedWords, plane, brick});
-                bricks.keys.insert({Field::Beneath, plane, brick});
-            }
+        for (const std::uint32_t brick : under(brush.path)) {
+            bricks.keys.insert({Field::Coverage, std::uint8_t(brush.layer), brick});
+            if (labelsRead)
+                bricks.keys.insert({Field::Labels, *labelsRead, brick});
         }
-        m_reach = std::move(bricks);
-    } else if (const auto* mask = std::get_if<ImportMask>(&edit)) {
+        return bricks;
+    }
+
+    Reach operator()(const ImportMask& mask) const
+    {
         Bricks bricks;
-        if (const Result<LabelListed> listed = labelListed(*mask, document)) {
+        if (const Result<LabelListed> listed = labelListed(mask, document)) {
             for (const LabelListed::Brick& brick : listed->bricks) {
                 bricks.keys.insert({Field::Labels, listed->plane, brick.brick});
                 bricks.keys.insert({Field::SeedWords, listed->plane, brick.brick});
             }
         }
-        m_reach = std::move(bricks);
-    } else if (const auto* toggle = std::get_if<ChunkToggle>(&edit)) {
-        Bricks bricks;
-        const Segment* segment = document.segment(toggle->segment);
-        const std::uint8_t planeOfLabel = segment ? segment->plane : std::uint8_t(0);
-        for (const std::int64_t brick : toggle->bricks.value_or(std::vector<std::int64_t>())) {
-            bricks.keys.insert({Field::Labels, planeOfLabel, std::uint32_t(brick)});
-            bricks.keys.insert({Field::SeedWords, planeOfLabel, std::uint32_t(brick)});
-        }
-        m_reach = std::move(bricks);
-    } else if (const auto* brush = std::get_if<BrushStroke>(&edit)) {
-        Bricks bricks;
-        const VolumeGeometry& geometry = document.volumes.front().geometry;
-        if (const auto frame = capsuleFrame(brush->path, geometry, {})) {
-            for (const std::uint32_t brick : bricksUnder(brush->path, *frame, geometry)) {
-                bricks.keys.insert({Field::Coverage, std::uint8_t(brush->layer), brick});
-                if (labelsRead)
-                    bricks.keys.insert({Field::Labels, *labelsRead, brick});
-            }
-        }
-        m_reach = std::move(bricks);
-    } else if (std::optional<Fields> fields = wholeFields(edit, document)) {
-        m_reach = *fields;
-    } else {
-        m_reach = Bricks{{written.begin(), written.end()}};
+        return bricks;
     }
-    if (auto* mask = std::get_if<SweptMask>(&m_reach))
-        mask->labels = labelsRead;
-}
+    Reach operator()(const ChunkToggle& toggle) const
+    {
+        Bricks bricks;
+        const std::uint8_t plane = planeOf(toggle.segment);
+        for (const std::int64_t brick : toggle.bricks.value_or(std::vector<std::int64_t>())) {
+            bricks.keys.insert({Field::Labels, plane, std::uint32_t(brick)});
+            bricks.keys.insert({Field::SeedWords, plane, std::uint32_t(brick)});
+        }
+        return bricks;
+    }
 
-std::optional<RowReach::Fields> RowReach::wholeFields(const Edit& edit, const Document& document)
-{
-    const auto planeOf = [&document](std::optional<int> label) {
-        const Segment* segment = label ? document.segment(*label) : nullptr;
-        return segment ? segment->plane : std::uint8_t(0);
-    };
-    Fields fields;
-    if (const auto* carved = std::get_if<LayerToSegment>(&edit)) {
-        fields.plane = planeOf(carved->target.segment);
-        fields.layers.set(std::size_t(carved->layer));
-    } else if (const auto* seen = std::get_if<SegmentSeen>(&edit)) {
-        fields.plane = planeOf(seen->target.segment);
-        fields.layers.set();
-    } else if (const auto* covered = std::get_if<SegmentToLayer>(&edit)) {
-        fields.plane = planeOf(covered->segment);
-        fields.layers.set(std::size_t(covered->layer));
-    } else if (const auto* merge = std::get_if<MergeLayers>(&edit)) {
-        fields.layers.set(std::size_t(merge->from)).set(std::size_t(merge->into));
-    } else if (const auto* remove = std::get_if<RemoveLayer>(&edit)) {
-        fields.layers.set(std::size_t(remove->layer));
-    } else {
-        return std::nullopt;
+    Reach operator()(const LayerToSegment& carved) const
+    {
+        Fields fields{.plane = planeOf(carved.target.segment.value_or(0)), .layers = {}};
+        fields.layers.set(std::size_t(carved.layer));
+        return fields;
     }
-    return fields;
+    Reach operator()(const SegmentSeen& seen) const
+    {
+        Fields fields{.plane = planeOf(seen.target.segment.value_or(0)), .layers = {}};
+        fields.layers.set();
+        return fields;
+    }
+    Reach operator()(const SegmentToLayer& covered) const
+    {
+        Fields fields{.plane = planeOf(covered.segment), .layers = {}};
+        fields.layers.set(std::size_t(covered.layer));
+        return fields;
+    }
+    Reach operator()(const MergeLayers& merge) const
+    {
+        Fields fields;
+        fields.layers.set(std::size_t(merge.from)).set(std::size_t(merge.into));
+        return fields;
+    }
+    Reach operator()(const RemoveLayer& remove) const
+    {
+        Fields fields;
+        fields.layers.set(std::size_t(remove.layer));
+        return fields;
+    }
+
+    /// What they took back, or folded anew.
+    template <class E>
+    requires isOneOf<E, RevertRows, ReviseStroke> Reach operator()(const E&) const
+    {
+        return whatWasWritten();
+    }
+    /// They write no voxel.
+    template <class E>
+    requires isOneOf<E, AddSegment, ChangeSegment, MoveSegment, AddLayer, ChangeLayer, MoveLayer,
+        AddBookmark, RemoveBookmark, AddMeasurement, RemoveMeasurement, CutPiece, PastePiece,
+        ChangePiece, SendPiecesHome, RemovePiece, Chunks, LaySurface, DropSurface, FollowMask,
+        MarkSurface, ChangeMarks, SpherePush, PlaneScrape, PointDrag, ApplyTemplate, SmoothSurface,
+        AttractSurface>
+        Reach operator()(const E&) const
+    {
+        return whatWasWritten();
+    }
+
+private:
+    [[nodiscard]] const VolumeGeometry& geometry() const
+    {
+        return document.volumes.front().geometry;
+    }
+    [[nodiscard]] BrickGrid grid() const { return BrickGrid{geometry().size}; }
+    [[nodiscard]] std::uint8_t planeOf(int label) const
+    {
+        const Segment* segment = document.segment(label);
+        return segment ? segment->plane : std::uint8_t(0);
+    }
+    [[nodiscard]] std::uint8_t growthPlane() const { return document.growths.front().plane; }
+    /// Of a cut that could not be worked out.
+    [[nodiscard]] static Reach nothing() { return Bricks(); }
+    [[nodiscard]] Reach whatWasWritten() const { return Bricks{{written.begin(), written.end()}}; }
+    [[nodiscard]] Reach wholeGrowth() const { return Plane{growthPlane()}; }
+
+    [[nodiscard]] Reach asked(const GrowCriteria& criteria) const
+    {
+        if (trace.grownBeside)
+            return Growth{.plane = growthPlane(),
+                .coverage = criteria.onlyVisible,
+                .beside = *trace.grownBeside};
+        if (!criteria.onlyVisible)
+            return wholeGrowth();
+        Fields fields{.plane = growthPlane(), .layers = {}};
+        fields.layers.set();
+        return fields;
+    }
+    [[nodiscard]] Reach swept(
+        const MaskFrame& frame, std::vector<glm::dvec2> path, double maskReachMm) const
+    {
+        SweptMask mask = sweptMask(frame, grid(), std::move(path), maskReachMm, trace);
+        mask.labels = labelsRead;
+        return mask;
+    }
+    [[nodiscard]] Reach sweptOutline(
+        const MaskFrame& frame, const std::vector<glm::dvec2>& outline) const
+    {
+        glm::dvec2 low = outline.front();
+        glm::dvec2 high = low;
+        for (const glm::dvec2& point : outline) {
+            low = glm::min(low, point);
+            high = glm::max(high, point);
+        }
+        return swept(frame, {(low + high) / 2.0}, glm::length(high - low) / 2.0);
+    }
+    [[nodiscard]] static std::vector<glm::dvec2> pathOf(const std::vector<PenSample>& samples)
+    {
+        std::vector<glm::dvec2> path;
+        for (const PenSample& sample : samples)
+            path.emplace_back(sample.xMm, sample.yMm);
+        return path;
+    }
+    /// The bricks under a brush.
+    [[nodiscard]] std::set<std::uint32_t> under(const BrushPath& path) const
+    {
+        const auto frame = capsuleFrame(path, geometry(), {});
+        return frame ? bricksUnder(path, *frame, geometry()) : std::set<std::uint32_t>();
+    }
+    [[nodiscard]] Reach labelled(const BrushPath& path, std::uint8_t plane) const
+    {
+        Bricks bricks;
+        for (const std::uint32_t brick : under(path)) {
+            for (const Field field : {Field::Labels, Field::SeedWords, Field::Beneath})
+                bricks.keys.insert({field, plane, brick});
+        }
+        return bricks;
+    }
+};
+
+RowReach::RowReach(const Edit& edit, const Document& document, const std::vector<BrickKey>& written,
+    const RowTrace& trace)
+{
+    const SparedSegments* spared = sparedBy(edit);
+    std::optional<std::uint8_t> labelsRead;
+    if (spared && *spared)
+        labelsRead = sparedLabels(*spared, document).plane;
+    m_reach = std::visit(
+        Kinds{.document = document, .written = written, .trace = trace, .labelsRead = labelsRead},
+        edit);
 }
 
 bool RowReach::covers(const BrickKey& key) const

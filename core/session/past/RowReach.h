@@ -90,17 +90,15 @@ private:
     };
     [[nodiscard]] static SweptMask sweptMask(const MaskFrame& frame, const BrickGrid& grid,
         std::vector<glm::dvec2> path, double maskReachMm, const RowTrace& trace);
-    [[nodiscard]] static SweptMask sweptOutline(const MaskFrame& frame, const BrickGrid& grid,
-        const std::vector<glm::dvec2>& outline, const RowTrace& trace);
     [[nodiscard]] static bool covers(const Bricks& bricks, const BrickKey& key);
     [[nodiscard]] static bool covers(const Plane& plane, const BrickKey& key);
     [[nodiscard]] static bool covers(const Growth& growth, const BrickKey& key);
     [[nodiscard]] static bool covers(const SweptMask& mask, const BrickKey& key);
     [[nodiscard]] static bool covers(const Fields& fields, const BrickKey& key);
-    [[nodiscard]] static std::optional<Fields> wholeFields(
-        const Edit& edit, const Document& document);
+    using Reach = std::variant<Bricks, Plane, Growth, SweptMask, Fields>;
+    class Kinds;
 
-    std::variant<Bricks, Plane, Growth, SweptMask, Fields> m_reach;
+    Reach m_reach;
 };
 
 } // namespace core

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/brick/LabelRuns.h"
+#include "core/edits/kinds/IsOneOf.h"
 #include "core/refine/deform/FollowBoundary.h"
 #include "core/refine/fit/MeasuredFit.h"
 #include "core/refine/mesh/SurfaceDelta.h"
@@ -70,6 +71,48 @@ QString offText(const MeasuredFit& fit)
 /// How far an edge is looked for, times the tool's radius.
 constexpr double attractReach = 0.5;
 
+/// The tool of each kind of edit of the surface; none: it is no stroke.
+struct Tools {
+    const GreyBox* grey;
+
+    std::optional<SurfaceTool> operator()(const MarkSurface& mark) const
+    {
+        return MarkBrush{.mark = mark.mark, .radiusMm = mark.path.radiusMm};
+    }
+    std::optional<SurfaceTool> operator()(const SpherePush& push) const
+    {
+        return SphereTool{.radiusMm = push.path.radiusMm};
+    }
+    std::optional<SurfaceTool> operator()(const PlaneScrape& scrape) const
+    {
+        return PlaneTool{.normalLps = scrape.normalLps,
+            .radiusMm = scrape.path.radiusMm,
+            .heightMm = 2.0 * scrape.path.radiusMm};
+    }
+    std::optional<SurfaceTool> operator()(const PointDrag& drag) const
+    {
+        return DragTool{.radiusMm = drag.path.radiusMm};
+    }
+    std::optional<SurfaceTool> operator()(const ApplyTemplate& shape) const
+    {
+        return TemplateTool{.contours = contoursOf(shape)};
+    }
+    std::optional<SurfaceTool> operator()(const SmoothSurface& smooth) const
+    {
+        return SmoothTool{.radiusMm = smooth.path.radiusMm};
+    }
+    std::optional<SurfaceTool> operator()(const AttractSurface& attract) const
+    {
+        return AttractTool{.radiusMm = attract.path.radiusMm,
+            .reachMm = attractReach * attract.path.radiusMm,
+            .grey = grey};
+    }
+    template <class E>
+    requires isOneOf<E, LaySurface, DropSurface, FollowMask, ChangeMarks, WriteBack, SurfaceBarrier>
+        std::optional<SurfaceTool>
+    operator()(const E&) const { return std::nullopt; }
+};
+
 } // namespace
 
 bool readsLabels(const Edit& edit)
@@ -105,7 +148,8 @@ std::optional<VoxelBox> greyBoxOf(const Edit& edit, const SurfaceState& surface)
     return box;
 }
 
-SurfaceWork::SurfaceWork(SurfaceState& surface, Edit edit, const Document& document, Read read)
+SurfaceWork::SurfaceWork(
+    SurfaceState& surface, SurfaceEdit edit, const Document& document, Read read)
     : m_surface(surface)
     , m_edit(std::move(edit))
     , m_read(std::move(read))
@@ -119,35 +163,12 @@ SurfaceWork::SurfaceWork(SurfaceState& surface, Edit edit, const Document& docum
 
 SurfaceWork::~SurfaceWork() = default;
 
-std::optional<SurfaceTool> SurfaceWork::tool() const
-{
-    if (const auto* mark = std::get_if<MarkSurface>(&m_edit))
-        return MarkBrush{.mark = mark->mark, .radiusMm = mark->path.radiusMm};
-    if (const auto* push = std::get_if<SpherePush>(&m_edit))
-        return SphereTool{.radiusMm = push->path.radiusMm};
-    if (const auto* scrape = std::get_if<PlaneScrape>(&m_edit))
-        return PlaneTool{.normalLps = scrape->normalLps,
-            .radiusMm = scrape->path.radiusMm,
-            .heightMm = 2.0 * scrape->path.radiusMm};
-    if (const auto* drag = std::get_if<PointDrag>(&m_edit))
-        return DragTool{.radiusMm = drag->path.radiusMm};
-    if (const auto* shape = std::get_if<ApplyTemplate>(&m_edit))
-        return TemplateTool{.contours = contoursOf(*shape)};
-    if (const auto* smooth = std::get_if<SmoothSurface>(&m_edit))
-        return SmoothTool{.radiusMm = smooth->path.radiusMm};
-    if (const auto* attract = std::get_if<AttractSurface>(&m_edit))
-        return AttractTool{.radiusMm = attract->path.radiusMm,
-            .reachMm = attractReach * attract->path.radiusMm,
-            .grey = m_grey.get()};
-    return std::nullopt;
-}
-
 Result<void> SurfaceWork::begin()
 {
     if (!m_read.codes.empty())
         m_grey = std::make_unique<const GreyBox>(m_surface.geometry(), m_read.greyBox.minimum,
             m_read.greyBox.maximum - m_read.greyBox.minimum, std::move(m_read.codes));
-    const std::optional<SurfaceTool> chosen = tool();
+    const std::optional<SurfaceTool> chosen = std::visit(Tools{m_grey.get()}, m_edit);
     if (!chosen)
         return {};
     if (const auto* shape = std::get_if<TemplateTool>(&*chosen)) {
@@ -195,18 +216,14 @@ Result<SurfaceWork::Outcome> SurfaceWork::end(Ending ending)
         }
         return tl::unexpected(*m_error);
     }
-    if (const auto* edit = std::get_if<LaySurface>(&m_edit))
-        return lay(*edit);
-    if (std::holds_alternative<FollowMask>(m_edit))
-        return follow();
-    if (const auto* edit = std::get_if<ChangeMarks>(&m_edit))
-        return changeMarks(*edit);
-    if (std::holds_alternative<WriteBack>(m_edit))
-        return writeBack();
-    if (const auto* edit = std::get_if<SurfaceBarrier>(&m_edit))
-        return shut(*edit);
-    if (std::holds_alternative<DropSurface>(m_edit))
-        return stepOf({});
+    return std::visit([&](const auto& edit) { return carryOut(edit, ending); }, m_edit);
+}
+
+template <class Stroke>
+requires isOneOf<Stroke, MarkSurface, SpherePush, PlaneScrape, PointDrag, ApplyTemplate,
+    SmoothSurface, AttractSurface>
+    Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const Stroke&, Ending ending)
+{
     if (ending == Ending::Rollback) {
         m_stroke->rollback();
         m_surface.showAll(true);
@@ -217,6 +234,11 @@ Result<SurfaceWork::Outcome> SurfaceWork::end(Ending ending)
     if (delta.empty())
         return Outcome();
     return stepOf(std::move(delta));
+}
+
+Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const DropSurface&, Ending)
+{
+    return stepOf({});
 }
 
 SurfaceWork::Outcome SurfaceWork::stepOf(
@@ -234,7 +256,7 @@ SurfaceWork::Outcome SurfaceWork::stepOf(
     return {.step = std::move(step), .voxels = {}};
 }
 
-Result<SurfaceWork::Outcome> SurfaceWork::lay(const LaySurface& edit)
+Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const LaySurface& edit, Ending)
 {
     VoxelRuns voxels = labelRuns(m_read.labels, m_segment.label);
     if (voxels.empty())
@@ -255,7 +277,7 @@ Result<SurfaceWork::Outcome> SurfaceWork::lay(const LaySurface& edit)
     return outcome;
 }
 
-Result<SurfaceWork::Outcome> SurfaceWork::follow()
+Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const FollowMask&, Ending)
 {
     VoxelRuns voxels = labelRuns(m_read.labels, m_segment.label);
     if (voxels.empty())
@@ -288,7 +310,7 @@ std::vector<VertexId> SurfaceWork::markedVertices(const ChangeMarks& edit) const
     return marked;
 }
 
-Result<SurfaceWork::Outcome> SurfaceWork::changeMarks(const ChangeMarks& edit)
+Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const ChangeMarks& edit, Ending)
 {
     SimplexMeshEdit writing(m_surface.mesh);
     switch (edit.way) {
@@ -317,7 +339,7 @@ Result<SurfaceWork::Outcome> SurfaceWork::changeMarks(const ChangeMarks& edit)
     return stepOf(std::move(delta));
 }
 
-Result<SurfaceWork::Outcome> SurfaceWork::writeBack()
+Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const WriteBack&, Ending)
 {
     const Result<EnclosedVoxels> enclosed =
         enclosedVoxels(m_surface.mesh, m_read.past, m_surface.geometry(), m_overwritable.any());
@@ -328,7 +350,7 @@ Result<SurfaceWork::Outcome> SurfaceWork::writeBack()
             {.plane = m_segment.plane, .label = m_segment.label, .overwritable = m_overwritable})};
 }
 
-Result<SurfaceWork::Outcome> SurfaceWork::shut(const SurfaceBarrier& edit)
+Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const SurfaceBarrier& edit, Ending)
 {
     const Result<VoxelRuns> inside = voxelsOf(m_surface.mesh, m_surface.geometry(), {});
     if (!inside)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/IsOneOf.h"
+#include "core/edits/kinds/SurfaceEdit.h"
 #include "core/engine/EngineCommands.h"
 #include "core/refine/tools/SurfaceStroke.h"
 #include "core/session/surface/SurfaceAgreement.h"
@@ -32,7 +33,7 @@ public:
         std::vector<std::uint16_t> codes; ///< of that box, x fastest
         SurfacePast past; ///< of a WriteBack
     };
-    SurfaceWork(SurfaceState& surface, Edit edit, const Document& document, Read read);
+    SurfaceWork(SurfaceState& surface, SurfaceEdit edit, const Document& document, Read read);
     ~SurfaceWork();
 
     /// Of a template all that it does is done and shown then; the end takes it or takes it back.
@@ -44,19 +45,24 @@ public:
     void fail(const Error& error) { m_error = error; }
 
 private:
-    [[nodiscard]] std::optional<SurfaceTool> tool() const;
     void settle();
-    [[nodiscard]] Result<Outcome> lay(const LaySurface& edit);
-    [[nodiscard]] Result<Outcome> follow();
-    [[nodiscard]] Result<Outcome> changeMarks(const ChangeMarks& edit);
+    // One for each kind of edit of the surface.
+    [[nodiscard]] Result<Outcome> carryOut(const LaySurface& edit, Ending ending);
+    [[nodiscard]] Result<Outcome> carryOut(const DropSurface& edit, Ending ending);
+    [[nodiscard]] Result<Outcome> carryOut(const FollowMask& edit, Ending ending);
+    [[nodiscard]] Result<Outcome> carryOut(const ChangeMarks& edit, Ending ending);
+    [[nodiscard]] Result<Outcome> carryOut(const WriteBack& edit, Ending ending);
+    [[nodiscard]] Result<Outcome> carryOut(const SurfaceBarrier& edit, Ending ending);
+    template <class Stroke>
+    requires isOneOf<Stroke, MarkSurface, SpherePush, PlaneScrape, PointDrag, ApplyTemplate,
+        SmoothSurface, AttractSurface>
+    [[nodiscard]] Result<Outcome> carryOut(const Stroke& stroke, Ending ending);
     [[nodiscard]] std::vector<VertexId> markedVertices(const ChangeMarks& edit) const;
-    [[nodiscard]] Result<Outcome> writeBack();
-    [[nodiscard]] Result<Outcome> shut(const SurfaceBarrier& edit);
     [[nodiscard]] Outcome stepOf(
         SimplexMeshDelta delta, std::optional<SurfaceStep::TargetChange> target = {});
 
     SurfaceState& m_surface;
-    Edit m_edit;
+    SurfaceEdit m_edit;
     Segment m_segment;
     std::bitset<256> m_overwritable;
     std::bitset<256> m_locked; ///< labels of the segment's plane

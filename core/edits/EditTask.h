@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/document/Document.h"
+#include "core/edits/kinds/Edits.h"
+#include "core/engine/EngineCommands.h"
+
+namespace core {
+
+/// Who carries an edit out.
+enum class EditTask {
+    Document, ///< nobody else: lists and what they say
+    Engine, ///< the engine, and the document with it where it says so (changedPart())
+    Surface, ///< the surface that is refined; writing back goes on to the engine
+    Chunks, ///< the chunks around a segment
+    History, ///< older rows are taken back or changed
+};
+[[nodiscard]] EditTask taskOf(const Edit& edit);
+
+/// Whether it can be begun, and told bit by bit until it ends: what is under the pen, a growth that
+/// is watched, a preview. All others are carried out whole.
+[[nodiscard]] bool canStandOpen(const Edit& edit);
+
+/// The command in whole numbers by which the engine begins an edit (EngineEdits.h); of strokes the
+/// path comes later. A growth that goes on (ResumeGrowth) has to be named first (RecentGrowth.h).
+/// Errors: those of the conversion; InvalidField where the edit is not the engine's.
+[[nodiscard]] Result<EngineEdit> engineEditOf(const Edit& edit, const Document& document);
+
+} // namespace core

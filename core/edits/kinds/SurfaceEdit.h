@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/Edits.h"
+
+#include <optional>
+#include <variant>
+
+namespace core {
+
+/// Any one edit that works on the surface that is being refined, or lays it.
+using SurfaceEdit = std::variant<LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks,
+    SpherePush, PlaneScrape, PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack,
+    SurfaceBarrier>;
+
+/// None: it is no such edit.
+[[nodiscard]] std::optional<SurfaceEdit> surfaceEditOf(const Edit& edit);
+
+/// The way of a tool of the surface; null: it has none.
+[[nodiscard]] const SurfacePath* surfacePathOf(const Edit& edit);
+[[nodiscard]] SurfacePath* surfacePathOf(Edit& edit);
+
+} // namespace core
