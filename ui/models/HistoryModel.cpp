@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/HistoryModel.h"
 
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/SurfacePaths.h"
 #include "ui/base/CountText.h"
 #include "ui/workspace/Workspace.h"
 
@@ -28,7 +28,8 @@ struct RowText {
 
 RowText textOf(const core::HistoryRow& row)
 {
-    const bool hasFigures = !core::changesDocumentOnly(row.edit) || core::isOfSurface(row.edit);
+    const bool hasFigures =
+        !core::changesDocumentOnly(row.edit) || core::taskOf(row.edit) == core::EditTask::Surface;
     const qsizetype comma = hasFigures ? row.name.lastIndexOf(QLatin1String(", ")) : -1;
     if (comma < 0)
         return {row.name, {}};

@@ -2,7 +2,7 @@
 #include "tests/support/cases/StrokeCases.h"
 
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/kinds/SurfacePaths.h"
+#include "core/edits/kinds/SurfaceEdit.h"
 #include "core/session/EditSession.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/SurfaceCases.h"
