@@ -36,94 +36,11 @@ namespace app {
 
 namespace {
 
-std::span<const Command> commands()
+std::span<const Command* const> commands()
 {
-    static const std::vector<Command> table{
-        {"compare",
-            "MASK REFERENCE --study PATH [--series UID] [--repair REPAIRS] [--segment NAME]"
-            " [--reference NAME] [--json]",
-            "how far a mask is from the one that is held for the truth: relative volume error,"
-            " Dice, distances of the surfaces in mm; masks of any format, on the study's grid;"
-            " with --json a line for each pair of segments",
-            false, runCompare},
-        {"demo", "DIR", "writes the demonstration study: a CT of a head, made by formulas", false,
-            runDemo},
-        {"echo", "SOURCE [--own-title TITLE] [--login-file FILE] [--timeout SECONDS] [--json]",
-            "whether a PACS answers; SOURCE is AETITLE@host:port (DICOM), https://host/dicom-web"
-            " (DICOMweb) or the name of one in the settings, for this and find, get, send, which"
-            " all take --own-title (BURIN), --login-file (user:password or Bearer TOKEN; or in"
-            " BURIN_LOGIN), --timeout (30), and for TLS --tls-authority FILE [--tls-certificate"
-            " FILE --tls-key FILE], all PEM",
-            false, runEcho},
-        {"edits", "[--json]", "what a recipe can hold: every edit with its fields", false,
-            runEdits},
-        {"find",
-            "SOURCE [--patient-name NAME] [--patient-id ID] [--date FROM-TO] [--modality MODALITY]"
-            " [--accession NUMBER] [--description TEXT] [--most NUMBER] [--json] | SOURCE --study "
-            "UID",
-            "the studies at a source, or the series of one; * and ? stand for letters, dates"
-            " are YYYYMMDD",
-            false, runFind},
-        {"get", "SOURCE --study UID [--series UID] --to FOLDER [--move PORT] [--json]",
-            "downloads a study or series into a new folder, which is there only when it is whole;"
-            " a download that broke off goes on; --move: the node brings them to that port"
-            " (C-MOVE) instead of handing them over (C-GET)",
-            false, runGet},
-        {"history",
-            "FILE.burin [--json | --as-recipe | --report OUT.html|OUT.pdf [--force]"
-            " | --deidentified OUT.burin [--dates remove|keep|DAYS] [--force]]",
-            "what was done in a session, branches included; as a recipe for burin run; as an audit"
-            " report; as a session without the patient, for others",
-            false, runHistory, "--report"},
-        {"info",
-            "PATH [--series UID] [--repair REPAIRS] [--spacing COLUMNS,ROWS,SLICES] [--json]"
-            " | --gl",
-            "what a file or folder holds: studies, volumes, what is wrong with them and which"
-            " repairs there are; with --repair how they would open",
-            false, runInfo},
-        {"mesh",
-            "MASK --study PATH --out FILE [--series UID] [--repair REPAIRS] [--segment NAME]"
-            " [--vertices NUMBER] [--space lps|ras] [--json] [--force]",
-            "the surface that refinement begins with, of each segment of a mask, as PLY, STL, OBJ"
-            " or glTF (.glb), and how many of the mask's voxels it encloses; as many vertices as"
-            " that takes, unless a number is asked for",
-            false, runMesh},
-        {"open",
-            "[PATH [--series UID] [--repair REPAIRS] [--spacing COLUMNS,ROWS,SLICES] | FILE.burin "
-            "[--study PATH] | --demo]"
-            " [--screenshot FILE.png]"
-            " [--size WxH]",
-            "the workstation's window with a study, or with a session that goes on; --screenshot"
-            " saves it, fully refined, as PNG or (.dcm) as Secondary Capture of the study, and "
-            "exits",
-            true, runOpen},
-        {"replay",
-            "FILE.burin --verify [--to ROW] [--export FILE [--format FORMAT] [--layer NUMBER]"
-            " [--fill VALUE] [--deidentify] [--deflated] [--force]] [--study PATH] [--series UID]",
-            "carries out a session's history again, from nothing, and compares every hash;"
-            " --export writes the masks of that state, or with --format coverage --layer NUMBER "
-            "what"
-            " a sculpt layer carves (.nii.gz), or with --format carved-volume the study without "
-            "what"
-            " is carved (.nii.gz, or a new folder for a DICOM series; --fill: the value there,"
-            " without it the least); --deidentify takes the patient out, --deflated makes a DICOM"
-            " SEG smaller",
-            false, runReplay},
-        {"run",
-            "RECIPE.json --study PATH [--series UID] [--repair REPAIRS]"
-            " [--spacing COLUMNS,ROWS,SLICES] --session FILE.burin [--force | --append] "
-            "[--with-images] [--apply-elsewhere] [--author NAME]",
-            "carries out a recipe without a window (burin edits: what it can hold); --with-images"
-            " puts the study's images, and with them who the patient is, into the session; --force"
-            " replaces a session, which stays until the new one is whole;"
-            " --repair, here and in info and open: what is done to the series on loading it, of"
-            " tilt, spacing=even, gap=fill, gap=split:NUMBER, duplicates=first, duplicates=last,"
-            " with commas between; none: nothing; --spacing: how many mm the voxels of PNG and TIFF"
-            " pictures are apart",
-            false, runRecipe},
-        {"send", "SOURCE PATH... [--json]", "stores DICOM files, or those of folders, at a source",
-            false, runSend},
-    };
+    static const std::vector<const Command*> table{&compareCommand, &demoCommand, &echoCommand,
+        &editsCommand, &findCommand, &getCommand, &historyCommand, &infoCommand, &meshCommand,
+        &openCommand, &replayCommand, &runCommand, &sendCommand};
     return table;
 }
 
@@ -132,9 +49,10 @@ void printHelp(FILE* out)
     std::fprintf(out,
         "burin %s — segmentation workstation (research use; not a medical device)\n\n",
         BURIN_VERSION);
-    for (const Command& command : commands())
+    for (const Command* command : commands())
         std::fprintf(
-            out, "  burin %s %s\n      %s\n", command.name, command.usage, command.summary);
+            out, "  burin %s %s\n      %s\n", command->name, command->usage, command->summary);
+    std::fprintf(out, "\nburin COMMAND --help says what each option means.\n");
 }
 
 /// They name the studies that were open last. Qt makes the file for everybody to read.
@@ -150,19 +68,26 @@ void keepSettingsPrivate()
 int runCommandLine(int argc, char** argv)
 {
     const char* verb = argc > 1 ? argv[1] : "--help";
-    for (const Command& command : commands()) {
+    for (const Command* known : commands()) {
+        const Command& command = *known;
         if (std::strcmp(verb, command.name) != 0)
             continue;
         std::unique_ptr<QCoreApplication> application;
+        const std::span<char*> words(argv + 1, argv + argc);
         const auto isFontsFor = [&command](const char* word) {
-            return command.fontsFor && std::strcmp(word, command.fontsFor) == 0;
+            const std::size_t length = command.fontsFor ? std::strlen(command.fontsFor) : 0;
+            return length > 0 && std::strncmp(word, command.fontsFor, length) == 0
+                && (word[length] == '\0' || word[length] == '=');
         };
-        const bool needsFonts = std::any_of(argv + 1, argv + argc, isFontsFor);
+        const bool needsFonts = std::any_of(words.begin(), words.end(), isFontsFor);
+        const bool needsWindow = command.needsWindow
+            && std::none_of(words.begin(), words.end(),
+                [](const char* word) { return std::strcmp(word, "--help") == 0; });
         if (needsFonts)
             qputenv("QT_QPA_PLATFORM", "offscreen");
         int status = 0;
         const core::Result<void> ran = core::guarded([&] {
-            if (command.needsWindow) {
+            if (needsWindow) {
                 const DisplayNeeded display;
                 application = std::make_unique<GuardedApplication>(argc, argv);
             } else if (needsFonts) {
@@ -173,9 +98,15 @@ int runCommandLine(int argc, char** argv)
             QCoreApplication::setApplicationName(QStringLiteral("burin"));
             QCoreApplication::setOrganizationName(QStringLiteral("burin"));
             QCoreApplication::setApplicationVersion(QStringLiteral(BURIN_VERSION));
-            if (command.needsWindow)
+            if (needsWindow)
                 keepSettingsPrivate();
-            status = command.run(application->arguments().mid(2));
+            const Arguments arguments(command, application->arguments().mid(2));
+            if (arguments.askForHelp())
+                std::printf("%s", qUtf8Printable(arguments.helpText()));
+            else if (!arguments.problem().isEmpty())
+                status = tellUsage(command.name, arguments.problem());
+            else
+                status = command.run(arguments);
         });
         return ran ? status : tellFailure(ran.error());
     }

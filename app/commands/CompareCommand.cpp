@@ -92,16 +92,8 @@ core::Result<Compared> readBoth(const QStringList& paths, const core::Volume& vo
     return Compared{.mask = std::move(*mask), .reference = std::move(*reference)};
 }
 
-} // namespace
-
-int runCompare(const QStringList& words)
+int runCompare(const Arguments& arguments)
 {
-    const Arguments arguments(words,
-        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("repair"),
-            QStringLiteral("segment"), QStringLiteral("reference")},
-        {QStringLiteral("json")});
-    if (!arguments.problem().isEmpty())
-        return tellUsage("compare", arguments.problem());
     const QStringList paths = arguments.rest();
     if (paths.size() != 2 || !arguments.has("study"))
         return tellUsage(
@@ -138,5 +130,21 @@ int runCompare(const QStringList& words)
     }
     return 0;
 }
+
+} // namespace
+
+const Command compareCommand{.name = "compare",
+    .words = "MASK REFERENCE",
+    .usage = "MASK REFERENCE --study PATH [--series UID] [--repair REPAIRS] [--segment NAME]"
+             " [--reference NAME] [--json]",
+    .summary = "how far a mask is from the one that is held for the truth: relative volume error,"
+               " Dice, distances of the surfaces in mm; masks of any format, on the study's grid;"
+               " with --json a line for each pair of segments",
+    .options = std::vector<Option>{{"study", "PATH", "the study, as a file or folder"},
+                   {"segment", "NAME", "which of the mask's segments; all, if nothing is said"},
+                   {"reference", "NAME", "which of the reference's segments"},
+                   {"json", nullptr, "a line of JSON for each pair of segments"}}
+        + seriesOptions(),
+    .run = runCompare};
 
 } // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/DemoCommand.h"
 
+#include "app/steps/Arguments.h"
 #include "core/demo/DemoStudy.h"
 #include "ui/base/ErrorText.h"
 
@@ -8,13 +9,13 @@
 
 namespace app {
 
-int runDemo(const QStringList& arguments)
+namespace {
+
+int runDemo(const Arguments& arguments)
 {
-    if (arguments.size() != 1 || arguments.first().startsWith(QLatin1Char('-'))) {
-        std::fprintf(stderr, "usage: burin demo DIR\n");
-        return 2;
-    }
-    const QString& folder = arguments.first();
+    if (arguments.rest().size() != 1)
+        return tellUsage("demo", QStringLiteral("it needs one folder"));
+    const QString& folder = arguments.rest().first();
     const auto written = core::makeDemoStudy({}).and_then(
         [&](const core::DemoStudy& study) { return core::writeDemoStudy(folder, study); });
     if (!written) {
@@ -24,5 +25,13 @@ int runDemo(const QStringList& arguments)
     std::printf("%s\n", qPrintable(folder));
     return 0;
 }
+
+} // namespace
+
+const Command demoCommand{.name = "demo",
+    .words = "DIR",
+    .usage = "DIR",
+    .summary = "writes the demonstration study: a CT of a head, made by formulas",
+    .run = runDemo};
 
 } // namespace app

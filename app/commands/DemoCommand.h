@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QStringList>
+#include "app/steps/Command.h"
 
 namespace app {
 
 /// `burin demo DIR`: writes the demonstration study with its truth into a new folder.
-int runDemo(const QStringList& arguments);
+extern const Command demoCommand;
 
 } // namespace app

@@ -10,11 +10,10 @@
 
 namespace app {
 
-int runEcho(const QStringList& words)
+namespace {
+
+int runEcho(const Arguments& arguments)
 {
-    const Arguments arguments(words, sourceOptions({}), {QStringLiteral("json")});
-    if (!arguments.problem().isEmpty())
-        return tellUsage("echo", arguments.problem());
     const core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
         return tellUsage("echo", ui::errorText(source.error()));
@@ -28,5 +27,19 @@ int runEcho(const QStringList& words)
         std::printf("%s answers\n", qUtf8Printable(source->address()));
     return 0;
 }
+
+} // namespace
+
+const Command echoCommand{.name = "echo",
+    .words = "SOURCE",
+    .usage = "SOURCE [--own-title TITLE] [--login-file FILE] [--timeout SECONDS] [--json]",
+    .summary = "whether a PACS answers; SOURCE is AETITLE@host:port (DICOM), https://host/dicom-web"
+               " (DICOMweb) or the name of one in the settings, for this and find, get, send, which"
+               " all take --own-title (BURIN), --login-file (user:password or Bearer TOKEN; or in"
+               " BURIN_LOGIN), --timeout (30), and for TLS --tls-authority FILE [--tls-certificate"
+               " FILE --tls-key FILE], all PEM",
+    .options =
+        std::vector<Option>{{"json", nullptr, "a line of JSON for each result"}} + sourceOptions(),
+    .run = runEcho};
 
 } // namespace app

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QStringList>
+#include "app/steps/Command.h"
 
 namespace app {
 
 /// `burin echo NODE [--json]`: whether a DICOM node answers.
-int runEcho(const QStringList& arguments);
+extern const Command echoCommand;
 
 } // namespace app

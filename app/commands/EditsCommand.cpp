@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/EditsCommand.h"
 
+#include "app/steps/Arguments.h"
 #include "core/recipe/RecipeStep.h"
 
 #include <QJsonArray>
@@ -76,17 +77,22 @@ void printJson(const std::vector<core::EditDocumentation>& edits)
     std::fputs(QJsonDocument(list).toJson().constData(), stdout);
 }
 
-} // namespace
-
-int runEdits(const QStringList& arguments)
+int runEdits(const Arguments& arguments)
 {
-    const bool asJson = arguments == QStringList{QStringLiteral("--json")};
-    if (!arguments.isEmpty() && !asJson) {
-        std::fprintf(stderr, "burin edits: unknown argument '%s'\n", qPrintable(arguments.first()));
-        return 2;
-    }
-    (asJson ? printJson : printText)(core::recipeStepDocumentation());
+    if (!arguments.rest().isEmpty())
+        return tellUsage(
+            "edits", QStringLiteral("unknown argument '%1'").arg(arguments.rest().first()));
+    (arguments.has("json") ? printJson : printText)(core::recipeStepDocumentation());
     return 0;
 }
+
+} // namespace
+
+const Command editsCommand{.name = "edits",
+    .words = "",
+    .usage = "[--json]",
+    .summary = "what a recipe can hold: every edit with its fields",
+    .options = {{"json", nullptr, "as JSON"}},
+    .run = runEdits};
 
 } // namespace app

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QStringList>
+#include "app/steps/Command.h"
 
 namespace app {
 
 /// `burin edits [--json]`: what a recipe can hold, from the schema that parses it.
-int runEdits(const QStringList& arguments);
+extern const Command editsCommand;
 
 } // namespace app

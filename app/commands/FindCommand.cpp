@@ -85,16 +85,8 @@ int findSeriesOf(const core::PacsSource& source, const QString& studyUid, bool a
     return 0;
 }
 
-} // namespace
-
-int runFind(const QStringList& words)
+int runFind(const Arguments& arguments)
 {
-    const Arguments arguments(words,
-        sourceOptions({word("patient-name"), word("patient-id"), word("date"), word("modality"),
-            word("accession"), word("description"), word("study"), word("most")}),
-        {word("json")});
-    if (!arguments.problem().isEmpty())
-        return tellUsage("find", arguments.problem());
     const core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
         return tellUsage("find", ui::errorText(source.error()));
@@ -123,5 +115,27 @@ int runFind(const QStringList& words)
         std::fprintf(stderr, "burin: there are more than %d studies; --most shows more\n", most);
     return 0;
 }
+
+} // namespace
+
+const Command findCommand{.name = "find",
+    .words = "SOURCE",
+    .usage = "SOURCE [--patient-name NAME] [--patient-id ID] [--date FROM-TO] [--modality MODALITY]"
+             " [--accession NUMBER] [--description TEXT] [--most NUMBER] [--json] | SOURCE --study "
+             "UID",
+    .summary = "the studies at a source, or the series of one; * and ? stand for letters, dates"
+               " are YYYYMMDD",
+    .options =
+        std::vector<Option>{{"patient-name", "NAME", "* and ? stand for letters, here and below"},
+            {"patient-id", "ID", "the patient's number"},
+            {"date", "FROM-TO", "YYYYMMDD, or two of them"},
+            {"modality", "MODALITY", "CT, MR, PT …"},
+            {"accession", "NUMBER", "the accession number"},
+            {"description", "TEXT", "the study's description"},
+            {"study", "UID", "the series of this study instead of studies"},
+            {"most", "NUMBER", "no more than so many"},
+            {"json", nullptr, "a line of JSON for each result"}}
+        + sourceOptions(),
+    .run = runFind};
 
 } // namespace app

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QStringList>
+#include "app/steps/Command.h"
 
 namespace app {
 
 /// `burin find NODE [filters] [--json]`: the studies at a DICOM node, or the series of one.
-int runFind(const QStringList& arguments);
+extern const Command findCommand;
 
 } // namespace app

@@ -10,14 +10,10 @@
 
 namespace app {
 
-int runGet(const QStringList& words)
+namespace {
+
+int runGet(const Arguments& arguments)
 {
-    const Arguments arguments(words,
-        sourceOptions({QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("to"),
-            QStringLiteral("move")}),
-        {QStringLiteral("json")});
-    if (!arguments.problem().isEmpty())
-        return tellUsage("get", arguments.problem());
     core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
         return tellUsage("get", ui::errorText(source.error()));
@@ -47,5 +43,24 @@ int runGet(const QStringList& words)
     }
     return 0;
 }
+
+} // namespace
+
+const Command getCommand{.name = "get",
+    .words = "SOURCE",
+    .usage = "SOURCE --study UID [--series UID] --to FOLDER [--move PORT] [--json]",
+    .summary =
+        "downloads a study or series into a new folder, which is there only when it is whole;"
+        " a download that broke off goes on; --move: the node brings them to that port"
+        " (C-MOVE) instead of handing them over (C-GET)",
+    .options =
+        std::vector<Option>{{"study", "UID", "the study"},
+            {"series", "UID", "one series of it alone"},
+            {"to", "FOLDER", "a new folder, which is there only when it is whole"},
+            {"move", "PORT",
+                "the node brings them to that port (C-MOVE) instead of handing them over (C-GET)"},
+            {"json", nullptr, "a line of JSON for each result"}}
+        + sourceOptions(),
+    .run = runGet};
 
 } // namespace app

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QStringList>
+#include "app/steps/Command.h"
 
 namespace app {
 
 /// `burin get NODE --study UID [--series UID] --to FOLDER [--move PORT] [--json]`: downloads.
-int runGet(const QStringList& arguments);
+extern const Command getCommand;
 
 } // namespace app

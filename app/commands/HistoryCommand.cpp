@@ -99,15 +99,8 @@ int writeDeidentified(
     return 0;
 }
 
-} // namespace
-
-int runHistory(const QStringList& words)
+int runHistory(const Arguments& arguments)
 {
-    const Arguments arguments(words,
-        {QStringLiteral("report"), QStringLiteral("deidentified"), QStringLiteral("dates")},
-        {QStringLiteral("json"), QStringLiteral("as-recipe"), QStringLiteral("force")});
-    if (!arguments.problem().isEmpty())
-        return tellUsage("history", arguments.problem());
     if (arguments.rest().size() != 1)
         return tellUsage("history", QStringLiteral("it needs one session file"));
     const bool asJson = arguments.has("json");
@@ -147,5 +140,23 @@ int runHistory(const QStringList& words)
     std::fputs(QJsonDocument(object).toJson().constData(), stdout);
     return status;
 }
+
+} // namespace
+
+const Command historyCommand{.name = "history",
+    .words = "FILE.burin",
+    .usage = "FILE.burin [--json | --as-recipe | --report OUT.html|OUT.pdf [--force]"
+             " | --deidentified OUT.burin [--dates remove|keep|DAYS] [--force]]",
+    .summary =
+        "what was done in a session, branches included; as a recipe for burin run; as an audit"
+        " report; as a session without the patient, for others",
+    .options = {{"json", nullptr, "as JSON"}, {"as-recipe", nullptr, "as a recipe for burin run"},
+        {"report", "OUT.html|OUT.pdf", "an audit report"},
+        {"deidentified", "OUT.burin", "a copy without the patient, for others"},
+        {"dates", "remove|keep|DAYS",
+            "what becomes of dates in that copy; DAYS: they are moved by so many"},
+        {"force", nullptr, "replaces a file that is there"}},
+    .run = runHistory,
+    .fontsFor = "--report"};
 
 } // namespace app

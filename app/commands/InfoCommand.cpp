@@ -336,20 +336,13 @@ int printGraphics()
     return 0;
 }
 
-} // namespace
-
-int runInfo(const QStringList& words)
+int runInfo(const Arguments& arguments)
 {
-    const Arguments arguments(words,
-        {QStringLiteral("series"), QStringLiteral("repair"), QStringLiteral("spacing")},
-        {QStringLiteral("gl"), QStringLiteral("json")});
-    if (!arguments.problem().isEmpty())
-        return tellUsage("info", arguments.problem());
     if (const QString wrong = spacingProblem(arguments); !wrong.isEmpty())
         return tellUsage("info", wrong);
     const QStringList& paths = arguments.rest();
     if (arguments.has("gl")) {
-        if (words.size() > 1)
+        if (arguments.optionCount() > 1 || !paths.isEmpty())
             return tellUsage("info", QStringLiteral("--gl stands alone"));
         return printGraphics();
     }
@@ -367,5 +360,18 @@ int runInfo(const QStringList& words)
             {core::ErrorCode::SeriesNotFound, {paths.front(), arguments.value("series")}});
     return arguments.has("json") ? printJson(asked) : printText(asked);
 }
+
+} // namespace
+
+const Command infoCommand{.name = "info",
+    .words = "PATH",
+    .usage = "PATH [--series UID] [--repair REPAIRS] [--spacing COLUMNS,ROWS,SLICES] [--json]"
+             " | --gl",
+    .summary = "what a file or folder holds: studies, volumes, what is wrong with them and which"
+               " repairs there are; with --repair how they would open",
+    .options = std::vector<Option>{{"json", nullptr, "a line of JSON for each result"},
+                   {"gl", nullptr, "what draws here, instead"}}
+        + seriesOptions() + spacingOption(),
+    .run = runInfo};
 
 } // namespace app

@@ -97,17 +97,8 @@ void print(const QString& segment, const Facts& facts, bool asJson)
         std::printf("  the surface passes through itself in %zu places\n", facts.crossings);
 }
 
-} // namespace
-
-int runMesh(const QStringList& words)
+int runMesh(const Arguments& arguments)
 {
-    const Arguments arguments(words,
-        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("repair"),
-            QStringLiteral("segment"), QStringLiteral("vertices"), QStringLiteral("space"),
-            QStringLiteral("out")},
-        {QStringLiteral("json"), QStringLiteral("force")});
-    if (!arguments.problem().isEmpty())
-        return tellUsage("mesh", arguments.problem());
     if (arguments.rest().size() != 1 || !arguments.has("study") || !arguments.has("out"))
         return tellUsage("mesh", QStringLiteral("it needs a mask, --study and --out"));
     const QString maskPath = arguments.rest().front();
@@ -179,5 +170,25 @@ int runMesh(const QStringList& words)
         return tellFailure(kept.error());
     return 0;
 }
+
+} // namespace
+
+const Command meshCommand{.name = "mesh",
+    .words = "MASK",
+    .usage = "MASK --study PATH --out FILE [--series UID] [--repair REPAIRS] [--segment NAME]"
+             " [--vertices NUMBER] [--space lps|ras] [--json] [--force]",
+    .summary =
+        "the surface that refinement begins with, of each segment of a mask, as PLY, STL, OBJ"
+        " or glTF (.glb), and how many of the mask's voxels it encloses; as many vertices as"
+        " that takes, unless a number is asked for",
+    .options = std::vector<Option>{{"study", "PATH", "the study, as a file or folder"},
+                   {"out", "FILE", "PLY, STL, OBJ or glTF (.glb), by its ending"},
+                   {"segment", "NAME", "which segment; all, if nothing is said"},
+                   {"vertices", "NUMBER", "so many; as many as it takes, if nothing is said"},
+                   {"space", "lps|ras", "in which axes"},
+                   {"json", nullptr, "a line of JSON for each result"},
+                   {"force", nullptr, "replaces a file that is there"}}
+        + seriesOptions(),
+    .run = runMesh};
 
 } // namespace app

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QStringList>
+#include "app/steps/Command.h"
 
 namespace app {
 
 /// `burin mesh MASK --study PATH --out FILE [--series UID] [--repair REPAIRS] [--segment NAME]
 /// [--vertices NUMBER] [--space lps|ras] [--json] [--force]`: the surface that refinement begins
 /// with, of each segment of a mask, and what it is worth.
-int runMesh(const QStringList& arguments);
+extern const Command meshCommand;
 
 } // namespace app

@@ -238,18 +238,8 @@ QString readTask(const Arguments& arguments, const core::SessionContents& conten
     return readExport(arguments, task);
 }
 
-} // namespace
-
-int runReplay(const QStringList& words)
+int runReplay(const Arguments& arguments)
 {
-    const Arguments arguments(words,
-        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("to"),
-            QStringLiteral("export"), QStringLiteral("format"), QStringLiteral("layer"),
-            QStringLiteral("fill"), QStringLiteral("space")},
-        {QStringLiteral("verify"), QStringLiteral("force"), QStringLiteral("deidentify"),
-            QStringLiteral("deflated")});
-    if (!arguments.problem().isEmpty())
-        return tellUsage("replay", arguments.problem());
     if (arguments.rest().size() != 1)
         return tellUsage("replay", QStringLiteral("it needs one session file"));
     if (!arguments.has("verify") && !arguments.has("export"))
@@ -283,5 +273,35 @@ int runReplay(const QStringList& words)
     };
     return told.status(replayRows(recorded, *std::move(volume), task, readStudy, told.progress()));
 }
+
+} // namespace
+
+const Command replayCommand{.name = "replay",
+    .words = "FILE.burin",
+    .usage = "FILE.burin --verify [--to ROW] [--export FILE [--format FORMAT] [--layer NUMBER]"
+             " [--fill VALUE] [--deidentify] [--deflated] [--force]] [--study PATH] [--series UID]",
+    .summary =
+        "carries out a session's history again, from nothing, and compares every hash;"
+        " --export writes the masks of that state, or with --format coverage --layer NUMBER "
+        "what"
+        " a sculpt layer carves (.nii.gz), or with --format carved-volume the study without "
+        "what"
+        " is carved (.nii.gz, or a new folder for a DICOM series; --fill: the value there,"
+        " without it the least); --deidentify takes the patient out, --deflated makes a DICOM"
+        " SEG smaller",
+    .options = {{"verify", nullptr, "compares every hash"}, {"to", "ROW", "up to this row"},
+        {"export", "FILE", "writes the masks of that state"},
+        {"format", "FORMAT",
+            "of that file, where its ending does not say; coverage: what a layer carves; "
+            "carved-volume: the study without what is carved"},
+        {"layer", "NUMBER", "which sculpt layer's coverage"},
+        {"fill", "VALUE", "what stands where is carved; the least value, if nothing is said"},
+        {"space", "lps|ras", "in which axes surfaces are"},
+        {"deidentify", nullptr, "takes the patient out"},
+        {"deflated", nullptr, "makes a DICOM SEG smaller"},
+        {"force", nullptr, "replaces a file that is there"},
+        {"study", "PATH", "where the study is, if not where the session says"},
+        {"series", "UID", "which series or volume of the study"}},
+    .run = runReplay};
 
 } // namespace app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QStringList>
+#include "app/steps/Command.h"
 
 namespace app {
 
@@ -11,6 +11,6 @@ namespace app {
 /// (--to; else where the session stands), or with `--format coverage --layer N` what a sculpt layer
 /// carves, or with `--format carved-volume [--fill VALUE]` the study without what is carved. The
 /// session file is only read.
-int runReplay(const QStringList& arguments);
+extern const Command replayCommand;
 
 } // namespace app

@@ -405,17 +405,8 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
     return goesOn && goesOn->positionLost ? 1 : 0;
 }
 
-} // namespace
-
-int runRecipe(const QStringList& words)
+int runRecipe(const Arguments& arguments)
 {
-    const Arguments arguments(words,
-        {QStringLiteral("study"), QStringLiteral("series"), QStringLiteral("repair"),
-            QStringLiteral("spacing"), QStringLiteral("session"), QStringLiteral("author")},
-        {QStringLiteral("force"), QStringLiteral("append"), QStringLiteral("apply-elsewhere"),
-            QStringLiteral("with-images")});
-    if (!arguments.problem().isEmpty())
-        return tellUsage("run", arguments.problem());
     if (arguments.rest().size() != 1)
         return tellUsage("run", QStringLiteral("it needs one recipe"));
     if (const QString wrong = spacingProblem(arguments); !wrong.isEmpty())
@@ -456,5 +447,32 @@ int runRecipe(const QStringList& words)
     ToldToEnd told;
     return told.status(run(*recipe, arguments, told));
 }
+
+} // namespace
+
+const Command runCommand{.name = "run",
+    .words = "RECIPE.json",
+    .usage = "RECIPE.json --study PATH [--series UID] [--repair REPAIRS]"
+             " [--spacing COLUMNS,ROWS,SLICES] --session FILE.burin [--force | --append] "
+             "[--with-images] [--apply-elsewhere] [--author NAME]",
+    .summary =
+        "carries out a recipe without a window (burin edits: what it can hold); --with-images"
+        " puts the study's images, and with them who the patient is, into the session; --force"
+        " replaces a session, which stays until the new one is whole;"
+        " --repair, here and in info and open: what is done to the series on loading it, of"
+        " tilt, spacing=even, gap=fill, gap=split:NUMBER, duplicates=first, duplicates=last,"
+        " with commas between; none: nothing; --spacing: how many mm the voxels of PNG and TIFF"
+        " pictures are apart",
+    .options =
+        std::vector<Option>{{"study", "PATH", "the study, as a file or folder"},
+            {"session", "FILE.burin", "where every step is kept"},
+            {"force", nullptr, "replaces a session, which stays until the new one is whole"},
+            {"append", nullptr, "goes on with a session that is there"},
+            {"with-images", nullptr,
+                "puts the study's images, and with them who the patient is, into the session"},
+            {"apply-elsewhere", nullptr, "the recipe was made on another study"},
+            {"author", "NAME", "who stands in the audit trail"}}
+        + seriesOptions() + spacingOption(),
+    .run = runRecipe};
 
 } // namespace app

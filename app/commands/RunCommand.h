@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QStringList>
+#include "app/steps/Command.h"
 
 namespace app {
 
@@ -11,6 +11,6 @@ namespace app {
 /// that is refused leaves no file behind. --append goes on with a session where it stands and finds
 /// its study by itself. A recipe that was recorded on another study is only listed, unless
 /// --apply-elsewhere is given; what is bound to places is left out.
-int runRecipe(const QStringList& arguments);
+extern const Command runCommand;
 
 } // namespace app

@@ -41,13 +41,8 @@ QStringList filesOf(const QStringList& paths, int& others)
     return all;
 }
 
-} // namespace
-
-int runSend(const QStringList& words)
+int runSend(const Arguments& arguments)
 {
-    const Arguments arguments(words, sourceOptions({}), {QStringLiteral("json")});
-    if (!arguments.problem().isEmpty())
-        return tellUsage("send", arguments.problem());
     const core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
         return tellUsage("send", ui::errorText(source.error()));
@@ -71,5 +66,15 @@ int runSend(const QStringList& words)
     }
     return 0;
 }
+
+} // namespace
+
+const Command sendCommand{.name = "send",
+    .words = "SOURCE PATH...",
+    .usage = "SOURCE PATH... [--json]",
+    .summary = "stores DICOM files, or those of folders, at a source",
+    .options =
+        std::vector<Option>{{"json", nullptr, "a line of JSON for each result"}} + sourceOptions(),
+    .run = runSend};
 
 } // namespace app

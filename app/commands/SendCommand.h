@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QStringList>
+#include "app/steps/Command.h"
 
 namespace app {
 
 /// `burin send NODE PATH… [--json]`: stores DICOM files at a node.
-int runSend(const QStringList& arguments);
+extern const Command sendCommand;
 
 } // namespace app

@@ -4,30 +4,80 @@
 #include "core/repair/SeriesRepair.h"
 #include "ui/base/ErrorText.h"
 
+#include <QCommandLineParser>
+#include <QRegularExpression>
+
 #include <cstdio>
 
 namespace app {
 
-Arguments::Arguments(const QStringList& words, const QStringList& valued, const QStringList& flags)
+namespace {
+
+/// What QCommandLineParser did not understand, in our words.
+QString problemOf(const QCommandLineParser& parser, const QStringList& words)
 {
-    for (qsizetype i = 0; i < words.size() && m_problem.isEmpty(); ++i) {
-        const QString& word = words[i];
-        if (!word.startsWith(QLatin1String("--"))) {
-            m_rest.append(word);
-            continue;
-        }
-        const QString option = word.mid(2);
-        if (m_options.contains(option))
-            m_problem = QStringLiteral("%1 is given twice").arg(word);
-        else if (flags.contains(option))
-            m_options.insert(option, {});
-        else if (!valued.contains(option))
-            m_problem = QStringLiteral("unknown option %1").arg(word);
-        else if (i + 1 == words.size() || words[i + 1].isEmpty())
-            m_problem = QStringLiteral("%1 needs a value").arg(word);
-        else
-            m_options.insert(option, words[++i]);
+    if (const QStringList unknown = parser.unknownOptionNames(); !unknown.isEmpty()) {
+        const QString& name = unknown.first();
+        const bool isShort = words.contains(QLatin1Char('-') + name);
+        return QStringLiteral("unknown option %1%2")
+            .arg(isShort ? QStringLiteral("-") : QStringLiteral("--"), name);
     }
+    static const QRegularExpression missing(QStringLiteral("^Missing value after '([^']+)'"));
+    if (const auto match = missing.match(parser.errorText()); match.hasMatch())
+        return QStringLiteral("%1 needs a value").arg(match.captured(1));
+    return parser.errorText();
+}
+
+/// Qt's, but for its first line, which would have options before the verb.
+QString helpOf(const QCommandLineParser& parser, const Command& command)
+{
+    QString usage = QStringLiteral("Usage: burin %1").arg(QLatin1String(command.name));
+    if (*command.words != '\0')
+        usage += QLatin1Char(' ') + QLatin1String(command.words);
+    const QString text = parser.helpText();
+    return usage + QStringLiteral(" [options]") + text.mid(text.indexOf(QLatin1Char('\n')));
+}
+
+} // namespace
+
+Arguments::Arguments(const Command& command, const QStringList& words)
+{
+    QCommandLineParser parser;
+    parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
+    parser.setApplicationDescription(QString::fromUtf8(command.summary));
+    const QCommandLineOption help(QStringLiteral("help"), QStringLiteral("says this, and no more"));
+    parser.addOption(help);
+    for (const Option& option : command.options) {
+        const QLatin1String name(option.name);
+        const QString text = QString::fromUtf8(option.help);
+        parser.addOption(option.value ? QCommandLineOption(name, text, QLatin1String(option.value))
+                                      : QCommandLineOption(name, text));
+    }
+    const bool isUnderstood = parser.parse(QStringList(QStringLiteral("burin")) + words);
+    m_askForHelp = parser.isSet(help);
+    if (m_askForHelp) {
+        m_helpText = helpOf(parser, command);
+        return;
+    }
+    if (!isUnderstood) {
+        m_problem = problemOf(parser, words);
+        return;
+    }
+    const QStringList given = parser.optionNames();
+    for (const Option& option : command.options) {
+        const QLatin1String name(option.name);
+        if (!parser.isSet(name))
+            continue;
+        const QString value = option.value ? parser.value(name) : QString();
+        if (given.count(name) > 1)
+            m_problem = QStringLiteral("--%1 is given twice").arg(name);
+        else if (option.value && value.isEmpty())
+            m_problem = QStringLiteral("--%1 needs a value").arg(name);
+        if (!m_problem.isEmpty())
+            return;
+        m_options.insert(name, value);
+    }
+    m_rest = parser.positionalArguments();
 }
 
 QString Arguments::value(const char* option) const
@@ -38,6 +88,21 @@ QString Arguments::value(const char* option) const
 bool Arguments::has(const char* option) const
 {
     return m_options.contains(QLatin1String(option));
+}
+
+std::vector<Option> seriesOptions()
+{
+    return {{"series", "UID", "which series or volume of the study"},
+        {"repair", "REPAIRS",
+            "what is done to the series on loading it: tilt, spacing=even, gap=fill, "
+            "gap=split:NUMBER, duplicates=first or duplicates=last, with commas between; none: "
+            "nothing"}};
+}
+
+std::vector<Option> spacingOption()
+{
+    return {{"spacing", "COLUMNS,ROWS,SLICES",
+        "how many mm the voxels of PNG and TIFF pictures are apart"}};
 }
 
 QString seriesOf(const Arguments& arguments, const QString& repair)
@@ -97,7 +162,8 @@ void tellProblems(const core::Volume& volume, const QString& study)
 
 int tellUsage(const char* command, const QString& problem)
 {
-    std::fprintf(stderr, "burin %s: %s (burin --help)\n", command, qUtf8Printable(problem));
+    std::fprintf(
+        stderr, "burin %s: %s (burin %s --help)\n", command, qUtf8Printable(problem), command);
     return 2;
 }
 

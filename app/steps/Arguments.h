@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/steps/Command.h"
 #include "core/base/Error.h"
 #include "core/volume/Volume.h"
 
@@ -12,24 +13,35 @@
 
 namespace app {
 
-/// The words after a verb: options with and without a value, and the rest.
+/// The words after a verb, read by the options that it has: `--name VALUE` or `--name=VALUE`, each
+/// once, and the rest, before, between or behind them; "--" ends the options.
 class Arguments {
 public:
-    /// @param valued options that take a value, @param flags options that do not, without "--"
-    Arguments(const QStringList& words, const QStringList& valued, const QStringList& flags);
+    Arguments(const Command& command, const QStringList& words);
 
     /// Why the words cannot be understood; empty if they can.
     [[nodiscard]] const QString& problem() const { return m_problem; }
+    /// Whether they ask what the verb is and takes (`--help`); helpText() says it.
+    [[nodiscard]] bool askForHelp() const { return m_askForHelp; }
+    [[nodiscard]] const QString& helpText() const { return m_helpText; }
+
     [[nodiscard]] QString value(const char* option) const;
     [[nodiscard]] bool has(const char* option) const;
+    /// How many options are given.
+    [[nodiscard]] qsizetype optionCount() const { return m_options.size(); }
     [[nodiscard]] const QStringList& rest() const { return m_rest; }
 
 private:
     QMap<QString, QString> m_options;
     QStringList m_rest;
     QString m_problem;
+    QString m_helpText;
+    bool m_askForHelp = false;
 };
 
+/// --series and --repair, --spacing: of every verb that opens a study.
+[[nodiscard]] std::vector<Option> seriesOptions();
+[[nodiscard]] std::vector<Option> spacingOption();
 /// The series that --series, --repair and --spacing name together (core::withRepair()).
 /// @param repair where neither --repair nor --spacing is given; "none" stands for none
 [[nodiscard]] QString seriesOf(const Arguments& arguments, const QString& repair = {});

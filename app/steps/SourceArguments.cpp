@@ -67,12 +67,13 @@ core::Result<void> heed(const Arguments& arguments, core::WebNode& node)
 
 } // namespace
 
-QStringList sourceOptions(const QStringList& more)
+std::vector<Option> sourceOptions()
 {
-    return more
-        + QStringList{QStringLiteral("own-title"), QStringLiteral("timeout"),
-            QStringLiteral("login-file"), QStringLiteral("tls-authority"),
-            QStringLiteral("tls-certificate"), QStringLiteral("tls-key")};
+    return {{"own-title", "TITLE", "our application entity title; BURIN, if nothing is said"},
+        {"timeout", "SECONDS", "how long silence is borne; 30, if nothing is said"},
+        {"login-file", "FILE", "holds user:password or \"Bearer TOKEN\"; or in BURIN_LOGIN"},
+        {"tls-authority", "FILE", "whose certificates are trusted (PEM): speaks TLS"},
+        {"tls-certificate", "FILE", "our certificate (PEM)"}, {"tls-key", "FILE", "its key (PEM)"}};
 }
 
 core::Result<core::PacsSource> sourceOf(const Arguments& arguments)

@@ -5,13 +5,12 @@
 #include "core/base/Result.h"
 #include "core/sources/PacsSource.h"
 
-#include <QString>
-#include <QStringList>
+#include <vector>
 
 namespace app {
 
-/// Options of every verb that talks to a source, beyond those of @p more.
-[[nodiscard]] QStringList sourceOptions(const QStringList& more);
+/// Options of every verb that talks to a source.
+[[nodiscard]] std::vector<Option> sourceOptions();
 
 /// The source that the first word (an address, or the name of one in the settings) and the options
 /// of sourceOptions() name. Logins come out of files and the environment: a command line is there

@@ -49,43 +49,23 @@ std::optional<QSize> sizeFrom(const QString& text)
 }
 
 /// @return what is wrong, or nothing
-QString parse(const QStringList& arguments, OpenArguments& parsed)
+QString parse(const Arguments& arguments, OpenArguments& parsed)
 {
-    QString repair;
-    QString spacing;
-    for (qsizetype i = 0; i < arguments.size(); ++i) {
-        const QString& argument = arguments[i];
-        const bool takesValue = argument == QLatin1String("--series")
-            || argument == QLatin1String("--repair") || argument == QLatin1String("--spacing")
-            || argument == QLatin1String("--study") || argument == QLatin1String("--screenshot")
-            || argument == QLatin1String("--size");
-        if (takesValue && i + 1 == arguments.size())
-            return QStringLiteral("%1 needs a value").arg(argument);
-        if (argument == QLatin1String("--demo")) {
-            parsed.demonstration = true;
-        } else if (argument == QLatin1String("--series")) {
-            parsed.series = arguments[++i];
-        } else if (argument == QLatin1String("--repair")) {
-            repair = arguments[++i];
-        } else if (argument == QLatin1String("--spacing")) {
-            spacing = arguments[++i];
-        } else if (argument == QLatin1String("--study")) {
-            parsed.study = arguments[++i];
-        } else if (argument == QLatin1String("--screenshot")) {
-            parsed.screenshot = arguments[++i];
-        } else if (argument == QLatin1String("--size")) {
-            const auto size = sizeFrom(arguments[++i]);
-            if (!size)
-                return QStringLiteral("--size %1: expected WIDTHxHEIGHT, at least 320x240")
-                    .arg(arguments[i]);
-            parsed.size = *size;
-        } else if (argument.startsWith(QLatin1Char('-'))) {
-            return QStringLiteral("unknown option %1").arg(argument);
-        } else if (!parsed.path.isEmpty()) {
-            return QStringLiteral("one path at a time: %1").arg(argument);
-        } else {
-            parsed.path = argument;
-        }
+    if (arguments.rest().size() > 1)
+        return QStringLiteral("one path at a time: %1").arg(arguments.rest()[1]);
+    parsed.path = arguments.rest().value(0);
+    parsed.demonstration = arguments.has("demo");
+    parsed.series = arguments.value("series");
+    parsed.study = arguments.value("study");
+    parsed.screenshot = arguments.value("screenshot");
+    QString repair = arguments.value("repair");
+    const QString spacing = arguments.value("spacing");
+    if (arguments.has("size")) {
+        const auto size = sizeFrom(arguments.value("size"));
+        if (!size)
+            return QStringLiteral("--size %1: expected WIDTHxHEIGHT, at least 320x240")
+                .arg(arguments.value("size"));
+        parsed.size = *size;
     }
     if (parsed.demonstration && !parsed.path.isEmpty())
         return QStringLiteral("--demo opens no path");
@@ -211,9 +191,7 @@ void rescueBy(Application* application, bool goesOn)
     });
 }
 
-} // namespace
-
-int runOpen(const QStringList& arguments)
+int runOpen(const Arguments& arguments)
 {
     OpenArguments parsed;
     if (const QString wrong = parse(arguments, parsed); !wrong.isEmpty())
@@ -265,5 +243,26 @@ int runOpen(const QStringList& arguments)
     rescueBy(nullptr, false);
     return status;
 }
+
+} // namespace
+
+const Command openCommand{.name = "open",
+    .words = "[PATH]",
+    .usage = "[PATH [--series UID] [--repair REPAIRS] [--spacing COLUMNS,ROWS,SLICES] | FILE.burin "
+             "[--study PATH] | --demo]"
+             " [--screenshot FILE.png]"
+             " [--size WxH]",
+    .summary = "the workstation's window with a study, or with a session that goes on; --screenshot"
+               " saves it, fully refined, as PNG or (.dcm) as Secondary Capture of the study, and "
+               "exits",
+    .options = std::vector<Option>{{"demo", nullptr, "the demonstration study"},
+                   {"study", "PATH", "where the study of a session is, if not where it says"},
+                   {"screenshot", "FILE.png",
+                       "saves the window, fully refined, and exits; .dcm: as Secondary Capture of "
+                       "the study"},
+                   {"size", "WxH", "of the window, in pixels"}}
+        + seriesOptions() + spacingOption(),
+    .needsWindow = true,
+    .run = runOpen};
 
 } // namespace app

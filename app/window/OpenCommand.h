@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QStringList>
+#include "app/steps/Command.h"
 
 namespace app {
 
 /// `burin open [PATH] [--series UID] [--demo] [--screenshot FILE.png] [--size WxH]`: the window.
 /// With --screenshot it waits until every view is fully refined, saves the window and exits.
-int runOpen(const QStringList& arguments);
+extern const Command openCommand;
 
 } // namespace app

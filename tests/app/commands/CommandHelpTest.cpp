@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/servers/BurinProgram.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include <set>
+
+/// What each verb says of itself: what every option of its line in the overview means.
+class CommandHelpTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void verbs_data();
+    void verbs();
+    void wordsAreUnderstood_data();
+    void wordsAreUnderstood();
+
+private:
+    [[nodiscard]] static std::set<QString> optionsIn(const QString& text)
+    {
+        static const QRegularExpression option(QStringLiteral("--([a-z-]+)"));
+        std::set<QString> options;
+        for (auto match = option.globalMatch(text); match.hasNext();)
+            options.insert(match.next().captured(1));
+        return options;
+    }
+};
+
+void CommandHelpTest::verbs_data()
+{
+    QTest::addColumn<QString>("verb");
+    QTest::addColumn<QString>("usage");
+    const test::Outcome overview = test::burin({QStringLiteral("--help")});
+    QCOMPARE(overview.status, 0);
+    static const QRegularExpression line(
+        QStringLiteral("^  burin (\\w+)(.*)$"), QRegularExpression::MultilineOption);
+    for (auto match = line.globalMatch(QString::fromUtf8(overview.output)); match.hasNext();) {
+        const QRegularExpressionMatch found = match.next();
+        QTest::addRow("%s", qPrintable(found.captured(1)))
+            << found.captured(1) << found.captured(2);
+    }
+}
+
+void CommandHelpTest::verbs()
+{
+    QFETCH(QString, verb);
+    QFETCH(QString, usage);
+    const test::Outcome help = test::burin({verb, QStringLiteral("--help")});
+    const QString text = QString::fromUtf8(help.output);
+    QCOMPARE(help.status, 0);
+    QVERIFY(help.complaint.isEmpty());
+    QVERIFY2(text.startsWith(QStringLiteral("Usage: burin %1 ").arg(verb)), qPrintable(text));
+    std::set<QString> said = optionsIn(text.mid(text.indexOf(QLatin1String("Options:"))));
+    QVERIFY(said.erase(QStringLiteral("help")) == 1);
+    for (const QString& option : optionsIn(usage))
+        QVERIFY2(said.count(option) == 1, qPrintable(option));
+}
+
+void CommandHelpTest::wordsAreUnderstood_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QString>("complaint");
+    const auto row = [](const char* words, const char* complaint) {
+        QTest::newRow(words) << QString::fromLatin1(words).split(QLatin1Char(' '))
+                             << QString::fromLatin1(complaint);
+    };
+    row("edits --shiny", "burin edits: unknown option --shiny");
+    row("edits --json --json", "burin edits: --json is given twice");
+    row("edits --json=yes", "burin edits: ");
+    row("info x --series", "burin info: --series needs a value");
+    row("info x --series=", "burin info: --series needs a value");
+    row("info x --series a --series b", "burin info: --series is given twice");
+    row("demo", "burin demo: it needs one folder");
+    row("demo a b", "burin demo: it needs one folder");
+    row("history a b", "burin history: it needs one session file");
+    row("history -- --json a", "burin history: it needs one session file");
+    row("history a.burin --report=a.pdf --json",
+        "burin history: --json, --as-recipe and --report exclude each other");
+    row("run r.json -with-nothing", "burin run: unknown option -with-nothing");
+    row("replay a.burin --fill -1000", "burin replay: --verify or --export is missing");
+}
+
+void CommandHelpTest::wordsAreUnderstood()
+{
+    QFETCH(QStringList, words);
+    QFETCH(QString, complaint);
+    const test::Outcome outcome = test::burin(words);
+    QCOMPARE(outcome.status, 2);
+    QVERIFY2(outcome.complaint.startsWith(complaint), qPrintable(outcome.complaint));
+    QVERIFY2(outcome.complaint.contains(QStringLiteral("(burin %1 --help)").arg(words.first())),
+        qPrintable(outcome.complaint));
+}
+
+BURIN_TEST(CommandHelpTest)
+#include "CommandHelpTest.moc"
