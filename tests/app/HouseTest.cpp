@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include <functional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -136,6 +137,93 @@ QStringList brokenRules(const QString& file, const QString& text)
     return broken;
 }
 
+/// Which folders each folder includes, and by which file.
+using Arrows = std::map<QString, std::map<QString, QString>>;
+
+/// A way along the arrows that comes back to where it began: "a → b (by b/B.h) → a (by …)"; empty
+/// if there is none.
+QString circleIn(const Arrows& arrows)
+{
+    enum class State { Under, Done };
+    std::map<QString, State> states;
+    QStringList way;
+    const std::function<QString(const QString&)> follow = [&](const QString& folder) -> QString {
+        states[folder] = State::Under;
+        way.append(folder);
+        const auto known = arrows.find(folder);
+        for (const auto& [next, file] :
+            known == arrows.end() ? std::map<QString, QString>() : known->second) {
+            const auto state = states.find(next);
+            if (state != states.end() && state->second == State::Done)
+                continue;
+            if (state != states.end()) {
+                QString text = next;
+                for (qsizetype i = way.indexOf(next); i < way.size(); ++i) {
+                    const QString& to = i + 1 < way.size() ? way[i + 1] : next;
+                    text += QStringLiteral(" → %1 (by %2)").arg(to, arrows.at(way[i]).at(to));
+                }
+                return text;
+            }
+            if (const QString circle = follow(next); !circle.isEmpty())
+                return circle;
+        }
+        states[folder] = State::Done;
+        way.removeLast();
+        return {};
+    };
+    for (const auto& [folder, to] : arrows) {
+        if (states.count(folder) == 0) {
+            if (const QString circle = follow(folder); !circle.isEmpty())
+                return circle;
+        }
+    }
+    return {};
+}
+
+QString folderOf(const QString& path)
+{
+    return path.left(path.lastIndexOf(QLatin1Char('/')));
+}
+
+/// Every file of a room: sources and shaders, by its path from the top of the tree.
+QStringList filesOf(const QString& room)
+{
+    const QDir top(QStringLiteral(BURIN_SOURCE_DIR));
+    QStringList files;
+    QDirIterator walk(top.filePath(room),
+        {QStringLiteral("*.h"), QStringLiteral("*.cpp"), QStringLiteral("*.glsl"),
+            QStringLiteral("*.comp"), QStringLiteral("*.vert"), QStringLiteral("*.frag")},
+        QDir::Files, QDirIterator::Subdirectories);
+    while (walk.hasNext())
+        files.append(top.relativeFilePath(walk.next()));
+    files.sort();
+    return files;
+}
+
+QString contents(const QString& path)
+{
+    QFile file(QDir(QStringLiteral(BURIN_SOURCE_DIR)).filePath(path));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// By what C++ includes; shaders of a kernel lie beside it, whoever includes them.
+Arrows arrowsIn(const QString& room)
+{
+    static const QRegularExpression include(
+        QStringLiteral("^#include \"([^\"]+)\""), QRegularExpression::MultilineOption);
+    Arrows arrows;
+    const QStringList files = filesOf(room); // what is generated is none
+    for (const QString& file : files) {
+        const QString text = contents(file);
+        for (auto match = include.globalMatch(text); match.hasNext();) {
+            const QString included = match.next().captured(1);
+            if (files.contains(included) && folderOf(included) != folderOf(file))
+                arrows[folderOf(file)].emplace(folderOf(included), file);
+        }
+    }
+    return arrows;
+}
+
 } // namespace
 
 /// The rooms know only what DESIGN §2 lets them know.
@@ -146,6 +234,11 @@ private Q_SLOTS:
     void ruleBites_data();
     void ruleBites();
     void ownFilesKeepTheRules();
+    void circlesAreFound();
+    void foldersFormNoCircle_data();
+    void foldersFormNoCircle();
+    void foldersAreSmallAndNamed_data();
+    void foldersAreSmallAndNamed();
 };
 
 void HouseTest::ruleBites_data()
@@ -223,6 +316,58 @@ void HouseTest::ownFilesKeepTheRules()
     }
     QVERIFY2(files > 20, "the walk found next to nothing: is BURIN_SOURCE_DIR right?");
     QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QLatin1Char('\n'))));
+}
+
+void HouseTest::circlesAreFound()
+{
+    const QString a = QStringLiteral("a"), b = QStringLiteral("b"), c = QStringLiteral("c"),
+                  file = QStringLiteral("x.h");
+    QVERIFY(circleIn({}).isEmpty());
+    QVERIFY(circleIn({{a, {{b, file}, {c, file}}}, {b, {{c, file}}}}).isEmpty());
+    QCOMPARE(circleIn({{a, {{b, file}}}, {b, {{c, file}}}, {c, {{b, file}}}}),
+        QStringLiteral("b → c (by x.h) → b (by x.h)"));
+}
+
+void HouseTest::foldersFormNoCircle_data()
+{
+    QTest::addColumn<QString>("room");
+    for (const char* room : {"core", "gpu", "ui", "app", "tests/support"})
+        QTest::newRow(room) << QString::fromLatin1(room);
+}
+
+void HouseTest::foldersFormNoCircle()
+{
+    QFETCH(QString, room);
+    const Arrows arrows = arrowsIn(room);
+    QVERIFY(!arrows.empty());
+    const QString circle = circleIn(arrows);
+    QVERIFY2(circle.isEmpty(), qPrintable(circle));
+}
+
+void HouseTest::foldersAreSmallAndNamed_data()
+{
+    QTest::addColumn<QString>("room");
+    for (const char* room : {"core", "gpu", "ui"})
+        QTest::newRow(room) << QString::fromLatin1(room);
+}
+
+/// A folder of more files holds two ideas; what belongs there says the README of its room.
+void HouseTest::foldersAreSmallAndNamed()
+{
+    QFETCH(QString, room);
+    constexpr int most = 28;
+    std::map<QString, int> folders;
+    for (const QString& file : filesOf(room))
+        ++folders[folderOf(file)];
+    const QString readme = contents(room + QStringLiteral("/README.md"));
+    QStringList wrong;
+    for (const auto& [folder, files] : folders) {
+        if (files > most)
+            wrong += QStringLiteral("%1 has %2 files").arg(folder).arg(files);
+        if (!readme.contains(QStringLiteral("`%1`").arg(folder.mid(room.size() + 1))))
+            wrong += QStringLiteral("%1/README.md does not name %2").arg(room, folder);
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
 }
 
 BURIN_TEST(HouseTest)
