@@ -6,6 +6,7 @@
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QFile>
 #include <QTest>
 
@@ -195,7 +196,10 @@ void MemoryFailureGlTest::checkWhole(const Outcome& outcome, bool replayed)
     QVERIFY2(
         outcome.status != 0 || promised.size() == m_promised.size(), qPrintable(outcome.complaint));
     QVERIFY(outcome.status == 0 || !outcome.complaint.isEmpty());
-    if (QFile::exists(path("s.burin"))) {
+    // A program that ended at once may have left a file in which nothing stands yet.
+    const bool isBegun = QFileInfo(path("s.burin")).size() > 0
+        || (QFile::exists(path("s.burin")) && (outcome.status == 0 || outcome.status == 1));
+    if (isBegun) {
         QStringList there = hashes(history("s.burin"));
         // A row that was told and not carried out to its end is so when it is opened next.
         if (!there.isEmpty() && there.last().isEmpty())
@@ -210,7 +214,11 @@ void MemoryFailureGlTest::checkWhole(const Outcome& outcome, bool replayed)
         QVERIFY(std::size_t(there.size()) >= rows.size());
         if (replayed) {
             const Outcome again = test::burin({key("replay"), path("s.burin"), key("--verify")});
-            QVERIFY2(again.status == 0, qPrintable(again.complaint));
+            QVERIFY2(again.status == 0,
+                qPrintable(QStringLiteral("%1, after status %2: %3")
+                               .arg(again.complaint)
+                               .arg(outcome.status)
+                               .arg(outcome.complaint)));
         }
     } else {
         QVERIFY(promised.isEmpty());
