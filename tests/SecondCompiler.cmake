@@ -6,8 +6,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   find_program(SECOND_COMPILER NAMES g++-12 g++)
   # It warns of unnamed namespaces in included sources, which here all are.
   set(grouped "-Wno-subobject-linkage\n")
+  set(first_error_only "-fmax-errors=1\n")
 else()
   find_program(SECOND_COMPILER NAMES clang++-14 clang++)
+  set(first_error_only "-ferror-limit=1\n")
 endif()
 if(NOT SECOND_COMPILER)
   add_custom_target(second_compiler
@@ -17,6 +19,7 @@ if(NOT SECOND_COMPILER)
 endif()
 
 set(most_in_group 16)
+file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/second)
 set(script ${CMAKE_CURRENT_SOURCE_DIR}/secondCompiler.sh)
 set(stamps)
 foreach(room core gpu)
@@ -30,7 +33,19 @@ foreach(room core gpu)
   set(definitions $<TARGET_PROPERTY:burin_${room},COMPILE_DEFINITIONS>)
   set(arguments ${CMAKE_CURRENT_BINARY_DIR}/second-${room}.rsp)
   file(GENERATE OUTPUT ${arguments} CONTENT
-    "-std=c++20\n-fPIC\n-fsyntax-only\n-Wall\n-Wextra\n-Wpedantic\n-Wshadow\n-Wno-missing-field-initializers\n${grouped}-Werror\n-I\"${CMAKE_SOURCE_DIR}\"\n-I\"${CMAKE_BINARY_DIR}/generated\"\n-isystem\"$<JOIN:${theirs},\"\n-isystem\">\"\n-D$<JOIN:${definitions},\n-D>\n")
+    "-std=c++20\n-fPIC\n${first_error_only}-Wall\n-Wextra\n-Wpedantic\n-Wshadow\n-Wno-missing-field-initializers\n${grouped}-Werror\n-I\"${CMAKE_SOURCE_DIR}\"\n-I\"${CMAKE_BINARY_DIR}/generated\"\n-isystem\"$<JOIN:${theirs},\"\n-isystem\">\"\n-D$<JOIN:${definitions},\n-D>\n")
+  # Other people's headers, read once for the whole room.
+  set(headers ${CMAKE_CURRENT_BINARY_DIR}/second/${room}.h)
+  list(TRANSFORM burin_precompiled PREPEND "#include " OUTPUT_VARIABLE includes_of_others)
+  list(JOIN includes_of_others "\n" includes_of_others)
+  file(CONFIGURE OUTPUT ${headers} CONTENT "${includes_of_others}\n" @ONLY)
+  set(precompiled)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    set(precompiled ${headers}.gch)
+    add_custom_command(OUTPUT ${precompiled}
+      COMMAND ${SECOND_COMPILER} @${arguments} -x c++-header ${headers} -o ${precompiled}
+      DEPENDS ${headers} ${arguments} COMMENT "second compiler: ${room}, headers of others" VERBATIM)
+  endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${room}/*.cpp)
   list(SORT sources)
   list(LENGTH sources left)
@@ -45,12 +60,11 @@ foreach(room core gpu)
     list(LENGTH sources left)
     set(stamp ${CMAKE_CURRENT_BINARY_DIR}/second/${room}-${number}.ok)
     add_custom_command(OUTPUT ${stamp}
-      COMMAND bash ${script} ${stamp} ${SECOND_COMPILER} ${arguments} ${group}
-      DEPENDS ${group} ${arguments} ${script} DEPFILE ${stamp}.d
+      COMMAND bash ${script} ${stamp} ${SECOND_COMPILER} ${arguments} ${headers} ${group}
+      DEPENDS ${group} ${arguments} ${headers} ${precompiled} ${script} DEPFILE ${stamp}.d
       COMMENT "second compiler: ${room}, group ${number}" VERBATIM)
     list(APPEND stamps ${stamp})
     math(EXPR number "${number} + 1")
   endwhile()
 endforeach()
-file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/second)
 add_custom_target(second_compiler DEPENDS ${stamps})
