@@ -145,6 +145,11 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(const QString& 
     database->m_use = *std::move(use);
     if (const Result<void> connected = database->connect(path, {}); !connected)
         return tl::unexpected(connected.error());
+    // Where the system refuses that, SQLite opens it for reading, and forgets why.
+    sqlite3* const handle = sqliteOf(QSqlDatabase::database(database->m_connection, false));
+    if (handle && sqlite3_db_readonly(handle, "main") == 1)
+        return failure(ErrorCode::FileUnwritable, path,
+            QStringLiteral("unable to open database file for writing"));
     // The tables are made in rollback mode, so that the file alone is a session from the start.
     const bool made = database->transaction([&database] {
         for (const char* table : tables) {
