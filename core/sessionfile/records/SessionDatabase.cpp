@@ -79,6 +79,8 @@ bool isNetworkFileSystem(const QString& path)
     return false;
 }
 
+const auto notForWriting = QStringLiteral("unable to open database file for writing");
+
 /// How often SQLite asks whether a statement is to go on.
 constexpr int instructionsAtOnce = 100'000;
 
@@ -136,6 +138,13 @@ void SessionDatabase::leaveWal()
     }
 }
 
+/// Where the system refuses writing, SQLite opens a file for reading, and forgets why.
+bool SessionDatabase::isForReading() const
+{
+    sqlite3* const handle = sqliteOf(QSqlDatabase::database(m_connection, false));
+    return handle && sqlite3_db_readonly(handle, "main") == 1;
+}
+
 Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(const QString& path)
 {
     std::unique_ptr<SessionDatabase> database(new SessionDatabase(path));
@@ -145,11 +154,8 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(const QString& 
     database->m_use = *std::move(use);
     if (const Result<void> connected = database->connect(path, {}); !connected)
         return tl::unexpected(connected.error());
-    // Where the system refuses that, SQLite opens it for reading, and forgets why.
-    sqlite3* const handle = sqliteOf(QSqlDatabase::database(database->m_connection, false));
-    if (handle && sqlite3_db_readonly(handle, "main") == 1)
-        return failure(ErrorCode::FileUnwritable, path,
-            QStringLiteral("unable to open database file for writing"));
+    if (database->isForReading())
+        return failure(ErrorCode::FileUnwritable, path, notForWriting);
     // The tables are made in rollback mode, so that the file alone is a session from the start.
     const bool made = database->transaction([&database] {
         for (const char* table : tables) {
@@ -194,6 +200,8 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::open(const QString& pa
     }
     if (const Result<void> connected = database->connect(name, options); !connected)
         return tl::unexpected(connected.error());
+    if (!readOnly && database->isForReading() && QFileInfo(path).isWritable())
+        return failure(ErrorCode::FileUnwritable, path, notForWriting);
     // Else SQLite refuses a file that has fewer pages than it says.
     if (!database->m_loss.cutOff.isEmpty())
         database->readCutOff();
@@ -469,6 +477,17 @@ bool SessionDatabase::copyHistoryInto(const QString& path)
     if (!copied)
         m_reason = reason;
     return copied && left;
+}
+
+std::optional<Error> SessionDatabase::failureOutside() const
+{
+    switch (m_code.toInt() & 0xFF) {
+    case 10: // SQLITE_IOERR
+    case 14: // SQLITE_CANTOPEN
+        return failed().value();
+    default:
+        return std::nullopt;
+    }
 }
 
 tl::unexpected<Error> SessionDatabase::failed() const

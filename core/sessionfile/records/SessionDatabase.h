@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 class QSqlQuery;
 class QTemporaryDir;
@@ -55,8 +56,12 @@ public:
     [[nodiscard]] QString reason() const { return m_reason; }
     /// What the file lacks; of one that is cut off what is there is read.
     [[nodiscard]] const SessionLoss& loss() const { return m_loss; }
+    /// Why the last statement failed, where that is nothing in the file: it, or one beside it,
+    /// could not be opened or read.
+    [[nodiscard]] std::optional<Error> failureOutside() const;
 
 private:
+    [[nodiscard]] bool isForReading() const;
     explicit SessionDatabase(QString path);
     void leaveWal();
     [[nodiscard]] Result<QString> copyPrivately();

@@ -275,6 +275,8 @@ Result<SessionSource> SessionTables::readSource()
             json = answer.value(0).toString();
             return true;
         });
+    if (const std::optional<Error> why = read ? std::nullopt : m_database->failureOutside())
+        return tl::unexpected(*why);
     std::optional<SessionSource> source = SessionSource::fromJson(parsed(json));
     if (!read || !source) {
         const SessionLoss& loss = m_database->loss();
