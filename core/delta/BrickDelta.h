@@ -33,7 +33,7 @@ struct BrickDelta {
 [[nodiscard]] BrickDelta makeDelta(const std::vector<BrickChange>& changes, const BrickGrid& grid);
 
 /// What the packed form of a row begins with that changed no voxel but the surface
-/// (session/SurfaceStep.h).
+/// (session/surface/SurfaceStep.h).
 constexpr std::array<char, 4> surfaceStepMagic{'S', 'R', 'F', '1'};
 
 /// The XOR images again, every one with its bytes, in the order of the changes. Any thread. However

@@ -145,7 +145,8 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // cut that could not begin; a box of codes that is empty or not within the volume. ReadBricks,
 // ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and DropForesight
 // are served while a transaction is open too. A CutGrowth over seeds yields ErrorCode::SeedsStay,
-// one where nothing has grown NothingGrown (growth/GrowthCut.h), and so does a ForeseeCut of it.
+// one where nothing has grown NothingGrown (growth/cut/GrowthCut.h), and so does a ForeseeCut of
+// it.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {

@@ -447,14 +447,14 @@ struct ScissorsCut {
 };
 
 /// "Undo only here": takes back older rows of the history and leaves what came after them. Their
-/// bricks must not have been written or read since (session/RowReach.h).
+/// bricks must not have been written or read since (session/past/RowReach.h).
 struct RevertRows {
     std::vector<std::int64_t> rows{}; ///< RowId, ascending
 };
 
 /// Changes a cut of the history out of order, or takes it out; what later strokes cut stays
-/// (session/ReviseOperation.h). Absent fields are as in that row, whatever revised it before; which
-/// of them a cut has, StrokeParameters says (SculptEdits.h).
+/// (session/operations/ReviseOperation.h). Absent fields are as in that row, whatever revised it
+/// before; which of them a cut has, StrokeParameters says (SculptEdits.h).
 struct ReviseStroke {
     std::int64_t row = 0; ///< RowId
     std::optional<double> radiusMm{};

@@ -11,7 +11,7 @@ class Workspace;
 
 /// Measures the distance between two places: a drag on a slice, or on what the 3D view shows.
 /// Places on a piece mean their true ones, so that its length is the true one however far it was
-/// moved or zoomed. Each is one AddMeasurement, drawn in every view (views/MeasurementLines.h).
+/// moved or zoomed. Each is one AddMeasurement, drawn in every view (overlays/MeasurementLines.h).
 class RulerTool : public Tool {
     Q_OBJECT
 
