@@ -66,6 +66,7 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     m_area->setSingleStep(5.0);
     m_area->setPrefix(tr("by "));
     m_area->setSuffix(tr(" mm²"));
+    m_factor->setMinimumWidth(m_area->sizeHint().width());
     m_barriers->setObjectName(QStringLiteral("growBarriers"));
     m_barriers->setToolTip(
         tr("What is shut to growth: stripes in slices, translucent in the 3D view"));
