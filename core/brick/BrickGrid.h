@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/brick/BrickBytes.h"
+
 #include <glm/glm.hpp>
 
 #include <compare>
 #include <cstdint>
-#include <vector>
 
 namespace core {
 
 /// Inclusive-exclusive box of voxels.
 struct VoxelBox {
-    glm::ivec3 minimum {0};
-    glm::ivec3 maximum {0}; ///< one past the last voxel
+    glm::ivec3 minimum{0};
+    glm::ivec3 maximum{0}; ///< one past the last voxel
 
     [[nodiscard]] bool empty() const;
     [[nodiscard]] VoxelBox united(const VoxelBox& other) const;
@@ -20,27 +21,27 @@ struct VoxelBox {
 
 /// The grid of 16³ bricks that covers a volume: unit of edit, undo, hash and upload.
 ///
-/// Bricks are numbered x fastest, then y, then z. Inside a brick voxels run x fastest too. Voxels of
-/// a border brick that lie outside the volume hold the field's empty value, always.
+/// Bricks are numbered x fastest, then y, then z. Inside a brick voxels run x fastest too. Voxels
+/// of a border brick that lie outside the volume hold the field's empty value, always.
 struct BrickGrid {
     static constexpr int side = 16;
     static constexpr int voxelsPerBrick = side * side * side;
 
-    glm::ivec3 volumeSize {0};
+    glm::ivec3 volumeSize{0};
 
     [[nodiscard]] glm::ivec3 bricks() const { return (volumeSize + (side - 1)) / side; }
     [[nodiscard]] int brickCount() const;
     [[nodiscard]] int brickOf(const glm::ivec3& voxel) const;
     [[nodiscard]] glm::ivec3 brickPosition(int brick) const; ///< in bricks
-    [[nodiscard]] VoxelBox boxOf(int brick) const;           ///< clipped to the volume
+    [[nodiscard]] VoxelBox boxOf(int brick) const; ///< clipped to the volume
     /// Offset of a voxel inside its brick, 0 … 4095.
     [[nodiscard]] static int offsetInBrick(const glm::ivec3& voxel);
 };
 
 /// What is stored per voxel and edited (DESIGN §4).
 enum class Field : std::uint8_t {
-    Coverage = 1,  ///< one byte, empty 0; `plane` names the sculpt layer
-    Labels = 2,    ///< one byte, empty 0; `plane` names the label plane
+    Coverage = 1, ///< one byte, empty 0; `plane` names the sculpt layer
+    Labels = 2, ///< one byte, empty 0; `plane` names the label plane
     SeedWords = 3, ///< four bytes little-endian, empty 0xFFFFFFFF; `plane` names the label plane
     /// One byte, empty 0; `plane` names the label plane: what growth took there from another label
     /// (growth/GrowthCommands.h).
@@ -62,14 +63,14 @@ struct BrickKey {
 /// The voxels of one brick; no bytes at all means "every voxel empty".
 struct BrickImage {
     BrickKey key;
-    std::vector<std::uint8_t> bytes;
+    BrickBytes bytes;
 };
 
 /// One brick that an edit changed. Never holds equal images.
 struct BrickChange {
     BrickKey key;
-    std::vector<std::uint8_t> before;
-    std::vector<std::uint8_t> after;
+    BrickBytes before;
+    BrickBytes after;
 };
 
 } // namespace core

@@ -45,15 +45,16 @@ std::size_t brickBytes(Field field)
     return std::size_t(bytesPerVoxel(field)) * BrickGrid::voxelsPerBrick;
 }
 
-void layOver(std::uint8_t* target, const std::vector<std::uint8_t>& image, Field field)
+void layOver(std::uint8_t* target, const BrickBytes& image, Field field)
 {
     const std::size_t size = brickBytes(field);
     if (image.empty()) {
         for (std::size_t i = 0; i < size; ++i)
             target[i] ^= emptyByte(field);
     } else {
+        const std::vector<std::uint8_t>& bytes = image.read();
         for (std::size_t i = 0; i < size; ++i)
-            target[i] ^= image[i];
+            target[i] ^= bytes[i];
     }
 }
 
@@ -371,14 +372,14 @@ Result<std::vector<BrickImage>> expandDelta(const BrickDelta& delta, const Brick
 
 BrickImage exclusiveOr(const BrickImage& image, const BrickImage& difference)
 {
-    BrickImage result = difference;
-    layOver(result.bytes.data(), image.bytes, image.key.field);
+    std::vector<std::uint8_t> bytes = difference.bytes.read();
+    layOver(bytes.data(), image.bytes, image.key.field);
     const std::uint8_t empty = emptyByte(image.key.field);
-    const bool allEmpty = std::all_of(result.bytes.begin(), result.bytes.end(),
-        [empty](std::uint8_t byte) { return byte == empty; });
+    const bool allEmpty = std::all_of(
+        bytes.begin(), bytes.end(), [empty](std::uint8_t byte) { return byte == empty; });
     if (allEmpty)
-        result.bytes.clear();
-    return result;
+        bytes.clear();
+    return {.key = difference.key, .bytes = std::move(bytes)};
 }
 
 } // namespace core

@@ -17,4 +17,12 @@ EngineCommand& EngineCommand::operator=(const EngineCommand& other) = default;
 EngineCommand& EngineCommand::operator=(EngineCommand&& other) noexcept = default;
 EngineCommand::~EngineCommand() = default;
 
+EditStatistics statisticsOf(const ChangeFacts& facts)
+{
+    EditStatistics statistics;
+    statistics.voxelsChanged = facts.voxelsChanged;
+    statistics.bricks = facts.bricks;
+    return statistics;
+}
+
 } // namespace core

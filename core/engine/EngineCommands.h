@@ -3,6 +3,8 @@
 
 #include "core/base/Error.h"
 #include "core/brick/BrickGrid.h"
+#include "core/engine/ChangeFacts.h"
+#include "core/engine/LabelGuard.h"
 #include "core/growth/GrowthCommands.h"
 #include "core/growth/SeedGroups.h"
 #include "core/growth/SeedSpread.h"
@@ -133,20 +135,20 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 
 // A command that cannot be carried out changes nothing and yields ErrorCode::InvalidField:
 // BeginEdit while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of
-// another kind of edit; a peel's depth below 0; SwapBricks or MuteLayers while a transaction is
-// open; a brick or voxel that the volume does not have; an image that is neither empty nor whole; a
-// connectivity other than 6, 18 and 26; a shrinking to more than there is, also by ShrinkTo; a
-// segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a laser,
-// a brush's frame, what is hidden, a list of labels or places, a growth or groups of seeds that are
-// not sound (isSound()); bounds that are not (areSound()); a layer folded into itself; a table of
-// opacities of another length than 256; growing from seeds that is not sound (isSound()) or with
-// seeds of fewer than two labels; TraceTolerance while a transaction is open, by a rule that is not
-// sound (isSound()) or of a label without seeds; ForeseeCut while a transaction is open, or of a
-// cut that could not begin; a box of codes that is empty or not within the volume. ReadBricks,
-// ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and DropForesight
-// are served while a transaction is open too. A CutGrowth over seeds yields ErrorCode::SeedsStay,
-// one where nothing has grown NothingGrown (growth/cut/GrowthCut.h), and so does a ForeseeCut of
-// it.
+// another kind of edit; a peel's depth below 0; SwapBricks, XorBricks or MuteLayers while a
+// transaction is open; a brick or voxel that the volume does not have; an image that is neither
+// empty nor whole; a connectivity other than 6, 18 and 26; a shrinking to more than there is, also
+// by ShrinkTo; a segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is
+// below 1; a laser, a brush's frame, what is hidden, a list of labels or places, a growth or groups
+// of seeds that are not sound (isSound()); bounds that are not (areSound()); a layer folded into
+// itself; a table of opacities of another length than 256; growing from seeds that is not sound
+// (isSound()) or with seeds of fewer than two labels; TraceTolerance while a transaction is open,
+// by a rule that is not sound (isSound()) or of a label without seeds; ForeseeCut while a
+// transaction is open, or of a cut that could not begin; a box of codes that is empty or not within
+// the volume. ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels,
+// CountGenerations, DropTolerance and DropForesight are served while a transaction is open too. A
+// CutGrowth over seeds yields ErrorCode::SeedsStay, one where nothing has grown NothingGrown
+// (growth/cut/GrowthCut.h), and so does a ForeseeCut of it.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {
@@ -163,9 +165,17 @@ struct EndEdit {
     Ending ending = Ending::Commit;
 };
 /// Put these images in place of what the bricks hold (undo, redo, opening a session). Each key
-/// stands once. The result lists the bricks that differ, with statistics, as EndEdit does.
+/// stands once. The result lists the bricks that differ, with statistics, as EndEdit does. Where
+/// the guard does not let it, it is refused with SegmentLocked or SegmentProtected and the label.
 struct SwapBricks {
     std::vector<BrickImage> bricks;
+    LabelGuard guard{};
+};
+/// Lay differences over what the bricks hold (undo, redo, "undo only here"). A brick may stand
+/// there several times. The result is that of SwapBricks.
+struct XorBricks {
+    std::vector<BrickImage> differences; ///< XOR images, every one with its bytes
+    LabelGuard guard{};
 };
 /// From now on these sculpt layers are left out where layers are composed: radiation, and with it
 /// strokes, picks and pictures, is that of the greatest coverage of all others. Their own coverage
@@ -176,6 +186,11 @@ struct MuteLayers {
 /// Fetch bricks; the result lists each with `after` filled and `before` empty, in this order.
 struct ReadBricks {
     std::vector<BrickKey> keys;
+};
+/// Fetch the seed words of voxels, in their order (`seedWords`).
+struct ReadSeedWords {
+    std::vector<glm::ivec3> voxels;
+    std::uint8_t plane = 0;
 };
 /// Fetch the codes of a box: 16 bits each, x fastest (`codes`). Cost: it waits until the box has
 /// been copied, so a large one costs frames.
@@ -205,8 +220,8 @@ struct CountGenerations {
 
 /// Work out at which tolerance each voxel would join a segment (growth/Tolerance.h). It changes
 /// nothing. The result has the curve once it is done; from then on the field stands, is told by
-/// ProbeVoxels and can be shown, until BeginEdit, SwapBricks, MuteLayers, DropTolerance or another
-/// TraceTolerance is carried out or a volume is opened.
+/// ProbeVoxels and can be shown, until BeginEdit, SwapBricks, XorBricks, MuteLayers, DropTolerance
+/// or another TraceTolerance is carried out or a volume is opened.
 struct TraceTolerance {
     ToleranceRule rule;
     /// False: only so much as leaves time for pictures and other commands between. A result without
@@ -217,8 +232,8 @@ struct TraceTolerance {
 struct DropTolerance { };
 
 /// Find out what a CutGrowth would take if it began now. It changes nothing. The result tells it
-/// (`foreseen`); from then on it can be shown, until BeginEdit, SwapBricks or DropForesight is
-/// carried out, another ForeseeCut is answered or a volume is opened.
+/// (`foreseen`); from then on it can be shown, until BeginEdit, SwapBricks, XorBricks or
+/// DropForesight is carried out, another ForeseeCut is answered or a volume is opened.
 struct ForeseeCut {
     CutGrowth cut;
     /// False: do not wait for it. A result without an error and without `foreseen` then means that
@@ -253,9 +268,9 @@ struct PickVoxels {
     std::vector<std::uint32_t> opacityOfCode{}; ///< 256 entries, only for Opacity
 };
 
-using EngineCommandVariant = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, MuteLayers,
-    ReadBricks, ReadCodes, ProbeVoxels, PickVoxels, CountGenerations, ProbeSeeds, TraceTolerance,
-    DropTolerance, ForeseeCut, DropForesight>;
+using EngineCommandVariant = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, XorBricks,
+    MuteLayers, ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels, PickVoxels, CountGenerations,
+    ProbeSeeds, TraceTolerance, DropTolerance, ForeseeCut, DropForesight>;
 
 /// Any one command; like Edit (core/edits/kinds/Edits.h), its copies are compiled once.
 struct EngineCommand : EngineCommandVariant {
@@ -300,16 +315,21 @@ struct ProbedSeeds {
     bool operator==(const ProbedSeeds&) const = default;
 };
 
+/// What a result without an edit of its own says: the rest is zero.
+[[nodiscard]] EditStatistics statisticsOf(const ChangeFacts& facts);
+
 /// What became of one command. BeginEdit and ExtendEdit yield none unless they fail.
 struct EngineResult {
     Ticket ticket = 0;
     std::optional<Error> error;
     /// Sorted by key, only bricks that differ; an image that is all empty has no bytes.
     std::vector<BrickChange> changes;
+    ChangeFacts facts; ///< of these changes; of bricks that were only read none
     EditStatistics statistics;
     std::uint32_t generation = 0; ///< EndEdit of a growth or shrinking: the counter at its end
     bool atClosure = false; ///< EndEdit of a growth: a step was asked for and found nothing
     std::optional<LeakAlarm> alarm{}; ///< EndEdit of a growth: why it stopped
+    std::vector<std::uint32_t> seedWords{}; ///< ReadSeedWords
     std::vector<std::uint16_t> codes{}; ///< ReadCodes
     std::vector<ProbedVoxel> probes;
     std::vector<ProbedSeeds> seeds; ///< groups in their order, then the seeds in none, by label;

@@ -47,6 +47,12 @@ constexpr std::uint32_t pendingSeed(std::uint32_t label)
 {
     return notMember | label << 5 | seedDirection;
 }
+/// As bricks hold it: four bytes, little-endian.
+constexpr std::uint32_t wordAt(const std::uint8_t* bytes)
+{
+    return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8 | std::uint32_t(bytes[2]) << 16
+        | std::uint32_t(bytes[3]) << 24;
+}
 constexpr bool isMember(std::uint32_t word)
 {
     return (word & notMember) == 0 && word != barrier;

@@ -7,22 +7,6 @@
 
 namespace gpu {
 
-core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes)
-{
-    core::EditStatistics statistics;
-    for (const core::BrickChange& change : changes) {
-        if (change.key.field == core::Field::SeedWords || change.key.field == core::Field::Beneath)
-            continue;
-        ++statistics.bricks;
-        for (std::size_t i = 0; i < core::BrickGrid::voxelsPerBrick; ++i) {
-            const std::uint8_t before = change.before.empty() ? 0 : change.before[i];
-            const std::uint8_t after = change.after.empty() ? 0 : change.after[i];
-            statistics.voxelsChanged += before != after ? 1 : 0;
-        }
-    }
-    return statistics;
-}
-
 core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
     EditPrograms& programs, VoxelFields& fields, const core::EngineEdit& edit)
 {
@@ -66,7 +50,8 @@ bool EditTransaction::join(core::EngineExtension& earlier, core::EngineExtension
 void EditTransaction::commit(core::EngineResult& result)
 {
     result.changes = m_before.changes(m_work->touchedKeys());
-    result.statistics = statisticsOf(result.changes);
+    result.facts = core::factsOf(result.changes, m_fields.grid());
+    result.statistics = core::statisticsOf(result.facts);
     for (const core::BrickChange& change : result.changes) {
         if (change.key.field == core::Field::Beneath && change.after.empty())
             m_fields.beneath(change.key.plane).release(std::span(&change.key.brick, 1));

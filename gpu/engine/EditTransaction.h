@@ -60,9 +60,6 @@ private:
     std::optional<core::Error> m_abandoned;
 };
 
-/// Counts over the changes, as EditStatistics wants them.
-[[nodiscard]] core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes);
-
 /// Whether an edit could begin in a volume. Errors: InvalidField.
 [[nodiscard]] core::Result<void> checkEdit(
     const core::EngineEdit& edit, const core::BrickGrid& grid);

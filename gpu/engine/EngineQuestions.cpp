@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/engine/GpuEditEngine.h"
 
+#include "core/growth/SeedWord.h"
 #include "gpu/fields/BrickImages.h"
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 
 namespace gpu {
 
@@ -19,6 +21,33 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadBricks& command)
     for (std::size_t i = 0; i < images.size(); ++i)
         result.changes.push_back(
             {.key = command.keys[i], .before = {}, .after = std::move(images[i])});
+    return result;
+}
+
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadSeedWords& command)
+{
+    std::map<std::uint32_t, std::vector<std::size_t>> places; // in the list, by brick
+    for (std::size_t i = 0; i < command.voxels.size(); ++i) {
+        const glm::ivec3& voxel = command.voxels[i];
+        if (glm::any(glm::lessThan(voxel, glm::ivec3(0)))
+            || glm::any(glm::greaterThanEqual(voxel, m_fields->grid().volumeSize)))
+            return refusal("voxels", "outside the volume");
+        places[std::uint32_t(m_fields->grid().brickOf(voxel))].push_back(i);
+    }
+    std::vector<core::BrickKey> keys;
+    for (const auto& [brick, voxels] : places)
+        keys.push_back({.field = core::Field::SeedWords, .plane = command.plane, .brick = brick});
+    const auto images = readImages(*m_fields, keys);
+    core::EngineResult result;
+    result.seedWords.resize(command.voxels.size(), core::seedWord::unvisited);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (images[i].empty())
+            continue;
+        for (const std::size_t place : places[keys[i].brick]) {
+            const int offset = core::BrickGrid::offsetInBrick(command.voxels[place]);
+            result.seedWords[place] = core::seedWord::wordAt(&images[i][std::size_t(4 * offset)]);
+        }
+    }
     return result;
 }
 

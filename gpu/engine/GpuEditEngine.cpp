@@ -444,59 +444,6 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::EndEdit& command)
     return result;
 }
 
-core::Result<void> GpuEditEngine::checkKeys(std::span<const core::BrickKey> keys) const
-{
-    for (const core::BrickKey& key : keys) {
-        const bool known = key.field == core::Field::Coverage || key.field == core::Field::Labels
-            || key.field == core::Field::SeedWords || key.field == core::Field::Beneath;
-        if (!known || key.brick >= std::uint32_t(m_fields->grid().brickCount()))
-            return refusal("brick", "not in this volume");
-    }
-    return {};
-}
-
-GpuEditEngine::Outcome GpuEditEngine::carryOut(core::SwapBricks& command)
-{
-    if (m_transaction)
-        return refusal("transaction", "an edit is open");
-    std::vector<core::BrickKey> keys;
-    for (const core::BrickImage& image : command.bricks) {
-        keys.push_back(image.key);
-        if (!image.bytes.empty() && image.bytes.size() != packedBrickBytes(image.key.field))
-            return refusal("bytes", "neither none nor a whole brick");
-    }
-    if (const core::Result<void> checked = checkKeys(keys); !checked)
-        return tl::unexpected(checked.error());
-    hideTolerance();
-    m_foresight.forget();
-    core::EngineResult result;
-    result.changes = swapImages(*m_fields, std::move(command.bricks));
-    result.statistics = statisticsOf(result.changes);
-    return result;
-}
-
-GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::MuteLayers& command)
-{
-    if (m_transaction)
-        return refusal("transaction", "an edit is open");
-    hideTolerance();
-    const std::bitset<256> before = m_fields->mutedLayers();
-    try {
-        m_fields->setMutedLayers(command.muted);
-        requireNoError();
-    } catch (const std::exception&) {
-        const core::Error error = errorBeingHandled();
-        try {
-            m_fields->setMutedLayers(before);
-            requireNoError();
-        } catch (const std::exception&) {
-            throw FieldsLost(error);
-        }
-        throw GlFailure(error);
-    }
-    return core::EngineResult{};
-}
-
 void GpuEditEngine::hideTolerance()
 {
     m_trace.reset();

@@ -84,8 +84,10 @@ private:
     Outcome carryOut(const core::ExtendEdit& command);
     Outcome carryOut(const core::EndEdit& command);
     Outcome carryOut(core::SwapBricks& command);
+    Outcome carryOut(core::XorBricks& command);
     Outcome carryOut(const core::MuteLayers& command);
     Outcome carryOut(const core::ReadBricks& command);
+    Outcome carryOut(const core::ReadSeedWords& command);
     Outcome carryOut(const core::ReadCodes& command);
     Outcome carryOut(const core::ProbeVoxels& command);
     Outcome carryOut(const core::ProbeSeeds& command);
@@ -95,6 +97,10 @@ private:
     Outcome carryOut(const core::DropTolerance& command);
     Outcome carryOut(const core::ForeseeCut& command);
     Outcome carryOut(const core::DropForesight& command);
+    [[nodiscard]] core::Result<void> checkImages(
+        const std::vector<core::BrickImage>& images, bool mayBeEmpty) const;
+    Outcome put(const core::LabelGuard& guard, const std::vector<core::BrickImage>& now,
+        std::vector<core::BrickImage> images);
     /// What it reads is about to change.
     void hideTolerance();
 

@@ -15,7 +15,7 @@ constexpr int side = core::BrickGrid::side;
 /// A brick to be written, and where in it (in voxels of the volume) it differs from what is there.
 struct Write {
     core::BrickKey key;
-    const std::vector<std::uint8_t>* bytes = nullptr;
+    const core::BrickBytes* bytes = nullptr;
     core::VoxelBox box;
 };
 
@@ -35,26 +35,26 @@ void normalise(core::BrickImage& image, const core::BrickGrid& grid)
     const core::VoxelBox box = grid.boxOf(int(image.key.brick));
     const glm::ivec3 size = box.maximum - box.minimum;
     if (size != glm::ivec3(side)) {
+        std::vector<std::uint8_t>& bytes = image.bytes.write();
         for (int voxel = 0; voxel < core::BrickGrid::voxelsPerBrick; ++voxel) {
             const glm::ivec3 at(voxel % side, voxel / side % side, voxel / (side * side));
             if (glm::any(glm::greaterThanEqual(at, size)))
-                std::fill_n(
-                    image.bytes.begin() + std::ptrdiff_t(wide * std::size_t(voxel)), wide, empty);
+                std::fill_n(bytes.begin() + std::ptrdiff_t(wide * std::size_t(voxel)), wide, empty);
         }
     }
-    const bool allEmpty = image.bytes.front() == empty
-        && std::memcmp(image.bytes.data(), image.bytes.data() + 1, image.bytes.size() - 1) == 0;
+    const std::vector<std::uint8_t>& bytes = image.bytes.read();
+    const bool allEmpty = bytes.front() == empty
+        && std::memcmp(bytes.data(), bytes.data() + 1, bytes.size() - 1) == 0;
     if (allEmpty)
         image.bytes.clear();
 }
 
 /// Where two images of bytes differ, in voxels of the brick.
-core::VoxelBox differingBox(
-    const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after)
+core::VoxelBox differingBox(const core::BrickBytes& before, const core::BrickBytes& after)
 {
     static const std::vector<std::uint8_t> empty(core::BrickGrid::voxelsPerBrick, 0);
-    const std::vector<std::uint8_t>& a = before.empty() ? empty : before;
-    const std::vector<std::uint8_t>& b = after.empty() ? empty : after;
+    const std::vector<std::uint8_t>& a = before.empty() ? empty : before.read();
+    const std::vector<std::uint8_t>& b = after.empty() ? empty : after.read();
     core::VoxelBox box;
     for (int row = 0; row < side * side; ++row) {
         const std::uint8_t* from = &a[std::size_t(row * side)];
@@ -89,7 +89,7 @@ void write(VoxelFields& fields, std::span<const Write> writes)
                     continue;
                 }
                 written.push_back(one.key.brick);
-                contents.push_back(one.bytes);
+                contents.push_back(&one.bytes->read());
             }
             if (paged) {
                 paged->release(emptied);
@@ -166,20 +166,39 @@ void putBackImages(VoxelFields& fields, const std::vector<core::BrickImage>& ima
     }
 }
 
+std::vector<core::BrickImage> imagesNow(
+    VoxelFields& fields, const std::vector<core::BrickKey>& keys)
+{
+    auto bytes = readImages(fields, keys);
+    std::vector<core::BrickImage> images;
+    images.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        images.push_back({.key = keys[i], .bytes = std::move(bytes[i])});
+    return images;
+}
+
 std::vector<core::BrickChange> swapImages(VoxelFields& fields, std::vector<core::BrickImage> images)
 {
-    sortByKey(images);
     std::vector<core::BrickKey> keys;
     for (const core::BrickImage& image : images)
         keys.push_back(image.key);
-    auto before = readImages(fields, keys);
+    std::sort(keys.begin(), keys.end());
+    return exchangeImages(fields, imagesNow(fields, keys), std::move(images));
+}
+
+std::vector<core::BrickChange> exchangeImages(VoxelFields& fields,
+    const std::vector<core::BrickImage>& now, std::vector<core::BrickImage> images)
+{
+    sortByKey(images);
     std::vector<core::BrickChange> changes;
-    for (std::size_t i = 0; i < images.size(); ++i) {
-        normalise(images[i], fields.grid());
-        if (before[i] != images[i].bytes)
-            changes.push_back({.key = keys[i],
-                .before = std::move(before[i]),
-                .after = std::move(images[i].bytes)});
+    auto held = now.begin();
+    for (core::BrickImage& image : images) {
+        while (held->key < image.key)
+            ++held;
+        normalise(image, fields.grid());
+        if (!(held->bytes == image.bytes))
+            changes.push_back(
+                {.key = image.key, .before = held->bytes, .after = std::move(image.bytes)});
     }
     std::vector<Write> writes;
     for (const core::BrickChange& change : changes) {

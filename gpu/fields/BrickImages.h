@@ -23,13 +23,21 @@ void writeImages(VoxelFields& fields, std::vector<core::BrickImage> images);
 /// memory for all at once. Throws FieldsLost.
 void putBackImages(VoxelFields& fields, const std::vector<core::BrickImage>& images);
 
-/// The same, and reads before what is there: bricks that hold their image already are left alone,
-/// and what follows from a brick is worked out anew only around the voxels that differ. Throws
-/// GlFailure with everything as it was, or FieldsLost.
+/// What the bricks hold, with their keys.
+[[nodiscard]] std::vector<core::BrickImage> imagesNow(
+    VoxelFields& fields, const std::vector<core::BrickKey>& keys);
+
+/// As writeImages(), and reads before what is there: bricks that hold their image already are left
+/// alone, and what follows from a brick is worked out anew only around the voxels that differ.
+/// Throws GlFailure with everything as it was, or FieldsLost.
 /// @param images no key twice
 /// @return the bricks that differ, sorted by key
 [[nodiscard]] std::vector<core::BrickChange> swapImages(
     VoxelFields& fields, std::vector<core::BrickImage> images);
+/// The same where it has been read already.
+/// @param now sorted by key, these bricks among them
+[[nodiscard]] std::vector<core::BrickChange> exchangeImages(VoxelFields& fields,
+    const std::vector<core::BrickImage>& now, std::vector<core::BrickImage> images);
 
 /// Calls @p visit(field, plane, run) for runs of what has keys, sorted by key.
 template <class Keyed, class Visit> void forEachField(std::span<Keyed> keyed, const Visit& visit)

@@ -172,7 +172,7 @@ std::vector<std::uint8_t> SessionDriver::dense(core::Field field, std::uint8_t p
                         const std::size_t to = std::size_t(box.minimum.x)
                             + std::size_t(size.x)
                                 * (std::size_t(y) + std::size_t(size.y) * std::size_t(z));
-                        std::copy_n(brick.after.begin() + std::ptrdiff_t(from),
+                        std::copy_n(brick.after.read().begin() + std::ptrdiff_t(from),
                             box.maximum.x - box.minimum.x, voxels.begin() + std::ptrdiff_t(to));
                     }
                 }

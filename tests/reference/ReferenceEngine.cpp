@@ -19,22 +19,6 @@ auto refuse(const char* field, const char* reason)
         core::ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
 }
 
-core::EditStatistics statisticsOf(const std::vector<core::BrickChange>& changes)
-{
-    core::EditStatistics statistics;
-    for (const core::BrickChange& change : changes) {
-        if (change.key.field == core::Field::SeedWords || change.key.field == core::Field::Beneath)
-            continue;
-        ++statistics.bricks;
-        for (std::size_t i = 0; i < core::BrickGrid::voxelsPerBrick; ++i) {
-            const int before = change.before.empty() ? 0 : change.before[i];
-            const int after = change.after.empty() ? 0 : change.after[i];
-            statistics.voxelsChanged += before != after ? 1 : 0;
-        }
-    }
-    return statistics;
-}
-
 } // namespace
 
 core::Result<void> ReferenceEngine::openVolume(
@@ -434,7 +418,8 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::EndEdit& command)
         if (cut)
             result.generation = cut->to;
         result.changes = DenseFields::changes(m_open->before, m_fields);
-        result.statistics = statisticsOf(result.changes);
+        result.facts = core::factsOf(result.changes, core::BrickGrid{m_codes.size});
+        result.statistics = core::statisticsOf(result.facts);
         if (growth)
             result.statistics.generations = int(growth->frontSizes().size());
         if (shrunk)
@@ -447,25 +432,72 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::EndEdit& command)
     return result;
 }
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::SwapBricks& command)
+core::Result<void> ReferenceEngine::checkImages(
+    const std::vector<core::BrickImage>& images, bool mayBeEmpty) const
 {
     if (m_open)
         return refuse("transaction", "an edit is open");
-    for (const core::BrickImage& image : command.bricks) {
+    for (const core::BrickImage& image : images) {
         if (!m_fields.holds(image.key))
             return refuse("brick", "not in this volume");
         const std::size_t whole =
             std::size_t(core::BrickGrid::voxelsPerBrick * core::bytesPerVoxel(image.key.field));
-        if (!image.bytes.empty() && image.bytes.size() != whole)
+        if (image.bytes.size() != whole && !(mayBeEmpty && image.bytes.empty()))
             return refuse("bytes", "neither none nor a whole brick");
     }
+    return {};
+}
+
+std::vector<core::BrickImage> ReferenceEngine::imagesNow(
+    const std::vector<core::BrickKey>& keys) const
+{
+    std::vector<core::BrickImage> images;
+    for (const core::BrickKey& key : keys)
+        images.push_back({.key = key, .bytes = m_fields.readBrick(key)});
+    return images;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::put(const core::LabelGuard& guard,
+    const std::vector<core::BrickImage>& now, const std::vector<core::BrickImage>& images)
+{
+    if (const core::Result<void> checked = core::checkGuard(guard, now, images); !checked)
+        return tl::unexpected(checked.error());
     m_tolerance.reset();
     const DenseFields before = m_fields;
-    for (const core::BrickImage& image : command.bricks)
-        m_fields.writeBrick(image.key, image.bytes);
+    for (const core::BrickImage& image : images)
+        m_fields.writeBrick(image.key, image.bytes.read());
     core::EngineResult result;
     result.changes = DenseFields::changes(before, m_fields);
-    result.statistics = statisticsOf(result.changes);
+    result.facts = core::factsOf(result.changes, core::BrickGrid{m_codes.size});
+    result.statistics = core::statisticsOf(result.facts);
+    return result;
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::SwapBricks& command)
+{
+    if (const core::Result<void> checked = checkImages(command.bricks, true); !checked)
+        return tl::unexpected(checked.error());
+    return put(command.guard, imagesNow(core::bricksToRead(command.bricks, command.guard)),
+        command.bricks);
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::XorBricks& command)
+{
+    if (const core::Result<void> checked = checkImages(command.differences, false); !checked)
+        return tl::unexpected(checked.error());
+    const std::vector<core::BrickImage> now =
+        imagesNow(core::bricksToRead(command.differences, command.guard));
+    return put(command.guard, now, core::laidOver(command.differences, now));
+}
+
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ReadSeedWords& command)
+{
+    core::EngineResult result;
+    for (const glm::ivec3& voxel : command.voxels) {
+        if (!m_codes.contains(voxel))
+            return refuse("voxels", "outside the volume");
+        result.seedWords.push_back(m_fields.seedWords(command.plane).at(voxel));
+    }
     return result;
 }
 

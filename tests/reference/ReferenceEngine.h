@@ -63,6 +63,14 @@ private:
     [[nodiscard]] std::optional<std::int32_t> searchedTo() const;
     [[nodiscard]] Outcome carryOut(core::EndEdit& command);
     [[nodiscard]] Outcome carryOut(core::SwapBricks& command);
+    [[nodiscard]] Outcome carryOut(core::XorBricks& command);
+    [[nodiscard]] Outcome carryOut(core::ReadSeedWords& command);
+    [[nodiscard]] core::Result<void> checkImages(
+        const std::vector<core::BrickImage>& images, bool mayBeEmpty) const;
+    [[nodiscard]] std::vector<core::BrickImage> imagesNow(
+        const std::vector<core::BrickKey>& keys) const;
+    [[nodiscard]] Outcome put(const core::LabelGuard& guard,
+        const std::vector<core::BrickImage>& now, const std::vector<core::BrickImage>& images);
     [[nodiscard]] Outcome carryOut(core::MuteLayers& command);
     [[nodiscard]] Outcome carryOut(core::ReadBricks& command);
     [[nodiscard]] Outcome carryOut(core::ReadCodes& command);

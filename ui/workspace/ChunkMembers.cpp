@@ -105,6 +105,7 @@ bool ChunkMembers::takeBrick(const core::BrickChange& brick)
     const core::VoxelBox part = common(grid.boxOf(int(brick.key.brick)), box);
     const glm::ivec3 size = box.maximum - box.minimum;
     bool changes = false;
+    const std::vector<std::uint8_t>& labels = brick.after.read();
     for (int z = part.minimum.z; z < part.maximum.z; ++z) {
         for (int y = part.minimum.y; y < part.maximum.y; ++y) {
             const glm::ivec3 from(part.minimum.x, y, z);
@@ -114,7 +115,7 @@ bool ChunkMembers::takeBrick(const core::BrickChange& brick)
                 + std::size_t(within.x);
             auto offset = std::size_t(core::BrickGrid::offsetInBrick(from));
             for (int x = from.x; x < part.maximum.x; ++x, ++at, ++offset) {
-                const bool own = !brick.after.empty() && brick.after[offset] == m_segment;
+                const bool own = !labels.empty() && labels[offset] == m_segment;
                 if (m_isOwn[at] == own)
                     continue;
                 m_isOwn[at] = own;

@@ -164,8 +164,9 @@ void Pieces::measure(int layer, int segment, std::function<void(const Extent&)> 
             glm::dvec3 high(-1e300);
             for (const core::BrickChange& brick : answer.changes) {
                 const glm::ivec3 origin = grid.brickPosition(int(brick.key.brick)) * side;
-                for (std::size_t i = 0; i < brick.after.size(); ++i) {
-                    const int value = brick.after[i];
+                const std::vector<std::uint8_t>& values = brick.after.read();
+                for (std::size_t i = 0; i < values.size(); ++i) {
+                    const int value = values[i];
                     if (segment > 0 ? value != segment : value < 128)
                         continue;
                     const glm::ivec3 local(

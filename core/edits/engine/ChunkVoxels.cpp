@@ -232,7 +232,7 @@ RelabelListed ClickedChunks::relabelled(const std::vector<BrickChange>& labels) 
     for (const BrickChange& brick : labels) {
         const std::size_t place = placeOf(brick.key.brick);
         if (place < numbers.size() && numbers[place] == brick.key.brick && !brick.after.empty())
-            held[place] = &brick.after;
+            held[place] = &brick.after.read();
     }
     for (const std::vector<Part>& parts : m_chunks) {
         std::size_t voxels = 0;

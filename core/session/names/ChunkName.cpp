@@ -15,21 +15,12 @@ QString chunksName(const Chunks& edit, const Document& document)
         .arg(quoted(segmentName(edit.segment, document)), millimetres(edit.marginMm));
 }
 
-QString chunksName(
-    const ChunkToggle& edit, const std::vector<BrickChange>& changes, const Document& document)
+QString chunksName(const ChunkToggle& edit, const ChangeFacts& facts, const Document& document)
 {
-    std::int64_t gained = 0;
-    std::int64_t lost = 0;
-    for (const BrickChange& change : changes) {
-        if (change.key.field != Field::Labels)
-            continue;
-        for (std::size_t i = 0; i < std::size_t(BrickGrid::voxelsPerBrick); ++i) {
-            const int before = change.before.empty() ? 0 : change.before[i];
-            const int after = change.after.empty() ? 0 : change.after[i];
-            gained += before != after && after == edit.segment ? 1 : 0;
-            lost += before != after && before == edit.segment ? 1 : 0;
-        }
-    }
+    const Segment* segment = document.segment(edit.segment);
+    const LabelFlow flow = facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    const std::int64_t gained = flow.gained;
+    const std::int64_t lost = flow.lost;
     QStringList figures;
     if (gained > 0)
         figures += QLatin1Char('+') + grouped(gained);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/brick/BrickGrid.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edits.h"
+#include "core/engine/ChangeFacts.h"
 
 #include <QString>
 
@@ -13,6 +13,6 @@ namespace core {
 [[nodiscard]] QString chunksName(const Chunks& edit, const Document& document);
 /// "Add chunks to 'Liver', +18 204 −310 voxels"
 [[nodiscard]] QString chunksName(
-    const ChunkToggle& edit, const std::vector<BrickChange>& changes, const Document& document);
+    const ChunkToggle& edit, const ChangeFacts& facts, const Document& document);
 
 } // namespace core

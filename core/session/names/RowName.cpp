@@ -20,37 +20,14 @@ using namespace rowWords;
 
 namespace {
 
-std::int64_t seedWordsChanged(const std::vector<BrickChange>& changes)
-{
-    std::int64_t count = 0;
-    const std::vector<std::uint8_t> empty(
-        std::size_t(4) * BrickGrid::voxelsPerBrick, emptyByte(Field::SeedWords));
-    for (const BrickChange& change : changes) {
-        if (change.key.field != Field::SeedWords)
-            continue;
-        const std::vector<std::uint8_t>& before = change.before.empty() ? empty : change.before;
-        const std::vector<std::uint8_t>& after = change.after.empty() ? empty : change.after;
-        for (std::size_t word = 0; word < before.size(); word += 4) {
-            if (!std::equal(&before[word], &before[word] + 4, &after[word]))
-                ++count;
-        }
-    }
-    return count;
-}
-
 /// "'Brain' ", "2 segments ", or nothing if only seeds became members.
-QString whatGrew(const std::vector<BrickChange>& changes, const Document& document)
+QString whatGrew(const ChangeFacts& facts, const Document& document)
 {
     std::bitset<256> grew;
-    for (const BrickChange& change : changes) {
-        if (change.key.field != Field::Labels)
-            continue;
-        for (std::size_t i = 0; i < change.after.size(); ++i) {
-            if (change.before.empty() || change.before[i] != change.after[i])
-                grew.set(change.after[i]);
-        }
+    for (const LabelFlow& flow : facts.flows) {
+        if (flow.gained > 0)
+            grew.set(flow.label);
     }
-    grew.reset(0);
     if (grew.none())
         return {};
     if (grew.count() > 1)
@@ -102,9 +79,9 @@ QString scissorsName(const ScissorsCut& cut, const EditStatistics& statistics)
 }
 
 QString removeName(const RemoveSegment& edit, const EditStatistics& statistics,
-    const std::vector<BrickChange>& changes, const Document& document)
+    const ChangeFacts& facts, const Document& document)
 {
-    const std::int64_t seeds = seedWordsChanged(changes);
+    const std::int64_t seeds = facts.seedWordsChanged;
     QString lost = QStringLiteral("empty");
     if (statistics.voxelsChanged > 0)
         lost = QStringLiteral("−") + counted(statistics.voxelsChanged, "voxel");
@@ -114,8 +91,8 @@ QString removeName(const RemoveSegment& edit, const EditStatistics& statistics,
         .arg(quoted(segmentName(edit.segment, document)), lost);
 }
 
-QString seedName(const SeedStroke& stroke, const std::vector<BrickChange>& changes,
-    const Document& document, const std::optional<SketchedSeeds>& sketched)
+QString seedName(const SeedStroke& stroke, const ChangeFacts& facts, const Document& document,
+    const std::optional<SketchedSeeds>& sketched)
 {
     const QString segment = segmentName(stroke.segment, document);
     if (stroke.takenLps && stroke.pointsLps.size() == stroke.takenLps->size())
@@ -124,7 +101,7 @@ QString seedName(const SeedStroke& stroke, const std::vector<BrickChange>& chang
             + (sketched && !whyNotTaken(*sketched, document).isEmpty()
                     ? QStringLiteral(", ") + sketchedText(*sketched, document)
                     : QString());
-    const QString voxels = counted(seedWordsChanged(changes), "voxel");
+    const QString voxels = counted(facts.seedWordsChanged, "voxel");
     if (stroke.pointsLps.empty())
         return QStringLiteral("Take seeds of '%1' away, %2").arg(segment, voxels);
     return QStringLiteral("Seed stroke for '%1', %2")
@@ -132,12 +109,12 @@ QString seedName(const SeedStroke& stroke, const std::vector<BrickChange>& chang
 }
 
 QString paintName(const PaintStroke& stroke, const EditStatistics& statistics,
-    const std::vector<BrickChange>& changes, const Document& document)
+    const ChangeFacts& facts, const Document& document)
 {
     // What only makes seeds of painted voxels, or takes seeds away, changes no label.
     const std::int64_t voxels = statistics.voxelsChanged;
     const QString count =
-        voxels > 0 ? counted(voxels, "voxel") : counted(seedWordsChanged(changes), "seed voxel");
+        voxels > 0 ? counted(voxels, "voxel") : counted(facts.seedWordsChanged, "seed voxel");
     return QStringLiteral("%1 %2 %3, %4%5")
         .arg(stroke.erase ? QStringLiteral("Erase") : QStringLiteral("Paint"),
             quoted(segmentName(stroke.segment, document)), millimetres(stroke.path.radiusMm),
@@ -153,55 +130,24 @@ QString intervalText(const GrowCriteria& criteria, const Document& document)
             unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
 }
 
-QString growName(const GrowSteps& grow, const EditStatistics& statistics,
-    const std::vector<BrickChange>& changes, const Document& document)
+QString growName(const GrowSteps& grow, const EditStatistics& statistics, const ChangeFacts& facts,
+    const Document& document)
 {
-    if (changes.empty())
+    if (facts.empty())
         return QStringLiteral("Grow %1, no voxel").arg(intervalText(grow.criteria, document));
     const Growth* before = document.growth(0);
-    const int steps = grownSteps(before ? before->generation : 0, statistics, changes);
+    const int steps = grownSteps(before ? before->generation : 0, statistics, facts);
     return QStringLiteral("Grow %1%2, +%3")
-        .arg(whatGrew(changes, document), counted(steps, "step"),
+        .arg(whatGrew(facts, document), counted(steps, "step"),
             counted(statistics.voxelsChanged, "voxel"));
-}
-
-struct GrownAndLost {
-    std::int64_t grown = 0;
-    std::int64_t lost = 0; ///< voxels that returned to other segments too
-};
-
-GrownAndLost grownAndLost(const std::vector<BrickChange>& changes)
-{
-    std::map<std::uint32_t, const BrickChange*> beneath;
-    for (const BrickChange& brick : changes) {
-        if (brick.key.field == Field::Beneath)
-            beneath[brick.key.brick] = &brick;
-    }
-    GrownAndLost count;
-    for (const BrickChange& brick : changes) {
-        if (brick.key.field != Field::Labels)
-            continue;
-        const auto below = beneath.find(brick.key.brick);
-        for (std::size_t i = 0; i < std::size_t(BrickGrid::voxelsPerBrick); ++i) {
-            const auto at = [i](const std::vector<std::uint8_t>& bytes) {
-                return bytes.empty() ? 0 : bytes[i];
-            };
-            const int after = at(brick.after);
-            if (after == at(brick.before))
-                continue;
-            const bool isGivenBack = below != beneath.end() && after == at(below->second->before)
-                && at(below->second->after) == 0;
-            ++(after == 0 || isGivenBack ? count.lost : count.grown);
-        }
-    }
-    return count;
 }
 
 /// "Recover 120 … 300 HU, +2 104 voxels"; the name says what was done.
 QString intervalName(
-    const ChangeInterval& change, const std::vector<BrickChange>& changes, const Document& document)
+    const ChangeInterval& change, const ChangeFacts& facts, const Document& document)
 {
-    const auto [gained, lost] = grownAndLost(changes);
+    const std::int64_t gained = facts.labelsGrown;
+    const std::int64_t lost = facts.labelsLost;
     const QString what = change.fromSeeds.value_or(false) ? QStringLiteral("Grow anew from seeds")
         : gained > 0 && lost > 0                          ? QStringLiteral("Recover and withdraw")
         : lost > 0                                        ? QStringLiteral("Withdraw to")
@@ -211,11 +157,11 @@ QString intervalName(
         figures += QLatin1Char('+') + grouped(gained);
     if (lost > 0)
         figures += QStringLiteral("−") + grouped(lost);
-    if (changes.empty())
+    if (facts.empty())
         return QStringLiteral("Interval %1, no voxel").arg(intervalText(change.criteria, document));
     return QStringLiteral("%1 %2, %3")
         .arg(what, intervalText(change.criteria, document),
-            figures.isEmpty() ? counted(seedWordsChanged(changes), "seed voxel")
+            figures.isEmpty() ? counted(facts.seedWordsChanged, "seed voxel")
                               : figures.join(QLatin1Char(' ')) + QStringLiteral(" voxels"));
 }
 
@@ -248,15 +194,14 @@ QString titleOf(const HistoryRow& row)
 }
 
 QString revertName(const RevertRows& edit, const EditStatistics& statistics,
-    const std::vector<BrickChange>& changes, const History& history)
+    const ChangeFacts& facts, const History& history)
 {
     const QString what = edit.rows.size() == 1
         ? QLatin1Char('\'') + titleOf(history.row(edit.rows.front())) + QLatin1Char('\'')
         : counted(std::int64_t(edit.rows.size()), "step");
     const std::int64_t voxels = statistics.voxelsChanged;
     return QStringLiteral("Undo only ") + what + QStringLiteral(", ")
-        + (voxels > 0 ? counted(voxels, "voxel")
-                      : counted(seedWordsChanged(changes), "seed voxel"));
+        + (voxels > 0 ? counted(voxels, "voxel") : counted(facts.seedWordsChanged, "seed voxel"));
 }
 
 QString revisionName(
@@ -306,7 +251,7 @@ QString revisionName(
 class RowNames {
 public:
     const EditStatistics& statistics;
-    const std::vector<BrickChange>& changes;
+    const ChangeFacts& facts;
     const Document& document;
     const History& history;
     const std::optional<SketchedSeeds>& sketched;
@@ -324,7 +269,7 @@ public:
     }
     QString operator()(const RemoveSegment& remove) const
     {
-        return removeName(remove, statistics, changes, document);
+        return removeName(remove, statistics, facts, document);
     }
     QString operator()(const AddLayer& add) const
     {
@@ -390,25 +335,25 @@ public:
 
     QString operator()(const SeedStroke& seed) const
     {
-        return seedName(seed, changes, document, sketched);
+        return seedName(seed, facts, document, sketched);
     }
     QString operator()(const GrowSteps& grow) const
     {
-        return growName(grow, statistics, changes, document);
+        return growName(grow, statistics, facts, document);
     }
     /// It is kept as the growth that it was.
     QString operator()(const ResumeGrowth& resume) const
     {
-        return growName({.steps = resume.steps}, statistics, changes, document);
+        return growName({.steps = resume.steps}, statistics, facts, document);
     }
     QString operator()(const ChangeInterval& change) const
     {
-        return intervalName(change, changes, document);
+        return intervalName(change, facts, document);
     }
     QString operator()(const GrowFromSeeds&) const
     {
         return QStringLiteral("Grow %1from seeds, +%2")
-            .arg(whatGrew(changes, document), counted(statistics.voxelsChanged, "voxel"));
+            .arg(whatGrew(facts, document), counted(statistics.voxelsChanged, "voxel"));
     }
     QString operator()(const ShrinkSteps& shrink) const
     {
@@ -431,19 +376,19 @@ public:
     {
         return QStringLiteral("%1 %2, %3")
             .arg(barrier.erase ? QStringLiteral("Open barrier") : QStringLiteral("Barrier"),
-                millimetres(barrier.path.radiusMm), counted(seedWordsChanged(changes), "voxel"));
+                millimetres(barrier.path.radiusMm), counted(facts.seedWordsChanged, "voxel"));
     }
     QString operator()(const SurfaceBarrier& barrier) const
     {
         return QStringLiteral("%1, %2").arg(barrier.erase
                 ? QStringLiteral("Open barrier around surface")
                 : QStringLiteral("Barrier around surface"),
-            counted(seedWordsChanged(changes), "voxel"));
+            counted(facts.seedWordsChanged, "voxel"));
     }
 
     QString operator()(const RevertRows& revert) const
     {
-        return revertName(revert, statistics, changes, history);
+        return revertName(revert, statistics, facts, history);
     }
     QString operator()(const ReviseStroke& revise) const
     {
@@ -452,7 +397,7 @@ public:
 
     QString operator()(const PaintStroke& paint) const
     {
-        return paintName(paint, statistics, changes, document);
+        return paintName(paint, statistics, facts, document);
     }
     QString operator()(const BrushStroke& brush) const
     {
@@ -495,7 +440,7 @@ public:
     QString operator()(const Chunks& chunks) const { return chunksName(chunks, document); }
     QString operator()(const ChunkToggle& toggle) const
     {
-        return chunksName(toggle, changes, document);
+        return chunksName(toggle, facts, document);
     }
     template <class E>
     requires isSurfaceEdit<E> QString operator()(const E& edit) const
@@ -506,12 +451,11 @@ public:
 
 } // namespace
 
-QString rowName(const Edit& edit, const EditStatistics& statistics,
-    const std::vector<BrickChange>& changes, const Document& document, const History& history,
-    const std::optional<SketchedSeeds>& sketched)
+QString rowName(const Edit& edit, const EditStatistics& statistics, const ChangeFacts& facts,
+    const Document& document, const History& history, const std::optional<SketchedSeeds>& sketched)
 {
     return std::visit(RowNames{.statistics = statistics,
-                          .changes = changes,
+                          .facts = facts,
                           .document = document,
                           .history = history,
                           .sketched = sketched},

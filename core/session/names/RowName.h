@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/brick/BrickGrid.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edits.h"
 #include "core/engine/EngineCommands.h"
@@ -13,11 +12,12 @@
 namespace core {
 
 /// A row's name for people: "Drill 6.2 mm, 214 bricks", "Grow 'Skull' 41 steps, +18 204 voxels".
+/// @param facts of what it changed
 /// @param document as it is before the edit
 /// @param history before the row; it names the rows that an edit speaks of
 /// @param sketched of a SeedStroke; none: nobody asked
 [[nodiscard]] QString rowName(const Edit& edit, const EditStatistics& statistics,
-    const std::vector<BrickChange>& changes, const Document& document, const History& history,
+    const ChangeFacts& facts, const Document& document, const History& history,
     const std::optional<SketchedSeeds>& sketched);
 
 } // namespace core

@@ -40,8 +40,20 @@ void DivideOperation::readNext(SessionState& state)
         m_asked = state.engine.submit(*std::move(question));
         return;
     }
-    Result<std::vector<ChunkOwner>> owners =
-        chunkOwners(m_edit, state.document.volumes.front().geometry, m_reader->takeLabels());
+    state.side->post(
+        [this, edit = m_edit, geometry = state.document.volumes.front().geometry,
+            reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
+            auto owners = std::make_shared<Result<std::vector<ChunkOwner>>>(
+                chunkOwners(edit, geometry, reader->takeLabels()));
+            return SideThread::Sequel(
+                [this, owners](SessionState& known) { takeOwners(known, std::move(*owners)); });
+        },
+        [this](SessionState& known, const Error& error) { giveUp(known, error); });
+    m_reader.reset();
+}
+
+void DivideOperation::takeOwners(SessionState& state, Result<std::vector<ChunkOwner>>&& owners)
+{
     if (!owners)
         return giveUp(state, owners.error());
     m_edit.owners = *std::move(owners);
@@ -63,7 +75,7 @@ void DivideOperation::commit(SessionState& state)
     m_done = true;
     const RowId newest = state.divisionRow();
     if (newest == 0 || !(std::get<Chunks>(state.history.row(newest).edit) == m_edit))
-        state.commit(m_edit, {}, {}, {});
+        state.commit(m_edit, {}, {});
 }
 
 void DivideOperation::giveUp(SessionState& state, const Error& error)
@@ -119,9 +131,23 @@ void ToggleChunks::click(SessionState& state, const ChunkMap& map)
     m_asked = state.engine.submit(std::move(read));
 }
 
-void ToggleChunks::relabel(SessionState& state, const std::vector<BrickChange>& labels)
+/// Which of the chunks are the segment's already is counted beside.
+void ToggleChunks::relabel(SessionState& state, std::vector<BrickChange> labels)
 {
-    m_begun = state.engine.submit(BeginEdit{m_clicked->relabelled(labels)});
+    state.side->post(
+        [this, clicked = std::make_shared<const ClickedChunks>(*std::move(m_clicked)),
+            labels = std::move(labels)] {
+            auto relabelled = std::make_shared<RelabelListed>(clicked->relabelled(labels));
+            return SideThread::Sequel(
+                [this, relabelled](SessionState& known) { write(known, std::move(*relabelled)); });
+        },
+        [this](SessionState& known, const Error& error) { giveUp(known, error); });
+    m_clicked.reset();
+}
+
+void ToggleChunks::write(SessionState& state, RelabelListed&& relabel)
+{
+    m_begun = state.engine.submit(BeginEdit{std::move(relabel)});
     m_ended = state.engine.submit(EndEdit{});
 }
 
@@ -129,7 +155,8 @@ void ToggleChunks::takeResult(SessionState& state, EngineResult&& result)
 {
     if (m_asked && result.ticket == *m_asked) {
         m_asked.reset();
-        return result.error ? giveUp(state, *result.error) : relabel(state, result.changes);
+        return result.error ? giveUp(state, *result.error)
+                            : relabel(state, std::move(result.changes));
     }
     if (m_begun && result.ticket == *m_begun) // it never opened, and its end tells so again
         state.fail(*result.error);
@@ -147,9 +174,9 @@ void ToggleChunks::finish(SessionState& state, EngineResult&& result)
         return leaveNoRow(state);
     m_done = true;
     if (m_again != 0)
-        state.complete(m_again, std::move(result.changes));
+        state.complete(m_again, std::move(result));
     else
-        state.commit(m_edit, std::move(result.changes), result.statistics, {});
+        state.commit(m_edit, std::move(result), {});
 }
 
 void ToggleChunks::leaveNoRow(SessionState& state)

@@ -22,6 +22,7 @@ public:
 
 private:
     void readNext(SessionState& state);
+    void takeOwners(SessionState& state, Result<std::vector<ChunkOwner>>&& owners);
     void commit(SessionState& state);
     void giveUp(SessionState& state, const Error& error);
 
@@ -45,7 +46,8 @@ public:
 
 private:
     void click(SessionState& state, const ChunkMap& map);
-    void relabel(SessionState& state, const std::vector<BrickChange>& labels);
+    void relabel(SessionState& state, std::vector<BrickChange> labels);
+    void write(SessionState& state, RelabelListed&& relabel);
     void finish(SessionState& state, EngineResult&& result);
     void leaveNoRow(SessionState& state);
     void giveUp(SessionState& state, const Error& error);

@@ -25,7 +25,7 @@ void DocumentOperation::start(SessionState& state)
     if (!changed)
         state.fail(changed.error());
     else if (*changed)
-        state.commit(m_edit, {}, {}, {});
+        state.commit(m_edit, {}, {});
 }
 
 bool DocumentOperation::foresee(Document& document) const

@@ -4,8 +4,6 @@
 #include "core/base/Guarded.h"
 #include "core/edits/document/DocumentEdits.h"
 
-#include <chrono>
-#include <thread>
 #include <utility>
 
 namespace core {
@@ -285,10 +283,9 @@ Result<void> OperationQueue::waitUntilSettled()
     while (!settled()) {
         m_state.engine.finish();
         m_state.side->finish();
+        m_state.chunks->finish();
         m_state.worker->finish();
         poll();
-        if (!settled())
-            std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
     m_state.worker->finish();
     m_state.engine.finish(); // also what nobody waits for: layers that were muted on the way

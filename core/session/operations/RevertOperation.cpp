@@ -4,7 +4,7 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "core/growth/SeedWord.h"
 #include "core/history/StandingStrokes.h"
-#include "core/session/past/ProtectedVoxels.h"
+#include "core/session/past/GuardedLabels.h"
 
 #include <algorithm>
 #include <bitset>
@@ -15,24 +15,6 @@
 namespace core {
 
 namespace {
-
-/// Of the members that these changes leave.
-std::uint32_t greatestGeneration(const std::vector<BrickChange>& changes)
-{
-    std::uint32_t greatest = 0;
-    for (const BrickChange& change : changes) {
-        if (change.key.field != Field::SeedWords)
-            continue;
-        const std::vector<std::uint8_t>& bytes = change.after;
-        for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
-            const std::uint32_t word = std::uint32_t(bytes[i]) | std::uint32_t(bytes[i + 1]) << 8
-                | std::uint32_t(bytes[i + 2]) << 16 | std::uint32_t(bytes[i + 3]) << 24;
-            if (seedWord::isMember(word))
-                greatest = std::max(greatest, seedWord::generation(word));
-        }
-    }
-    return greatest;
-}
 
 tl::unexpected<Error> refused(const QString& reason)
 {
@@ -158,30 +140,6 @@ bool foldedIn(const SessionState& state, const Edit& taken, const std::vector<Br
     return false;
 }
 
-/// Whether segments that are locked keep their voxels.
-Result<void> checkLocks(const Document& document, const std::vector<BrickChange>& now,
-    const std::vector<BrickImage>& then)
-{
-    std::bitset<256> touched; // labels that lose or gain a voxel
-    for (std::size_t brick = 0; brick < now.size(); ++brick) {
-        if (now[brick].key.field != Field::Labels)
-            continue;
-        const std::vector<std::uint8_t>& held = now[brick].after;
-        const std::vector<std::uint8_t>& coming = then[brick].bytes;
-        for (std::size_t i = 0; i < std::size_t(BrickGrid::voxelsPerBrick); ++i) {
-            const std::uint8_t a = held.empty() ? 0 : held[i];
-            const std::uint8_t b = coming.empty() ? 0 : coming[i];
-            if (a != b)
-                touched.set(a).set(b);
-        }
-    }
-    for (const Segment& segment : document.segments) {
-        if (segment.locked && touched.test(segment.label))
-            return failure(ErrorCode::SegmentLocked, segment.name);
-    }
-    return {};
-}
-
 } // namespace
 
 RevertOperation::RevertOperation(RevertRows edit, RowId again)
@@ -283,16 +241,15 @@ void RevertOperation::loadNext(SessionState& state)
     layOver(state);
 }
 
-void RevertOperation::takeDifferences(
-    SessionState& state, Result<std::vector<BrickImage>>&& differences)
+void RevertOperation::takeDifferences(SessionState& state, Result<RowDifferences>&& differences)
 {
     if (!differences)
         return giveUp(state, differences.error());
     const RowId row = m_toLoad.back();
     m_toLoad.pop_back();
-    m_growth.note(row, *differences, state.document);
+    m_growth.note(row, differences->words, state.document);
     if (row >= m_path.front() && isNeeded(row, state.history.row(row).edit))
-        m_differences[row] = *std::move(differences);
+        m_differences[row] = std::move(differences->images);
     loadNext(state);
 }
 
@@ -362,38 +319,31 @@ void RevertOperation::layOver(SessionState& state)
             std::move(differences.begin(), differences.end(), std::back_inserter(taken));
     }
     m_differences.clear();
-    const std::vector<std::uint8_t> same(std::size_t(BrickGrid::voxelsPerBrick), 0);
-    for (const BrickKey& key : labelsOverCoverage(state.document, taken))
-        taken.push_back({key, same});
-    m_swap.start(
-        state, std::move(taken), [&state](const auto& now, const auto& then) -> Result<void> {
-            if (const Result<void> checked = checkLocks(state.document, now, then); !checked)
-                return checked;
-            return checkProtected(state.document, now, then);
-        });
+    m_swapping = state.engine.submit(
+        XorBricks{.differences = std::move(taken), .guard = fullGuard(state.document)});
 }
 
 void RevertOperation::takeResult(SessionState& state, EngineResult&& result)
 {
-    std::optional<Result<EngineResult>> swapped = m_swap.takeResult(state, std::move(result));
-    if (!swapped)
+    if (!m_swapping || result.ticket != *m_swapping)
         return;
-    if (*swapped)
-        finish(state, **std::move(swapped));
+    m_swapping.reset();
+    if (result.error)
+        giveUp(state, withSegmentName(*result.error, state.document));
     else
-        giveUp(state, swapped->error());
+        finish(state, std::move(result));
 }
 
 void RevertOperation::finish(SessionState& state, EngineResult&& result)
 {
     m_done = true;
     if (m_again != 0) {
-        state.complete(m_again, std::move(result.changes));
+        state.complete(m_again, std::move(result));
     } else if (!result.changes.empty()) {
         // A shrinking that is undone brings members of later generations back.
         const std::uint32_t counter =
-            std::max(state.document.growths.front().generation, greatestGeneration(result.changes));
-        state.commit(m_edit, std::move(result.changes), result.statistics, counter);
+            std::max(state.document.growths.front().generation, result.facts.greatestGeneration);
+        state.commit(m_edit, std::move(result), counter);
     }
     state.tell(DocumentChange::What::Growth);
 }

@@ -3,7 +3,6 @@
 
 #include "core/session/past/GrowthTrace.h"
 #include "core/session/past/RowReach.h"
-#include "core/session/questions/DifferenceSwap.h"
 #include "core/session/state/Operation.h"
 
 #include <map>
@@ -19,8 +18,7 @@ public:
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
-    void takeDifferences(
-        SessionState& state, Result<std::vector<BrickImage>>&& differences) override;
+    void takeDifferences(SessionState& state, Result<RowDifferences>&& differences) override;
     [[nodiscard]] bool done() const override { return m_done; }
 
 private:
@@ -41,7 +39,7 @@ private:
     std::vector<RowId> m_toLoad; ///< the last is loaded next
     std::map<RowId, std::vector<BrickImage>> m_differences;
     GrowthTrace m_growth;
-    DifferenceSwap m_swap;
+    std::optional<Ticket> m_swapping;
     bool m_done = false;
 };
 

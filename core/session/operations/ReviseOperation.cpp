@@ -4,7 +4,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/engine/SparedSegments.h"
 #include "core/sculpt/MaskFrame.h"
-#include "core/session/past/ProtectedVoxels.h"
+#include "core/session/past/GuardedLabels.h"
 #include "core/session/past/RowReach.h"
 
 #include <algorithm>
@@ -160,12 +160,11 @@ void ReviseOperation::loadNext(SessionState& state)
         });
 }
 
-void ReviseOperation::takeDifferences(
-    SessionState& state, Result<std::vector<BrickImage>>&& differences)
+void ReviseOperation::takeDifferences(SessionState& state, Result<RowDifferences>&& differences)
 {
     if (!differences)
         return giveUp(state, differences.error());
-    m_past.addDifferences(m_toLoad.back(), *std::move(differences));
+    m_past.addDifferences(m_toLoad.back(), std::move(differences->images));
     m_toLoad.pop_back();
     loadNext(state);
 }
@@ -187,7 +186,8 @@ void ReviseOperation::takeResult(SessionState& state, EngineResult&& result)
     if (m_refused) {
         // All that was asked for until then has been done or refused by now.
         m_past.discard(result);
-        return giveUp(state, *std::exchange(m_refused, std::nullopt));
+        return giveUp(
+            state, withSegmentName(*std::exchange(m_refused, std::nullopt), state.document));
     }
     std::exchange(m_then, nullptr)(state, std::move(result));
 }
@@ -295,18 +295,20 @@ void ReviseOperation::lay(const StrokeCut& cut, const StandingStroke& stroke)
             m_folded.find({Field::Coverage, std::uint8_t(layerOf(stroke.form)), brick});
         if (found == m_folded.end())
             continue;
-        std::vector<std::uint8_t>& held = found->second.bytes;
+        std::vector<std::uint8_t> held = found->second.bytes.read();
+        const std::vector<std::uint8_t>& laid = bytes.read();
         if (restores(stroke.form)) {
-            std::transform(held.begin(), held.end(), bytes.begin(), held.begin(),
+            std::transform(held.begin(), held.end(), laid.begin(), held.begin(),
                 [](std::uint8_t a, std::uint8_t b) { return refilled(a, b); });
             if (std::all_of(held.begin(), held.end(), [](std::uint8_t a) { return a == 0; }))
                 held.clear(); // an empty brick has no bytes
-            continue;
+        } else if (held.empty()) {
+            held = laid;
+        } else {
+            std::transform(held.begin(), held.end(), laid.begin(), held.begin(),
+                [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
         }
-        if (held.empty())
-            held = bytes;
-        std::transform(held.begin(), held.end(), bytes.begin(), held.begin(),
-            [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+        found->second.bytes = std::move(held);
     }
 }
 
@@ -321,23 +323,8 @@ void ReviseOperation::putFolded(SessionState& state)
     std::vector<BrickImage> bricks;
     for (auto& [key, image] : m_folded)
         bricks.push_back(std::move(image));
-    ReadBricks read{labelsOverCoverage(state.document, bricks)};
-    if (read.keys.empty())
-        return swap(state, std::move(bricks));
-    for (const BrickImage& brick : bricks)
-        read.keys.push_back(brick.key);
-    await(state.engine.submit(std::move(read)),
-        [this, bricks = std::move(bricks)](SessionState& now, EngineResult&& result) mutable {
-            const Result<void> checked = checkProtected(now.document, result.changes, bricks);
-            if (!checked)
-                return giveUp(now, checked.error());
-            swap(now, std::move(bricks));
-        });
-}
-
-void ReviseOperation::swap(SessionState& state, std::vector<BrickImage> bricks)
-{
-    await(state.engine.submit(SwapBricks{std::move(bricks)}),
+    SwapBricks swap{.bricks = std::move(bricks), .guard = carvingGuard(state.document)};
+    await(state.engine.submit(std::move(swap)),
         [this](SessionState& now, EngineResult&& result) { finish(now, std::move(result)); });
 }
 
@@ -345,11 +332,11 @@ void ReviseOperation::finish(SessionState& state, EngineResult&& result)
 {
     m_done = true;
     if (m_again != 0)
-        state.complete(m_again, std::move(result.changes));
+        state.complete(m_again, std::move(result));
     else if (result.changes.empty())
         return; // no row, so nothing changed for anybody
     else
-        state.commit(m_edit, std::move(result.changes), result.statistics, std::nullopt);
+        state.commit(m_edit, std::move(result), std::nullopt);
     state.lastRevision = {state.history.position(), std::move(m_begunInside)};
 }
 

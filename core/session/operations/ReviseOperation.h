@@ -31,8 +31,7 @@ public:
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
-    void takeDifferences(
-        SessionState& state, Result<std::vector<BrickImage>>&& differences) override;
+    void takeDifferences(SessionState& state, Result<RowDifferences>&& differences) override;
     [[nodiscard]] bool done() const override { return m_done; }
 
 private:
@@ -54,7 +53,6 @@ private:
     void compare(SessionState& state, const StandingStroke& stroke, StrokeCut recorded);
     void put(SessionState& state);
     void putFolded(SessionState& state);
-    void swap(SessionState& state, std::vector<BrickImage> bricks);
     void finish(SessionState& state, EngineResult&& result);
     void giveUp(SessionState& state, const Error& error);
 

@@ -67,10 +67,10 @@ void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
         if (result.error)
             return state.fail(*result.error);
         if (m_again != 0)
-            state.complete(m_again, std::move(result.changes));
+            state.complete(m_again, std::move(result));
         else if (!result.changes.empty()
             || (std::holds_alternative<WriteBack>(m_edit) && state.document.surface->isApart()))
-            state.commit(m_edit, std::move(result.changes), result.statistics, {});
+            state.commit(m_edit, std::move(result), {});
     } else if (result.error) {
         giveUp(state, *result.error);
     }
@@ -78,13 +78,17 @@ void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
 
 void SurfaceOperation::work(SessionState& state)
 {
-    if (m_reader)
-        m_read.labels = m_reader->takeLabels();
-    m_reader.reset();
     if (std::holds_alternative<WriteBack>(m_edit))
         m_read.past = surfacePast(state.history, state.surface);
     m_work = std::make_shared<SurfaceWork>(
         state.surface, *surfaceEditOf(m_edit), state.document, std::move(m_read));
+    if (m_reader) {
+        post(state, [work = m_work, reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
+            work->setLabels(reader->takeLabels());
+            return SideThread::Sequel();
+        });
+        m_reader.reset();
+    }
     const SurfacePath* path = surfacePathOf(m_edit);
     post(state, [this, work = m_work, points = path ? path->pointsLps : std::vector<glm::dvec3>()] {
         const Result<void> begun = work->begin();

@@ -124,15 +124,13 @@ void VoxelOperation::askBefore(SessionState& state, const EngineEdit& edit)
     if (!stroke || m_again != 0)
         return;
     m_seeds = *stroke;
-    const BrickGrid grid{state.document.volumes.front().geometry.size};
-    m_asked = state.engine.submit(ReadBricks{wordBricks(*stroke, grid)});
+    m_asked = state.engine.submit(ReadSeedWords{.voxels = stroke->voxels, .plane = stroke->plane});
 }
 
-void VoxelOperation::takeBefore(SessionState& state, const EngineResult& result)
+void VoxelOperation::takeBefore(const EngineResult& result)
 {
-    const BrickGrid grid{state.document.volumes.front().geometry.size};
     if (!result.error)
-        m_sketched = sketchedSeeds(m_seeds, grid, result.changes);
+        m_sketched = sketchedSeeds(m_seeds, result.seedWords);
     m_seeds = {};
 }
 
@@ -261,7 +259,7 @@ void VoxelOperation::submitWaiting(SessionState& state)
 void VoxelOperation::takeResult(SessionState& state, EngineResult&& result)
 {
     if (m_asked && result.ticket == *m_asked)
-        return takeBefore(state, result);
+        return takeBefore(result);
     if (!m_begun || result.ticket < *m_begun)
         return;
     if (m_ended && result.ticket == *m_ended) {
@@ -317,16 +315,17 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
         return;
     }
     if (m_again != 0) {
-        state.complete(m_again, std::move(result.changes));
+        state.complete(m_again, std::move(result));
         return;
     }
     const Edit edit = carriedOut(result);
     std::optional<std::uint32_t> generation;
     if (movesGeneration())
         generation = result.generation;
-    state.commit(edit, std::move(result.changes), result.statistics, generation);
-    if (result.alarm)
-        state.lastAlarm = {state.history.position(), *result.alarm};
+    const std::optional<LeakAlarm> alarm = result.alarm;
+    state.commit(edit, std::move(result), generation);
+    if (alarm)
+        state.lastAlarm = {state.history.position(), *alarm};
 }
 
 /// The edit as replay must repeat it: a burst that the user watched says how far it came, and so
@@ -340,7 +339,7 @@ Edit VoxelOperation::carriedOut(const EngineResult& result) const
     steps.reset();
     if (!result.atClosure) {
         const auto generations = std::uint32_t(result.statistics.generations);
-        steps = grownSteps(result.generation - generations, result.statistics, result.changes);
+        steps = grownSteps(result.generation - generations, result.statistics, result.facts);
     }
     return done;
 }

@@ -65,7 +65,7 @@ private:
     [[nodiscard]] Result<EngineEdit> engineEdit(const Document& document);
     [[nodiscard]] ShrinkTo shrinkTo() const;
     void askBefore(SessionState& state, const EngineEdit& edit);
-    void takeBefore(SessionState& state, const EngineResult& result);
+    void takeBefore(const EngineResult& result);
     void liftPen();
     void submitWaiting(SessionState& state);
     void finish(SessionState& state, EngineResult&& result);

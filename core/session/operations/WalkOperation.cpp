@@ -51,43 +51,47 @@ void WalkOperation::step(SessionState& state)
     else if (images->empty())
         arrive(state, {});
     else
-        m_swap.put(state, *std::move(images));
+        put(state, SwapBricks{.bricks = *std::move(images)});
 }
 
-void WalkOperation::takeDifferences(
-    SessionState& state, Result<std::vector<BrickImage>>&& differences)
+void WalkOperation::takeDifferences(SessionState& state, Result<RowDifferences>&& differences)
 {
     if (!differences)
         giveUp(state, differences.error());
-    else if (differences->empty())
+    else if (differences->images.empty())
         arrive(state, {});
     else
-        m_swap.start(state, *std::move(differences));
+        put(state, XorBricks{.differences = std::move(differences->images)});
+}
+
+void WalkOperation::put(SessionState& state, EngineCommand command)
+{
+    m_swapping = state.engine.submit(std::move(command));
 }
 
 void WalkOperation::takeResult(SessionState& state, EngineResult&& result)
 {
-    std::optional<Result<EngineResult>> swapped = m_swap.takeResult(state, std::move(result));
-    if (!swapped)
+    if (!m_swapping || result.ticket != *m_swapping)
         return;
-    if (*swapped)
-        arrive(state, std::move((*swapped)->changes));
+    m_swapping.reset();
+    if (result.error)
+        giveUp(state, *result.error);
     else
-        giveUp(state, swapped->error());
+        arrive(state, std::move(result));
 }
 
 bool WalkOperation::abandon(SessionState& state, const Error& error)
 {
-    if (m_arriving || m_swap.swapping())
+    if (m_arriving || m_swapping)
         return false;
     giveUp(state, error);
     return true;
 }
 
-void WalkOperation::arrive(SessionState& state, std::vector<BrickChange> changes)
+void WalkOperation::arrive(SessionState& state, EngineResult&& result)
 {
     m_arriving = true;
-    state.moveTo(m_back ? state.history.row(m_row).parent : m_row, m_row, std::move(changes));
+    state.moveTo(m_back ? state.history.row(m_row).parent : m_row, m_row, std::move(result));
     m_arriving = false;
     if (m_aim == Aim::Row)
         step(state);

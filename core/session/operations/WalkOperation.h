@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/session/questions/DifferenceSwap.h"
 #include "core/session/state/Operation.h"
 
 namespace core {
@@ -16,8 +15,7 @@ public:
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
-    void takeDifferences(
-        SessionState& state, Result<std::vector<BrickImage>>&& differences) override;
+    void takeDifferences(SessionState& state, Result<RowDifferences>&& differences) override;
     [[nodiscard]] bool done() const override { return m_done; }
     [[nodiscard]] bool foresee(Document&) const override { return m_done; }
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
@@ -26,14 +24,15 @@ private:
     /// Chooses the next row and the direction. @return false: arrived
     [[nodiscard]] bool choose(const History& history);
     void step(SessionState& state);
-    void arrive(SessionState& state, std::vector<BrickChange> changes);
+    void put(SessionState& state, EngineCommand command);
+    void arrive(SessionState& state, EngineResult&& result);
     void giveUp(SessionState& state, const Error& error);
 
     Aim m_aim;
     RowId m_target = 0;
     RowId m_row = 0; ///< whose difference is laid over the bricks now
     bool m_back = false; ///< undoing it
-    DifferenceSwap m_swap;
+    std::optional<Ticket> m_swapping; ///< the engine changes bricks, and has not answered
     bool m_arriving = false; ///< the bricks are swapped in, and the history does not say so yet
     bool m_done = false;
 };

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/brick/BrickGrid.h"
-#include "core/engine/EditEngine.h"
-
-#include <vector>
+#include "core/engine/EngineCommands.h"
 
 namespace core {
 
 /// How many steps a burst of growth did after its opening. That seeds are admitted when it opens is
-/// a generation, but no step. Cost ∝ the changes.
+/// a generation, but no step.
 /// @param first the generation when it opened, after what left it
-/// @param statistics, changes of the burst
+/// @param statistics, facts of the burst
 [[nodiscard]] int grownSteps(
-    std::uint32_t first, const EditStatistics& statistics, const std::vector<BrickChange>& changes);
+    std::uint32_t first, const EditStatistics& statistics, const ChangeFacts& facts);
 
 } // namespace core

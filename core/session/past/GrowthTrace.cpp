@@ -14,12 +14,13 @@ namespace {
 VoxelBox boxOfWords(const BrickImage& difference, const VoxelBox& brick)
 {
     const int width = bytesPerVoxel(Field::SeedWords);
+    const std::vector<std::uint8_t>& bytes = difference.bytes.read();
     VoxelBox box{.minimum = brick.maximum, .maximum = brick.minimum};
     for (int z = brick.minimum.z; z < brick.maximum.z; ++z) {
         for (int y = brick.minimum.y; y < brick.maximum.y; ++y) {
             for (int x = brick.minimum.x; x < brick.maximum.x; ++x) {
-                const auto word = difference.bytes.begin()
-                    + std::ptrdiff_t(BrickGrid::offsetInBrick({x, y, z})) * width;
+                const auto word =
+                    bytes.begin() + std::ptrdiff_t(BrickGrid::offsetInBrick({x, y, z})) * width;
                 if (std::all_of(word, word + width, [](std::uint8_t byte) { return byte == 0; }))
                     continue;
                 box.minimum = glm::min(box.minimum, glm::ivec3(x, y, z));
@@ -31,6 +32,20 @@ VoxelBox boxOfWords(const BrickImage& difference, const VoxelBox& brick)
 }
 
 } // namespace
+
+std::vector<ChangedWords> changedWords(
+    const std::vector<BrickImage>& differences, const BrickGrid& grid)
+{
+    std::vector<ChangedWords> words;
+    for (const BrickImage& difference : differences) {
+        if (difference.key.field != Field::SeedWords || difference.bytes.empty())
+            continue;
+        const VoxelBox box = boxOfWords(difference, grid.boxOf(int(difference.key.brick)));
+        if (box.minimum.x < box.maximum.x)
+            words.push_back({.key = difference.key, .box = box});
+    }
+    return words;
+}
 
 bool GrowthTrace::isOf(const Edit& edit)
 {
@@ -47,20 +62,16 @@ bool GrowthTrace::mayNeed(const Edit& edit)
         && !std::holds_alternative<MergeLayers>(edit) && !std::holds_alternative<RemoveLayer>(edit);
 }
 
-void GrowthTrace::note(
-    RowId row, const std::vector<BrickImage>& differences, const Document& document)
+void GrowthTrace::note(RowId row, const std::vector<ChangedWords>& words, const Document& document)
 {
     const BrickGrid grid{document.volumes.front().geometry.size};
     std::set<std::uint32_t>& beside = m_besideWords[row];
-    for (const BrickImage& difference : differences) {
-        if (difference.key.field != Field::SeedWords
-            || difference.key.plane != document.growths.front().plane || difference.bytes.empty())
+    for (const ChangedWords& changed : words) {
+        if (changed.key.plane != document.growths.front().plane)
             continue;
-        const VoxelBox words = boxOfWords(difference, grid.boxOf(int(difference.key.brick)));
-        if (words.minimum.x >= words.maximum.x)
-            continue;
-        const glm::ivec3 first = glm::max(words.minimum - 1, glm::ivec3(0)) / BrickGrid::side;
-        const glm::ivec3 last = glm::min(words.maximum, grid.volumeSize - 1) / BrickGrid::side;
+        const glm::ivec3 first = glm::max(changed.box.minimum - 1, glm::ivec3(0)) / BrickGrid::side;
+        const glm::ivec3 last =
+            glm::min(changed.box.maximum, grid.volumeSize - 1) / BrickGrid::side;
         for (int z = first.z; z <= last.z; ++z) {
             for (int y = first.y; y <= last.y; ++y) {
                 for (int x = first.x; x <= last.x; ++x)

@@ -15,7 +15,6 @@ LabelReader::LabelReader(const glm::ivec3& size, std::uint8_t plane, Field field
     : m_grid{size}
     , m_plane(plane)
     , m_field(field)
-    , m_labels(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
 {
 }
 
@@ -36,22 +35,36 @@ Result<void> LabelReader::take(const EngineResult& answer)
         return tl::unexpected(*answer.error);
     for (const BrickChange& brick : answer.changes) {
         if (!brick.after.empty())
-            place(brick);
+            m_bricks.push_back({.key = brick.key, .bytes = brick.after});
     }
     return {};
 }
 
-void LabelReader::place(const BrickChange& brick)
+std::vector<std::uint8_t> LabelReader::takeLabels()
+{
+    const glm::ivec3 size = m_grid.volumeSize;
+    std::vector<std::uint8_t> labels(
+        std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    for (BrickImage& brick : m_bricks) {
+        place(brick, labels);
+        brick.bytes.clear();
+    }
+    m_bricks.clear();
+    return labels;
+}
+
+void LabelReader::place(const BrickImage& brick, std::vector<std::uint8_t>& labels) const
 {
     const glm::ivec3 size = m_grid.volumeSize;
     const VoxelBox box = m_grid.boxOf(int(brick.key.brick));
     const int width = box.maximum.x - box.minimum.x;
+    const std::vector<std::uint8_t>& bytes = brick.bytes.read();
     for (int z = box.minimum.z; z < box.maximum.z; ++z) {
         for (int y = box.minimum.y; y < box.maximum.y; ++y) {
             const std::size_t from = std::size_t(BrickGrid::offsetInBrick({box.minimum.x, y, z}));
             const std::size_t to = std::size_t(box.minimum.x)
                 + std::size_t(size.x) * (std::size_t(y) + std::size_t(size.y) * std::size_t(z));
-            std::copy_n(&brick.after[from], width, &m_labels[to]);
+            std::copy_n(&bytes[from], width, &labels[to]);
         }
     }
 }

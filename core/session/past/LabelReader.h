@@ -11,30 +11,31 @@
 namespace core {
 
 /// One label plane, or one layer's coverage, on its way from the engine, in portions of 4 MiB, so
-/// that a large volume is not there twice and other work comes in between. Ask next(), give the
-/// answer to take(), until next() has nothing left to ask.
+/// that other work comes in between. Ask next(), give the answer to take(), until next() has
+/// nothing left to ask; then have a worker put the bricks together with takeLabels().
 class LabelReader {
 public:
     /// @param field Labels or Coverage
     LabelReader(const glm::ivec3& size, std::uint8_t plane, Field field = Field::Labels);
 
     [[nodiscard]] std::optional<ReadBricks> next();
+    /// Keeps the bricks, and looks at none.
     [[nodiscard]] Result<void> take(const EngineResult& answer);
 
     [[nodiscard]] int bricksRead() const { return m_next; }
     [[nodiscard]] int bricks() const { return m_grid.brickCount(); }
     [[nodiscard]] std::uint8_t plane() const { return m_plane; }
-    /// x fastest; leaves the reader without.
-    [[nodiscard]] std::vector<std::uint8_t> takeLabels() { return std::move(m_labels); }
+    /// x fastest; leaves the reader without. Any thread. Cost ∝ the volume.
+    [[nodiscard]] std::vector<std::uint8_t> takeLabels();
 
 private:
-    void place(const BrickChange& brick);
+    void place(const BrickImage& brick, std::vector<std::uint8_t>& labels) const;
 
     BrickGrid m_grid;
     std::uint8_t m_plane;
     Field m_field;
     int m_next = 0;
-    std::vector<std::uint8_t> m_labels;
+    std::vector<BrickImage> m_bricks; ///< that are not empty
 };
 
 } // namespace core

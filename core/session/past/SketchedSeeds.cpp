@@ -16,15 +16,6 @@ using namespace rowWords;
 
 namespace {
 
-std::uint32_t wordAt(const std::vector<std::uint8_t>& image, const glm::ivec3& voxel)
-{
-    if (image.empty())
-        return seedWord::unvisited;
-    const std::uint8_t* bytes = &image[std::size_t(4) * BrickGrid::offsetInBrick(voxel)];
-    return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8 | std::uint32_t(bytes[2]) << 16
-        | std::uint32_t(bytes[3]) << 24;
-}
-
 /// "1 was a seed", "2 were seeds".
 QString either(std::int64_t count, const char* one, const char* more)
 {
@@ -33,23 +24,8 @@ QString either(std::int64_t count, const char* one, const char* more)
 
 } // namespace
 
-std::vector<BrickKey> wordBricks(const SeedPlacement& stroke, const BrickGrid& grid)
+SketchedSeeds sketchedSeeds(const SeedPlacement& stroke, const std::vector<std::uint32_t>& before)
 {
-    std::set<std::uint32_t> bricks;
-    for (const glm::ivec3& voxel : stroke.voxels)
-        bricks.insert(std::uint32_t(grid.brickOf(voxel)));
-    std::vector<BrickKey> keys;
-    for (const std::uint32_t brick : bricks)
-        keys.push_back({Field::SeedWords, stroke.plane, brick});
-    return keys;
-}
-
-SketchedSeeds sketchedSeeds(
-    const SeedPlacement& stroke, const BrickGrid& grid, const std::vector<BrickChange>& before)
-{
-    std::map<std::uint32_t, const std::vector<std::uint8_t>*> images;
-    for (const BrickChange& brick : before)
-        images[brick.key.brick] = &brick.after;
     const auto triple = [](const glm::ivec3& voxel) {
         return std::tuple(voxel.x, voxel.y, voxel.z);
     };
@@ -59,11 +35,9 @@ SketchedSeeds sketchedSeeds(
 
     const std::uint32_t seed = seedWord::pendingSeed(stroke.label);
     SketchedSeeds seeds{.segment = stroke.label, .voxels = std::int64_t(stroke.voxels.size())};
-    for (const glm::ivec3& voxel : stroke.voxels) {
-        const auto image = images.find(std::uint32_t(grid.brickOf(voxel)));
-        std::uint32_t word =
-            image == images.end() ? seedWord::unvisited : wordAt(*image->second, voxel);
-        if (word == seed && takenAway.contains(triple(voxel)))
+    for (std::size_t i = 0; i < stroke.voxels.size(); ++i) {
+        std::uint32_t word = before[i];
+        if (word == seed && takenAway.contains(triple(stroke.voxels[i])))
             word = seedWord::unvisited;
         const int label = int(seedWord::label(word));
         if (word == seedWord::barrier) {

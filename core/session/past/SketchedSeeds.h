@@ -26,11 +26,9 @@ struct SketchedSeeds {
     std::map<int, std::int64_t> replaced; ///< of those taken: were seeds of another, by label
 };
 
-/// The bricks that sketchedSeeds() asks about.
-[[nodiscard]] std::vector<BrickKey> wordBricks(const SeedPlacement& stroke, const BrickGrid& grid);
-/// @param before the images of wordBricks() before the stroke, as `after`
+/// @param before the seed words of the stroke's voxels before it, in their order
 [[nodiscard]] SketchedSeeds sketchedSeeds(
-    const SeedPlacement& stroke, const BrickGrid& grid, const std::vector<BrickChange>& before);
+    const SeedPlacement& stroke, const std::vector<std::uint32_t>& before);
 
 /// "5 voxels", "3 of 5 voxels (2 belong to 'Skull')", "2 voxels (1 was a seed of 'Skull')".
 [[nodiscard]] QString sketchedText(const SketchedSeeds& seeds, const Document& document);

@@ -11,7 +11,7 @@
 namespace core {
 
 /// What one stroke cuts by itself: bytes of coverage by brick, bricks that it misses left out.
-using StrokeCut = std::map<std::uint32_t, std::vector<std::uint8_t>>;
+using StrokeCut = std::map<std::uint32_t, BrickBytes>;
 
 /// Lends the engine's coverage for a look into the past: takes it back to what it was before an
 /// older row and cuts there, into a layer that no document has, so that the stroke starts on the

@@ -16,9 +16,46 @@ int labelAt(Field field, const std::uint8_t* voxel)
 {
     if (field != Field::SeedWords)
         return *voxel;
-    const std::uint32_t word = std::uint32_t(voxel[0]) | std::uint32_t(voxel[1]) << 8
-        | std::uint32_t(voxel[2]) << 16 | std::uint32_t(voxel[3]) << 24;
+    const std::uint32_t word = seedWord::wordAt(voxel);
     return word == seedWord::unvisited ? 0 : int(seedWord::label(word));
+}
+
+bool touchesSegment(int segment, const BrickImage& difference, const BrickImage& after)
+{
+    const Field field = difference.key.field;
+    const auto width = std::size_t(bytesPerVoxel(field));
+    const std::vector<std::uint8_t> empty(difference.bytes.size(), emptyByte(field));
+    const BrickImage undone = exclusiveOr(after, difference);
+    const std::vector<std::uint8_t>& now = after.bytes.empty() ? empty : after.bytes.read();
+    const std::vector<std::uint8_t>& before = undone.bytes.empty() ? empty : undone.bytes.read();
+    for (std::size_t voxel = 0; voxel < now.size(); voxel += width) {
+        const int has = labelAt(field, &now[voxel]);
+        const int had = labelAt(field, &before[voxel]);
+        const bool changed = !std::equal(&now[voxel], &now[voxel] + width, &before[voxel]);
+        if (changed && (has == segment || had == segment))
+            return true;
+    }
+    return false;
+}
+
+bool touchesBox(const VoxelBox& box, const BrickGrid& grid, const BrickImage& difference)
+{
+    const VoxelBox brick = grid.boxOf(int(difference.key.brick));
+    const glm::ivec3 low = glm::max(brick.minimum, box.minimum);
+    const glm::ivec3 high = glm::min(brick.maximum, box.maximum);
+    const int width = bytesPerVoxel(difference.key.field);
+    const std::vector<std::uint8_t>& bytes = difference.bytes.read();
+    for (int z = low.z; z < high.z; ++z) {
+        for (int y = low.y; y < high.y; ++y) {
+            for (int x = low.x; x < high.x; ++x) {
+                const auto voxel =
+                    bytes.begin() + std::ptrdiff_t(BrickGrid::offsetInBrick({x, y, z})) * width;
+                if (std::any_of(voxel, voxel + width, [](std::uint8_t byte) { return byte != 0; }))
+                    return true;
+            }
+        }
+    }
+    return false;
 }
 
 } // namespace
@@ -52,14 +89,13 @@ void TouchSearch::loadNext(SessionState& state)
     answer(state, 0);
 }
 
-void TouchSearch::takeDifferences(
-    SessionState& state, Result<std::vector<BrickImage>>&& differences)
+void TouchSearch::takeDifferences(SessionState& state, Result<RowDifferences>&& differences)
 {
     if (!differences) {
         state.fail(differences.error());
         return answer(state, 0);
     }
-    m_differences = *std::move(differences);
+    m_differences = std::move(differences->images);
     ReadBricks read;
     for (const BrickImage& difference : m_differences) {
         if (m_touch.segment != 0 && difference.key.field != Field::Coverage
@@ -88,58 +124,50 @@ void TouchSearch::takeResult(SessionState& state, EngineResult&& result)
 
 void TouchSearch::look(SessionState& state)
 {
-    const BrickGrid grid{state.document.volumes.front().geometry.size};
     const RowId row = m_rows.back();
     m_rows.pop_back();
-    if (std::binary_search(m_standing.begin(), m_standing.end(), row)
-        && std::any_of(m_differences.begin(), m_differences.end(),
-            [&](const BrickImage& difference) { return touches(grid, difference); }))
-        return answer(state, row);
-    for (const BrickImage& difference : m_differences) {
-        if (const auto image = m_images.find(difference.key); image != m_images.end())
+    const bool mayAnswer = std::binary_search(m_standing.begin(), m_standing.end(), row);
+    const BrickGrid grid{state.document.volumes.front().geometry.size};
+    const auto work = std::make_shared<Looking>(
+        Looking{.differences = std::move(m_differences), .images = std::move(m_images)});
+    state.side->post(
+        [this, touch = m_touch, grid, row, mayAnswer, work] {
+            work->touched = mayAnswer && work->touches(touch, grid);
+            work->goBack();
+            return SideThread::Sequel(
+                [this, row, work](SessionState& known) { goOn(known, row, *work); });
+        },
+        [this](SessionState& known, const Error& error) {
+            known.fail(error);
+            answer(known, 0);
+        });
+}
+
+void TouchSearch::goOn(SessionState& state, RowId row, Looking& looked)
+{
+    m_images = std::move(looked.images);
+    if (looked.touched)
+        answer(state, row);
+    else
+        loadNext(state);
+}
+
+bool TouchSearch::Looking::touches(const Touch& touch, const BrickGrid& grid) const
+{
+    return std::any_of(differences.begin(), differences.end(), [&](const BrickImage& difference) {
+        if (touch.segment == 0)
+            return touchesBox(touch.box, grid, difference);
+        return difference.key.field != Field::Coverage
+            && touchesSegment(touch.segment, difference, images.at(difference.key));
+    });
+}
+
+void TouchSearch::Looking::goBack()
+{
+    for (const BrickImage& difference : differences) {
+        if (const auto image = images.find(difference.key); image != images.end())
             image->second = exclusiveOr(image->second, difference);
     }
-    loadNext(state);
-}
-
-bool TouchSearch::touches(const BrickGrid& grid, const BrickImage& difference) const
-{
-    if (m_touch.segment != 0)
-        return difference.key.field != Field::Coverage
-            && touchesSegment(difference, m_images.at(difference.key));
-    const VoxelBox brick = grid.boxOf(int(difference.key.brick));
-    const glm::ivec3 low = glm::max(brick.minimum, m_touch.box.minimum);
-    const glm::ivec3 high = glm::min(brick.maximum, m_touch.box.maximum);
-    const int width = bytesPerVoxel(difference.key.field);
-    for (int z = low.z; z < high.z; ++z) {
-        for (int y = low.y; y < high.y; ++y) {
-            for (int x = low.x; x < high.x; ++x) {
-                const auto voxel = difference.bytes.begin()
-                    + std::ptrdiff_t(BrickGrid::offsetInBrick({x, y, z})) * width;
-                if (std::any_of(voxel, voxel + width, [](std::uint8_t byte) { return byte != 0; }))
-                    return true;
-            }
-        }
-    }
-    return false;
-}
-
-bool TouchSearch::touchesSegment(const BrickImage& difference, const BrickImage& after) const
-{
-    const Field field = difference.key.field;
-    const auto width = std::size_t(bytesPerVoxel(field));
-    const std::vector<std::uint8_t> empty(difference.bytes.size(), emptyByte(field));
-    const BrickImage undone = exclusiveOr(after, difference);
-    const std::vector<std::uint8_t>& now = after.bytes.empty() ? empty : after.bytes;
-    const std::vector<std::uint8_t>& before = undone.bytes.empty() ? empty : undone.bytes;
-    for (std::size_t voxel = 0; voxel < now.size(); voxel += width) {
-        const int has = labelAt(field, &now[voxel]);
-        const int had = labelAt(field, &before[voxel]);
-        const bool changed = !std::equal(&now[voxel], &now[voxel] + width, &before[voxel]);
-        if (changed && (has == m_touch.segment || had == m_touch.segment))
-            return true;
-    }
-    return false;
 }
 
 void TouchSearch::answer(SessionState& state, RowId row)

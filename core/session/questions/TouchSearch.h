@@ -25,15 +25,23 @@ public:
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
-    void takeDifferences(
-        SessionState& state, Result<std::vector<BrickImage>>&& differences) override;
+    void takeDifferences(SessionState& state, Result<RowDifferences>&& differences) override;
     [[nodiscard]] bool done() const override { return m_done; }
 
 private:
+    /// What is looked at beside the session's thread.
+    struct Looking {
+        std::vector<BrickImage> differences; ///< of a row
+        std::map<BrickKey, BrickImage> images; ///< as that row left them
+        bool touched = false;
+
+        [[nodiscard]] bool touches(const Touch& touch, const BrickGrid& grid) const;
+        /// From what the row left to what it found.
+        void goBack();
+    };
     void loadNext(SessionState& state);
     void look(SessionState& state);
-    [[nodiscard]] bool touches(const BrickGrid& grid, const BrickImage& difference) const;
-    [[nodiscard]] bool touchesSegment(const BrickImage& difference, const BrickImage& after) const;
+    void goOn(SessionState& state, RowId row, Looking& looked);
     void answer(SessionState& state, RowId row);
 
     Touch m_touch;

@@ -54,6 +54,9 @@ public:
     /// What is under way is given up: it fails, which only those are told who wait for it.
     void cancel();
 
+    /// Waits until what was begun on its thread is done.
+    void finish() { m_thread.finish(); }
+
     /// @return whether it was the answer to a question of its own
     bool take(const EngineResult& result);
     /// @return whether want() led to something since it was called last

@@ -96,7 +96,16 @@ void CommitWorker::load(RowId row)
             const Error& error) { report({.row = row, .differences = tl::unexpected(error)}); });
 }
 
-Result<std::vector<BrickImage>> CommitWorker::differencesOf(RowId row)
+Result<RowDifferences> CommitWorker::differencesOf(RowId row)
+{
+    Result<std::vector<BrickImage>> images = imagesOf(row);
+    if (!images)
+        return tl::unexpected(images.error());
+    std::vector<ChangedWords> words = changedWords(*images, m_grid);
+    return RowDifferences{.images = *std::move(images), .words = std::move(words)};
+}
+
+Result<std::vector<BrickImage>> CommitWorker::imagesOf(RowId row)
 {
     if (!m_file)
         return expandDelta(m_deltas[row], m_grid);

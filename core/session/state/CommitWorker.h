@@ -4,6 +4,7 @@
 #include "core/base/TaskThread.h"
 #include "core/delta/BrickDelta.h"
 #include "core/history/History.h"
+#include "core/session/state/RowDifferences.h"
 #include "core/session/surface/SurfaceStep.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/records/StateHash.h"
@@ -29,7 +30,7 @@ public:
         RowId row = 0;
         std::size_t deltaBytes = 0; ///< after commit()
         QByteArray stateHash; ///< after commit()
-        std::optional<Result<std::vector<BrickImage>>> differences; ///< after load()
+        std::optional<Result<RowDifferences>> differences; ///< after load()
         std::optional<Error> error; ///< it cannot be had; the hashes that follow cannot, either
     };
 
@@ -58,7 +59,8 @@ private:
     void attempt(const std::function<void()>& work);
     void complete(RowId row, const QByteArray& documentJson, BrickDelta delta);
     void report(Report report);
-    [[nodiscard]] Result<std::vector<BrickImage>> differencesOf(RowId row);
+    [[nodiscard]] Result<RowDifferences> differencesOf(RowId row);
+    [[nodiscard]] Result<std::vector<BrickImage>> imagesOf(RowId row);
 
     BrickGrid m_grid;
     SessionFile* m_file = nullptr;

@@ -14,7 +14,7 @@ public:
     virtual void start(SessionState& state) = 0;
     /// A result that nobody else waits for: the operation's own, or one it no longer cares for.
     virtual void takeResult(SessionState&, EngineResult&&) { }
-    virtual void takeDifferences(SessionState&, Result<std::vector<BrickImage>>&&) { }
+    virtual void takeDifferences(SessionState&, Result<RowDifferences>&&) { }
     /// SessionState::chunks has something new.
     virtual void takeChunks(SessionState&) { }
     [[nodiscard]] virtual bool done() const = 0;

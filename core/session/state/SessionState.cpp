@@ -13,24 +13,11 @@ namespace core {
 
 namespace {
 
-void count(const std::vector<std::uint8_t>& labels, std::int64_t sign,
-    std::array<std::int64_t, 256>& voxels)
-{
-    for (const std::uint8_t label : labels)
-        voxels[label] += sign;
-}
-
 /// Whether voxels came to a segment or went from it.
-bool changesSegment(const std::vector<BrickChange>& changes, const Segment& segment)
+bool changesSegment(const ChangeFacts& facts, const Segment& segment)
 {
-    const auto label = std::uint8_t(segment.label);
-    return std::any_of(changes.begin(), changes.end(), [&](const BrickChange& change) {
-        return change.key.field == Field::Labels && change.key.plane == segment.plane
-            && !std::equal(change.before.begin(), change.before.end(), change.after.begin(),
-                change.after.end(), [label](std::uint8_t before, std::uint8_t after) {
-                    return (before == label) == (after == label);
-                });
-    });
+    const LabelFlow flow = facts.flow(segment.plane, segment.label);
+    return flow.gained > 0 || flow.lost > 0;
 }
 
 /// What a row made of a document.
@@ -53,12 +40,12 @@ SessionState::SessionState(EditEngine& lentEngine, Volume volume)
 }
 
 /// A row for what was carried out, in memory and on its way to disk.
-RowId SessionState::append(const Edit& edit, const std::vector<BrickChange>& changes,
+RowId SessionState::append(const Edit& edit, const ChangeFacts& facts,
     const EditStatistics& statistics, std::optional<std::uint32_t> generation,
     const QString& remark)
 {
     HistoryRow row;
-    row.name = rowName(edit, statistics, changes, document, history,
+    row.name = rowName(edit, statistics, facts, document, history,
         std::holds_alternative<SeedStroke>(edit) ? lastSketched : std::nullopt);
     if (!remark.isEmpty())
         row.name += QStringLiteral(", ") + remark;
@@ -68,7 +55,7 @@ RowId SessionState::append(const Edit& edit, const std::vector<BrickChange>& cha
     row.statistics = statistics;
     if (const Segment* refined = surfaceBefore ? document.segment(surfaceBefore->segment) : nullptr)
         row.statistics.surfaceMaskChanged =
-            !std::holds_alternative<WriteBack>(edit) && changesSegment(changes, *refined);
+            !std::holds_alternative<WriteBack>(edit) && changesSegment(facts, *refined);
     applyRow(edit, row.statistics, document);
     placeSegments();
     muteLayers();
@@ -92,12 +79,12 @@ void SessionState::tellCommitted(const Edit& edit)
     tell(DocumentChange::What::History);
 }
 
-void SessionState::commit(const Edit& edit, std::vector<BrickChange> changes,
-    const EditStatistics& statistics, std::optional<std::uint32_t> generation)
+void SessionState::commit(
+    const Edit& edit, EngineResult&& result, std::optional<std::uint32_t> generation)
 {
-    takeIn(changes);
-    const RowId id = append(edit, changes, statistics, generation);
-    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
+    takeIn(result.facts);
+    const RowId id = append(edit, result.facts, result.statistics, generation);
+    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(result.changes));
     worker->commit(id, shared, documentJson());
     recent.keep(id, shared, false);
     tellCommitted(edit);
@@ -128,22 +115,22 @@ void SessionState::completeSurface(RowId row, std::shared_ptr<const SurfaceStep>
     tell(DocumentChange::What::History);
 }
 
-void SessionState::complete(RowId row, std::vector<BrickChange> changes)
+void SessionState::complete(RowId row, EngineResult&& result)
 {
-    takeIn(changes);
+    takeIn(result.facts);
     history.moveTo(row);
     placeDocument();
     if (file)
         file->setPosition(row);
-    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
+    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(result.changes));
     worker->commit(row, shared, documentJson());
     recent.keep(row, shared, false);
     tell(DocumentChange::What::History);
 }
 
-void SessionState::moveTo(RowId position, RowId over, std::vector<BrickChange> changes)
+void SessionState::moveTo(RowId position, RowId over, EngineResult&& result)
 {
-    takeIn(changes);
+    takeIn(result.facts);
     const bool isBack = position != over;
     history.moveTo(position);
     placeDocument();
@@ -151,7 +138,7 @@ void SessionState::moveTo(RowId position, RowId over, std::vector<BrickChange> c
     showSurface();
     if (file)
         file->setPosition(position);
-    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(changes));
+    const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(result.changes));
     worker->move(shared);
     recent.keep(over, shared, isBack);
     tell(DocumentChange::What::Segments);
@@ -168,8 +155,10 @@ void SessionState::moveTo(RowId position, RowId over, std::vector<BrickChange> c
 void SessionState::begin(std::vector<BrickImage> bricks)
 {
     for (const BrickImage& brick : bricks) {
-        if (brick.key.field == Field::Labels)
-            count(brick.bytes, 1, m_voxels);
+        if (brick.key.field != Field::Labels)
+            continue;
+        for (const std::uint8_t label : brick.bytes.read())
+            ++m_voxels[label];
     }
     placeDocument();
     m_isSurfaceShown = document.surface.has_value();
@@ -177,38 +166,18 @@ void SessionState::begin(std::vector<BrickImage> bricks)
 }
 
 /// Counts voxels of segments and tells where something is different.
-void SessionState::takeIn(const std::vector<BrickChange>& changes)
+void SessionState::takeIn(const ChangeFacts& facts)
 {
-    const BrickGrid grid{document.volumes.front().geometry.size};
-    VoxelBox coverage;
-    VoxelBox labels;
-    VoxelBox seeds;
-    for (const BrickChange& change : changes) {
-        const VoxelBox box = grid.boxOf(int(change.key.brick));
-        switch (change.key.field) {
-        case Field::Coverage:
-            coverage = coverage.united(box);
-            break;
-        case Field::Labels:
-            count(change.before, -1, m_voxels);
-            count(change.after, 1, m_voxels);
-            labels = labels.united(box);
-            break;
-        case Field::SeedWords:
-            seeds = seeds.united(box);
-            break;
-        case Field::Beneath: // nothing that is seen
-            break;
-        }
-    }
-    if (!coverage.empty())
-        tell(DocumentChange::What::Coverage, coverage);
-    if (!labels.empty()) {
-        tell(DocumentChange::What::Labels, labels);
+    for (const LabelFlow& flow : facts.flows)
+        m_voxels[flow.label] += flow.gained - flow.lost;
+    if (!facts.coverage.empty())
+        tell(DocumentChange::What::Coverage, facts.coverage);
+    if (!facts.labels.empty()) {
+        tell(DocumentChange::What::Labels, facts.labels);
         tell(DocumentChange::What::Segments);
     }
-    if (!seeds.empty())
-        tell(DocumentChange::What::Growth, seeds);
+    if (!facts.seedWords.empty())
+        tell(DocumentChange::What::Growth, facts.seedWords);
 }
 
 RowId SessionState::divisionRow() const

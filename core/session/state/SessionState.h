@@ -43,17 +43,16 @@ public:
 
     /// A command was carried out on voxels: what it changes in the document, and a row for it, in
     /// memory and on its way to disk.
-    void commit(const Edit& edit, std::vector<BrickChange> changes,
-        const EditStatistics& statistics, std::optional<std::uint32_t> generation);
+    void commit(const Edit& edit, EngineResult&& result, std::optional<std::uint32_t> generation);
     /// An edit of the surface was carried out: a row for it. The surface is as the step left it.
     /// @param remark what the row's name says besides, or nothing
     void commitSurface(
         const Edit& edit, std::shared_ptr<const SurfaceStep> step, const QString& remark = {});
     void completeSurface(RowId row, std::shared_ptr<const SurfaceStep> step);
     /// A row of an opened session was carried out again, because it lacked its second half.
-    void complete(RowId row, std::vector<BrickChange> changes);
+    void complete(RowId row, EngineResult&& result);
     /// The voxels now are those of @p position: a row was carried out again or taken back.
-    void moveTo(RowId position, RowId over, std::vector<BrickChange> changes);
+    void moveTo(RowId position, RowId over, EngineResult&& result);
     /// Takes in the bricks of an opened session.
     void begin(std::vector<BrickImage> bricks);
 
@@ -111,11 +110,10 @@ public:
     std::optional<Error> firstError; ///< since settle() was called last
 
 private:
-    RowId append(const Edit& edit, const std::vector<BrickChange>& changes,
-        const EditStatistics& statistics, std::optional<std::uint32_t> generation,
-        const QString& remark = {});
+    RowId append(const Edit& edit, const ChangeFacts& facts, const EditStatistics& statistics,
+        std::optional<std::uint32_t> generation, const QString& remark = {});
     void tellCommitted(const Edit& edit);
-    void takeIn(const std::vector<BrickChange>& changes);
+    void takeIn(const ChangeFacts& facts);
     void placeDocument();
     void placeSegments();
     void muteLayers();

@@ -258,7 +258,7 @@ SurfaceWork::Outcome SurfaceWork::stepOf(
 
 Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const LaySurface& edit, Ending)
 {
-    VoxelRuns voxels = labelRuns(m_read.labels, m_segment.label);
+    VoxelRuns voxels = labelRuns(m_labels, m_segment.label);
     if (voxels.empty())
         return failure(ErrorCode::InvalidField, QStringLiteral("surface.segment"),
             QStringLiteral("'%1' has no voxels").arg(m_segment.name));
@@ -279,7 +279,7 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const LaySurface& edit, Endin
 
 Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const FollowMask&, Ending)
 {
-    VoxelRuns voxels = labelRuns(m_read.labels, m_segment.label);
+    VoxelRuns voxels = labelRuns(m_labels, m_segment.label);
     if (voxels.empty())
         return failure(ErrorCode::InvalidField, QStringLiteral("followMask"),
             QStringLiteral("'%1' has no voxels any more").arg(m_segment.name));
@@ -346,7 +346,7 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const WriteBack&, Ending)
     if (!enclosed)
         return tl::unexpected(enclosed.error());
     return Outcome{.step = nullptr,
-        .voxels = writeBackOf(*enclosed, m_read.labels, m_surface.geometry().size,
+        .voxels = writeBackOf(*enclosed, m_labels, m_surface.geometry().size,
             {.plane = m_segment.plane, .label = m_segment.label, .overwritable = m_overwritable})};
 }
 

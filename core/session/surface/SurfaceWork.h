@@ -28,7 +28,6 @@ public:
 
     /// What it reads of the volume.
     struct Read {
-        std::vector<std::uint8_t> labels; ///< of the segment's plane, x fastest; readsLabels()
         VoxelBox greyBox; ///< greyBoxOf()
         std::vector<std::uint16_t> codes; ///< of that box, x fastest
         SurfacePast past; ///< of a WriteBack
@@ -36,6 +35,9 @@ public:
     SurfaceWork(SurfaceState& surface, SurfaceEdit edit, const Document& document, Read read);
     ~SurfaceWork();
 
+    /// Before all else, where it reads them (readsLabels()).
+    /// @param labels of the segment's plane, x fastest
+    void setLabels(std::vector<std::uint8_t> labels) { m_labels = std::move(labels); }
     /// Of a template all that it does is done and shown then; the end takes it or takes it back.
     /// Errors: nothing can come of it.
     Result<void> begin();
@@ -67,6 +69,7 @@ private:
     std::bitset<256> m_overwritable;
     std::bitset<256> m_locked; ///< labels of the segment's plane
     Read m_read;
+    std::vector<std::uint8_t> m_labels;
     std::unique_ptr<const GreyBox> m_grey;
     std::optional<Error> m_error; ///< why nothing can come of it
     std::unique_ptr<SurfaceStroke> m_stroke; ///< after m_grey, which it reads

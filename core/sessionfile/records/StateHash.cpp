@@ -33,7 +33,7 @@ void StateHash::update(const std::vector<BrickImage>& bricks)
 {
     std::vector<NodeKey> touched;
     for (const BrickImage& brick : bricks)
-        setLeaf(brick.key, brick.bytes, touched);
+        setLeaf(brick.key, brick.bytes.read(), touched);
     updateAbove(std::move(touched));
 }
 
@@ -41,7 +41,7 @@ void StateHash::update(const std::vector<BrickChange>& changes)
 {
     std::vector<NodeKey> touched;
     for (const BrickChange& change : changes)
-        setLeaf(change.key, change.after, touched);
+        setLeaf(change.key, change.after.read(), touched);
     updateAbove(std::move(touched));
 }
 

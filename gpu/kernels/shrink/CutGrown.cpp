@@ -45,11 +45,7 @@ std::vector<core::BrickImage> imagesOf(
     std::vector<core::BrickKey> keys;
     for (const core::CutBrick& brick : cut.bricks)
         keys.push_back({.field = field, .plane = plane, .brick = brick.brick});
-    auto bytes = readImages(fields, keys);
-    std::vector<core::BrickImage> images;
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        images.push_back({.key = keys[i], .bytes = std::move(bytes[i])});
-    return images;
+    return imagesNow(fields, keys);
 }
 
 } // namespace
@@ -74,18 +70,17 @@ core::Result<CutOutcome> cutGrown(
         images.push_back(
             {.key = {.field = core::Field::SeedWords, .plane = command.plane, .brick = brick.brick},
                 .bytes = bytesOf(brick.words)});
-        core::BrickImage kept = held[i];
-        core::BrickImage below = beneath[i];
-        for (std::size_t voxel = 0; voxel < kept.bytes.size(); ++voxel) {
-            if (brick.leaving[voxel] == 0 || kept.bytes[voxel] != brick.leaving[voxel])
+        std::vector<std::uint8_t> kept = held[i].bytes.read();
+        std::vector<std::uint8_t> below = beneath[i].bytes.read();
+        for (std::size_t voxel = 0; voxel < kept.size(); ++voxel) {
+            if (brick.leaving[voxel] == 0 || kept[voxel] != brick.leaving[voxel])
                 continue;
-            kept.bytes[voxel] =
-                below.bytes.empty() ? std::uint8_t(0) : std::exchange(below.bytes[voxel], 0);
+            kept[voxel] = below.empty() ? std::uint8_t(0) : std::exchange(below[voxel], 0);
         }
-        if (kept.bytes != held[i].bytes)
-            images.push_back(std::move(kept));
-        if (below.bytes != beneath[i].bytes)
-            images.push_back(std::move(below));
+        if (kept != held[i].bytes.read())
+            images.push_back({.key = held[i].key, .bytes = std::move(kept)});
+        if (below != beneath[i].bytes.read())
+            images.push_back({.key = beneath[i].key, .bytes = std::move(below)});
     }
     std::map<core::Field, std::vector<std::uint32_t>> written;
     for (const core::BrickImage& image : images)

@@ -56,9 +56,9 @@ std::vector<BrickChange> frontInNoise()
             9 + voxel % 16 + voxel / 16 % 16 + voxel / 256 + (random() % 90 == 0 ? 2 : 0);
         const std::uint32_t direction = voxel % 16 != 0 ? 0 : voxel / 16 % 16 != 0 ? 2 : 4;
         const std::uint32_t word = hole ? 0xFFFFFFFFU : generation << 13 | 7U << 5 | direction;
-        changes[0].after.push_back(hole ? 0 : 7);
+        changes[0].after.write().push_back(hole ? 0 : 7);
         for (int shift = 0; shift < 32; shift += 8)
-            changes[1].after.push_back(std::uint8_t(word >> shift));
+            changes[1].after.write().push_back(std::uint8_t(word >> shift));
     }
     return changes;
 }
@@ -113,7 +113,7 @@ private Q_SLOTS:
         for (std::uint32_t voxel = 0; voxel < BrickGrid::voxelsPerBrick; ++voxel) {
             const std::uint32_t word = (40 + voxel / 256) << 13 | 1u << 5 | voxel % 6;
             for (int shift = 0; shift < 32; shift += 8)
-                change.after.push_back(std::uint8_t(word >> shift));
+                change.after.write().push_back(std::uint8_t(word >> shift));
         }
         QVERIFY(makeDelta({change}, grid).bytes() < change.after.size() / 20);
     }

@@ -189,8 +189,8 @@ private Q_SLOTS:
             for (BrickChange& change : changes) {
                 if (change.key.field != Field::SeedWords)
                     continue;
-                std::vector<std::uint32_t> before = wordsOf(change.before);
-                std::vector<std::uint32_t> after = wordsOf(change.after);
+                std::vector<std::uint32_t> before = wordsOf(change.before.read());
+                std::vector<std::uint32_t> after = wordsOf(change.after.read());
                 for (std::size_t i = 0; i < after.size(); ++i) {
                     if (random() % unsigned(oneOf) != 0)
                         continue;
@@ -227,11 +227,11 @@ private Q_SLOTS:
                 expandDelta(makeDelta(changes, grid), grid);
             QVERIFY(images);
             for (std::size_t i = 0; i < changes.size(); ++i) {
-                const std::vector<std::uint32_t> difference = wordsOf(images->at(i).bytes);
+                const std::vector<std::uint32_t> difference = wordsOf(images->at(i).bytes.read());
                 if (changes[i].key.field != Field::SeedWords)
                     continue;
-                std::vector<std::uint32_t> expected = wordsOf(changes[i].before);
-                const std::vector<std::uint32_t> after = wordsOf(changes[i].after);
+                std::vector<std::uint32_t> expected = wordsOf(changes[i].before.read());
+                const std::vector<std::uint32_t> after = wordsOf(changes[i].after.read());
                 for (std::size_t voxel = 0; voxel < after.size(); ++voxel)
                     expected[voxel] ^= after[voxel];
                 QVERIFY(difference == expected);

@@ -88,7 +88,7 @@ public:
         WordBricks words(grid, std::size_t(grid.brickCount()));
         for (const BrickChange& brick : bricks()) {
             if (!brick.after.empty())
-                words.add(brick.key.brick, brick.after);
+                words.add(brick.key.brick, brick.after.read());
         }
         words.link();
         return words;

@@ -39,7 +39,7 @@ Coverage coverageOf(EditEngine& engine, const glm::ivec3& size, int lastLayer = 
     for (const EngineResult& result : engine.collect()) {
         for (const BrickChange& change : result.changes) {
             if (result.ticket == ticket && !change.after.empty())
-                coverage[{change.key.plane, change.key.brick}] = change.after;
+                coverage[{change.key.plane, change.key.brick}] = change.after.read();
         }
     }
     return coverage;
@@ -150,7 +150,7 @@ private:
         for (const EngineResult& result : engine.collect()) {
             for (const BrickChange& change : result.changes) {
                 if (result.ticket == ticket)
-                    bricks[change.key.brick] = change.after;
+                    bricks[change.key.brick] = change.after.read();
             }
         }
         return bricks;

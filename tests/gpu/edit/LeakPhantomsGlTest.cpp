@@ -74,7 +74,7 @@ public:
             const core::VoxelBox box = grid.boxOf(int(brick.key.brick));
             for (int i = 0; i < int(brick.after.size()) / 4; ++i) {
                 const glm::ivec3 voxel = box.minimum + glm::ivec3(i & 15, i >> 4 & 15, i >> 8);
-                const auto* bytes = brick.after.data() + 4 * std::size_t(i);
+                const auto* bytes = brick.after.read().data() + 4 * std::size_t(i);
                 const std::uint32_t word = std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8
                     | std::uint32_t(bytes[2]) << 16 | std::uint32_t(bytes[3]) << 24;
                 if (!core::seedWord::isMember(word) || core::seedWord::generation(word) <= latest
@@ -107,7 +107,7 @@ public:
                 for (int y = box.minimum.y; y < box.maximum.y; ++y) {
                     for (int x = box.minimum.x; x < box.maximum.x; ++x) {
                         const glm::ivec3 voxel(x, y, z);
-                        if (brick.after[std::size_t(core::BrickGrid::offsetInBrick(voxel))] == 0)
+                        if (brick.after.read()[std::size_t(core::BrickGrid::offsetInBrick(voxel))] == 0)
                             continue;
                         ++(m_phantom.leak.at(voxel) ? found.leak : found.body);
                     }

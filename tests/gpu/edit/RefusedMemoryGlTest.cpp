@@ -134,13 +134,13 @@ private:
         std::map<BrickKey, const std::vector<std::uint8_t>*> changed;
         if (!result.error && !rolledBack) {
             for (const BrickChange& change : result.changes)
-                changed[change.key] = &change.after;
+                changed[change.key] = &change.after.read();
         }
         for (std::size_t i = 0; i < now->bricks.size(); ++i) {
             const BrickChange& before = m_before->bricks[i];
             const auto told = changed.find(before.key);
-            const auto& expected = told == changed.end() ? before.after : *told->second;
-            if (now->bricks[i].after != expected)
+            const auto& expected = told == changed.end() ? before.after.read() : *told->second;
+            if (now->bricks[i].after.read() != expected)
                 complain(QStringLiteral("field %1, plane %2, brick %3 %4")
                              .arg(int(before.key.field))
                              .arg(before.key.plane)

@@ -255,7 +255,7 @@ std::vector<EngineCase> refusalCases()
     const BrickImage image{{Field::Labels, 0, 0},
         std::vector<std::uint8_t>(std::size_t(BrickGrid::voxelsPerBrick), 5)};
     BrickImage cut = image;
-    cut.bytes.resize(17);
+    cut.bytes.write().resize(17);
     DrillCut noPitch = drill;
     noPitch.frame.pitch = 0;
     DrillCut noRamp = drill;

@@ -32,7 +32,8 @@ QString differenceOfBricks(
         if (a.key != b.key)
             return QStringLiteral("expected %1, found %2").arg(describe(a.key), describe(b.key));
         for (const auto& [which, x, y] :
-            {std::tuple{"before", &a.before, &b.before}, std::tuple{"after", &a.after, &b.after}}) {
+            {std::tuple{"before", &a.before.read(), &b.before.read()},
+                std::tuple{"after", &a.after.read(), &b.after.read()}}) {
             if (x->size() != y->size())
                 return QStringLiteral("%1, %2: %3 bytes expected, %4 found")
                     .arg(describe(a.key), QLatin1String(which))
@@ -52,6 +53,22 @@ QString differenceOfBricks(
             .arg(expected.size())
             .arg(actual.size());
     return {};
+}
+
+/// The XOR of both images of a change.
+core::BrickImage differenceOf(const core::BrickChange& change)
+{
+    const core::Field field = change.key.field;
+    const std::size_t size =
+        std::size_t(core::BrickGrid::voxelsPerBrick * core::bytesPerVoxel(field));
+    const std::vector<std::uint8_t> empty(size, core::emptyByte(field));
+    const std::vector<std::uint8_t>& before =
+        change.before.empty() ? empty : change.before.read();
+    const std::vector<std::uint8_t>& after = change.after.empty() ? empty : change.after.read();
+    std::vector<std::uint8_t> difference(size);
+    for (std::size_t i = 0; i < size; ++i)
+        difference[i] = before[i] ^ after[i];
+    return {change.key, std::move(difference)};
 }
 
 /// Runs a case and keeps the books that a session would keep.
@@ -247,8 +264,8 @@ private:
             core::ForeseenCut::Brick& brick = taken.emplace_back();
             brick.brick = change.key.brick;
             for (std::size_t voxel = 0; voxel < change.before.size(); ++voxel) {
-                const int now = change.after.empty() ? 0 : change.after[voxel];
-                brick.taken[voxel] = change.before[voxel] != now;
+                const int now = change.after.empty() ? 0 : change.after.read()[voxel];
+                brick.taken[voxel] = change.before.read()[voxel] != now;
             }
         }
         if (taken != foreseen.foreseen->bricks
@@ -301,12 +318,19 @@ private:
             m_generations[*entry.growthPlane] = entry.generationAfter;
     }
 
+    /// Back as a session does while bricks are at hand, forward as it does from the disk.
     void swap(const Entry& entry, bool forward)
     {
         core::SwapBricks swap;
-        for (const core::BrickChange& change : resultOf(entry.command).changes)
-            swap.bricks.push_back({change.key, forward ? change.after : change.before});
-        submit(std::move(swap));
+        core::XorBricks lay;
+        for (const core::BrickChange& change : resultOf(entry.command).changes) {
+            swap.bricks.push_back({change.key, change.before});
+            lay.differences.push_back(differenceOf(change));
+        }
+        if (forward)
+            submit(std::move(lay));
+        else
+            submit(std::move(swap));
     }
 
     void carryOut(const Settle&)

@@ -43,7 +43,7 @@ std::map<BrickKey, std::vector<std::uint8_t>> everything(EditEngine& engine, con
     for (const EngineResult& result : engine.collect()) {
         for (const BrickChange& brick : result.changes) {
             if (result.ticket == ticket && !brick.after.empty())
-                found[brick.key] = brick.after;
+                found[brick.key] = brick.after.read();
         }
     }
     return found;
@@ -485,7 +485,7 @@ HistoryTruth::Bricks HistoryTruth::after(const Bricks& before, const EngineEdit&
         if (generation)
             *generation = result.generation;
         for (BrickChange& change : result.changes) {
-            bricks[change.key] = std::move(change.after);
+            bricks[change.key] = change.after.read();
             if (bricks[change.key].empty())
                 bricks.erase(change.key);
         }

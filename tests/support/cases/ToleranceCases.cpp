@@ -66,9 +66,9 @@ SwapBricks randomState(const glm::ivec3& size, Random& random)
                 + glm::ivec3(offset & 15, offset >> 4 & 15, offset >> 8);
             const bool inside = glm::all(glm::lessThan(voxel, size));
             const bool sound = inside && (word == seedWord::barrier || seedWord::label(word) != 0);
-            labels.bytes.push_back(inside ? label : 0);
+            labels.bytes.write().push_back(inside ? label : 0);
             for (int byte = 0; byte < 4; ++byte)
-                words.bytes.push_back(
+                words.bytes.write().push_back(
                     std::uint8_t((sound ? word : seedWord::unvisited) >> (8 * byte)));
         }
         swap.bricks.push_back(std::move(labels));

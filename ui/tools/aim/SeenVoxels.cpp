@@ -92,7 +92,7 @@ void keepMembers(
 {
     std::map<core::BrickKey, const std::vector<std::uint8_t>*> known;
     for (const core::BrickChange& brick : bricks.changes)
-        known[brick.key] = &brick.after;
+        known[brick.key] = &brick.after.read();
     for (Way& way : ways) {
         std::erase_if(way.samples, [&](const Sample& sample) {
             const int brick = grid.brickOf(sample.voxel);

@@ -20,8 +20,8 @@ Changes changesOf(std::size_t bytes, std::uint8_t value)
 {
     std::vector<BrickChange> changes(1);
     changes[0].key = {.field = Field::Coverage, .plane = 1, .brick = value};
-    changes[0].before.assign(bytes, value);
-    changes[0].after.assign(bytes, std::uint8_t(value + 100));
+    changes[0].before = std::vector<std::uint8_t>(bytes, value);
+    changes[0].after = std::vector<std::uint8_t>(bytes, std::uint8_t(value + 100));
     return std::make_shared<const std::vector<BrickChange>>(std::move(changes));
 }
 
@@ -49,11 +49,11 @@ private Q_SLOTS:
             const auto images = steps.images(5, withRow);
             QVERIFY(images && images->size() == 1);
             QVERIFY((images->front().key == BrickKey{Field::Coverage, 1, 1}));
-            QCOMPARE(int(images->front().bytes.front()), withRow != takenBack ? 101 : 1);
+            QCOMPARE(int(images->front().bytes.read().front()), withRow != takenBack ? 101 : 1);
         }
         // What was there before is replaced, whichever way it was.
         steps.keep(5, changesOf(10, 7), !takenBack);
-        QCOMPARE(int(steps.images(5, true)->front().bytes.front()), takenBack ? 107 : 7);
+        QCOMPARE(int(steps.images(5, true)->front().bytes.read().front()), takenBack ? 107 : 7);
     }
 
     void letsGoOfWhatWasUsedLongestAgo()

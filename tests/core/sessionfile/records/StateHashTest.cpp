@@ -131,8 +131,8 @@ private Q_SLOTS:
                         change.after = filled(field, emptyByte(field));
                 } else {
                     change.after = filled(field, std::uint8_t(1 + random() % 200));
-                    change.after[random() % change.after.size()] = 201;
-                    reference.bricks[key] = change.after;
+                    change.after.write()[random() % change.after.size()] = 201;
+                    reference.bricks[key] = change.after.read();
                 }
                 changes.push_back(std::move(change));
             }

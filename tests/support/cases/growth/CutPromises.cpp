@@ -221,7 +221,7 @@ Words seedWordsOf(core::EditEngine& engine, const glm::ivec3& size)
             continue;
         std::vector<std::uint32_t> held(core::BrickGrid::voxelsPerBrick, 0);
         for (std::size_t i = 0; i < brick.after.size(); ++i)
-            held[i / 4] |= std::uint32_t(brick.after[i]) << (8 * (i % 4));
+            held[i / 4] |= std::uint32_t(brick.after.read()[i]) << (8 * (i % 4));
         putBrick(words, brick.key.brick, held);
     }
     return words;

@@ -22,7 +22,7 @@ void paste(
                                        + static_cast<std::size_t>(y))
                         * std::size_t(grid.volumeSize.x)
                     + static_cast<std::size_t>(x);
-                mask[index] = change.after[offset];
+                mask[index] = change.after.read()[offset];
             }
         }
     }

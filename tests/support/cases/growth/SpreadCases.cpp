@@ -37,7 +37,7 @@ EngineStep barred(const glm::ivec3& size, const std::vector<glm::ivec3>& voxels)
         swap.bricks.push_back({{core::Field::SeedWords, 0, std::uint32_t(brick)},
             std::vector<std::uint8_t>(std::size_t(4) * core::BrickGrid::voxelsPerBrick, 0xFF)});
     for (const glm::ivec3& voxel : voxels) {
-        auto& bytes = swap.bricks[std::size_t(grid.brickOf(voxel))].bytes;
+        auto& bytes = swap.bricks[std::size_t(grid.brickOf(voxel))].bytes.write();
         std::fill_n(bytes.begin() + 4 * std::ptrdiff_t(core::BrickGrid::offsetInBrick(voxel)), 4,
             std::uint8_t(core::seedWord::barrier));
     }

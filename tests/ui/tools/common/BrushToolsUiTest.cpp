@@ -67,7 +67,7 @@ public:
                 for (int z = box.minimum.z; z < box.maximum.z && !brick.after.empty(); ++z)
                     for (int y = box.minimum.y; y < box.maximum.y; ++y)
                         for (int x = box.minimum.x; x < box.maximum.x; ++x)
-                            if (brick.after[std::size_t(core::BrickGrid::offsetInBrick({x, y, z}))]
+                            if (brick.after.read()[std::size_t(core::BrickGrid::offsetInBrick({x, y, z}))]
                                 >= least)
                                 found.insert({x, y, z});
             }

@@ -61,7 +61,7 @@ public:
             read.keys.push_back({core::Field::Coverage, 1, std::uint32_t(brick)});
         session().ask(read, [&count](const core::EngineResult& result) {
             for (const core::BrickChange& brick : result.changes)
-                count += std::count_if(brick.after.begin(), brick.after.end(),
+                count += std::count_if(brick.after.read().begin(), brick.after.read().end(),
                     [](std::uint8_t coverage) { return coverage >= 128; });
         });
         session().poll();

@@ -127,7 +127,7 @@ public:
                 for (std::size_t at = 0; at + 4 <= brick.after.size(); at += 4) {
                     std::uint32_t word = 0;
                     for (std::size_t byte = 0; byte < 4; ++byte)
-                        word |= std::uint32_t(brick.after[at + byte]) << (8 * byte);
+                        word |= std::uint32_t(brick.after.read()[at + byte]) << (8 * byte);
                     count += word == core::seedWord::barrier ? 1 : 0;
                 }
             }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/brick/BrickBytes.h"
+
+#include "core/brick/ThreadWithoutVoxels.h"
+
+#include <utility>
+
+namespace core {
+
+BrickBytes::BrickBytes(std::vector<std::uint8_t> bytes)
+{
+    if (!bytes.empty())
+        m_bytes = std::make_shared<std::vector<std::uint8_t>>(std::move(bytes));
+}
+
+const std::vector<std::uint8_t>& BrickBytes::read() const
+{
+    static const std::vector<std::uint8_t> none;
+    noteVoxelsLookedAt();
+    return m_bytes ? *m_bytes : none;
+}
+
+std::vector<std::uint8_t>& BrickBytes::write()
+{
+    noteVoxelsLookedAt();
+    if (!m_bytes)
+        m_bytes = std::make_shared<std::vector<std::uint8_t>>();
+    else if (m_bytes.use_count() > 1)
+        m_bytes = std::make_shared<std::vector<std::uint8_t>>(*m_bytes);
+    return *m_bytes;
+}
+
+bool operator==(const BrickBytes& one, const BrickBytes& other)
+{
+    return one.m_bytes == other.m_bytes || one.read() == other.read();
+}
+
+} // namespace core

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/past/GuardedLabels.h"
+
+#include "core/edits/engine/SparedSegments.h"
+
+namespace core {
+
+LabelGuard carvingGuard(const Document& document)
+{
+    SparedSegments all;
+    spareProtected(all, document);
+    const SparedLabels spared = sparedLabels(all, document);
+    return {.plane = spared.plane, .uncarved = spared.labels};
+}
+
+LabelGuard fullGuard(const Document& document)
+{
+    LabelGuard guard = carvingGuard(document);
+    for (const Segment& segment : document.segments)
+        guard.kept.set(segment.label, segment.locked);
+    return guard;
+}
+
+Error withSegmentName(const Error& error, const Document& document)
+{
+    if (error.code != ErrorCode::SegmentLocked && error.code != ErrorCode::SegmentProtected)
+        return error;
+    const Segment* segment = document.segment(error.arguments.value(0).toInt());
+    return segment ? Error{error.code, {segment->name}} : error;
+}
+
+} // namespace core
