@@ -3,7 +3,10 @@
 
 #include "core/base/Error.h"
 #include "core/brick/BrickGrid.h"
+#include "core/delta/Ending.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/growth/GrowthProgress.h"
+#include "core/growth/ProbedVoxel.h"
 #include "core/growth/SeedGroups.h"
 #include "core/growth/SeedSpread.h"
 #include "core/growth/SeedStatistics.h"
@@ -14,6 +17,7 @@
 #include "core/sculpt/LayerWrites.h"
 #include "core/sculpt/MaskPeel.h"
 #include "core/sculpt/MaskScissors.h"
+#include "core/sculpt/PickRay.h"
 #include "core/sculpt/SparedLabels.h"
 
 #include <bitset>
@@ -93,17 +97,11 @@ struct EngineEdit : EngineEditVariant {
 };
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
+// GrowAdvance: core/growth/GrowthProgress.h.
 
 /// More of the path of DrillCut or LaserCut.
 struct DrillPath {
     std::vector<DrillSample> samples;
-};
-
-/// Advance a growth. Steps run in slices between which other commands and frames are served.
-struct GrowAdvance {
-    static constexpr int toClosure = -1;
-    int steps = toClosure; ///< on top of steps asked for before; negative: to closure
-    double generationsPerSecond = 0.0; ///< pace; 0: as fast as it goes. Never changes the result.
 };
 
 /// Forget steps that were asked for and not yet done.
@@ -155,7 +153,6 @@ struct BeginEdit {
 struct ExtendEdit {
     EngineExtension extension;
 };
-enum class Ending : std::uint8_t { Commit, Rollback };
 /// Close the open transaction; a commit waits for the steps that were asked for. Its result (which
 /// bears the ticket of this command) lists every brick that changed since BeginEdit; after a
 /// rollback none, its statistics are zero, and voxels and generation are as before.
@@ -228,13 +225,6 @@ struct ForeseeCut {
 /// Nothing foreseen is to be shown any more. The result is empty.
 struct DropForesight { };
 
-/// How a ray finds what the user sees.
-enum class SeenBy : std::uint8_t {
-    Surface, ///< first sample that is material (MaskFrame.h rule 3)
-    Opacity, ///< first sample where accumulated opacity reaches one half
-    BrightestVoxel, ///< greatest interpolated value along the ray; the first of equals
-};
-
 /// Cast rays into what is seen; integers, so a pick is the same everywhere.
 /// A hit names the voxel nearest to the sample found: (P + 2¹⁵) >> 16. Material, inside, carved and
 /// Z are those of rule 3 in MaskFrame.h, with the radiation as it stands at this command (what an
@@ -242,12 +232,7 @@ enum class SeenBy : std::uint8_t {
 /// opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from T =
 /// 65535, seen when T ≤ 32767. BrightestVoxel: Z over samples inside and not carved.
 struct PickVoxels {
-    struct Ray {
-        glm::ivec3 origin{0}; ///< index16 at sample 0
-        glm::ivec3 step{0}; ///< index16 per sample
-        int samples = 0;
-    };
-    std::vector<Ray> rays{};
+    std::vector<PickRay> rays{};
     SeenBy seenBy = SeenBy::Surface;
     int thresholdCode = 0;
     std::vector<std::uint32_t> opacityOfCode{}; ///< 256 entries, only for Opacity
@@ -286,20 +271,6 @@ struct EditStatistics {
     bool surfaceMaskChanged = false;
 };
 
-struct ProbedVoxel {
-    int code = 0;
-    std::uint8_t label = 0;
-    std::uint8_t seedOf = 0; ///< label whose pending seed it is; 0: none
-    std::optional<int> tolerance{}; ///< in codes; none: it has none, or no field stands
-};
-
-struct ProbedSeeds {
-    std::uint8_t label = 0;
-    SeedSums sums;
-    std::optional<std::size_t> group{}; ///< its place; none: of the seeds that are in no group
-    bool operator==(const ProbedSeeds&) const = default;
-};
-
 /// What became of one command. BeginEdit and ExtendEdit yield none unless they fail.
 struct EngineResult {
     Ticket ticket = 0;
@@ -319,17 +290,6 @@ struct EngineResult {
                                                 ///< last that has any
     std::optional<ToleranceCurve> tolerance{}; ///< TraceTolerance, once it is done
     std::optional<ForeseenCut> foreseen{}; ///< ForeseeCut, once it is done
-};
-
-/// Where a running growth stands; a snapshot for the window.
-struct GrowthProgress {
-    bool open = false;
-    bool running = false;
-    bool atClosure = false;
-    std::uint32_t generation = 0;
-    std::int64_t members = 0; ///< added since the burst was opened
-    std::vector<std::uint32_t> frontSizes; ///< voxels added per generation, the opening's first
-    std::optional<LeakAlarm> alarm{};
 };
 
 } // namespace core

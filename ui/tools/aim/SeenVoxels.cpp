@@ -68,7 +68,7 @@ std::vector<Way> waysThrough(const gpu::VolumeScene& scene, const std::vector<gl
             point /= zoom;
         const core::PickRays picked = core::pickRays(view, points, volume.geometry, scene.clip);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const core::PickVoxels::Ray& ray = picked.rays[i];
+            const core::PickRay& ray = picked.rays[i];
             Way way{.point = i, .piece = piece, .sampleMm = picked.sampleMm, .samples = {}};
             for (int n = 0; n < ray.samples; ++n) {
                 const glm::dvec3 index = glm::dvec3(ray.origin + ray.step * n) / 65536.0;
