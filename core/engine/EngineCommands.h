@@ -3,6 +3,7 @@
 
 #include "core/base/Error.h"
 #include "core/brick/BrickGrid.h"
+#include "core/delta/EditStatistics.h"
 #include "core/delta/Ending.h"
 #include "core/growth/GrowthCommands.h"
 #include "core/growth/GrowthProgress.h"
@@ -255,21 +256,6 @@ struct EngineCommand : EngineCommandVariant {
 
 // --- Results
 // ----------------------------------------------------------------------------------------
-
-struct EditStatistics {
-    std::int64_t voxelsChanged = 0; ///< values that differ, of coverage and labels
-    std::int64_t verticesChanged = 0; ///< of the surface; no engine's
-    int bricks = 0; ///< changed, of coverage and labels
-    /// Steps a growth advanced (the admission of seeds included), or was taken back.
-    int generations = 0;
-    double milliseconds = 0.0; ///< engine time; never part of a hash
-    /// Of a cut that starts from the surface: how deep the surface was looked for, in mm16 of its
-    /// plane (searchEnd() in core/sculpt/MaskFrame.h); none: no ray was cast, or nobody noted it.
-    std::optional<std::int32_t> searchedTo{};
-    /// Voxels of the segment that a surface lies around were changed; no engine's. Sessions before
-    /// 2026-11-25 do not say so.
-    bool surfaceMaskChanged = false;
-};
 
 /// What became of one command. BeginEdit and ExtendEdit yield none unless they fail.
 struct EngineResult {
