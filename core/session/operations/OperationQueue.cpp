@@ -222,6 +222,8 @@ void OperationQueue::take(EngineResult&& result)
     if (const auto asked = m_answers.find(result.ticket); asked != m_answers.end()) {
         const Answer answer = std::move(asked->second);
         m_answers.erase(asked);
+        if (m_closing)
+            return;
         const Ticket ticket = result.ticket;
         // Whoever asked hears of it, too, where it is his own answer that cannot be taken in.
         if (const Result<void> taken = guarded([&] { answer(std::move(result)); }); !taken)
