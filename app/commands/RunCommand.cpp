@@ -14,6 +14,7 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"
@@ -378,7 +379,7 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
     if (replaces) {
         // From here on it is the session of that name.
         told.setClosing(closeSessions);
-        if (const Result<void> placed = session->renameFile(file); !placed) {
+        if (const Result<void> placed = session->storage().rename(file); !placed) {
             const int status = tellFailure(placed.error());
             std::fprintf(stderr, "%s: the new session is in %s\n", qUtf8Printable(file),
                 qUtf8Printable(session->file()));

@@ -5,6 +5,7 @@
 #include "core/export/CarvedVolume.h"
 #include "core/export/common/ExportChoices.h"
 #include "core/session/past/SegmentLayers.h"
+#include "core/session/questions/VoxelQuestions.h"
 
 #include <QUuid>
 
@@ -48,7 +49,7 @@ private:
     Result<core::ExportReport> segments(const core::RecipeExport& target)
     {
         if (m_labels.empty()) {
-            Result<std::vector<std::uint8_t>> labels = m_session.labels(0);
+            Result<std::vector<std::uint8_t>> labels = m_session.questions().labels(0);
             if (!labels)
                 return tl::unexpected(labels.error());
             m_labels = *std::move(labels);
@@ -119,7 +120,8 @@ private:
         const core::Document& document = m_session.document();
         for (const auto& [label, id] : core::layersOfSegments(m_session.history(), document)) {
             if (!m_coverages.contains(id)) {
-                Result<std::vector<std::uint8_t>> bytes = m_session.coverage(std::uint8_t(id));
+                Result<std::vector<std::uint8_t>> bytes =
+                    m_session.questions().coverage(std::uint8_t(id));
                 if (!bytes)
                     return tl::unexpected(bytes.error());
                 m_coverages[id] = *std::move(bytes);
@@ -137,7 +139,7 @@ private:
         if (!layer)
             return core::failure(core::ErrorCode::InvalidField, QStringLiteral("export.layer"),
                 QStringLiteral("there is no sculpt layer %1").arg(target.layer));
-        const Result<std::vector<std::uint8_t>> bytes = m_session.coverage(layer->id);
+        const Result<std::vector<std::uint8_t>> bytes = m_session.questions().coverage(layer->id);
         if (!bytes)
             return tl::unexpected(bytes.error());
         return core::exportCoverage(m_volume,
@@ -151,7 +153,8 @@ private:
         for (const core::SculptLayer& layer : m_session.document().layers) {
             if (!m_session.document().carves(layer))
                 continue;
-            const Result<std::vector<std::uint8_t>> bytes = m_session.coverage(layer.id);
+            const Result<std::vector<std::uint8_t>> bytes =
+                m_session.questions().coverage(layer.id);
             if (!bytes)
                 return tl::unexpected(bytes.error());
             std::transform(carved.begin(), carved.end(), bytes->begin(), carved.begin(),

@@ -2,6 +2,7 @@
 #include "app/steps/RunKeyframes.h"
 
 #include "core/session/EditSession.h"
+#include "core/session/SessionKeyframes.h"
 #include "gpu/frame/FrameSource.h"
 #include "ui/workspace/InitialDisplay.h"
 #include "ui/workspace/OpeningView.h"
@@ -24,7 +25,7 @@ RunKeyframes::RunKeyframes(gpu::FrameSource& frames, core::EditSession& session)
     , m_session(session)
     , m_rows(session.history().rows().size())
 {
-    m_rule.begin(m_rows, session.history().position(), !session.keyframes().empty(),
+    m_rule.begin(m_rows, session.history().position(), !session.keyframes().rows().empty(),
         ui::steadyMilliseconds());
     m_frames.setListener([this](const gpu::Frame& frame) { take(frame); });
 }
@@ -91,7 +92,7 @@ void RunKeyframes::keep()
         return;
     const QImage image(
         picture->data(), size.width(), size.height(), 4 * size.width(), QImage::Format_RGBX8888);
-    m_session.addKeyframe(row, ui::keyframePng(image));
+    m_session.keyframes().add(row, ui::keyframePng(image));
 }
 
 } // namespace app

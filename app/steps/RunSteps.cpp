@@ -5,6 +5,7 @@
 #include "app/steps/RunKeyframes.h"
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
+#include "core/session/StepFindings.h"
 #include "ui/base/RevisionText.h"
 
 #include <QJsonArray>
@@ -23,7 +24,7 @@ using core::Result;
 QString nothingChanged(const core::Edit& edit, const core::EditSession& session)
 {
     const QString name = QStringLiteral("nothing changed");
-    const std::optional<core::SketchedSeeds>& seeds = session.sketchedSeeds();
+    const std::optional<core::SketchedSeeds>& seeds = session.findings().sketchedSeeds();
     if (!std::holds_alternative<core::SeedStroke>(edit) || !seeds || seeds->voxels == 0)
         return name;
     return name + QStringLiteral(": ") + core::sketchedText(*seeds, session.document());
@@ -52,7 +53,7 @@ void printEdit(const core::Edit& edit, const core::EditSession& session, bool ch
     }
     const bool revised = changed && std::holds_alternative<core::ReviseStroke>(edit);
     const std::vector<core::RowId> keep =
-        revised ? session.strokesOnRevisedSurface() : std::vector<core::RowId>();
+        revised ? session.findings().strokesOnRevisedSurface() : std::vector<core::RowId>();
     if (revised) {
         QJsonArray rows;
         for (const core::RowId row : keep)

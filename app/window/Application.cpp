@@ -5,6 +5,7 @@
 #include "app/window/DemonstrationStudy.h"
 #include "core/base/Guarded.h"
 #include "core/repair/SeriesRepair.h"
+#include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/records/SessionUse.h"
 #include "gpu/engine/GpuEngine.h"
@@ -244,8 +245,8 @@ void Application::addExport()
             },
         .possible =
             [this] {
-                const core::EditSession* session = m_workspace->session();
-                return session && !session->file().isEmpty() && !session->whyNoFile();
+                core::EditSession* session = m_workspace->session();
+                return session && !session->file().isEmpty() && !session->storage().whyNoFile();
             }});
     QAction& picture = m_window->actionTable().add({.id = QStringLiteral("file.savePicture"),
         .text = QStringLiteral("Save picture of the window …"),
@@ -337,7 +338,7 @@ core::Result<void> Application::take(SessionOpening& opening, const QString& fil
     if (!opening.session)
         return tl::unexpected(opening.session.error());
     const std::size_t steps = (*opening.session)->history().rows().size();
-    const std::optional<core::Error> whyNoFile = (*opening.session)->whyNoFile();
+    const std::optional<core::Error> whyNoFile = (*opening.session)->storage().whyNoFile();
     const bool madeForIt = opening.plan ? opening.plan->isNew : !whyNoFile;
     m_sessionFile = opening.file;
     m_rowsAtFirst = madeForIt ? std::optional(steps) : std::nullopt;

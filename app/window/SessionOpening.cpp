@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/window/SessionOpening.h"
 
+#include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/records/SessionContents.h"
 #include "core/sessionfile/records/SessionUse.h"
@@ -49,7 +50,7 @@ SessionOpening::~SessionOpening()
 {
     if (!session || !*session)
         return;
-    const bool madeForIt = plan ? plan->isNew : !(*session)->whyNoFile();
+    const bool madeForIt = plan ? plan->isNew : !(*session)->storage().whyNoFile();
     session->reset();
     if (madeForIt)
         core::removeSession(file);

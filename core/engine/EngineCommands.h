@@ -3,9 +3,13 @@
 
 #include "core/base/Error.h"
 #include "core/brick/BrickGrid.h"
+#include "core/delta/EditStatistics.h"
+#include "core/delta/Ending.h"
 #include "core/engine/ChangeFacts.h"
 #include "core/engine/LabelGuard.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/growth/GrowthProgress.h"
+#include "core/growth/ProbedVoxel.h"
 #include "core/growth/SeedGroups.h"
 #include "core/growth/SeedSpread.h"
 #include "core/growth/SeedStatistics.h"
@@ -16,6 +20,7 @@
 #include "core/sculpt/LayerWrites.h"
 #include "core/sculpt/MaskPeel.h"
 #include "core/sculpt/MaskScissors.h"
+#include "core/sculpt/PickRay.h"
 #include "core/sculpt/SparedLabels.h"
 
 #include <bitset>
@@ -95,17 +100,11 @@ struct EngineEdit : EngineEditVariant {
 };
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
+// GrowAdvance: core/growth/GrowthProgress.h.
 
 /// More of the path of DrillCut or LaserCut.
 struct DrillPath {
     std::vector<DrillSample> samples;
-};
-
-/// Advance a growth. Steps run in slices between which other commands and frames are served.
-struct GrowAdvance {
-    static constexpr int toClosure = -1;
-    int steps = toClosure; ///< on top of steps asked for before; negative: to closure
-    double generationsPerSecond = 0.0; ///< pace; 0: as fast as it goes. Never changes the result.
 };
 
 /// Forget steps that were asked for and not yet done.
@@ -157,7 +156,6 @@ struct BeginEdit {
 struct ExtendEdit {
     EngineExtension extension;
 };
-enum class Ending : std::uint8_t { Commit, Rollback };
 /// Close the open transaction; a commit waits for the steps that were asked for. Its result (which
 /// bears the ticket of this command) lists every brick that changed since BeginEdit; after a
 /// rollback none, its statistics are zero, and voxels and generation are as before.
@@ -243,13 +241,6 @@ struct ForeseeCut {
 /// Nothing foreseen is to be shown any more. The result is empty.
 struct DropForesight { };
 
-/// How a ray finds what the user sees.
-enum class SeenBy : std::uint8_t {
-    Surface, ///< first sample that is material (MaskFrame.h rule 3)
-    Opacity, ///< first sample where accumulated opacity reaches one half
-    BrightestVoxel, ///< greatest interpolated value along the ray; the first of equals
-};
-
 /// Cast rays into what is seen; integers, so a pick is the same everywhere.
 /// A hit names the voxel nearest to the sample found: (P + 2¹⁵) >> 16. Material, inside, carved and
 /// Z are those of rule 3 in MaskFrame.h, with the radiation as it stands at this command (what an
@@ -257,12 +248,7 @@ enum class SeenBy : std::uint8_t {
 /// opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from T =
 /// 65535, seen when T ≤ 32767. BrightestVoxel: Z over samples inside and not carved.
 struct PickVoxels {
-    struct Ray {
-        glm::ivec3 origin{0}; ///< index16 at sample 0
-        glm::ivec3 step{0}; ///< index16 per sample
-        int samples = 0;
-    };
-    std::vector<Ray> rays{};
+    std::vector<PickRay> rays{};
     SeenBy seenBy = SeenBy::Surface;
     int thresholdCode = 0;
     std::vector<std::uint32_t> opacityOfCode{}; ///< 256 entries, only for Opacity
@@ -285,35 +271,6 @@ struct EngineCommand : EngineCommandVariant {
 
 // --- Results
 // ----------------------------------------------------------------------------------------
-
-struct EditStatistics {
-    std::int64_t voxelsChanged = 0; ///< values that differ, of coverage and labels
-    std::int64_t verticesChanged = 0; ///< of the surface; no engine's
-    int bricks = 0; ///< changed, of coverage and labels
-    /// Steps a growth advanced (the admission of seeds included), or was taken back.
-    int generations = 0;
-    double milliseconds = 0.0; ///< engine time; never part of a hash
-    /// Of a cut that starts from the surface: how deep the surface was looked for, in mm16 of its
-    /// plane (searchEnd() in core/sculpt/MaskFrame.h); none: no ray was cast, or nobody noted it.
-    std::optional<std::int32_t> searchedTo{};
-    /// Voxels of the segment that a surface lies around were changed; no engine's. Sessions before
-    /// 2026-11-25 do not say so.
-    bool surfaceMaskChanged = false;
-};
-
-struct ProbedVoxel {
-    int code = 0;
-    std::uint8_t label = 0;
-    std::uint8_t seedOf = 0; ///< label whose pending seed it is; 0: none
-    std::optional<int> tolerance{}; ///< in codes; none: it has none, or no field stands
-};
-
-struct ProbedSeeds {
-    std::uint8_t label = 0;
-    SeedSums sums;
-    std::optional<std::size_t> group{}; ///< its place; none: of the seeds that are in no group
-    bool operator==(const ProbedSeeds&) const = default;
-};
 
 /// What a result without an edit of its own says: the rest is zero.
 [[nodiscard]] EditStatistics statisticsOf(const ChangeFacts& facts);
@@ -339,17 +296,6 @@ struct EngineResult {
                                                 ///< last that has any
     std::optional<ToleranceCurve> tolerance{}; ///< TraceTolerance, once it is done
     std::optional<ForeseenCut> foreseen{}; ///< ForeseeCut, once it is done
-};
-
-/// Where a running growth stands; a snapshot for the window.
-struct GrowthProgress {
-    bool open = false;
-    bool running = false;
-    bool atClosure = false;
-    std::uint32_t generation = 0;
-    std::int64_t members = 0; ///< added since the burst was opened
-    std::vector<std::uint32_t> frontSizes; ///< voxels added per generation, the opening's first
-    std::optional<LeakAlarm> alarm{};
 };
 
 } // namespace core

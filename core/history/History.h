@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/delta/EditStatistics.h"
 #include "core/edits/kinds/Edits.h"
-#include "core/engine/EngineCommands.h"
 #include "core/history/RowOrigin.h"
 
 #include <QByteArray>

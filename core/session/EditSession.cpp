@@ -8,22 +8,12 @@
 #include "core/edits/schema/EditSchema.h"
 #include "core/session/operations/EditOperation.h"
 #include "core/session/operations/OperationQueue.h"
-#include "core/session/operations/ReadLabels.h"
 #include "core/session/operations/SurfaceOperation.h"
 #include "core/session/operations/WalkOperation.h"
-#include "core/session/questions/TouchSearch.h"
-#include "core/sessionfile/AuditReport.h"
 
 #include <utility>
 
 namespace core {
-
-EditSession::EditSession(std::unique_ptr<OperationQueue> queue)
-    : m_queue(std::move(queue))
-{
-}
-
-EditSession::~EditSession() = default;
 
 Document EditSession::foreseenDocument() const
 {
@@ -40,27 +30,15 @@ const History& EditSession::history() const
     return m_queue->state().history;
 }
 
-EditEngine& EditSession::engine()
+GrowthProgress EditSession::growthProgress() const
 {
-    return m_queue->state().engine;
+    return m_queue->state().engine.growthProgress();
 }
 
 QString EditSession::file() const
 {
     const SessionState& state = m_queue->state();
     return state.file ? state.file->path() : QString();
-}
-
-std::optional<Error> EditSession::whyNoFile() const
-{
-    const SessionState& state = m_queue->state();
-    return state.file ? state.file->whyNoFile() : std::nullopt;
-}
-
-bool EditSession::holdsImages() const
-{
-    const SessionState& state = m_queue->state();
-    return state.file && state.file->holdsImages();
 }
 
 QString EditSession::whyReadOnly() const
@@ -75,29 +53,6 @@ Result<void> EditSession::mayEdit() const
     if (why.isEmpty())
         return {};
     return failure(ErrorCode::SessionReadOnly, file(), why);
-}
-
-Result<void> EditSession::renameFile(const QString& target)
-{
-    return guarded([&]() -> Result<void> {
-        if (const Result<void> settled = m_queue->settle(); !settled)
-            return settled;
-        SessionFile* file = m_queue->state().file.get();
-        return file
-            ? file->rename(target)
-            : failure(ErrorCode::FileUnwritable, target, QStringLiteral("there is no file"));
-    });
-}
-
-void EditSession::saveAs(const QString& target, bool replaceExisting,
-    std::function<void(const Result<void>&)> done, SavedImages images)
-{
-    m_queue->closeGrowth();
-    if (SessionFile* file = m_queue->state().file.get())
-        file->saveAs(target, replaceExisting, std::move(done), std::move(images));
-    else
-        done(failure(ErrorCode::FileUnwritable, target,
-            QStringLiteral("this session is kept in memory only")));
 }
 
 Result<void> EditSession::apply(const Edit& edit)
@@ -263,41 +218,6 @@ Result<void> EditSession::goTo(RowId row)
     });
 }
 
-void EditSession::findLastTouching(const Touch& touch, std::function<void(RowId)> answer)
-{
-    m_queue->closeGrowth();
-    m_queue->submit(std::make_unique<TouchSearch>(touch, std::move(answer)));
-}
-
-std::vector<RowId> EditSession::strokesOnRevisedSurface() const
-{
-    const SessionState::Revision& revision = m_queue->state().lastRevision;
-    return revision.row == history().position() ? revision.begunInside : std::vector<RowId>();
-}
-
-std::shared_ptr<const ChunkMap> EditSession::chunkMap()
-{
-    SessionState& state = m_queue->state();
-    state.wantChunks();
-    return state.chunks->map(state.divisionRow());
-}
-
-std::optional<LeakAlarm> EditSession::leakAlarm() const
-{
-    const std::optional<SessionState::Alarm>& alarm = m_queue->state().lastAlarm;
-    return alarm && alarm->row == history().position() ? std::optional(alarm->found) : std::nullopt;
-}
-
-const std::optional<SketchedSeeds>& EditSession::sketchedSeeds() const
-{
-    return m_queue->state().lastSketched;
-}
-
-void EditSession::ask(EngineCommand question, Answer answer)
-{
-    m_queue->ask(std::move(question), std::move(answer));
-}
-
 void EditSession::poll()
 {
     m_queue->poll();
@@ -313,110 +233,15 @@ Result<void> EditSession::settle()
     return m_queue->settle();
 }
 
-std::optional<Error> EditSession::diskTrouble() const
-{
-    const SessionState& state = m_queue->state();
-    return state.file ? state.file->trouble() : std::nullopt;
-}
-
-void EditSession::retryWriting()
-{
-    if (SessionFile* file = m_queue->state().file.get())
-        file->retry();
-}
-
 QByteArray EditSession::stateHash() const
 {
     const SessionState& state = m_queue->state();
     return state.worker->stateHash(state.documentJson());
 }
 
-Result<std::vector<std::uint8_t>> EditSession::labels(std::uint8_t plane)
-{
-    return guarded([&] { return readLabels(*m_queue, plane); });
-}
-
-Result<std::vector<std::uint8_t>> EditSession::coverage(std::uint8_t layer)
-{
-    return guarded([&] { return readLabels(*m_queue, layer, Field::Coverage); });
-}
-
-void EditSession::setStepMemory(std::size_t bytes)
-{
-    m_queue->state().recent.setMostBytes(bytes);
-}
-
 void EditSession::setOrigin(std::function<RowOrigin()> origin)
 {
     m_queue->state().origin = std::move(origin);
-}
-
-void EditSession::addKeyframe(RowId row, const QByteArray& png)
-{
-    SessionState& state = m_queue->state();
-    if (!state.file)
-        return;
-    state.keyframes.insert(row);
-    state.file->addKeyframe({.row = row, .at = state.origin().at, .png = png});
-}
-
-std::vector<RowId> EditSession::keyframes() const
-{
-    const std::set<RowId>& rows = m_queue->state().keyframes;
-    return {rows.begin(), rows.end()};
-}
-
-void EditSession::fetchKeyframe(RowId row, std::function<void(const QByteArray& png)> take) const
-{
-    if (const auto& file = m_queue->state().file)
-        file->fetchKeyframe(row, std::move(take));
-    else
-        take({});
-}
-
-void EditSession::audit(std::function<void(const Result<AuditReport>&)> take) const
-{
-    if (const auto& file = m_queue->state().file)
-        file->audit(std::move(take));
-    else
-        take(failure(ErrorCode::InvalidField, QStringLiteral("session"),
-            QStringLiteral("it is kept in no file")));
-}
-
-void EditSession::copyTo(const QString& path, std::function<void(const Result<void>&)> done) const
-{
-    if (const auto& file = m_queue->state().file)
-        file->copyTo(path, std::move(done));
-    else
-        done(failure(ErrorCode::FileUnwritable, path,
-            QStringLiteral("this session is kept in memory only")));
-}
-
-void EditSession::setSegmentVisible(int label, bool visible)
-{
-    m_queue->state().setVisible(label, visible);
-    m_queue->tellNews();
-}
-
-const QJsonObject& EditSession::display() const
-{
-    return m_queue->state().display;
-}
-
-void EditSession::setDisplay(const QJsonObject& display)
-{
-    m_queue->state().setDisplay(display);
-}
-
-void EditSession::setSurfaceListener(std::function<void(SurfaceUpdate)> listener)
-{
-    m_queue->submit(std::make_unique<ShowSurface>(std::move(listener)));
-}
-
-const SimplexMesh* EditSession::surface() const
-{
-    const SessionState& state = m_queue->state();
-    return m_queue->idle() && state.document.surface ? &state.surface.mesh : nullptr;
 }
 
 void EditSession::setListener(std::function<void(const DocumentChange&)> listener)

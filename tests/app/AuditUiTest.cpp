@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/window/Application.h"
+#include "core/session/SessionKeyframes.h"
+#include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionFile.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -119,7 +121,7 @@ private:
     {
         QImage image;
         QSemaphore done;
-        session().fetchKeyframe(row, [&](const QByteArray& png) {
+        session().keyframes().fetch(row, [&](const QByteArray& png) {
             image.loadFromData(png, "PNG");
             done.release();
         });
@@ -150,7 +152,7 @@ private:
     void paintPages()
     {
         core::Result<core::AuditReport> report;
-        session().audit([&report](const auto& made) { report = made; });
+        session().storage().audit([&report](const auto& made) { report = made; });
         static_cast<void>(session().settle());
         const QSizeF a4(1240, 1754);
         const ui::AuditPages pages(ui::AuditTexts::of(*report), a4);
@@ -206,8 +208,8 @@ private Q_SLOTS:
         QCOMPARE(history.row(1).origin.author, QString());
         QCOMPARE(history.row(11).origin.author, QStringLiteral("Dr. M. Muster"));
         QCOMPARE(history.row(11).origin.program, QStringLiteral("burin 9.8.7"));
-        QVERIFY(wait([this] { return session().keyframes().size() == 2; }));
-        QCOMPARE(session().keyframes(), (std::vector<core::RowId>{1, 11}));
+        QVERIFY(wait([this] { return session().keyframes().rows().size() == 2; }));
+        QCOMPARE(session().keyframes().rows(), (std::vector<core::RowId>{1, 11}));
         const QImage first = keyframe(1);
         const QImage second = keyframe(11);
         QVERIFY(showsSomething(first) && showsSomething(second));
@@ -252,7 +254,8 @@ private Q_SLOTS:
                  "This history is whole", "15 of 15 steps are sealed", "taken back by step 14",
                  "old future, behind step 9", "undone", "burin 9.8.7"})
             QVERIFY2(text.contains(QLatin1String(words)), words);
-        QCOMPARE(text.count(QStringLiteral("<img ")), qsizetype(session().keyframes().size()));
+        QCOMPARE(
+            text.count(QStringLiteral("<img ")), qsizetype(session().keyframes().rows().size()));
         if (wantsScreenshots())
             QFile::copy(html, screenshots().filePath(QStringLiteral("audit.html")));
         const QString pdf = save("audit.pdf");

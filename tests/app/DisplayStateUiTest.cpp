@@ -2,6 +2,7 @@
 #include "app/window/Application.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionDisplay.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -156,7 +157,7 @@ private:
             .upper = 333.0,
             .overwriteUnlocked = true,
             .generationsPerSecond = 20.0});
-        workspace.session()->setSegmentVisible(1, false);
+        workspace.session()->display().setSegmentVisible(1, false);
         ui::Camera camera = views.volume().camera();
         camera.orbit(50.0, 20.0);
         camera.heightMm *= 0.7;
@@ -323,10 +324,11 @@ private Q_SLOTS:
         const auto application = opened();
         application->workspace().setWindowLevel({123.0, 456.0});
         QTRY_VERIFY_WITH_TIMEOUT(
-            !application->workspace().session()->display().isEmpty(), patience);
+            !application->workspace().session()->display().kept().isEmpty(), patience);
         QCOMPARE(application->workspace()
                      .session()
-                     ->display()[QLatin1String("window")][QLatin1String("centre")]
+                     ->display()
+                     .kept()[QLatin1String("window")][QLatin1String("centre")]
                      .toDouble(),
             123.0);
     }
@@ -362,7 +364,7 @@ private Q_SLOTS:
         {
             const auto application = opened();
             initial = displayOf(application->window()).composed();
-            application->workspace().session()->setDisplay(foreign);
+            application->workspace().session()->display().keep(foreign);
         }
         QCOMPARE(kept(), foreign);
         {

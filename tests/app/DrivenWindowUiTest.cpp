@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
+#include "core/session/SessionStorage.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/CountingGl.h"
 #include "tests/support/faults/FailingLog.h"
@@ -246,7 +247,7 @@ private:
             last = user.act();
             if (i % 8 == 7)
                 static_cast<void>(fixture.session().settle());
-            QVERIFY2(!fixture.session().diskTrouble(), qPrintable(last));
+            QVERIFY2(!fixture.session().storage().trouble(), qPrintable(last));
         }
         static_cast<void>(fixture.session().settle());
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);

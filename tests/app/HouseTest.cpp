@@ -72,6 +72,19 @@ const std::vector<Rule>& rules()
             && !(inFolder(file, {QStringLiteral("core/dicomweb")})
                 && file.endsWith(QLatin1String(".cpp")));
     };
+    // Who needs voxels asks the session, whose parts know how.
+    const auto engine = [](S, S included) {
+        return inFolder(included, {QStringLiteral("core/engine")})
+            || included == QLatin1String("core/edits/engine/EngineEdits.h");
+    };
+    // By these a session's engine could be reached.
+    const auto insideOfSessions = [](S file, S included) {
+        return !inFolder(file, {QStringLiteral("core/session")})
+            && (inFolder(included,
+                    {QStringLiteral("core/session/state"),
+                        QStringLiteral("core/session/operations")})
+                || included == QLatin1String("core/session/questions/QuestionLine.h"));
+    };
     const QString core = QStringLiteral("core"), gpu = QStringLiteral("gpu"),
                   ui = QStringLiteral("ui"), app = QStringLiteral("app");
     const QString gui = QStringLiteral("QtGui"), widgets = QStringLiteral("QtWidgets"),
@@ -96,6 +109,11 @@ const std::vector<Rule>& rules()
         {gpu, network, QStringLiteral("the web is spoken in core/dicomweb/*.cpp")},
         {ui, network, QStringLiteral("the web is spoken in core/dicomweb/*.cpp")},
         {app, network, QStringLiteral("the web is spoken in core/dicomweb/*.cpp")},
+        {ui, engine, QStringLiteral("ui asks the session (core/session/README.md)")},
+        {core, insideOfSessions, QStringLiteral("EditSession.h and its parts are the door")},
+        {gpu, insideOfSessions, QStringLiteral("EditSession.h and its parts are the door")},
+        {ui, insideOfSessions, QStringLiteral("EditSession.h and its parts are the door")},
+        {app, insideOfSessions, QStringLiteral("EditSession.h and its parts are the door")},
         // The oracle is worth something only while it shares no kernel with what it judges.
         {QStringLiteral("tests/reference"), roomsAbove({gpu, ui, app}),
             QStringLiteral("the oracle knows core only")},
@@ -277,6 +295,16 @@ void HouseTest::ruleBites_data()
     row("ui/A.cpp", "#include <GL/gl.h>", false);
     row("ui/A.cpp", "#include <QOpenGLFunctions_4_5_Core>", false);
     row("ui/A.cpp", "#include \"gpu/A.h\"\n#include <QOpenGLContext>\n#include <QPainter>", true);
+    row("ui/A.h", "#include \"core/engine/EngineCommands.h\"", false);
+    row("ui/A.cpp", "#include \"core/edits/engine/EngineEdits.h\"", false);
+    row("ui/A.cpp", "#include \"core/session/state/SessionState.h\"", false);
+    row("ui/A.cpp",
+        "#include \"core/session/questions/VoxelQuestions.h\"\n"
+        "#include \"core/edits/engine/ToolMasks.h\"",
+        true);
+    row("app/A.cpp", "#include \"core/session/operations/OperationQueue.h\"", false);
+    row("core/a/A.cpp", "#include \"core/session/questions/QuestionLine.h\"", false);
+    row("core/session/A.cpp", "#include \"core/session/operations/OperationQueue.h\"", true);
     row("app/A.cpp", "#include <epoxy/gl.h>", false);
     row("app/A.cpp", "#include \"ui/A.h\"\n#include \"gpu/A.h\"\n#include \"core/A.h\"", true);
     row("tests/reference/A.cpp", "#include \"gpu/A.h\"", false);

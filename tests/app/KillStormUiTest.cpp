@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
@@ -51,7 +52,7 @@ private Q_SLOTS:
             const QString target = fixture.path("as") + QString::number(step) + ".burin";
             tell("saving", target);
             std::atomic<bool> done = false;
-            fixture.session().saveAs(target, false,
+            fixture.session().storage().saveAs(target, false,
                 [&done](const core::Result<void>& saved) { done = saved.has_value(); });
             QTRY_VERIFY_WITH_TIMEOUT(done, test::ApplicationFixture::patience);
             tell("saved", target);

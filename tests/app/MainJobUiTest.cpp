@@ -317,7 +317,7 @@ private Q_SLOTS:
             user.click("growPlay");
             User::wait(
                 [&user] {
-                    const auto progress = user.session().engine().growthProgress();
+                    const auto progress = user.session().growthProgress();
                     return progress.open && progress.frontSizes.size() >= 3;
                 },
                 "the growth does not begin");

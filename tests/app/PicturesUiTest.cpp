@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/questions/VoxelQuestions.h"
 #include "gpu/engine/GpuEngine.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -281,10 +282,11 @@ void PicturesUiTest::whatTheVolumeViewShowsIsInTheSlices()
         const QPointF pixel = shown.toPixel(marker.centreLps);
         std::optional<glm::ivec3> hit;
         bool answered = false;
-        real.workspace.session()->ask(ui::pickQuestion(scene, {shown.toViewPlaneMm(pixel)}, volume),
-            [&](const core::EngineResult& result) {
+        real.workspace.session()->questions().pick(
+            ui::pickQuestion(scene, {shown.toViewPlaneMm(pixel)}, volume),
+            [&](const core::Result<ui::PickedVoxels>& picked) {
                 answered = true;
-                hit = result.picks.at(0);
+                hit = picked->at(0);
             });
         QTRY_VERIFY_WITH_TIMEOUT(answered, 60000);
         QVERIFY(hit);

@@ -3,6 +3,7 @@
 #include "core/edits/schema/EditQuantise.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
@@ -150,7 +151,7 @@ void RunOracleTest::runsAlike()
         QCOMPARE(QString::fromLatin1((*session)->stateHash()),
             QJsonDocument::fromJson(lines[int(i)]).object()[QStringLiteral("hash")].toString());
     }
-    const Result<std::vector<std::uint8_t>> labels = (*session)->labels(0);
+    const Result<std::vector<std::uint8_t>> labels = (*session)->questions().labels(0);
     QVERIFY(labels);
     const auto grown = std::size_t(std::count(labels->begin(), labels->end(), 1));
     QVERIFY(grown >= 3);

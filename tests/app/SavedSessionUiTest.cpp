@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
+#include "core/session/SessionDisplay.h"
+#include "core/session/SessionStorage.h"
 #include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -87,7 +89,7 @@ private Q_SLOTS:
             qPrintable(hint));
         look(picture, "save-with-images.png");
         QCOMPARE(session().file(), path("with.burin"));
-        QVERIFY(session().holdsImages());
+        QVERIFY(session().storage().holdsImages());
         window().closeStudy();
 
         QVERIFY(QDir().rename(path("case/ct"), path("case/gone")));
@@ -109,7 +111,7 @@ private Q_SLOTS:
         QVERIFY(ticked);
         QVERIFY2(hint.contains(QStringLiteral("The study is not at hand")), qPrintable(hint));
         look(picture, "save-without-images.png");
-        QVERIFY(!session().holdsImages());
+        QVERIFY(!session().storage().holdsImages());
         window().closeStudy();
         QSignalSpy needed(&window().opener(), &ui::StudyOpener::sessionStudyNeeded);
         window().opener().open(path("without.burin"));
@@ -176,7 +178,7 @@ private Q_SLOTS:
         // The file is larger than a copy of it has to be: what is not written fits there.
         const QString beside = file + QStringLiteral("-wal");
         for (int i = 0; QFileInfo(beside).size() < 2 * QFileInfo(file).size(); ++i) {
-            session().setSegmentVisible(1, i % 2 == 1);
+            session().display().setSegmentVisible(1, i % 2 == 1);
             QVERIFY(session().settle());
         }
         {

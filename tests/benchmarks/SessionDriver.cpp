@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/SessionDriver.h"
 
+#include "core/engine/EditEngine.h"
+#include "core/session/SessionStorage.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "core/session/state/RecentSteps.h"
 #include "ui/base/ErrorText.h"
 
@@ -35,7 +38,7 @@ double SessionDriver::Commit::longestCallMs() const
 std::unique_ptr<SessionDriver> SessionDriver::create(
     core::EditEngine& engine, const core::LoadedVolume& volume, const QString& file)
 {
-    std::unique_ptr<SessionDriver> driver(new SessionDriver);
+    std::unique_ptr<SessionDriver> driver(new SessionDriver(engine));
     auto session =
         core::EditSession::create(engine, volume, {.file = file, .wakeUp = [raw = driver.get()] {
                                                        const std::lock_guard lock(raw->m_guard);
@@ -51,7 +54,7 @@ std::unique_ptr<SessionDriver> SessionDriver::create(
 std::unique_ptr<SessionDriver> SessionDriver::open(
     core::EditEngine& engine, const core::LoadedVolume& volume, const QString& file)
 {
-    std::unique_ptr<SessionDriver> driver(new SessionDriver);
+    std::unique_ptr<SessionDriver> driver(new SessionDriver(engine));
     auto session = core::EditSession::open(engine, volume, file, [raw = driver.get()] {
         const std::lock_guard lock(raw->m_guard);
         raw->m_woken = true;
@@ -109,7 +112,7 @@ SessionDriver::Commit SessionDriver::stroke(const core::DrillStroke& stroke)
         m_session->poll();
     }
     // The pen is slower than this loop: by pen-up the cut is done.
-    m_session->engine().finish();
+    m_engine.finish();
     m_session->poll();
     Commit commit = timed([this] { m_session->end(core::Ending::Commit); });
     note(m_session->settle());
@@ -133,7 +136,7 @@ SessionDriver::Commit SessionDriver::goTo(core::RowId row)
 
 void SessionDriver::keepSteps(bool kept)
 {
-    m_session->setStepMemory(kept ? core::RecentSteps::usualBytes : 0);
+    m_session->storage().setStepMemory(kept ? core::RecentSteps::usualBytes : 0);
 }
 
 void SessionDriver::settle()
@@ -158,12 +161,12 @@ std::vector<std::uint8_t> SessionDriver::dense(core::Field field, std::uint8_t p
     std::vector<std::uint8_t> voxels(
         std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z), 0);
     for (std::uint32_t first = 0; first < count; first += bricksAtOnce) {
-        core::ReadBricks read;
+        std::vector<core::BrickKey> keys;
         for (std::uint32_t brick = first; brick < std::min(first + bricksAtOnce, count); ++brick)
-            read.keys.push_back({field, plane, brick});
-        m_session->ask(std::move(read), [&](const core::EngineResult& result) {
-            for (const core::BrickChange& brick : result.changes) {
-                if (brick.after.empty())
+            keys.push_back({field, plane, brick});
+        const auto take = [&](const core::Result<std::vector<core::BrickImage>>& bricks) {
+            for (const core::BrickImage& brick : *bricks) {
+                if (brick.bytes.empty())
                     continue;
                 const core::VoxelBox box = grid.boxOf(int(brick.key.brick));
                 for (int z = box.minimum.z; z < box.maximum.z; ++z) {
@@ -172,12 +175,13 @@ std::vector<std::uint8_t> SessionDriver::dense(core::Field field, std::uint8_t p
                         const std::size_t to = std::size_t(box.minimum.x)
                             + std::size_t(size.x)
                                 * (std::size_t(y) + std::size_t(size.y) * std::size_t(z));
-                        std::copy_n(brick.after.read().begin() + std::ptrdiff_t(from),
+                        std::copy_n(brick.bytes.read().begin() + std::ptrdiff_t(from),
                             box.maximum.x - box.minimum.x, voxels.begin() + std::ptrdiff_t(to));
                     }
                 }
             }
-        });
+        };
+        m_session->questions().bricks(std::move(keys), take);
         note(m_session->settle());
     }
     return voxels;

@@ -46,11 +46,15 @@ public:
     [[nodiscard]] QString problem() const { return m_problem; }
 
 private:
-    SessionDriver() = default;
+    explicit SessionDriver(core::EditEngine& engine)
+        : m_engine(engine)
+    {
+    }
     template <typename Call> Commit timed(Call&& call);
     void waitUntilIdle(Commit& commit);
     void note(const core::Result<void>& result);
 
+    core::EditEngine& m_engine;
     std::mutex m_guard;
     std::condition_variable m_changed;
     bool m_woken = false;

@@ -3,6 +3,9 @@
 
 #include "core/refine/fit/InitialFit.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
+#include "core/session/SessionChunks.h"
+#include "core/session/SessionSurface.h"
+#include "core/session/questions/VoxelQuestions.h"
 
 #include <chrono>
 #include <thread>
@@ -48,7 +51,7 @@ QString RefinementBench::undone()
 
 Mask RefinementBench::segment() const
 {
-    Mask mask{m_geometry.size, *m_session->labels(0)};
+    Mask mask{m_geometry.size, *m_session->questions().labels(0)};
     for (std::uint8_t& value : mask.values)
         value = value == 1 ? 1 : 0;
     return mask;
@@ -56,7 +59,7 @@ Mask RefinementBench::segment() const
 
 Mask RefinementBench::seen() const
 {
-    const SimplexMesh* surface = m_session->surface();
+    const SimplexMesh* surface = m_session->surface().mesh();
     if (!surface)
         return segment();
     const Result<VoxelRuns> inside = voxelsOf(*surface, m_geometry, {});
@@ -66,7 +69,7 @@ Mask RefinementBench::seen() const
 std::shared_ptr<const ChunkMap> RefinementBench::chunks()
 {
     for (int tries = 0; tries < 60'000; ++tries) {
-        if (auto map = m_session->chunkMap())
+        if (auto map = m_session->chunks().map())
             return map;
         m_session->poll();
         std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/chunks/ChunkMap.h"
 #include "core/metrics/MaskComparison.h"
 #include "core/session/EditSession.h"
 #include "tests/reenactment/MaskGrid.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reenactment/SurfaceRobot.h"
 
+#include "core/session/SessionSurface.h"
 #include "tests/reenactment/BallStroke.h"
 #include "tests/reenactment/ChunkStroke.h"
 #include "tests/reenactment/RobotLog.h"
@@ -156,7 +157,7 @@ private:
             scrapes[i] = bestScrape(eye, region);
             drags[i] = bestDrag(eye, region);
             templates[i] =
-                templateFor(eye, region, *m_bench.session().surface(), m_bench.geometry());
+                templateFor(eye, region, *m_bench.session().surface().mesh(), m_bench.geometry());
             offer(Tool::Sphere, region, balls[i].gain, 1,
                 [&, i] { return push(eye, regions[i], balls[i]); });
             offer(Tool::Scrape, region, scrapes[i].gain, 1, [&, i] { return scrape(scrapes[i]); });
@@ -192,8 +193,8 @@ private:
     [[nodiscard]] SweepPlan sweep(
         const UserEye& eye, const UserEye::Region& region, double leastRadius)
     {
-        return sweepOver(
-            eye, region, *m_bench.session().surface(), m_bench.geometry(), sweepReach, leastRadius);
+        return sweepOver(eye, region, *m_bench.session().surface().mesh(), m_bench.geometry(),
+            sweepReach, leastRadius);
     }
     [[nodiscard]] SurfacePath pathOf(const SweepPlan& plan)
     {
@@ -261,7 +262,7 @@ private:
     bool shape(const TemplatePlan& plan)
     {
         // What tools left red elsewhere would join the region.
-        const SimplexMesh& mesh = *m_bench.session().surface();
+        const SimplexMesh& mesh = *m_bench.session().surface().mesh();
         const auto marks = mesh.marks();
         if (std::find(marks.begin(), marks.end(), SurfaceMark::Red) != marks.end())
             m_log.prepare(ChangeMarks{.mark = SurfaceMark::Red, .way = ChangeMarks::Way::Invert},

@@ -114,7 +114,7 @@ bool Tissue::material(const Index16& position, int thresholdCode) const
 }
 
 std::optional<glm::ivec3> pick(
-    const Tissue& tissue, const core::PickVoxels& pick, const core::PickVoxels::Ray& ray)
+    const Tissue& tissue, const core::PickVoxels& pick, const core::PickRay& ray)
 {
     std::uint64_t transparency = 65535;
     std::uint64_t brightest = 0;

@@ -38,6 +38,6 @@ struct Tissue {
 
 /// The voxel that one ray of a pick finds.
 [[nodiscard]] std::optional<glm::ivec3> pick(
-    const Tissue& tissue, const core::PickVoxels& pick, const core::PickVoxels::Ray& ray);
+    const Tissue& tissue, const core::PickVoxels& pick, const core::PickRay& ray);
 
 } // namespace reference

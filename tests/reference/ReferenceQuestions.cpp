@@ -72,7 +72,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::PickVoxels& command)
         return refuse("opacityOfCode", "has 256 entries");
     const DenseArray<std::uint8_t> seen = carved();
     core::EngineResult result;
-    for (const core::PickVoxels::Ray& ray : command.rays)
+    for (const core::PickRay& ray : command.rays)
         result.picks.push_back(pick({m_codes, seen}, command, ray));
     return result;
 }

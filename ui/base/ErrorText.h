@@ -10,7 +10,7 @@ namespace ui {
 /// One sentence for a person: what went wrong, with which file or field, and why.
 [[nodiscard]] QString errorText(const core::Error& error);
 
-/// Why a session has no file (EditSession::whyNoFile()), in a clause: which folder takes none.
+/// Why a session has no file (SessionStorage::whyNoFile()), in a clause: which folder takes none.
 [[nodiscard]] QString noFileText(const core::Error& why);
 
 } // namespace ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/SegmentListModel.h"
 
+#include "core/session/SessionDisplay.h"
 #include "ui/base/CountText.h"
 #include "ui/workspace/Workspace.h"
 
@@ -141,7 +142,7 @@ bool SegmentListModel::setData(const QModelIndex& index, const QVariant& value, 
     if (!segment)
         return false;
     if (role == VisibleRole) {
-        m_workspace.session()->setSegmentVisible(segment->label, value.toBool());
+        m_workspace.session()->display().setSegmentVisible(segment->label, value.toBool());
         return true;
     }
     return change(*segment, value, role);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/overlays/Readout.h"
 
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/StudyTexts.h"
 
 #include <QPointer>
@@ -39,29 +40,28 @@ void Readout::look()
     }
     m_asking = true;
     m_stale = false;
-    m_workspace.session()->ask(core::ProbeVoxels{{voxel}},
-        [self = QPointer(this), voxel](const core::EngineResult& result) {
+    m_workspace.session()->questions().probe({voxel},
+        [self = QPointer(this), voxel](const core::Result<std::vector<core::ProbedVoxel>>& probes) {
             if (self)
-                self->answer(voxel, result);
+                self->answer(voxel, probes && !probes->empty() ? &probes->front() : nullptr);
         });
 }
 
-void Readout::answer(const glm::ivec3& voxel, const core::EngineResult& result)
+void Readout::answer(const glm::ivec3& voxel, const core::ProbedVoxel* probe)
 {
     m_asking = false;
     const core::Volume* volume = m_workspace.volume();
     if (!volume)
         return;
-    if (voxel == m_voxel && !result.probes.empty()) {
-        const core::ProbedVoxel& probe = result.probes.front();
+    if (voxel == m_voxel && probe) {
         QString text = positionText(m_lps)
             + QStringLiteral(" · voxel %1, %2, %3 · ").arg(voxel.x).arg(voxel.y).arg(voxel.z)
-            + valueText(volume->encoding.value(probe.code), volume->unit,
+            + valueText(volume->encoding.value(probe->code), volume->unit,
                 volume->maximum - volume->minimum);
-        if (const core::Segment* segment = m_workspace.session()->document().segment(probe.label))
+        if (const core::Segment* segment = m_workspace.session()->document().segment(probe->label))
             text += QStringLiteral(" · ") + segment->name;
-        if (probe.tolerance)
-            text += QStringLiteral(" · joins at ") + toleranceText(*probe.tolerance, *volume);
+        if (probe->tolerance)
+            text += QStringLiteral(" · joins at ") + toleranceText(*probe->tolerance, *volume);
         show(text);
     }
     if (m_stale)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/growth/ProbedVoxel.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QObject>
@@ -25,7 +26,8 @@ Q_SIGNALS:
 
 private:
     void look();
-    void answer(const glm::ivec3& voxel, const core::EngineResult& result);
+    /// @param probe null: it could not be told
+    void answer(const glm::ivec3& voxel, const core::ProbedVoxel* probe);
     void show(const QString& text);
 
     Workspace& m_workspace;

@@ -2,6 +2,7 @@
 #include "ui/overlays/SeedBand.h"
 
 #include "core/session/past/SeedStrokes.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
@@ -71,13 +72,12 @@ void SeedBand::ask()
     if (m_waiting)
         return;
     m_waiting = true;
-    core::ProbeSeeds question;
-    question.lowCode = volume->encoding.lowestCodeAtLeast(settings.lower);
-    question.highCode = volume->encoding.highestCodeAtMost(settings.upper);
-    question.seedGroups =
-        core::seedStrokes(session->history(), session->document(), question.plane);
-    session->ask(question,
-        [band = QPointer<SeedBand>(this), session, question](const core::EngineResult& result) {
+    const core::CodeInterval interval{.low = volume->encoding.lowestCodeAtLeast(settings.lower),
+        .high = volume->encoding.highestCodeAtMost(settings.upper)};
+    session->questions().seedSums(interval,
+        core::seedStrokes(session->history(), session->document(), 0),
+        [band = QPointer<SeedBand>(this), session, interval](
+            const core::Result<std::vector<core::ProbedSeeds>>& seeds) {
             if (!band || band->m_workspace.session() != session)
                 return;
             band->m_waiting = false;
@@ -85,12 +85,12 @@ void SeedBand::ask()
                 band->ask();
                 return;
             }
-            band->set(band->stretchesOf(result, question));
+            band->set(seeds ? band->stretchesOf(*seeds, interval) : std::nullopt);
         });
 }
 
 std::optional<SeedStretches> SeedBand::stretchesOf(
-    const core::EngineResult& result, const core::ProbeSeeds& question) const
+    const std::vector<core::ProbedSeeds>& probed, const core::CodeInterval& interval) const
 {
     const GrowSettings& settings = m_workspace.growSettings();
     if (!settings.sigmas.on)
@@ -98,13 +98,13 @@ std::optional<SeedStretches> SeedBand::stretchesOf(
     SeedStretches stretches;
     std::vector<core::CodeInterval> intervals;
     std::optional<core::CodeInterval> newest;
-    for (const core::ProbedSeeds& seeds : result.seeds) {
+    for (const core::ProbedSeeds& seeds : probed) {
         if (int(seeds.label) != m_workspace.activeSegment())
             continue;
         core::CodeInterval codes =
             core::seedInterval(seeds.sums, int(std::lround(settings.sigmas.value * 256.0)));
-        codes.low = std::max(codes.low, question.lowCode);
-        codes.high = std::min(codes.high, question.highCode);
+        codes.low = std::max(codes.low, interval.low);
+        codes.high = std::min(codes.high, interval.high);
         intervals.push_back(codes);
         if (seeds.group) {
             ++stretches.strokes;

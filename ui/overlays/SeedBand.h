@@ -8,8 +8,8 @@
 #include <vector>
 
 namespace core {
-struct EngineResult;
-struct ProbeSeeds;
+struct CodeInterval;
+struct ProbedSeeds;
 } // namespace core
 
 namespace ui {
@@ -43,7 +43,7 @@ Q_SIGNALS:
 private:
     void ask();
     [[nodiscard]] std::optional<SeedStretches> stretchesOf(
-        const core::EngineResult& result, const core::ProbeSeeds& question) const;
+        const std::vector<core::ProbedSeeds>& seeds, const core::CodeInterval& interval) const;
     void set(const std::optional<SeedStretches>& stretches);
 
     Workspace& m_workspace;

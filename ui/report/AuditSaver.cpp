@@ -2,6 +2,7 @@
 #include "ui/report/AuditSaver.h"
 
 #include "core/base/Guarded.h"
+#include "core/session/SessionStorage.h"
 #include "ui/report/WriteAudit.h"
 #include "ui/workspace/Workspace.h"
 
@@ -54,8 +55,8 @@ void AuditSaver::save(const QString& path)
     m_busy = true;
     session->closeGrowth();
     // The workspace outlives the session, which answers before it is gone.
-    session->audit([workspace = &m_workspace, guard = QPointer(this), path](
-                       const core::Result<core::AuditReport>& report) {
+    session->storage().audit([workspace = &m_workspace, guard = QPointer(this), path](
+                                 const core::Result<core::AuditReport>& report) {
         QMetaObject::invokeMethod(
             workspace,
             [guard, path, report] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/KeyframePictures.h"
 
+#include "core/session/SessionKeyframes.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
@@ -34,9 +35,9 @@ core::RowId KeyframePictures::nearest(const std::vector<core::RowId>& line, int 
 {
     core::RowId found = -1;
     int distance = 0;
-    const core::EditSession* session = m_workspace.session();
+    core::EditSession* session = m_workspace.session();
     const std::vector<core::RowId> rows =
-        session ? session->keyframes() : std::vector<core::RowId>();
+        session ? session->keyframes().rows() : std::vector<core::RowId>();
     for (int i = 0; i < int(line.size()); ++i) {
         const core::RowId row = line[std::size_t(i)];
         if (!std::binary_search(rows.begin(), rows.end(), row))
@@ -57,7 +58,7 @@ QImage KeyframePictures::picture(core::RowId row)
     if (!session || !m_asked.insert(row).second)
         return {};
     // The workspace outlives the session, which answers before it is gone.
-    session->fetchKeyframe(row,
+    session->keyframes().fetch(row,
         [workspace = &m_workspace, guard = QPointer(this), row, asked = m_session](
             const QByteArray& png) {
             QMetaObject::invokeMethod(

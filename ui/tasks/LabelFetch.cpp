@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/LabelFetch.h"
 
+#include "core/session/questions/VoxelQuestions.h"
+
 #include <QPointer>
 
 #include <utility>
@@ -14,7 +16,7 @@ void LabelFetch::start(
     const glm::ivec3 size = session.document().volumes.front().geometry.size;
     m_work = std::make_shared<Work>(Work{session, {}});
     for (const std::uint8_t plane : planes)
-        m_work->readers.emplace_back(size, plane, field);
+        m_work->readers.push_back(std::make_shared<core::LabelReader>(size, plane, field));
     askNext();
 }
 
@@ -22,26 +24,24 @@ void LabelFetch::askNext()
 {
     Work& work = *m_work;
     while (work.current < work.readers.size()) {
-        if (auto question = work.readers[work.current].next()) {
-            // An answer to what was cancelled, or asked by somebody who is gone, is dropped.
-            work.session.ask(*std::move(question),
+        // An answer to what was cancelled, or asked by somebody who is gone, is dropped.
+        if (work.session.questions().readOn(work.readers[work.current],
                 [fetch = QPointer<LabelFetch>(this), asked = std::weak_ptr<Work>(m_work)](
-                    const core::EngineResult& answer) {
+                    const core::Result<void>& portion) {
                     if (fetch && fetch->m_work && fetch->m_work == asked.lock())
-                        fetch->take(answer);
-                });
+                        fetch->take(portion);
+                }))
             return;
-        }
         ++work.current;
     }
     std::vector<ExportJob::Plane> planes;
-    for (core::LabelReader& reader : work.readers)
-        planes.push_back({reader.plane(), reader.takeLabels()});
+    for (const auto& reader : work.readers)
+        planes.push_back({reader->plane(), reader->takeLabels()});
     m_work.reset();
     Q_EMIT finished(planes);
 }
 
-void LabelFetch::take(const core::EngineResult& answer)
+void LabelFetch::take(const core::Result<void>& portion)
 {
     Work& work = *m_work;
     const core::RowId position = work.session.history().position();
@@ -50,13 +50,13 @@ void LabelFetch::take(const core::EngineResult& answer)
     if (*work.position != position)
         return fail({core::ErrorCode::Internal,
             {QStringLiteral("export"), QStringLiteral("the study was edited meanwhile")}});
-    if (const auto taken = work.readers[work.current].take(answer); !taken)
-        return fail(taken.error());
+    if (!portion)
+        return fail(portion.error());
     int done = 0;
     int total = 0;
-    for (const core::LabelReader& reader : work.readers) {
-        done += reader.bricksRead();
-        total += reader.bricks();
+    for (const auto& reader : work.readers) {
+        done += reader->bricksRead();
+        total += reader->bricks();
     }
     const std::weak_ptr<Work> mine = m_work;
     Q_EMIT progressed(done, total);

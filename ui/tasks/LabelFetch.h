@@ -37,12 +37,12 @@ Q_SIGNALS:
 private:
     struct Work {
         core::EditSession& session;
-        std::vector<core::LabelReader> readers; ///< one per plane, in turn
+        std::vector<std::shared_ptr<core::LabelReader>> readers; ///< one per plane, in turn
         std::size_t current = 0;
         std::optional<core::RowId> position{}; ///< of the history, at the first answer
     };
     void askNext();
-    void take(const core::EngineResult& answer);
+    void take(const core::Result<void>& portion);
     void fail(const core::Error& error);
 
     std::shared_ptr<Work> m_work;

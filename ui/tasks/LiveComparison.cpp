@@ -3,6 +3,7 @@
 
 #include "core/brick/LabelRuns.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
+#include "core/session/SessionSurface.h"
 #include "ui/workspace/Refinement.h"
 
 #include <chrono>
@@ -149,7 +150,7 @@ void LiveComparison::look()
     // What stands open would be closed by the question.
     if (session->transactionOpen() || !session->idle())
         return later();
-    if (session->surface() || m_labels)
+    if (session->surface().mesh() || m_labels)
         compare();
     else
         m_fetch.start(*session, {segment->plane});
@@ -161,7 +162,7 @@ void LiveComparison::compare()
     const core::Segment* segment = comparedSegment();
     if (!segment || m_chosen < 0)
         return;
-    const core::SimplexMesh* mesh = session->surface();
+    const core::SimplexMesh* mesh = session->surface().mesh();
     // What was fetched may not be what is asked by now.
     if (!mesh && !m_labels)
         return later();

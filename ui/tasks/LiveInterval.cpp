@@ -106,7 +106,7 @@ void LiveInterval::send(bool atOnce)
         m_open = true;
         m_watch.start();
     } else {
-        const bool arrived = !session->engine().growthProgress().running;
+        const bool arrived = !session->growthProgress().running;
         if (!atOnce && !arrived && m_sinceSent.elapsed() < patienceMilliseconds)
             return;
         session->setInterval(m_wanted->first, m_wanted->second);

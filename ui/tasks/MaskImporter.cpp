@@ -6,6 +6,7 @@
 #include "core/masks/ReadImport.h"
 #include "core/meshfile/MeshReader.h"
 #include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QFileDialog>
@@ -123,9 +124,8 @@ void MaskImporter::apply(const core::Result<core::ReadImport>& read, const QStri
         return;
     }
     // Answered behind the edit: only then is it known whether any voxel was free.
-    session->ask(core::ProbeVoxels{},
-        [guard = QPointer(this), session, rows, path, notes = read->notes](
-            const core::EngineResult&) {
+    session->questions().afterAll(
+        [guard = QPointer(this), session, rows, path, notes = read->notes] {
             if (!guard)
                 return;
             if (session->history().rows().size() > rows)

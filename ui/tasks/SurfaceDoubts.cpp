@@ -3,6 +3,7 @@
 
 #include "core/refine/fit/SurfaceDoubts.h"
 #include "core/refine/voxels/BoxMask.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/workspace/Refinement.h"
 #include "ui/workspace/Workspace.h"
 
@@ -136,13 +137,13 @@ void SurfaceDoubts::look()
 
 void SurfaceDoubts::askForCodes(const std::shared_ptr<Job>& job)
 {
-    m_workspace.session()->ask(
-        core::ReadCodes{job->box}, [self = QPointer(this), job](const core::EngineResult& answer) {
+    m_workspace.session()->questions().codes(
+        job->box, [self = QPointer(this), job](core::Result<std::vector<std::uint16_t>> codes) {
             if (!self || self->m_job != job)
                 return;
-            if (answer.error)
-                return self->fail(*answer.error);
-            job->codes = answer.codes;
+            if (!codes)
+                return self->fail(codes.error());
+            job->codes = *std::move(codes);
             self->workOut(job);
         });
 }

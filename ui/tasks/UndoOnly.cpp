@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/UndoOnly.h"
 
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
@@ -12,7 +13,7 @@ void undoOnlyLast(Workspace& workspace, const core::Touch& touch, const QString&
     core::EditSession* session = workspace.session();
     if (!session)
         return;
-    session->findLastTouching(
+    session->questions().lastTouching(
         touch, [shared = QPointer<Workspace>(&workspace), place](core::RowId row) {
             core::EditSession* now = shared ? shared->session() : nullptr;
             if (!now)

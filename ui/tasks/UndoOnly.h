@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/session/questions/TouchSearch.h"
+#include "core/session/questions/Touch.h"
 
 #include <QString>
 

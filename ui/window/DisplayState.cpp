@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/DisplayState.h"
 
+#include "core/session/SessionDisplay.h"
 #include "ui/base/DisplayJson.h"
 #include "ui/input/Tool.h"
 #include "ui/views/ViewGrid.h"
@@ -327,7 +328,7 @@ void DisplayState::open()
 {
     if (!m_workspace.volume())
         return m_timer.stop();
-    apply(m_workspace.session()->display());
+    apply(m_workspace.session()->display().kept());
     m_known = composed();
     m_timer.start();
 }
@@ -340,10 +341,10 @@ void DisplayState::keep()
         return;
     m_known = now;
     // Fields of a later Burin stay.
-    QJsonObject kept = session->display();
+    QJsonObject kept = session->display().kept();
     for (auto field = now.constBegin(); field != now.constEnd(); ++field)
         kept[field.key()] = field.value();
-    session->setDisplay(kept);
+    session->display().keep(kept);
 }
 
 QJsonObject DisplayState::composed() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/KeyframeRecorder.h"
 
+#include "core/session/SessionKeyframes.h"
 #include "ui/views/ImageView.h"
 #include "ui/workspace/Workspace.h"
 
@@ -26,7 +27,7 @@ void KeyframeRecorder::begin()
     core::EditSession* session = m_workspace.session();
     m_rows = session ? session->history().rows().size() : 0;
     m_position = session ? session->history().position() : 0;
-    m_rule.begin(m_rows, m_position, session && !session->keyframes().empty(), m_clock());
+    m_rule.begin(m_rows, m_position, session && !session->keyframes().rows().empty(), m_clock());
     m_due = false;
     m_outdated = 0;
 }
@@ -91,7 +92,7 @@ void KeyframeRecorder::deliver()
     }
     for (const auto& [row, png] : done) {
         if (core::EditSession* session = m_workspace.session())
-            session->addKeyframe(row, png);
+            session->keyframes().add(row, png);
     }
 }
 

@@ -74,31 +74,30 @@ void ChunkMembers::askNext()
 {
     if (m_dirty.empty() || !m_workspace.session())
         return;
-    core::ReadBricks question;
-    while (!m_dirty.empty() && question.keys.size() < bricksAtOnce)
-        question.keys.push_back(
-            {core::Field::Labels, m_plane, m_dirty.extract(m_dirty.begin()).value()});
+    std::vector<core::BrickKey> keys;
+    while (!m_dirty.empty() && keys.size() < bricksAtOnce)
+        keys.push_back({core::Field::Labels, m_plane, m_dirty.extract(m_dirty.begin()).value()});
     m_asking = true;
-    m_workspace.session()->ask(std::move(question),
+    m_workspace.session()->questions().bricks(std::move(keys),
         [members = QPointer<ChunkMembers>(this), count = m_count](
-            const core::EngineResult& result) {
+            core::Result<std::vector<core::BrickImage>> bricks) {
             if (members && members->m_count == count)
-                members->take(result);
+                members->take(std::move(bricks).value_or(std::vector<core::BrickImage>()));
         });
 }
 
-void ChunkMembers::take(const core::EngineResult& result)
+void ChunkMembers::take(const std::vector<core::BrickImage>& bricks)
 {
     m_asking = false;
     bool changes = false;
-    for (const core::BrickChange& brick : result.changes)
+    for (const core::BrickImage& brick : bricks)
         changes = takeBrick(brick) || changes;
     askNext();
     if (changes)
         Q_EMIT changed();
 }
 
-bool ChunkMembers::takeBrick(const core::BrickChange& brick)
+bool ChunkMembers::takeBrick(const core::BrickImage& brick)
 {
     const core::VoxelBox& box = m_leaves->map->box();
     const core::BrickGrid grid{m_leaves->map->volumeSize()};
@@ -115,7 +114,7 @@ bool ChunkMembers::takeBrick(const core::BrickChange& brick)
                 + std::size_t(within.x);
             auto offset = std::size_t(core::BrickGrid::offsetInBrick(from));
             for (int x = from.x; x < part.maximum.x; ++x, ++at, ++offset) {
-                const bool own = !labels.empty() && labels[offset] == m_segment;
+                const bool own = !brick.bytes.empty() && brick.bytes.read()[offset] == m_segment;
                 if (m_isOwn[at] == own)
                     continue;
                 m_isOwn[at] = own;

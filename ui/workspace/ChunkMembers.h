@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
-#include "core/engine/EngineCommands.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/settings/ChunkLeaves.h"
 
 #include <QObject>
@@ -37,8 +37,8 @@ Q_SIGNALS:
 
 private:
     void askNext();
-    void take(const core::EngineResult& result);
-    [[nodiscard]] bool takeBrick(const core::BrickChange& brick);
+    void take(const std::vector<core::BrickImage>& bricks);
+    [[nodiscard]] bool takeBrick(const core::BrickImage& brick);
 
     Workspace& m_workspace;
     std::shared_ptr<const ChunkLeaves> m_leaves;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/Chunks.h"
 
+#include "core/session/SessionChunks.h"
 #include "ui/workspace/Workspace.h"
 
 #include <algorithm>
@@ -81,19 +82,18 @@ bool Chunks::isWorking() const
     return m_look.shown && division() && !m_leaves;
 }
 
-core::ChunkWorker* Chunks::worker() const
+core::SessionChunks* Chunks::chunks() const
 {
     core::EditSession* session = m_workspace.session();
-    return session ? core::ChunkWorker::of(session->engine()) : nullptr;
+    return session ? &session->chunks() : nullptr;
 }
 
-core::ChunkWorker::Stage Chunks::stage() const
+core::ChunkStage Chunks::stage() const
 {
-    const core::ChunkWorker* its = worker();
+    const core::SessionChunks* its = chunks();
     // The rest is done here.
     return (its ? its->stage() : std::nullopt)
-        .value_or(
-            core::ChunkWorker::Stage{.step = QStringLiteral("Colouring them"), .percent = 100});
+        .value_or(core::ChunkStage{.step = QStringLiteral("Colouring them"), .percent = 100});
 }
 
 void Chunks::follow()
@@ -101,9 +101,9 @@ void Chunks::follow()
     const std::optional<core::ChunkDivision> now = division();
     std::shared_ptr<const core::ChunkMap> wanted;
     if (now && m_look.shown) {
-        wanted = m_workspace.session()->chunkMap();
-        const core::ChunkWorker* its = worker();
-        if (!wanted && its && its->lastFailure())
+        core::SessionChunks& its = m_workspace.session()->chunks();
+        wanted = its.map();
+        if (!wanted && its.whyNot())
             return takeBack(); // the session says why
     }
     if (wanted != m_wanted || (now && now->segment != m_segment)) {
@@ -163,7 +163,7 @@ void Chunks::setLook(const Look& look)
     m_look = wanted;
     if (shows) {
         // Who asks again has it tried again.
-        if (core::ChunkWorker* its = worker(); its && m_look.shown)
+        if (core::SessionChunks* its = chunks(); its && m_look.shown)
             its->forgetFailure();
         follow();
     }
@@ -321,7 +321,7 @@ void Chunks::abort()
 {
     if (!isWorking())
         return;
-    if (core::ChunkWorker* its = worker())
+    if (core::SessionChunks* its = chunks())
         its->cancel();
     takeBack();
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/base/TaskThread.h"
+#include "core/chunks/ChunkMap.h"
+#include "core/chunks/ChunkStage.h"
 #include "core/document/Document.h"
-#include "core/session/state/ChunkWorker.h"
+#include "core/history/History.h"
 #include "gpu/scene/Scene.h"
 #include "ui/settings/ChunkLeaves.h"
 #include "ui/workspace/ChunkMembers.h"
@@ -13,6 +15,10 @@
 #include <memory>
 #include <optional>
 #include <vector>
+
+namespace core {
+class SessionChunks;
+}
 
 namespace ui {
 
@@ -52,7 +58,7 @@ public:
     /// They are to be shown, and are being worked out.
     [[nodiscard]] bool isWorking() const;
     /// How far that is; changes without a signal.
-    [[nodiscard]] core::ChunkWorker::Stage stage() const;
+    [[nodiscard]] core::ChunkStage stage() const;
     [[nodiscard]] const Look& look() const { return m_look; }
     void setLook(const Look& look);
 
@@ -86,7 +92,8 @@ Q_SIGNALS:
 private:
     void follow();
     void takeBack();
-    [[nodiscard]] core::ChunkWorker* worker() const;
+    /// Of the session; null: there is none.
+    [[nodiscard]] core::SessionChunks* chunks() const;
     void take(const std::shared_ptr<const ChunkLeaves>& leaves);
     void countOwn();
     void colour();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/CuttingPlane.h"
 
+#include "core/session/questions/VoxelQuestions.h"
 #include "core/volume/LocalStructure.h"
 #include "ui/workspace/Refinement.h"
 #include "ui/workspace/Workspace.h"
@@ -156,22 +157,24 @@ void CuttingPlane::askAcross(const glm::dvec3& placeLps)
     const core::VoxelBox box = core::localStructureBox(volume->geometry, placeLps, radiusMm);
     if (box.empty())
         return m_workspace.say(tr("That lies beyond the volume"));
-    session->ask(core::ReadCodes{box}, [=, self = QPointer(this)](const core::EngineResult& got) {
-        if (!self || !self->m_workspace.volume())
-            return;
-        if (got.error)
-            return self->m_workspace.fail(*got.error);
-        const auto structure = core::localStructure(
-            got.codes, box, self->m_workspace.volume()->geometry, placeLps, radiusMm);
-        if (!structure)
-            return self->m_workspace.say(tr("Nothing runs there: values do not change"));
-        if (structure->isTube())
-            self->cutAcross(placeLps, structure->directions[2]);
-        else
-            self->standOn(placeLps, structure->directions[0]);
-        self->m_workspace.say(structure->isTube() ? tr("The plane lies across what runs there")
-                                                  : tr("The plane stands on the surface there"));
-    });
+    session->questions().codes(
+        box, [=, self = QPointer(this)](const core::Result<std::vector<std::uint16_t>>& codes) {
+            if (!self || !self->m_workspace.volume())
+                return;
+            if (!codes)
+                return self->m_workspace.fail(codes.error());
+            const auto structure = core::localStructure(
+                *codes, box, self->m_workspace.volume()->geometry, placeLps, radiusMm);
+            if (!structure)
+                return self->m_workspace.say(tr("Nothing runs there: values do not change"));
+            if (structure->isTube())
+                self->cutAcross(placeLps, structure->directions[2]);
+            else
+                self->standOn(placeLps, structure->directions[0]);
+            self->m_workspace.say(structure->isTube()
+                    ? tr("The plane lies across what runs there")
+                    : tr("The plane stands on the surface there"));
+        });
 }
 
 std::vector<glm::dvec3> CuttingPlane::section() const

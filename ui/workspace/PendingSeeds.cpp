@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/PendingSeeds.h"
 
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
@@ -114,17 +115,17 @@ void PendingSeeds::show(Sketched sketched)
         return;
     }
     const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
-    core::ProbeVoxels question;
+    std::vector<glm::ivec3> voxels;
     for (const auto* list : {&sketched.pending, &sketched.grown}) {
         for (const gpu::SceneSeed& seed : *list)
-            question.voxels.push_back(voxelAt(seed.lps, geometry));
+            voxels.push_back(voxelAt(seed.lps, geometry));
     }
-    m_workspace.session()->ask(std::move(question),
+    m_workspace.session()->questions().probe(std::move(voxels),
         [seeds = QPointer<PendingSeeds>(this), asked, sketched = std::move(sketched)](
-            const core::EngineResult& result) mutable {
+            const core::Result<std::vector<core::ProbedVoxel>>& probed) {
             const std::size_t pending = sketched.pending.size();
-            if (!seeds || seeds->m_asked != asked
-                || result.probes.size() != pending + sketched.grown.size())
+            if (!seeds || seeds->m_asked != asked || !probed
+                || probed->size() != pending + sketched.grown.size())
                 return;
             const auto waitingOf = [](const std::vector<gpu::SceneSeed>& list,
                                        std::span<const core::ProbedVoxel> probes) {
@@ -135,7 +136,7 @@ void PendingSeeds::show(Sketched sketched)
                 }
                 return waiting;
             };
-            const std::span<const core::ProbedVoxel> probes(result.probes);
+            const std::span<const core::ProbedVoxel> probes(*probed);
             seeds->set(waitingOf(sketched.pending, probes.first(pending)),
                 waitingOf(sketched.grown, probes.subspan(pending)));
         });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/Pieces.h"
 
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/workspace/LayerActions.h"
 #include "ui/workspace/OpeningView.h"
@@ -151,22 +152,25 @@ void Pieces::measure(int layer, int segment, std::function<void(const Extent&)> 
 {
     const core::VolumeGeometry geometry = m_workspace.volume()->geometry;
     const core::BrickGrid grid{geometry.size};
-    core::ReadBricks question;
+    std::vector<core::BrickKey> keys;
+    keys.reserve(std::size_t(grid.brickCount()));
     for (int brick = 0; brick < grid.brickCount(); ++brick)
-        question.keys.push_back({.field = layer > 0 ? core::Field::Coverage : core::Field::Labels,
+        keys.push_back({.field = layer > 0 ? core::Field::Coverage : core::Field::Labels,
             .plane = std::uint8_t(layer),
             .brick = std::uint32_t(brick)});
-    m_workspace.session()->ask(std::move(question),
-        [this, geometry, grid, segment, then = std::move(then)](const core::EngineResult& answer) {
+    m_workspace.session()->questions().bricks(std::move(keys),
+        [this, geometry, grid, segment, then = std::move(then)](
+            core::Result<std::vector<core::BrickImage>> answer) {
             constexpr int side = core::BrickGrid::side;
+            const std::vector<core::BrickImage> bricks =
+                std::move(answer).value_or(std::vector<core::BrickImage>());
             Extent extent;
             glm::dvec3 low(1e300);
             glm::dvec3 high(-1e300);
-            for (const core::BrickChange& brick : answer.changes) {
+            for (const core::BrickImage& brick : bricks) {
                 const glm::ivec3 origin = grid.brickPosition(int(brick.key.brick)) * side;
-                const std::vector<std::uint8_t>& values = brick.after.read();
-                for (std::size_t i = 0; i < values.size(); ++i) {
-                    const int value = values[i];
+                for (std::size_t i = 0; i < brick.bytes.size(); ++i) {
+                    const int value = brick.bytes.read()[i];
                     if (segment > 0 ? value != segment : value < 128)
                         continue;
                     const glm::ivec3 local(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/Refinement.h"
 
+#include "core/session/SessionSurface.h"
 #include "ui/workspace/Workspace.h"
 
 #include <algorithm>
@@ -35,11 +36,12 @@ void Refinement::follow()
         take(nothing);
         return;
     }
-    session->setSurfaceListener([this, &frames = m_workspace.frames()](core::SurfaceUpdate update) {
-        frames.updateSurface(update);
-        QMetaObject::invokeMethod(
-            this, [this, update = std::move(update)] { take(update); }, Qt::QueuedConnection);
-    });
+    session->surface().setListener(
+        [this, &frames = m_workspace.frames()](core::SurfaceUpdate update) {
+            frames.updateSurface(update);
+            QMetaObject::invokeMethod(
+                this, [this, update = std::move(update)] { take(update); }, Qt::QueuedConnection);
+        });
 }
 
 void Refinement::take(const core::SurfaceUpdate& update)

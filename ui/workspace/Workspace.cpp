@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/Workspace.h"
 
+#include "core/session/SessionStorage.h"
 #include "ui/base/AuthorName.h"
 #include "ui/base/Theme.h"
 #include "ui/input/Tool.h"
@@ -34,7 +35,7 @@ Workspace::Workspace(gpu::FrameSource& frames, QObject* parent)
     m_retry.setInterval(std::chrono::seconds(5));
     connect(&m_retry, &QTimer::timeout, this, [this] {
         if (m_session)
-            m_session->retryWriting();
+            m_session->storage().retryWriting();
     });
 }
 
@@ -97,8 +98,8 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     Q_EMIT activeSegmentChanged();
     Q_EMIT activeLayerChanged();
     Q_EMIT cautionAcceptedChanged();
-    if (m_session && m_session->diskTrouble() && !m_session->whyNoFile()) {
-        fail({core::ErrorCode::SessionUnwritten, m_session->diskTrouble()->arguments});
+    if (m_session && m_session->storage().trouble() && !m_session->storage().whyNoFile()) {
+        fail({core::ErrorCode::SessionUnwritten, m_session->storage().trouble()->arguments});
         followDisk();
     }
 }
@@ -112,13 +113,13 @@ void Workspace::dropSession()
 void Workspace::applyHistoryMemory()
 {
     if (m_session)
-        m_session->setStepMemory(std::size_t(historyMebibytes()) << 20);
+        m_session->storage().setStepMemory(std::size_t(historyMebibytes()) << 20);
 }
 
 void Workspace::followDisk()
 {
-    const bool troubled = m_session->diskTrouble().has_value();
-    if (!troubled && m_retry.isActive() && !m_session->whyNoFile())
+    const bool troubled = m_session->storage().trouble().has_value();
+    if (!troubled && m_retry.isActive() && !m_session->storage().whyNoFile())
         say(tr("Everything is on disk again."));
     if (troubled)
         m_retry.start();

@@ -29,12 +29,6 @@ namespace core {
 /// The same of an interval that names all that it reads (RecentGrowth.h). Errors likewise.
 [[nodiscard]] Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document);
 
-/// By which a tolerance field shows how a segment would grow; of the criteria the interval is not
-/// looked at. Errors: UnknownSegment, SegmentLocked, InvalidField (as of growBurst(), or a
-/// criterion that knows no least tolerance).
-[[nodiscard]] Result<ToleranceRule> toleranceRule(
-    int segment, const GrowCriteria& criteria, const Document& document);
-
 /// Errors: SegmentLocked (no segment may change).
 [[nodiscard]] Result<ShrinkGrowth> shrinkGrowth(
     const ShrinkSteps& shrink, const Document& document);

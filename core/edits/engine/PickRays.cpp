@@ -45,7 +45,7 @@ PickRays pickRays(const OrthographicView& view, const std::vector<glm::dvec2>& p
     for (const glm::dvec2& point : planeMm) {
         const glm::dvec3 world = view.targetLps + right * point.x + up * point.y;
         const glm::dvec3 origin(toIndex * glm::dvec4(world, 1.0));
-        PickVoxels::Ray ray;
+        PickRay ray;
         if (const auto inside = stretchInside(everywhere, origin, perSample, seen)) {
             // On the sample grid that counts from the target's plane, so that neighbouring rays
             // step through the volume together.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/Edits.h"
-#include "core/engine/EngineCommands.h"
+#include "core/sculpt/PickRay.h"
 #include "core/volume/ClipRegion.h"
 #include "core/volume/VolumeGeometry.h"
 
@@ -12,10 +12,10 @@
 
 namespace core {
 
-/// Rays of an orthographic view in the integers of PickVoxels::Ray.
+/// Rays of an orthographic view, in an engine's integers.
 struct PickRays {
     /// One per point, in the order of the points; a ray that misses the volume has no samples.
-    std::vector<PickVoxels::Ray> rays;
+    std::vector<PickRay> rays;
     double sampleMm = 0.0; ///< distance of neighbouring samples: half the finest spacing
 };
 

@@ -157,6 +157,12 @@ void OperationQueue::poll()
     tellNews();
 }
 
+void OperationQueue::waitForEngine()
+{
+    m_state.engine.finish();
+    poll();
+}
+
 /// Told once when writing begins to fail; settle() tells whoever waits for the disk each time.
 void OperationQueue::noticeTrouble()
 {
@@ -214,9 +220,12 @@ void OperationQueue::take(EngineResult&& result)
     if (const auto asked = m_answers.find(result.ticket); asked != m_answers.end()) {
         const Answer answer = std::move(asked->second);
         m_answers.erase(asked);
+        if (m_closing)
+            return;
+        const Ticket ticket = result.ticket;
         // Whoever asked hears of it, too, where it is his own answer that cannot be taken in.
-        if (const Result<void> taken = guarded([&] { answer(result); }); !taken)
-            answer({.ticket = result.ticket, .error = taken.error()});
+        if (const Result<void> taken = guarded([&] { answer(std::move(result)); }); !taken)
+            answer({.ticket = ticket, .error = taken.error()});
     } else if (!m_state.chunks->take(result) && m_started) {
         m_operations.front()->takeResult(m_state, std::move(result));
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/operations/VoxelOperation.h"
+#include "core/session/questions/QuestionLine.h"
 
 #include <deque>
 #include <functional>
@@ -14,20 +15,17 @@ namespace core {
 /// What a session was asked to do, in line: edits, walks through the history and questions. Carries
 /// them out one after the other as engine and worker answer, and tells what came of it. Part of
 /// EditSession; one thread. Nothing here waits but settle() and the destructor.
-class OperationQueue {
+class OperationQueue final : public QuestionLine {
 public:
-    using Answer = std::function<void(const EngineResult&)>;
-
     /// @param file null: history in memory only
     /// @param wakeUp as in EditSession::Options
     OperationQueue(EditEngine& engine, Volume volume, std::unique_ptr<SessionFile> file,
         std::function<void()> wakeUp);
     /// Commits a growth or peel under way, rolls a stroke back, and waits for the disk.
-    ~OperationQueue();
+    ~OperationQueue() override;
 
-    void submit(std::unique_ptr<Operation> operation);
-    /// A question takes its place in line. The answer is given by poll().
-    void ask(EngineCommand question, Answer answer);
+    void submit(std::unique_ptr<Operation> operation) override;
+    void ask(EngineCommand question, Answer answer) override;
 
     /// The stroke under the pen or the growth that runs; null: none.
     [[nodiscard]] OpenOperation* interactive() const;
@@ -36,9 +34,10 @@ public:
     void end(OpenOperation& stroke, Ending ending);
     /// A growth that runs is committed at its generation, an open peel at its depth; a preview is
     /// taken back.
-    void closeGrowth();
+    void closeGrowth() override;
 
     void poll();
+    void waitForEngine() override;
     /// Waits. @return the first failure since it was called last
     Result<void> settle();
 
@@ -46,8 +45,7 @@ public:
     [[nodiscard]] bool idle() const { return m_operations.empty(); }
     /// Whether an edit can be carried out after what waits; what cannot be told is let through.
     [[nodiscard]] Result<void> check(const Edit& edit) const;
-    /// The document after what waits, as far as that can be told.
-    [[nodiscard]] Document foreseen() const;
+    [[nodiscard]] Document foreseen() const override;
 
     [[nodiscard]] SessionState& state() { return m_state; }
     [[nodiscard]] const SessionState& state() const { return m_state; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/LabelReader.h"
 
+#include "core/engine/EngineCommands.h"
+
 #include <algorithm>
 
 namespace core {

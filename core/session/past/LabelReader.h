@@ -2,13 +2,16 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/engine/EngineCommands.h"
+#include "core/brick/BrickGrid.h"
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace core {
+
+struct EngineResult;
+struct ReadBricks;
 
 /// One label plane, or one layer's coverage, on its way from the engine, in portions of 4 MiB, so
 /// that other work comes in between. Ask next(), give the answer to take(), until next() has

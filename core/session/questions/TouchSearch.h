@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/session/questions/Touch.h"
 #include "core/session/state/Operation.h"
 
 #include <functional>
 #include <map>
 
 namespace core {
-
-/// What a step may have touched: the voxels and seeds of a segment, or anything in a box.
-struct Touch {
-    int segment = 0; ///< label; 0: the box counts
-    VoxelBox box{}; ///< index space
-};
 
 /// Looks for the last step that stands and touched something. Steps that took others back are
 /// passed over, so that whoever undoes what was found, and asks again, is told the one before. From

@@ -26,39 +26,6 @@ tl::unexpected<Error> tooLarge(const VoxelBox& box)
             .arg((std::int64_t(size.x) * size.y * size.z >> 20) + 1));
 }
 
-/// Workers by the engine that they ask.
-class Workers {
-public:
-    void add(const EditEngine& engine, ChunkWorker& worker)
-    {
-        const std::lock_guard lock(m_mutex);
-        m_workers[&engine] = &worker;
-    }
-    void remove(const EditEngine& engine, const ChunkWorker& worker)
-    {
-        const std::lock_guard lock(m_mutex);
-        const auto found = m_workers.find(&engine);
-        if (found != m_workers.end() && found->second == &worker) // else the next session has it
-            m_workers.erase(found);
-    }
-    [[nodiscard]] ChunkWorker* of(const EditEngine& engine) const
-    {
-        const std::lock_guard lock(m_mutex);
-        const auto found = m_workers.find(&engine);
-        return found == m_workers.end() ? nullptr : found->second;
-    }
-
-private:
-    mutable std::mutex m_mutex;
-    std::map<const EditEngine*, ChunkWorker*> m_workers;
-};
-
-Workers& workers()
-{
-    static Workers all;
-    return all;
-}
-
 } // namespace
 
 /// From the questions to the answer; the thread's from the last answered question on.
@@ -85,7 +52,7 @@ struct ChunkWorker::Job {
     Progress progress;
     std::mutex mutex;
     std::optional<Result<Map>> outcome; ///< under mutex, like the rest
-    Stage stage;
+    ChunkStage stage;
     std::size_t step = 0; ///< of stepEnds
 };
 
@@ -95,18 +62,11 @@ ChunkWorker::ChunkWorker(
     , m_geometry(geometry)
     , m_wakeUp(std::move(wakeUp))
 {
-    workers().add(m_engine, *this);
 }
 
 ChunkWorker::~ChunkWorker()
 {
-    workers().remove(m_engine, *this);
     drop();
-}
-
-ChunkWorker* ChunkWorker::of(const EditEngine& engine)
-{
-    return workers().of(engine);
 }
 
 void ChunkWorker::drop()
@@ -279,7 +239,7 @@ std::optional<Error> ChunkWorker::whyNot(RowId row) const
     return row == m_row ? m_failure : std::nullopt;
 }
 
-std::optional<ChunkWorker::Stage> ChunkWorker::stage() const
+std::optional<ChunkStage> ChunkWorker::stage() const
 {
     if (!m_job)
         return std::nullopt;
@@ -287,7 +247,7 @@ std::optional<ChunkWorker::Stage> ChunkWorker::stage() const
     if (!m_job->stage.step.isEmpty())
         return m_job->stage;
     const std::size_t answered = m_job->asked - m_job->questions;
-    return Stage{.step = QStringLiteral("Fetching the values"),
+    return ChunkStage{.step = QStringLiteral("Fetching the values"),
         .percent = int(std::size_t(fetched) * answered / std::max<std::size_t>(1, m_job->asked))};
 }
 

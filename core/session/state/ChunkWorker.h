@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/TaskThread.h"
 #include "core/chunks/ChunkMap.h"
+#include "core/chunks/ChunkStage.h"
 #include "core/edits/engine/ChunkVoxels.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
@@ -28,16 +29,6 @@ public:
     ChunkWorker(const ChunkWorker&) = delete;
     ChunkWorker& operator=(const ChunkWorker&) = delete;
 
-    /// Where the work is.
-    struct Stage {
-        QString step;
-        int percent = 0; ///< of all steps, about
-    };
-
-    /// The worker of the session that an engine is lent to; null: there is none. For whoever shows
-    /// how far it is, and calls it off.
-    [[nodiscard]] static ChunkWorker* of(const EditEngine& engine);
-
     /// Begins with the division of a row, unless it is there or under way; another one is dropped.
     /// What failed is not tried again.
     void want(RowId row, const Chunks& edit);
@@ -50,7 +41,7 @@ public:
     /// What failed may be tried again.
     void forgetFailure();
     /// None: nothing is under way.
-    [[nodiscard]] std::optional<Stage> stage() const;
+    [[nodiscard]] std::optional<ChunkStage> stage() const;
     /// What is under way is given up: it fails, which only those are told who wait for it.
     void cancel();
 

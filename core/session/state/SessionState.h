@@ -90,7 +90,7 @@ public:
     EditEngine& engine;
     Document document;
     History history;
-    QJsonObject display; ///< opaque here (EditSession::display())
+    QJsonObject display; ///< opaque here (SessionDisplay::kept())
     std::unique_ptr<SessionFile> file; ///< null: history in memory only
     std::unique_ptr<CommitWorker> worker; ///< after file: it writes there to the end
     std::unique_ptr<ChunkWorker> chunks;

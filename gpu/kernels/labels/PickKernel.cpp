@@ -38,7 +38,7 @@ std::vector<std::optional<glm::ivec3>> PickKernel::pick(
         glm::ivec4 perSample;
     };
     std::vector<Ray> rays;
-    for (const core::PickVoxels::Ray& ray : command.rays)
+    for (const core::PickRay& ray : command.rays)
         rays.push_back({glm::ivec4(ray.origin, ray.samples), glm::ivec4(ray.step, 0)});
     std::vector<std::uint32_t> opacities = command.opacityOfCode;
     opacities.resize(256, 0);

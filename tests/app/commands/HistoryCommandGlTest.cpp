@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionKeyframes.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -241,11 +242,11 @@ private Q_SLOTS:
         const auto session = EditSession::view(
             oracle, *loadVolume(study()), path("a.burin"), QStringLiteral("a test looks at it"));
         QVERIFY(session);
-        QCOMPARE((*session)->keyframes(), (std::vector<RowId>{1, 6, 11}));
+        QCOMPARE((*session)->keyframes().rows(), (std::vector<RowId>{1, 6, 11}));
         std::vector<QImage> pictures;
         for (const RowId row : {1, 6, 11}) {
             std::promise<QByteArray> png;
-            (*session)->fetchKeyframe(
+            (*session)->keyframes().fetch(
                 row, [&png](const QByteArray& fetched) { png.set_value(fetched); });
             pictures.push_back(QImage::fromData(png.get_future().get(), "PNG"));
             QCOMPARE(pictures.back().size(), QSize(256, 192));
@@ -278,7 +279,7 @@ private Q_SLOTS:
             const auto session = EditSession::view(
                 oracle, *loadVolume(study()), path(name), QStringLiteral("a test looks at it"));
             std::promise<QByteArray> png;
-            (*session)->fetchKeyframe((*session)->history().position(),
+            (*session)->keyframes().fetch((*session)->history().position(),
                 [&png](const QByteArray& fetched) { png.set_value(fetched); });
             return QImage::fromData(png.get_future().get(), "PNG");
         };

@@ -34,11 +34,10 @@ void ReferenceEngineTest::picksMeetTheSurface()
     codes.at({4, 4, 11}) = 3000;
     ReferenceEngine engine;
     QVERIFY(engine.openVolume(size, codes.values));
-    const PickVoxels::Ray along{
+    const PickRay along{
         .origin = {4 << 16, 4 << 16, -(3 << 16)}, .step = {0, 0, 1 << 14}, .samples = 100};
-    const PickVoxels::Ray beside{
-        .origin = {40 << 16, 4 << 16, 0}, .step = {0, 0, 1 << 14}, .samples = 100};
-    const std::vector<PickVoxels::Ray> rays{along, beside};
+    const PickRay beside{.origin = {40 << 16, 4 << 16, 0}, .step = {0, 0, 1 << 14}, .samples = 100};
+    const std::vector<PickRay> rays{along, beside};
     engine.submit(PickVoxels{.rays = rays, .thresholdCode = 500});
     engine.submit(PickVoxels{.rays = rays, .seenBy = SeenBy::BrightestVoxel});
     // Codes below 768 are clear, the others shut out a little less than half of the light.

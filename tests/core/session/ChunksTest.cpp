@@ -3,7 +3,8 @@
 #include "core/chunks/ChunkMap.h"
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
-#include "core/session/state/ChunkWorker.h"
+#include "core/session/SessionChunks.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "core/sessionfile/HistoryListing.h"
 #include "core/sessionfile/SessionFile.h"
 #include "tests/reference/DelayedEngine.h"
@@ -101,7 +102,10 @@ struct Bench {
         return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
     }
     [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
-    [[nodiscard]] std::vector<std::uint8_t> labels() const { return *session->labels(0); }
+    [[nodiscard]] std::vector<std::uint8_t> labels() const
+    {
+        return *session->questions().labels(0);
+    }
     /// How much of an organ a label has, in per cent.
     [[nodiscard]] int shareOf(int organ, int label) const
     {
@@ -118,7 +122,7 @@ struct Bench {
     {
         std::shared_ptr<const ChunkMap> found;
         const auto there = [&] {
-            found = session->chunkMap();
+            found = session->chunks().map();
             if (!found)
                 session->poll();
             return found != nullptr;
@@ -146,7 +150,7 @@ private Q_SLOTS:
         Bench bench;
         QCOMPARE(bench.tried(bench.lobes.mask({{1}, {3}})), QString());
         const QByteArray before = bench.session->stateHash();
-        QVERIFY(!bench.session->chunkMap());
+        QVERIFY(!bench.session->chunks().map());
         int told = 0;
         bench.session->setListener([&told](const DocumentChange& change) {
             told += change.what == DocumentChange::What::Chunks ? 1 : 0;
@@ -245,14 +249,14 @@ private Q_SLOTS:
             [&told](const Error& error) { told += error.arguments.join(QLatin1Char(' ')); });
         QVERIFY(session->apply(lobes.mask({{1}, {3}})) && session->settle());
         QVERIFY(session->apply(Chunks{.segment = 1, .marginMm = 9.0}) && session->settle());
-        const ChunkWorker* worker = ChunkWorker::of(engine);
-        QVERIFY(worker && !worker->stage() && !worker->lastFailure());
-        QVERIFY(!session->chunkMap());
-        QVERIFY(worker->stage());
+        SessionChunks& chunks = session->chunks();
+        QVERIFY(!chunks.stage() && !chunks.whyNot());
+        QVERIFY(!chunks.map());
+        QVERIFY(chunks.stage());
         QVERIFY(!session->settle());
         QCOMPARE(told, QStringList{QStringLiteral("no room for codes")});
-        QVERIFY(!worker->stage() && worker->lastFailure());
-        QVERIFY(!session->chunkMap());
+        QVERIFY(!chunks.stage() && chunks.whyNot());
+        QVERIFY(!chunks.map());
         QVERIFY(session->settle());
         QCOMPARE(told.size(), 1);
 
@@ -262,7 +266,7 @@ private Q_SLOTS:
         QCOMPARE(told.size(), 2);
         engine.refuses = false;
         QVERIFY(session->apply(click({inSecond}, 8)) && session->settle());
-        QVERIFY(session->chunkMap());
+        QVERIFY(chunks.map());
         QCOMPARE(session->history().rows().size(), std::size_t(3));
         QCOMPARE(told.size(), 2);
     }
@@ -272,19 +276,19 @@ private Q_SLOTS:
         const Bench bench;
         QCOMPARE(bench.tried(bench.lobes.mask({{1}, {3}})), QString());
         QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 9.0}), QString());
-        ChunkWorker* worker = ChunkWorker::of(bench.engine);
-        QVERIFY(!bench.session->chunkMap() && worker->stage());
-        worker->cancel();
-        QVERIFY(!worker->stage());
+        SessionChunks& chunks = bench.session->chunks();
+        QVERIFY(!chunks.map() && chunks.stage());
+        chunks.cancel();
+        QVERIFY(!chunks.stage());
         QVERIFY(bench.session->settle());
-        QVERIFY(!bench.session->chunkMap());
-        worker->forgetFailure();
+        QVERIFY(!chunks.map());
+        chunks.forgetFailure();
         QVERIFY(bench.map());
         // Who waits for it is told.
-        worker->forgetFailure();
+        chunks.forgetFailure();
         QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 10.0}), QString());
         QVERIFY(bench.session->apply(click({inOrgan}, 8)));
-        worker->cancel();
+        chunks.cancel();
         const Result<void> clicked = bench.session->settle();
         QVERIFY(!clicked && clicked.error().code == ErrorCode::Cancelled);
     }
@@ -372,7 +376,7 @@ private Q_SLOTS:
         QCOMPARE(bench.map()->box().minimum, narrow.minimum);
         QVERIFY(bench.session->undo());
         QVERIFY(bench.session->settle());
-        QVERIFY(!bench.session->chunkMap());
+        QVERIFY(!bench.session->chunks().map());
         QVERIFY(bench.session->goTo(3));
         QVERIFY(bench.session->settle());
         QVERIFY(bench.map()->box().minimum != narrow.minimum);

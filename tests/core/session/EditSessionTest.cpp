@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
+#include "core/session/SessionDisplay.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -34,7 +36,7 @@ struct Bench {
     [[nodiscard]] const HistoryRow& lastRow() const { return session->history().rows().back(); }
     [[nodiscard]] std::int64_t voxels(int label)
     {
-        const std::vector<std::uint8_t> labels = *session->labels(0);
+        const std::vector<std::uint8_t> labels = *session->questions().labels(0);
         return std::count(labels.begin(), labels.end(), label);
     }
 
@@ -560,8 +562,10 @@ private Q_SLOTS:
         QVERIFY(bench.session->undo());
         std::vector<int> labels;
         const auto probe = [&] {
-            bench.session->ask(ProbeVoxels{.voxels = {{20, 18, 17}}},
-                [&](const EngineResult& result) { labels.push_back(result.probes.at(0).label); });
+            bench.session->questions().probe(
+                {{20, 18, 17}}, [&](const Result<std::vector<ProbedVoxel>>& probes) {
+                    labels.push_back(probes->at(0).label);
+                });
         };
         probe();
         QVERIFY(bench.session->redo());
@@ -575,7 +579,7 @@ private Q_SLOTS:
         Bench bench;
         bench.run(test::addSegment("A"));
         const QByteArray hash = bench.session->stateHash();
-        bench.session->setSegmentVisible(1, false);
+        bench.session->display().setSegmentVisible(1, false);
         QVERIFY(!bench.session->document().segment(1)->visible);
         QCOMPARE(bench.session->stateHash(), hash);
         QVERIFY(bench.session->undo());

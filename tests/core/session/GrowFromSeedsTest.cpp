@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -41,10 +42,12 @@ struct Bench {
     [[nodiscard]] std::uint8_t seenAt(const glm::ivec3& voxel)
     {
         std::optional<std::uint8_t> seen;
-        session->ask(ProbeVoxels{{voxel}},
-            [&seen](const EngineResult& result) { seen = result.probes.front().label; });
+        session->questions().probe(
+            {voxel}, [&seen](const Result<std::vector<ProbedVoxel>>& probes) {
+                seen = probes->front().label;
+            });
         for (int i = 0; i < 1000 && !seen; ++i) {
-            session->engine().finish();
+            late.finish();
             session->poll();
         }
         return seen.value_or(255);
@@ -81,7 +84,7 @@ private Q_SLOTS:
     {
         Bench bench;
         bench.run(everywhere());
-        const std::vector<std::uint8_t> labels = *bench.session->labels(0);
+        const std::vector<std::uint8_t> labels = *bench.session->questions().labels(0);
         const LoadedVolume study = test::smallStudy();
         // One seed in each of three even matters: each gets what is of its kind.
         std::map<int, std::set<int>> codes;

@@ -6,6 +6,7 @@
 #include "core/masks/ReadImport.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -81,7 +82,7 @@ struct Bench {
     [[nodiscard]] std::size_t rows() const { return session->history().rows().size(); }
     [[nodiscard]] std::int64_t count(int label) const
     {
-        const std::vector<std::uint8_t> labels = *session->labels(0);
+        const std::vector<std::uint8_t> labels = *session->questions().labels(0);
         return std::count(labels.begin(), labels.end(), std::uint8_t(label));
     }
     [[nodiscard]] const std::vector<Segment>& segments() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/SeedWord.h"
 #include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -38,7 +39,7 @@ struct Bench {
     [[nodiscard]] const HistoryRow& lastRow() const { return session->history().rows().back(); }
     [[nodiscard]] std::int64_t voxels(int label)
     {
-        const std::vector<std::uint8_t> labels = *session->labels(0);
+        const std::vector<std::uint8_t> labels = *session->questions().labels(0);
         return std::count(labels.begin(), labels.end(), label);
     }
     [[nodiscard]] std::int64_t words(std::uint32_t label)

@@ -5,6 +5,7 @@
 #include "core/edits/schema/EditQuantise.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/EditSession.h"
+#include "core/session/StepFindings.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -315,12 +316,12 @@ private Q_SLOTS:
         QVERIFY(!expected.empty());
         QVERIFY(bench.coverage() == expected);
         QVERIFY(bench.coverage() != Bench({second}).coverage());
-        QCOMPARE(bench.session->strokesOnRevisedSurface(), std::vector<RowId>{2});
+        QCOMPARE(bench.session->findings().strokesOnRevisedSurface(), std::vector<RowId>{2});
 
         // One that starts elsewhere has nothing to do with it.
         Bench clear({drill(-9, 3.0), drill(9, 3.0)});
         clear.run(ReviseStroke{.row = 1, .removed = true});
-        QVERIFY(clear.session->strokesOnRevisedSurface().empty());
+        QVERIFY(clear.session->findings().strokesOnRevisedSurface().empty());
         QVERIFY(clear.coverage() == Bench({drill(9, 3.0)}).coverage());
     }
 

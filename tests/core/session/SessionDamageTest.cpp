@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionKeyframes.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -359,7 +360,7 @@ private Q_SLOTS:
                     ChangeSegment{.segment = 1, .name = QStringLiteral("Brain, look %1").arg(i)}));
             QVERIFY((*session)->apply(test::drillAt(4)));
             QVERIFY((*session)->settle());
-            (*session)->addKeyframe((*session)->history().position(), QByteArray(20000, 'p'));
+            (*session)->keyframes().add((*session)->history().position(), QByteArray(20000, 'p'));
             QVERIFY((*session)->settle());
         }
         const SessionContents before = std::exchange(m_sound, *checkSession(m_path));

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
+#include "core/session/SessionDisplay.h"
+#include "core/session/SessionKeyframes.h"
+#include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/records/SessionUse.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -23,7 +26,7 @@ namespace {
 Result<void> saveAs(EditSession& session, const QString& target, bool replaceExisting = false)
 {
     std::promise<Result<void>> promise;
-    session.saveAs(target, replaceExisting,
+    session.storage().saveAs(target, replaceExisting,
         [&promise](const Result<void>& result) { promise.set_value(result); });
     return promise.get_future().get();
 }
@@ -200,17 +203,17 @@ private Q_SLOTS:
             // What is written is written anew, beside the file, until it is closed.
             const QString beside = m_path + QStringLiteral("-wal");
             for (int i = 0; QFileInfo(beside).size() < 2 * QFileInfo(m_path).size(); ++i) {
-                session->setSegmentVisible(1, i % 2 == 1);
+                session->display().setSegmentVisible(1, i % 2 == 1);
                 QVERIFY(session->settle());
             }
             const test::FileSizeLimit limit(rlim_t(QFileInfo(beside).size()));
             QVERIFY(session->apply(test::drillAt(3)));
             QVERIFY(!session->settle());
-            QVERIFY(session->diskTrouble());
+            QVERIFY(session->storage().trouble());
             hash = session->stateHash();
             const Result<void> saved = saveAs(*session, m_target);
             QVERIFY2(saved, qPrintable(saved ? QString() : saved.error().arguments.join(u' ')));
-            QVERIFY(!session->diskTrouble());
+            QVERIFY(!session->storage().trouble());
             QVERIFY(session->settle());
         }
         reference::ReferenceEngine other;
@@ -230,23 +233,23 @@ private Q_SLOTS:
                 engine, test::smallStudy(), {.file = nowhere, .beginWithoutFile = true});
             std::vector<Error> told;
             session->setErrorListener([&told](const Error& error) { told.push_back(error); });
-            QVERIFY(session->whyNoFile());
-            QCOMPARE(session->whyNoFile()->code, ErrorCode::FileUnwritable);
+            QVERIFY(session->storage().whyNoFile());
+            QCOMPARE(session->storage().whyNoFile()->code, ErrorCode::FileUnwritable);
             QCOMPARE(session->file(), nowhere);
             // How it looks is nothing to lose.
-            session->setDisplay({{QStringLiteral("tool"), QStringLiteral("drill")}});
+            session->display().keep({{QStringLiteral("tool"), QStringLiteral("drill")}});
             QVERIFY(session->settle());
-            QVERIFY(!session->diskTrouble());
+            QVERIFY(!session->storage().trouble());
             for (const Edit& edit : test::manyEdits()) {
                 QVERIFY(session->apply(edit));
                 QCOMPARE(session->settle().error().code, ErrorCode::FileUnwritable);
             }
-            QVERIFY(session->diskTrouble());
-            session->addKeyframe(2, QByteArrayLiteral("picture"));
+            QVERIFY(session->storage().trouble());
+            session->keyframes().add(2, QByteArrayLiteral("picture"));
             std::promise<QByteArray> png;
-            session->fetchKeyframe(2, [&png](const QByteArray& got) { png.set_value(got); });
+            session->keyframes().fetch(2, [&png](const QByteArray& got) { png.set_value(got); });
             QCOMPARE(png.get_future().get(), QByteArrayLiteral("picture"));
-            session->setStepMemory(0);
+            session->storage().setStepMemory(0);
             hash = session->stateHash();
             QVERIFY(session->goTo(0));
             static_cast<void>(session->settle());
@@ -258,10 +261,10 @@ private Q_SLOTS:
             const Result<void> refused =
                 saveAs(*session, m_folder->filePath(QStringLiteral("nor/such/b.burin")));
             QCOMPARE(refused.error().code, ErrorCode::FileUnwritable);
-            QVERIFY(session->whyNoFile());
+            QVERIFY(session->storage().whyNoFile());
             QVERIFY(saveAs(*session, m_target));
-            QVERIFY(!session->whyNoFile());
-            QVERIFY(!session->diskTrouble());
+            QVERIFY(!session->storage().whyNoFile());
+            QVERIFY(!session->storage().trouble());
             QCOMPARE(session->file(), m_target);
             QVERIFY(session->apply(test::drillAt(7)));
             QVERIFY(session->settle());
@@ -272,9 +275,9 @@ private Q_SLOTS:
         const auto after = open(other, m_target);
         QCOMPARE(after->history().rows().size(), test::manyEdits().size() + 1);
         QCOMPARE(after->stateHash(), hash);
-        QCOMPARE(after->keyframes(), std::vector<RowId>{2});
-        QCOMPARE(
-            after->display().value(QStringLiteral("tool")).toString(), QStringLiteral("drill"));
+        QCOMPARE(after->keyframes().rows(), std::vector<RowId>{2});
+        QCOMPARE(after->display().kept().value(QStringLiteral("tool")).toString(),
+            QStringLiteral("drill"));
     }
 
     void aViewRefusesEditsAndLeavesTheFile_data()
@@ -325,7 +328,7 @@ private Q_SLOTS:
             QVERIFY(session.settle());
             QCOMPARE(session.history().position(), row);
         }
-        session.setSegmentVisible(1, false);
+        session.display().setSegmentVisible(1, false);
         QVERIFY(session.settle());
         QCOMPARE(session.history().rows().size(), rows);
         QCOMPARE(test::fingerprint(m_target), before);

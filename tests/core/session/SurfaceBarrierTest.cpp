@@ -2,7 +2,9 @@
 #include "core/edits/EditJson.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionSurface.h"
 #include "core/session/past/RowWords.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "core/session/surface/SurfaceWriteBack.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/SurfaceCases.h"
@@ -82,7 +84,8 @@ struct Bench {
                  Edit(SeedStroke{.segment = 3, .pointsLps = {at({0, 0, 0})}})})
             run(edit);
         inside = maskOf(
-            *voxelsOf(*session->surface(), session->document().volumes.front().geometry, {}), size);
+            *voxelsOf(*session->surface().mesh(), session->document().volumes.front().geometry, {}),
+            size);
         shell = shellOf(inside, size);
     }
     void run(const Edit& edit)
@@ -94,7 +97,7 @@ struct Bench {
     }
     [[nodiscard]] Mask heldBy(std::uint8_t label)
     {
-        Mask held = *session->labels(0);
+        Mask held = *session->questions().labels(0);
         for (std::uint8_t& voxel : held)
             voxel = voxel == label ? 1 : 0;
         return held;

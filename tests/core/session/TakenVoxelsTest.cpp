@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -26,7 +27,10 @@ private Q_SLOTS:
 
 private:
     void run(const Edit& edit);
-    [[nodiscard]] std::vector<std::uint8_t> labels() const { return *m_session->labels(0); }
+    [[nodiscard]] std::vector<std::uint8_t> labels() const
+    {
+        return *m_session->questions().labels(0);
+    }
     [[nodiscard]] std::int64_t voxels(int label) const
     {
         const std::vector<std::uint8_t> all = labels();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/AuditReport.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionKeyframes.h"
+#include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionFile.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -74,7 +76,7 @@ private Q_SLOTS:
         apply(test::addSegment("C")); // 7
         apply(test::addSegment("D")); // 8: undone
         QVERIFY(session->undo());
-        session->addKeyframe(7, "seven");
+        session->keyframes().add(7, "seven");
         QVERIFY(session->settle());
     }
 
@@ -169,7 +171,7 @@ private Q_SLOTS:
         QVERIFY(session->apply(test::drillAt(2)));
         QVERIFY(session->settle());
         Result<AuditReport> report;
-        session->audit([&report](const Result<AuditReport>& made) { report = made; });
+        session->storage().audit([&report](const Result<AuditReport>& made) { report = made; });
         QVERIFY(session->apply(test::drillAt(3)));
         QVERIFY(session->settle()); // waits for the writer's thread
         QVERIFY(report);

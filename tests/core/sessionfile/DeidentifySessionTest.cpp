@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/DeidentifySession.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionKeyframes.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -42,7 +43,7 @@ QByteArray makeMarked(const QString& path, const QString& segment)
     if (!session->apply(test::addSegment(qPrintable(segment))) || !session->settle()
         || !session->apply(test::drillAt(-6)) || !session->settle())
         return {};
-    session->addKeyframe(1, "MARKERTEXT in a picture");
+    session->keyframes().add(1, "MARKERTEXT in a picture");
     static_cast<void>(session->settle());
     return session->stateHash();
 }

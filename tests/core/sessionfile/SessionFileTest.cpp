@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/SessionFile.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionKeyframes.h"
+#include "core/session/SessionStorage.h"
 #include "core/sessionfile/HistoryListing.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -324,10 +326,10 @@ private Q_SLOTS:
     void keyframesAreKept()
     {
         makeSession(m_path);
-        const auto pictureAt = [](const EditSession& session, RowId row) {
+        const auto pictureAt = [](EditSession& session, RowId row) {
             QByteArray png;
             QSemaphore done;
-            session.fetchKeyframe(row, [&](const QByteArray& fetched) {
+            session.keyframes().fetch(row, [&](const QByteArray& fetched) {
                 png = fetched;
                 done.release();
             });
@@ -337,17 +339,17 @@ private Q_SLOTS:
         {
             Opened opened;
             QVERIFY(openSession(opened, m_path));
-            QVERIFY(opened.session->keyframes().empty());
-            opened.session->addKeyframe(11, "eleven");
-            opened.session->addKeyframe(4, "four");
-            opened.session->addKeyframe(4, "four again");
-            QCOMPARE(opened.session->keyframes(), (std::vector<RowId>{4, 11}));
+            QVERIFY(opened.session->keyframes().rows().empty());
+            opened.session->keyframes().add(11, "eleven");
+            opened.session->keyframes().add(4, "four");
+            opened.session->keyframes().add(4, "four again");
+            QCOMPARE(opened.session->keyframes().rows(), (std::vector<RowId>{4, 11}));
             QCOMPARE(pictureAt(*opened.session, 4), QByteArray("four again"));
             QVERIFY(opened.session->settle());
         }
         Opened opened;
         QVERIFY(openSession(opened, m_path));
-        QCOMPARE(opened.session->keyframes(), (std::vector<RowId>{4, 11}));
+        QCOMPARE(opened.session->keyframes().rows(), (std::vector<RowId>{4, 11}));
         QCOMPARE(pictureAt(*opened.session, 11), QByteArray("eleven"));
         QCOMPARE(pictureAt(*opened.session, 5), QByteArray());
         QCOMPARE(opened.session->stateHash(), m_hash);
@@ -437,7 +439,7 @@ private Q_SLOTS:
                     QCOMPARE(settled.error().code, ErrorCode::FileUnwritable);
                     QCOMPARE(settled.error().arguments.value(0), m_path);
                 }
-                QVERIFY(session->diskTrouble());
+                QVERIFY(session->storage().trouble());
                 QCOMPARE(told, std::vector<ErrorCode>{ErrorCode::SessionUnwritten}); // once
                 hash = session->stateHash();
                 QVERIFY(session->goTo(0));
@@ -447,11 +449,11 @@ private Q_SLOTS:
                 static_cast<void>(session->settle());
                 QCOMPARE(session->stateHash(), hash);
             }
-            session->retryWriting();
+            session->storage().retryWriting();
             const Result<void> settled = session->settle();
             QVERIFY2(
                 settled, qPrintable(settled ? QString() : settled.error().arguments.join(u' ')));
-            QVERIFY(!session->diskTrouble());
+            QVERIFY(!session->storage().trouble());
             QCOMPARE(told.size(), std::size_t(1));
         }
         Opened opened;

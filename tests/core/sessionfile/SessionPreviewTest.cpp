@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/SessionPreview.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionKeyframes.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -44,8 +45,8 @@ private Q_SLOTS:
             at = at.addSecs(1);
             return RowOrigin{.at = at, .author = {}, .program = {}};
         });
-        session->addKeyframe(5, "older");
-        session->addKeyframe(3, "newest");
+        session->keyframes().add(5, "older");
+        session->keyframes().add(3, "newest");
         QVERIFY(session->settle());
 
         // As it lies there after a crash.

@@ -2,6 +2,7 @@
 #include "core/brick/VoxelRuns.h"
 #include "core/chunks/ChunkMap.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionChunks.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -72,12 +73,12 @@ void ChunkClickGlTest::manyClicks()
     clock.start();
     QVERIFY(carryOut(Chunks{.segment = 1, .marginMm = 25.0}));
     const qint64 divided = clock.restart();
-    std::shared_ptr<const ChunkMap> map = (*session)->chunkMap();
+    std::shared_ptr<const ChunkMap> map = (*session)->chunks().map();
     while (!map) {
         m_gpu.engine().finish();
         (*session)->poll();
         QThread::msleep(1);
-        map = (*session)->chunkMap();
+        map = (*session)->chunks().map();
     }
     const qint64 workedOut = clock.elapsed();
     QCOMPARE(map->box().maximum - map->box().minimum, glm::ivec3(side));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/session/EditSession.h"
-#include "core/session/questions/TouchSearch.h"
+#include "core/session/SessionStorage.h"
+#include "core/session/questions/Touch.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
@@ -68,7 +70,7 @@ private Q_SLOTS:
         QVERIFY(session);
         m_session = session->get();
         if (!inMemory)
-            m_session->setStepMemory(0);
+            m_session->storage().setStepMemory(0);
 
         const std::int64_t before = ThreadWithoutVoxels::looks();
         const ThreadWithoutVoxels here;
@@ -106,7 +108,7 @@ private Q_SLOTS:
         step("divide", [&] { return m_session->apply(Chunks{.segment = 1, .marginMm = 1.0}); });
         RowId touched = 0;
         step("who touched it last", [&] {
-            m_session->findLastTouching({.segment = 1}, [&](RowId row) { touched = row; });
+            m_session->questions().lastTouching({.segment = 1}, [&](RowId row) { touched = row; });
             return Result<void>();
         });
         QVERIFY(touched > 0);

@@ -2,6 +2,7 @@
 #include "tests/support/series/SessionFiles.h"
 
 #include "core/session/EditSession.h"
+#include "core/session/SessionDisplay.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/series/SyntheticSeries.h"
@@ -39,7 +40,7 @@ QByteArray makeSession(const QString& path, std::function<RowOrigin()> origin)
     static_cast<void>(session->apply(drillAt(1)));
     static_cast<void>(session->apply(growBrain(1)));
     static_cast<void>(session->undo());
-    session->setSegmentVisible(2, false);
+    session->display().setSegmentVisible(2, false);
     static_cast<void>(session->settle());
     return session->stateHash();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
+#include "core/session/SessionKeyframes.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -216,7 +217,7 @@ private Q_SLOTS:
             const auto session = *core::EditSession::create(
                 engine, test::smallStudy(), {.file = path(QStringLiteral("with.burin"))});
             QVERIFY(session->apply(test::addSegment("A")));
-            session->addKeyframe(1, png);
+            session->keyframes().add(1, png);
             QVERIFY(session->settle());
         }
         ui::SessionOffers offers;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/tasks/LiveInterval.h"
 
 #include "tests/support/faults/FailingLog.h"
@@ -70,8 +71,10 @@ public:
     [[nodiscard]] bool seen(const glm::ivec3& voxel, int label)
     {
         int found = -1;
-        session().ask(core::ProbeVoxels{{voxel}},
-            [&found](const core::EngineResult& result) { found = result.probes.front().label; });
+        session().questions().probe(
+            {voxel}, [&found](const core::Result<std::vector<core::ProbedVoxel>>& probes) {
+                found = probes->front().label;
+            });
         session().poll();
         return found == label;
     }
@@ -83,7 +86,7 @@ public:
             : std::get_if<core::ChangeInterval>(&history.row(history.position()).edit);
     }
     [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
-    [[nodiscard]] std::vector<std::uint8_t> labels() { return *session().labels(0); }
+    [[nodiscard]] std::vector<std::uint8_t> labels() { return *session().questions().labels(0); }
 
     ui::GrowthPanel panel;
     ui::HistogramRange& range;
@@ -102,7 +105,7 @@ std::vector<std::uint8_t> fromScratch(double lower, double upper)
     growth.criteria.lower = lower;
     growth.criteria.upper = upper;
     fixture.apply(growth);
-    return *fixture.session().labels(0);
+    return *fixture.session().questions().labels(0);
 }
 
 } // namespace

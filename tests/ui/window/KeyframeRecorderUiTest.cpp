@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/SessionKeyframes.h"
 #include "core/sessionfile/SessionFile.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -68,10 +69,10 @@ public:
     /// more.
     [[nodiscard]] std::vector<RowId> keyframes(std::size_t expected)
     {
-        static_cast<void>(
-            QTest::qWaitFor([this, expected] { return session().keyframes().size() >= expected; }));
+        static_cast<void>(QTest::qWaitFor(
+            [this, expected] { return session().keyframes().rows().size() >= expected; }));
         QTest::qWait(60);
-        return session().keyframes();
+        return session().keyframes().rows();
     }
 
     qint64 now = 1000;

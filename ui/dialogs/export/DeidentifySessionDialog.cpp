@@ -3,6 +3,7 @@
 
 #include "core/export/common/MaskSelection.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionStorage.h"
 #include "core/sessionfile/DeidentifySession.h"
 #include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
@@ -118,7 +119,7 @@ void DeidentifySessionDialog::start()
     session->closeGrowth();
     // The session's own file is open, and stays so. The workspace outlives the session.
     const auto folder = std::make_shared<QTemporaryDir>();
-    session->copyTo(copyIn(*folder),
+    session->storage().copyTo(copyIn(*folder),
         [workspace = &m_workspace, guard = QPointer(this), target, replaces, folder](
             const core::Result<void>& copied) {
             QMetaObject::invokeMethod(

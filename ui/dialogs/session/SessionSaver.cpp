@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/session/SessionSaver.h"
 
+#include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionStudy.h"
 #include "core/sessionfile/records/SessionImages.h"
 #include "ui/base/ErrorText.h"
@@ -106,7 +107,7 @@ std::optional<SessionSaver::Choice> SessionSaver::choose(bool offerImages)
     const core::Volume* volume = m_workspace.volume();
     if (!volume)
         return {};
-    const bool holdsImages = m_workspace.session()->holdsImages();
+    const bool holdsImages = m_workspace.session()->storage().holdsImages();
     const QString folder = QSettings().value(folderKey, QDir::homePath()).toString();
     SaveSessionDialog dialog(folder, suggestedName(), &m_window);
     if (offerImages)
@@ -123,7 +124,7 @@ void SessionSaver::save(const Choice& choice, std::function<void(bool)> done)
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    if (choice.images && !session->holdsImages())
+    if (choice.images && !session->storage().holdsImages())
         stage(choice, done);
     else
         goOnIn(choice, nullptr, std::move(done));
@@ -186,7 +187,7 @@ void SessionSaver::goOnIn(const Choice& choice, const std::shared_ptr<core::Stag
     core::EditSession* session = m_workspace.session();
     const QString target = choice.target;
     // Without a file there is none to leave.
-    const bool leavesFile = session->whyReadOnly().isEmpty() && !session->whyNoFile();
+    const bool leavesFile = session->whyReadOnly().isEmpty() && !session->storage().whyNoFile();
     const QString before = leavesFile ? session->file() : QString();
     m_workspace.say(tr("Saving the session …"));
     // It may outlive whoever asked.
@@ -204,7 +205,7 @@ void SessionSaver::goOnIn(const Choice& choice, const std::shared_ptr<core::Stag
             done(saved.has_value());
     };
     QObject* receiver = &m_workspace;
-    session->saveAs(target, true,
+    session->storage().saveAs(target, true,
         [receiver, tell](const core::Result<void>& saved) {
             QMetaObject::invokeMethod(
                 receiver, [tell, saved] { tell(saved); }, Qt::QueuedConnection);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/session/UnwrittenSteps.h"
 
+#include "core/session/SessionStorage.h"
 #include "ui/base/ErrorText.h"
 #include "ui/dialogs/session/SessionSaver.h"
 #include "ui/workspace/Workspace.h"
@@ -23,11 +24,12 @@ QString tr(const char* text)
 bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget& window, SessionSaver& saver)
 {
     while (true) {
-        const core::EditSession* session = workspace.session();
-        const std::optional<core::Error> trouble = session ? session->diskTrouble() : std::nullopt;
+        core::EditSession* session = workspace.session();
+        const std::optional<core::Error> trouble =
+            session ? session->storage().trouble() : std::nullopt;
         if (!trouble)
             return true;
-        const bool inMemory = session->whyNoFile().has_value();
+        const bool inMemory = session->storage().whyNoFile().has_value();
         QMessageBox box(QMessageBox::Warning, tr("Not on disk yet"),
             inMemory ? tr("Your steps are in memory only: %1.").arg(noFileText(*trouble))
                      : tr("The last steps could not be written.\n%1").arg(errorText(*trouble)),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GenerationSection.h"
 
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/growth/GenerationBar.h"
 #include "ui/workspace/Workspace.h"
@@ -72,18 +73,18 @@ QString GenerationSection::scrubText() const
 void GenerationSection::count()
 {
     core::EditSession* session = m_workspace.session();
-    if (!session || m_bar->scrubbing() || session->engine().growthProgress().open)
+    if (!session || m_bar->scrubbing() || session->growthProgress().open)
         return;
-    session->ask(core::CountGenerations{},
-        [section = QPointer<GenerationSection>(this)](const core::EngineResult& result) {
-            if (!section || result.error || section->m_bar->scrubbing())
-                return;
-            section->m_sizes = result.generationSizes;
-            if (!section->m_sizes.empty())
-                section->m_sizes.erase(section->m_sizes.begin()); // what was painted is no step
-            section->m_added.clear();
-            section->showSizes();
-        });
+    session->questions().generationSizes([section = QPointer<GenerationSection>(this)](
+                                             core::Result<std::vector<std::uint32_t>> sizes) {
+        if (!section || !sizes || section->m_bar->scrubbing())
+            return;
+        section->m_sizes = *std::move(sizes);
+        if (!section->m_sizes.empty())
+            section->m_sizes.erase(section->m_sizes.begin()); // what was painted is no step
+        section->m_added.clear();
+        section->showSizes();
+    });
 }
 
 void GenerationSection::showSizes()

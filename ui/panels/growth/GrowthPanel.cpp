@@ -404,7 +404,7 @@ void GrowthPanel::poll()
         finish();
         return;
     }
-    const core::GrowthProgress progress = session->engine().growthProgress();
+    const core::GrowthProgress progress = session->growthProgress();
     if (progress.open && progress.alarm) {
         const std::optional<core::LeakAlarm> alarm = progress.alarm;
         finish();
@@ -453,7 +453,7 @@ void GrowthPanel::showState()
     }
 
     const core::GrowthProgress progress =
-        session ? session->engine().growthProgress() : core::GrowthProgress();
+        session ? session->growthProgress() : core::GrowthProgress();
     if (progress.open)
         m_fronts = progress.frontSizes;
     m_progress->setText(progressText(progress));

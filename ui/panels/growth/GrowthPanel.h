@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/Edits.h"
-#include "core/engine/EngineCommands.h"
+#include "core/growth/GrowthProgress.h"
 #include "ui/frame/Panel.h"
 
 #include <QTimer>

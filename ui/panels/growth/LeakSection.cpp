@@ -2,6 +2,7 @@
 #include "ui/panels/growth/LeakSection.h"
 
 #include "core/session/EditSession.h"
+#include "core/session/StepFindings.h"
 #include "ui/base/CountText.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Workspace.h"
@@ -186,7 +187,7 @@ void LeakSection::follow()
     if (!session)
         return;
     const core::RowId row = session->history().position();
-    const std::optional<core::LeakAlarm> alarm = session->leakAlarm();
+    const std::optional<core::LeakAlarm> alarm = session->findings().leakAlarm();
     if (alarm && row != std::exchange(m_told, row) && alarm != m_alarm)
         showAlarm(alarm);
     if (!m_alarm)

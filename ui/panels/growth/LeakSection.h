@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/Edits.h"
-#include "core/engine/EngineCommands.h"
+#include "core/growth/GrowthCommands.h"
 #include "core/history/History.h"
 
 #include <QWidget>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/SeedInterval.h"
 
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/settings/SeedStatistics.h"
@@ -54,14 +55,13 @@ void SeedInterval::ask()
     if (voxels.empty())
         return;
     m_voxels = voxels;
-    core::ProbeVoxels question;
-    question.voxels = std::move(voxels);
-    session->ask(std::move(question),
-        [button = QPointer<SeedInterval>(this), asked = m_asked](const core::EngineResult& result) {
-            if (!button || button->m_asked != asked || result.error)
+    session->questions().probe(std::move(voxels),
+        [button = QPointer<SeedInterval>(this), asked = m_asked](
+            const core::Result<std::vector<core::ProbedVoxel>>& probes) {
+            if (!button || button->m_asked != asked || !probes)
                 return;
             const core::VoxelEncoding& encoding = button->m_workspace.volume()->encoding;
-            for (const core::ProbedVoxel& probe : result.probes)
+            for (const core::ProbedVoxel& probe : *probes)
                 button->m_values.push_back(encoding.value(probe.code));
             button->setEnabled(!button->m_values.empty());
             Q_EMIT button->valuesChanged();

@@ -207,7 +207,7 @@ void SpreadBar::showState()
     core::EditSession* session = m_workspace.session();
     const int count = competitors();
     const bool shown = session && session->previewOpen();
-    const bool working = shown && session->engine().growthProgress().running;
+    const bool working = shown && session->growthProgress().running;
     m_preview->setEnabled(!m_wanted && count >= 2);
     m_apply->setEnabled(m_wanted && shown);
     m_cancel->setEnabled(m_wanted);

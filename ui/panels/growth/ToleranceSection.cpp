@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/ToleranceSection.h"
 
-#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/growth/ToleranceEdits.h"
 #include "core/session/past/RecentGrowth.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/ErrorText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
@@ -143,7 +144,7 @@ void ToleranceSection::turn(bool on)
     m_bar->setTolerance(-1);
     m_workspace.setAtTolerance({});
     if (core::EditSession* session = m_workspace.session())
-        session->ask(core::DropTolerance{}, [](const core::EngineResult&) {});
+        session->questions().dropTolerance();
     showText();
 }
 
@@ -171,36 +172,37 @@ void ToleranceSection::ask()
     m_stale = false;
     m_whyNot.clear();
     showText();
-    session->ask(core::TraceTolerance{.rule = *asked, .toTheEnd = false},
+    session->questions().traceTolerance(*asked,
         [section = QPointer<ToleranceSection>(this), session, rule = *asked](
-            const core::EngineResult& result) {
+            const core::Result<std::optional<core::ToleranceCurve>>& curve) {
             if (section && section->m_asked == session)
-                section->take(rule, result);
+                section->take(rule, curve);
         });
 }
 
-void ToleranceSection::take(const core::ToleranceRule& rule, const core::EngineResult& result)
+void ToleranceSection::take(
+    const core::ToleranceRule& rule, const core::Result<std::optional<core::ToleranceCurve>>& curve)
 {
     m_asking = false;
     const core::Volume* volume = m_workspace.volume();
     if (!m_on || !volume)
         return;
     // What overtook it, an edit most likely, is waited for.
-    if (m_stale
-        || (result.error && result.error->arguments.value(0) == QLatin1String("transaction")))
+    if (m_stale || (!curve && curve.error().arguments.value(0) == QLatin1String("transaction")))
         return m_again.start();
-    if (result.error)
-        return refuse(*result.error);
-    if (!result.tolerance)
+    if (!curve)
+        return refuse(curve.error());
+    const std::optional<core::ToleranceCurve>& traced = *curve;
+    if (!traced)
         return ask(); // there is more to do
     m_traced = rule;
-    m_centre = result.tolerance->centre;
+    m_centre = traced->centre;
     m_bar->setVoxelMm3(volume->geometry.voxelVolumeMm3());
     m_bar->setText([this](int tolerance) {
         const core::Volume* shown = m_workspace.volume();
         return shown ? toleranceText(tolerance, *shown) : QString();
     });
-    std::vector<std::int64_t> members = core::membersOf(*result.tolerance);
+    std::vector<std::int64_t> members = core::membersOf(*traced);
     std::vector<int> jumps = core::jumpsOf(members);
     m_bar->setCurve(std::move(members), std::move(jumps));
     if (!m_bar->moving())

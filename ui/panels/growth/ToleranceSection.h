@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/engine/EngineCommands.h"
+#include "core/growth/Tolerance.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -39,7 +39,9 @@ private:
     void reset();
     void follow();
     void ask();
-    void take(const core::ToleranceRule& rule, const core::EngineResult& result);
+    /// @param curve none: there is more to be worked out
+    void take(const core::ToleranceRule& rule,
+        const core::Result<std::optional<core::ToleranceCurve>>& curve);
     void preview(int tolerance);
     void settle(bool kept);
     void makeReal(int tolerance);

@@ -2,6 +2,7 @@
 #include "ui/panels/history/StrokeRevision.h"
 
 #include "core/history/StandingStrokes.h"
+#include "core/session/StepFindings.h"
 #include "ui/base/RevisionText.h"
 #include "ui/dialogs/session/ReviseStrokeDialog.h"
 #include "ui/workspace/Workspace.h"
@@ -89,7 +90,7 @@ void StrokeRevision::offerRedrill()
     if (!session)
         return;
     const core::RowId position = session->history().position();
-    const std::vector<core::RowId> rows = session->strokesOnRevisedSurface();
+    const std::vector<core::RowId> rows = session->findings().strokesOnRevisedSurface();
     if (rows.empty() || position == m_offered)
         return;
     m_offered = position;
@@ -104,7 +105,7 @@ void StrokeRevision::redrill(const std::vector<core::RowId>& rows)
     if (!session)
         return;
     // The bar may still offer it when the user has gone on.
-    if (session->strokesOnRevisedSurface() != rows) {
+    if (session->findings().strokesOnRevisedSurface() != rows) {
         m_workspace.say(tr("The history has gone on since; nothing was cut again"));
         return;
     }

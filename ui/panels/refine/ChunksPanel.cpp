@@ -242,7 +242,7 @@ void ChunksPanel::show()
 
 void ChunksPanel::showStage()
 {
-    const core::ChunkWorker::Stage stage = m_workspace.chunks().stage();
+    const core::ChunkStage stage = m_workspace.chunks().stage();
     m_progress->setValue(stage.percent);
     m_step->setText(tr("%1 · %2 %").arg(stage.step).arg(stage.percent));
 }

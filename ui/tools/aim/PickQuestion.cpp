@@ -51,12 +51,12 @@ std::vector<std::uint32_t> opacityOfCodes(
     return result;
 }
 
-core::PickVoxels pickQuestion(const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& planeMm,
-    const core::Volume& volume)
+core::PickQuestion pickQuestion(const gpu::VolumeScene& scene,
+    const std::vector<glm::dvec2>& planeMm, const core::Volume& volume)
 {
     core::PickRays picked =
         core::pickRays(orthographicView(scene), planeMm, volume.geometry, scene.clip);
-    core::PickVoxels question;
+    core::PickQuestion question;
     question.rays = std::move(picked.rays);
     switch (scene.mode) {
     case gpu::RenderMode::Surface:

@@ -50,7 +50,7 @@ std::vector<std::pair<int, int>> SeenSurface::cellsAhead(
     return cells;
 }
 
-core::PickVoxels SeenSurface::question(const std::vector<std::pair<int, int>>& cells) const
+core::PickQuestion SeenSurface::question(const std::vector<std::pair<int, int>>& cells) const
 {
     std::vector<glm::dvec2> planeMm;
     planeMm.reserve(cells.size());
@@ -59,12 +59,11 @@ core::PickVoxels SeenSurface::question(const std::vector<std::pair<int, int>>& c
     return pickQuestion(m_scene, planeMm, m_volume);
 }
 
-void SeenSurface::take(
-    const std::vector<std::pair<int, int>>& cells, const core::EngineResult& answer)
+void SeenSurface::take(const std::vector<std::pair<int, int>>& cells, const PickedVoxels& picked)
 {
-    for (std::size_t i = 0; i < cells.size() && i < answer.picks.size(); ++i) {
-        if (answer.picks[i]) {
-            const glm::dvec3 seen = m_volume.geometry.toWorld(glm::dvec3(*answer.picks[i]));
+    for (std::size_t i = 0; i < cells.size() && i < picked.size(); ++i) {
+        if (picked[i]) {
+            const glm::dvec3 seen = m_volume.geometry.toWorld(glm::dvec3(*picked[i]));
             m_depths[cells[i]] = glm::dot(seen - m_scene.targetLps, m_forward);
         }
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EngineCommands.h"
 #include "ui/tools/aim/PickQuestion.h"
 
 #include <map>
@@ -25,8 +24,8 @@ public:
     /// asked for from now on. Points in the view plane, mm right of and above the target.
     [[nodiscard]] std::vector<std::pair<int, int>> cellsAhead(
         const glm::dvec2& from, const glm::dvec2& to);
-    [[nodiscard]] core::PickVoxels question(const std::vector<std::pair<int, int>>& cells) const;
-    void take(const std::vector<std::pair<int, int>>& cells, const core::EngineResult& answer);
+    [[nodiscard]] core::PickQuestion question(const std::vector<std::pair<int, int>>& cells) const;
+    void take(const std::vector<std::pair<int, int>>& cells, const PickedVoxels& picked);
 
     /// Where the pen meets what is seen; none: nothing is seen there.
     [[nodiscard]] std::optional<glm::dvec3> at(const glm::dvec2& planeMm) const;

@@ -2,6 +2,7 @@
 #include "ui/tools/aim/SeenVoxels.h"
 
 #include "core/edits/engine/PickRays.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/aim/PickQuestion.h"
 #include "ui/workspace/Workspace.h"
 
@@ -68,7 +69,7 @@ std::vector<Way> waysThrough(const gpu::VolumeScene& scene, const std::vector<gl
             point /= zoom;
         const core::PickRays picked = core::pickRays(view, points, volume.geometry, scene.clip);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const core::PickVoxels::Ray& ray = picked.rays[i];
+            const core::PickRay& ray = picked.rays[i];
             Way way{.point = i, .piece = piece, .sampleMm = picked.sampleMm, .samples = {}};
             for (int n = 0; n < ray.samples; ++n) {
                 const glm::dvec3 index = glm::dvec3(ray.origin + ray.step * n) / 65536.0;
@@ -87,12 +88,12 @@ std::vector<Way> waysThrough(const gpu::VolumeScene& scene, const std::vector<gl
 }
 
 /// Takes out what does not belong to the piece.
-void keepMembers(
-    std::vector<Way>& ways, const core::EngineResult& bricks, const core::BrickGrid& grid)
+void keepMembers(std::vector<Way>& ways, const std::vector<core::BrickImage>& bricks,
+    const core::BrickGrid& grid)
 {
     std::map<core::BrickKey, const std::vector<std::uint8_t>*> known;
-    for (const core::BrickChange& brick : bricks.changes)
-        known[brick.key] = &brick.after.read();
+    for (const core::BrickImage& brick : bricks)
+        known[brick.key] = &brick.bytes.read();
     for (Way& way : ways) {
         std::erase_if(way.samples, [&](const Sample& sample) {
             const int brick = grid.brickOf(sample.voxel);
@@ -172,26 +173,28 @@ void choose(Question& question, const std::vector<int>& codes)
 
 void askCodes(Workspace& workspace, const std::shared_ptr<Question>& question)
 {
-    core::ProbeVoxels probe;
+    std::vector<glm::ivec3> voxels;
     for (const Way& way : question->ways) {
         for (const Sample& sample : way.samples)
-            probe.voxels.push_back(sample.voxel);
+            voxels.push_back(sample.voxel);
     }
     for (const auto& voxel : question->seen)
-        probe.voxels.push_back(voxel.value_or(SeenVoxel()).voxel);
-    workspace.session()->ask(std::move(probe), [question](const core::EngineResult& result) {
-        if (result.error)
-            return question->then(tl::unexpected(*result.error));
+        voxels.push_back(voxel.value_or(SeenVoxel()).voxel);
+    using Probes = std::vector<core::ProbedVoxel>;
+    const auto take = [question](const core::Result<Probes>& probes) {
+        if (!probes)
+            return question->then(tl::unexpected(probes.error()));
         std::size_t next = 0;
         for (Way& way : question->ways) {
             for (Sample& sample : way.samples)
-                sample.code = result.probes[next++].code;
+                sample.code = (*probes)[next++].code;
         }
         std::vector<int> codes;
-        while (next < result.probes.size())
-            codes.push_back(result.probes[next++].code);
+        while (next < probes->size())
+            codes.push_back((*probes)[next++].code);
         choose(*question, codes);
-    });
+    };
+    workspace.session()->questions().probe(std::move(voxels), take);
 }
 
 void askMembers(Workspace& workspace, const std::shared_ptr<Question>& question)
@@ -202,12 +205,11 @@ void askMembers(Workspace& workspace, const std::shared_ptr<Question>& question)
         for (const Sample& sample : way.samples)
             keys.insert(keyOf(way.piece, std::uint32_t(grid.brickOf(sample.voxel))));
     }
-    core::ReadBricks read{{keys.begin(), keys.end()}};
-    workspace.session()->ask(
-        std::move(read), [&workspace, question, grid](const core::EngineResult& result) {
-            if (result.error)
-                return question->then(tl::unexpected(*result.error));
-            keepMembers(question->ways, result, grid);
+    workspace.session()->questions().bricks({keys.begin(), keys.end()},
+        [&workspace, question, grid](const core::Result<std::vector<core::BrickImage>>& bricks) {
+            if (!bricks)
+                return question->then(tl::unexpected(bricks.error()));
+            keepMembers(question->ways, *bricks, grid);
             if (question->ways.empty())
                 return question->then(question->seen);
             askCodes(workspace, question);
@@ -225,12 +227,12 @@ void askWhatIsSeen(Workspace& workspace, const gpu::VolumeScene& scene,
     question->volume = *workspace.volume();
     question->ways = waysThrough(scene, planeMm, *workspace.volume());
     question->then = then;
-    workspace.session()->ask(pickQuestion(scene, planeMm, *workspace.volume()),
-        [&workspace, question](const core::EngineResult& result) {
-            if (result.error)
-                return question->then(tl::unexpected(*result.error));
+    workspace.session()->questions().pick(pickQuestion(scene, planeMm, *workspace.volume()),
+        [&workspace, question](const core::Result<PickedVoxels>& picked) {
+            if (!picked)
+                return question->then(tl::unexpected(picked.error()));
             question->seen.clear();
-            for (const std::optional<glm::ivec3>& voxel : result.picks)
+            for (const std::optional<glm::ivec3>& voxel : *picked)
                 question->seen.push_back(
                     voxel ? std::optional<SeenVoxel>({.voxel = *voxel}) : std::nullopt);
             for (const auto& voxel : question->seen) {

@@ -52,29 +52,28 @@ glm::dvec3 SurfacePatch::lps(const glm::ivec2& at) const
     return m_view.targetLps + m_axes * glm::dvec3(mm, m_depths[place(at)].value_or(0.0));
 }
 
-core::PickVoxels SurfacePatch::question(
+core::PickQuestion SurfacePatch::question(
     const core::Volume& volume, double threshold, const core::ClipRegion& clip) const
 {
     std::vector<glm::dvec2> points;
     points.reserve(m_rays.size());
     for (const glm::ivec2& ray : m_rays)
         points.push_back(planeMm(ray));
-    core::PickVoxels question;
+    core::PickQuestion question;
     question.rays = core::pickRays(m_view, points, volume.geometry, clip).rays;
     question.seenBy = core::SeenBy::Surface;
     question.thresholdCode = volume.encoding.lowestCodeAtLeast(threshold);
     return question;
 }
 
-void SurfacePatch::take(const core::Volume& volume, const core::EngineResult& answer)
+void SurfacePatch::take(const core::Volume& volume, const PickedVoxels& picked)
 {
-    for (std::size_t i = 0; i < m_rays.size() && i < answer.picks.size(); ++i) {
+    for (std::size_t i = 0; i < m_rays.size() && i < picked.size(); ++i) {
         Depth& depth = m_depths[place(m_rays[i])];
         depth.reset();
-        if (answer.picks[i])
-            depth =
-                glm::dot(volume.geometry.toWorld(glm::dvec3(*answer.picks[i])) - m_view.targetLps,
-                    m_axes[2]);
+        if (picked[i])
+            depth = glm::dot(
+                volume.geometry.toWorld(glm::dvec3(*picked[i])) - m_view.targetLps, m_axes[2]);
     }
 }
 

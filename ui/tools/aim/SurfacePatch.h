@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/document/Document.h"
-#include "core/engine/EngineCommands.h"
 #include "core/volume/ClipRegion.h"
 #include "ui/geometry/ViewContext.h"
+#include "ui/tools/aim/PickQuestion.h"
 
 #include <QPolygonF>
 
@@ -22,10 +22,10 @@ public:
     SurfacePatch(
         const core::OrthographicView& view, const std::vector<glm::dvec2>& outlineMm, int across);
 
-    /// The question for EditSession::ask(), and its answer.
-    [[nodiscard]] core::PickVoxels question(
+    /// What is to be picked, and what was.
+    [[nodiscard]] core::PickQuestion question(
         const core::Volume& volume, double threshold, const core::ClipRegion& clip) const;
-    void take(const core::Volume& volume, const core::EngineResult& answer);
+    void take(const core::Volume& volume, const PickedVoxels& picked);
 
     /// Forgets what lies more than this behind the middle of all depths.
     void dropBehind(double mm);

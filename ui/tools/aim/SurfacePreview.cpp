@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/aim/SurfacePreview.h"
 
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/aim/DrillSurface.h"
 #include "ui/tools/aim/PickQuestion.h"
 
@@ -37,17 +38,17 @@ void SurfacePreview::ask(Wish wish)
         return;
     SurfacePatch patch(orthographicView(wish.scene), wish.outlineMm, wish.across);
     const core::Volume& volume = *m_workspace.volume();
-    core::PickVoxels question = patch.question(
+    core::PickQuestion question = patch.question(
         volume, drillThreshold(m_workspace.volumeDisplay(), volume), wish.scene.clip);
     m_asking = std::make_shared<int>(0);
-    session->ask(std::move(question),
+    session->questions().pick(std::move(question),
         [this, asked = std::weak_ptr<int>(m_asking), patch = std::move(patch)](
-            const core::EngineResult& answer) mutable {
+            const core::Result<PickedVoxels>& picked) mutable {
             if (asked.expired())
                 return;
             m_asking.reset();
-            if (!answer.error) {
-                patch.take(*m_workspace.volume(), answer);
+            if (picked) {
+                patch.take(*m_workspace.volume(), *picked);
                 m_patch = std::move(patch);
                 m_changed();
             }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/common/BrushTool.h"
 
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/SeenSurface.h"
 
@@ -169,17 +170,17 @@ void BrushTool::askOnTheWay(const glm::dvec2& planeMm)
     if (cells.empty() && stroke->questions == 0)
         return follow(*stroke, from, planeMm);
     ++stroke->questions;
-    m_workspace.session()->ask(stroke->surface->question(cells),
+    m_workspace.session()->questions().pick(stroke->surface->question(cells),
         [tool = QPointer<BrushTool>(this), stroke, cells, from, planeMm](
-            const core::EngineResult& answer) {
+            const core::Result<PickedVoxels>& picked) {
             if (!tool || stroke->cancelled)
                 return;
             --stroke->questions;
-            if (answer.error) {
+            if (!picked) {
                 stroke->failed = !stroke->begun;
-                tool->m_workspace.fail(*answer.error);
+                tool->m_workspace.fail(picked.error());
             } else {
-                stroke->surface->take(cells, answer);
+                stroke->surface->take(cells, *picked);
                 tool->follow(*stroke, from, planeMm);
             }
             if (stroke->released && stroke->questions == 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/SeedTool.h"
 
+#include "core/session/StepFindings.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/growth/SeedMarks.h"
 #include "ui/workspace/PendingSeeds.h"
@@ -178,17 +180,16 @@ void SeedTool::apply(const core::SeedStroke& stroke, const QString& done)
         return;
     }
     // Answered when the edit is carried out.
-    session.ask(core::ProbeVoxels{},
-        [tool = QPointer<SeedTool>(this), stroke, done](const core::EngineResult&) {
-            if (tool)
-                tool->tellOf(stroke, done);
-        });
+    session.questions().afterAll([tool = QPointer<SeedTool>(this), stroke, done] {
+        if (tool)
+            tool->tellOf(stroke, done);
+    });
 }
 
 void SeedTool::tellOf(const core::SeedStroke& stroke, const QString& done)
 {
     const core::EditSession& session = *workspace().session();
-    const std::optional<core::SketchedSeeds>& seeds = session.sketchedSeeds();
+    const std::optional<core::SketchedSeeds>& seeds = session.findings().sketchedSeeds();
     const QString why = seeds ? core::whyNotTaken(*seeds, session.document()) : QString();
     if (why.isEmpty()) {
         workspace().say(done);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/ShrinkForesight.h"
 
-#include "core/edits/engine/EngineEdits.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/workspace/Workspace.h"
 
@@ -44,7 +44,7 @@ void ShrinkForesight::end()
     m_foreseen.reset();
     m_refused.reset();
     if (core::EditSession* session = m_workspace.session())
-        session->ask(core::DropForesight{}, [](const core::EngineResult&) {});
+        session->questions().dropForesight();
     Q_EMIT changed();
 }
 
@@ -69,31 +69,27 @@ void ShrinkForesight::ask()
     core::ShrinkAt shrink{.onlyHere = m_onlyHere};
     for (std::size_t i = 0; i < m_asked; ++i)
         shrink.pointsLps.push_back(m_workspace.volume()->geometry.toWorld(glm::dvec3(m_wanted[i])));
-    const auto cut = core::cutGrowth(shrink, session->foreseenDocument());
-    if (!cut)
-        return; // the commit will say why
-    m_asking = true;
-    session->ask(core::ForeseeCut{.cut = *cut, .toTheEnd = false},
+    const core::Result<void> asked = session->questions().foreseeCut(shrink,
         [foresight = QPointer<ShrinkForesight>(this), sketch = m_sketch](
-            const core::EngineResult& result) {
+            const core::Result<std::optional<core::ForeseenCut>>& foreseen) {
             if (foresight && foresight->m_sketch == sketch)
-                foresight->take(result);
+                foresight->take(foreseen);
         });
+    m_asking = asked.has_value(); // if not, the commit will say why
 }
 
-void ShrinkForesight::take(const core::EngineResult& result)
+void ShrinkForesight::take(const core::Result<std::optional<core::ForeseenCut>>& foreseen)
 {
-    if (!result.error && !result.foreseen)
+    if (foreseen && !*foreseen)
         return m_again.start();
     m_asking = false;
-    m_refused = result.error;
-    if (result.error) {
-        m_foreseen = core::ForeseenCut{};
-        m_answered = m_asked;
-    } else if (result.foreseen) {
-        m_foreseen = {.members = result.foreseen->members, .voxels = result.foreseen->voxels};
-        m_answered = m_asked;
-    }
+    m_refused.reset();
+    m_foreseen = core::ForeseenCut{};
+    m_answered = m_asked;
+    if (!foreseen)
+        m_refused = foreseen.error();
+    else
+        m_foreseen = {.members = (*foreseen)->members, .voxels = (*foreseen)->voxels};
     if (m_asked < m_wanted.size()) {
         m_asked = m_wanted.size();
         ask();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EngineCommands.h"
+#include "core/base/Result.h"
+#include "core/growth/GrowthCommands.h"
 
 #include <QObject>
 #include <QString>
@@ -14,9 +15,9 @@ namespace ui {
 
 class Workspace;
 
-/// What a targeted shrink would take, while the pen is down (core::ForeseeCut). The engine tints
-/// it; here it is asked, one question at a time, and told in words. Nothing waits and nothing
-/// changes.
+/// What a targeted shrink would take, while the pen is down (VoxelQuestions::foreseeCut()). The
+/// engine tints it; here it is asked, one question at a time, and told in words. Nothing waits and
+/// nothing changes.
 class ShrinkForesight : public QObject {
     Q_OBJECT
 
@@ -42,7 +43,8 @@ Q_SIGNALS:
 
 private:
     void ask();
-    void take(const core::EngineResult& result);
+    /// @param foreseen none: it is being worked out
+    void take(const core::Result<std::optional<core::ForeseenCut>>& foreseen);
 
     Workspace& m_workspace;
     bool m_on = false;

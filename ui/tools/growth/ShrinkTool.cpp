@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/ShrinkTool.h"
 
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/SketchedVoxels.h"
 #include "ui/tools/growth/ShrinkForesight.h"
@@ -84,15 +85,14 @@ void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)
         return;
     }
     // Answered when the edit is carried out.
-    session.ask(core::ProbeVoxels{{voxels.front()}},
-        [tool = QPointer<ShrinkTool>(this), rows](const core::EngineResult&) {
-            if (!tool)
-                return;
-            // What was refused has been told already.
-            const core::History& history = tool->workspace().session()->history();
-            if (history.rows().size() > rows)
-                tool->workspace().say(history.rows().back().name);
-        });
+    session.questions().afterAll([tool = QPointer<ShrinkTool>(this), rows] {
+        if (!tool)
+            return;
+        // What was refused has been told already.
+        const core::History& history = tool->workspace().session()->history();
+        if (history.rows().size() > rows)
+            tool->workspace().say(history.rows().back().name);
+    });
 }
 
 QColor ShrinkTool::colour() const

@@ -3,6 +3,7 @@
 
 #include "core/edits/engine/HiddenSides.h"
 #include "core/edits/engine/ToolMasks.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/DrillMask.h"
 #include "ui/tools/aim/DrillSurface.h"
@@ -217,14 +218,14 @@ void DrillTool::aim(const PointerSample& sample, const ViewContext& view)
     const auto& scene = std::get<gpu::VolumeScene>(view.scene);
     const core::Volume& volume = *m_workspace.volume();
     SurfacePatch patch(orthographicView(scene), footprint(sample, view), 10);
-    m_workspace.session()->ask(
+    m_workspace.session()->questions().pick(
         patch.question(volume, drillThreshold(m_workspace.volumeDisplay(), volume), scene.clip),
         [tool = QPointer<DrillTool>(this), waiting = std::weak_ptr<Aiming>(m_aiming), patch](
-            const core::EngineResult& answer) mutable {
+            const core::Result<PickedVoxels>& picked) mutable {
             if (!tool || waiting.expired())
                 return;
-            if (!answer.error)
-                patch.take(*tool->m_workspace.volume(), answer);
+            if (picked)
+                patch.take(*tool->m_workspace.volume(), *picked);
             tool->takeAim(patch);
         });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/view/UndoHereTool.h"
 
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/tasks/UndoOnly.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/PickQuestion.h"
@@ -147,18 +148,18 @@ void UndoHereTool::undoOnSlice()
 void UndoHereTool::undoWhatIsSeen()
 {
     const auto& scene = std::get<gpu::VolumeScene>(m_pressedView->scene);
-    m_workspace.session()->ask(
+    m_workspace.session()->questions().pick(
         pickQuestion(scene, {m_pressedView->toViewPlaneMm(m_pressed)}, *m_workspace.volume()),
-        [tool = QPointer<UndoHereTool>(this)](const core::EngineResult& result) {
+        [tool = QPointer<UndoHereTool>(this)](const core::Result<PickedVoxels>& picked) {
             if (!tool || !tool->m_workspace.volume())
                 return;
-            if (result.error) {
-                tool->m_workspace.fail(*result.error);
-            } else if (result.picks.empty() || !result.picks.front()) {
+            if (!picked) {
+                tool->m_workspace.fail(picked.error());
+            } else if (picked->empty() || !picked->front()) {
                 tool->m_workspace.say(tr("Nothing is seen there"));
             } else {
                 const glm::dvec3 seen =
-                    tool->m_workspace.volume()->geometry.toWorld(glm::dvec3(*result.picks.front()));
+                    tool->m_workspace.volume()->geometry.toWorld(glm::dvec3(*picked->front()));
                 undoOnlyLast(tool->m_workspace, {.box = tool->boxAround({seen}, tool->m_radiusMm)},
                     tr("here"));
             }

@@ -2,6 +2,7 @@
 #include "core/edits/engine/EngineEdits.h"
 
 #include "core/edits/engine/growth/GrowLimits.h"
+#include "core/edits/engine/growth/ToleranceEdits.h"
 #include "core/edits/schema/EditFields.h"
 #include "core/growth/SeedWord.h"
 

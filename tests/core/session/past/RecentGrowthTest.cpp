@@ -2,6 +2,7 @@
 #include "core/session/past/RecentGrowth.h"
 
 #include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
@@ -67,7 +68,7 @@ public:
     [[nodiscard]] QString lastName() const { return session->history().rows().back().name; }
     [[nodiscard]] std::int64_t voxels(int segment) const
     {
-        const std::vector<std::uint8_t> labels = *session->labels(0);
+        const std::vector<std::uint8_t> labels = *session->questions().labels(0);
         return std::count(labels.begin(), labels.end(), std::uint8_t(segment));
     }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/SketchedSeeds.h"
+#include "core/session/StepFindings.h"
 
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -48,7 +49,7 @@ public:
     [[nodiscard]] QString lastName() const { return session->history().rows().back().name; }
     [[nodiscard]] QString why() const
     {
-        return whyNotTaken(*session->sketchedSeeds(), session->document());
+        return whyNotTaken(*session->findings().sketchedSeeds(), session->document());
     }
 
     reference::ReferenceEngine engine; ///< outlives the session
@@ -70,10 +71,10 @@ private Q_SLOTS:
     void onFreeVoxelsAllAreTaken()
     {
         Bench bench;
-        QVERIFY(!bench.session->sketchedSeeds());
+        QVERIFY(!bench.session->findings().sketchedSeeds());
         bench.run(bench.seeds(1, 5, 9));
         QCOMPARE(bench.lastName(), QStringLiteral("Seed stroke for 'A', 5 voxels"));
-        QCOMPARE(bench.session->sketchedSeeds()->taken, std::int64_t(5));
+        QCOMPARE(bench.session->findings().sketchedSeeds()->taken, std::int64_t(5));
         QCOMPARE(bench.why(), QString());
     }
 
@@ -102,7 +103,8 @@ private Q_SLOTS:
         QCOMPARE(bench.rows(), rows);
         QCOMPARE(bench.session->stateHash(), before);
         QCOMPARE(bench.why(), QStringLiteral("3 belong to 'A'"));
-        QCOMPARE(sketchedText(*bench.session->sketchedSeeds(), bench.session->document()),
+        QCOMPARE(
+            sketchedText(*bench.session->findings().sketchedSeeds(), bench.session->document()),
             QStringLiteral("0 of 3 voxels (3 belong to 'A')"));
         // The next one does not repeat it.
         bench.run(bench.seeds(2, 20, 20));
@@ -126,7 +128,7 @@ private Q_SLOTS:
         QCOMPARE(bench.lastName(),
             QStringLiteral("Seed stroke for 'A', 2 of 3 voxels (1 is shut by a barrier; 1 was a "
                            "seed of 'B')"));
-        const SketchedSeeds& seeds = *bench.session->sketchedSeeds();
+        const SketchedSeeds& seeds = *bench.session->findings().sketchedSeeds();
         QCOMPARE(seeds.replaced.at(2), std::int64_t(1));
         QCOMPARE(seeds.barriers, std::int64_t(1));
     }

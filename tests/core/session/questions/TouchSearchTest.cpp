@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/questions/TouchSearch.h"
 #include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -27,7 +28,7 @@ struct Bench {
     [[nodiscard]] RowId lastTouching(const Touch& touch)
     {
         RowId found = -1;
-        session->findLastTouching(touch, [&found](RowId row) { found = row; });
+        session->questions().lastTouching(touch, [&found](RowId row) { found = row; });
         [&] { QVERIFY(session->settle()); }();
         return found;
     }
@@ -94,7 +95,7 @@ private Q_SLOTS:
         const QByteArray hash = bench.session->stateHash();
         RowId found = -1;
         QVERIFY(bench.session->undo());
-        bench.session->findLastTouching(
+        bench.session->questions().lastTouching(
             {.segment = 0, .box = box({0, 0, 0}, size)}, [&found](RowId row) { found = row; });
         QVERIFY(bench.session->redo());
         QVERIFY(bench.session->settle());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/state/RecentSteps.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionStorage.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -94,7 +95,7 @@ private Q_SLOTS:
         reference::ReferenceEngine engine;
         const auto session = EditSession::open(engine, test::smallStudy(), path);
         QVERIFY(session);
-        (*session)->setStepMemory(std::size_t(bytes));
+        (*session)->storage().setStepMemory(std::size_t(bytes));
         const History& history = (*session)->history();
         std::mt19937 random(3);
         for (int walk = 0; walk < 40; ++walk) {

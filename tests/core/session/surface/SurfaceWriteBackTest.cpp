@@ -4,6 +4,8 @@
 #include "core/brick/VoxelRunSets.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionSurface.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/SurfaceCases.h"
@@ -95,14 +97,14 @@ struct Bench {
     }
     [[nodiscard]] Mask held(std::uint8_t label = 1)
     {
-        Mask mask = *session->labels(0);
+        Mask mask = *session->questions().labels(0);
         for (std::uint8_t& voxel : mask)
             voxel = voxel == label ? 1 : 0;
         return mask;
     }
     [[nodiscard]] Mask inside() const
     {
-        return maskOf(*voxelsOf(*session->surface(), geometry, {}),
+        return maskOf(*voxelsOf(*session->surface().mesh(), geometry, {}),
             std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
     }
     [[nodiscard]] QByteArray hash() const

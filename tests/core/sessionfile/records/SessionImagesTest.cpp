@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/records/SessionImages.h"
+#include "core/session/SessionKeyframes.h"
+#include "core/session/SessionStorage.h"
 
 #include "core/export/common/ExportMask.h"
 #include "core/nifti/NiftiHeader.h"
@@ -40,7 +42,7 @@ namespace {
 Result<void> saveAs(EditSession& session, const QString& target, SavedImages images)
 {
     std::promise<Result<void>> promise;
-    session.saveAs(
+    session.storage().saveAs(
         target, true, [&promise](const Result<void>& result) { promise.set_value(result); },
         std::move(images));
     return promise.get_future().get();
@@ -212,9 +214,9 @@ private Q_SLOTS:
         {
             reference::ReferenceEngine engine;
             const auto session = EditSession::open(engine, study, path("s.burin"));
-            QVERIFY((*session)->holdsImages());
+            QVERIFY((*session)->storage().holdsImages());
             QVERIFY(saveAs(**session, path("t.burin"), {.kept = false}));
-            QVERIFY(!(*session)->holdsImages());
+            QVERIFY(!(*session)->storage().holdsImages());
         }
         QFile file(path("t.burin"));
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -233,13 +235,13 @@ private Q_SLOTS:
         QVERIFY(session->settle());
         const QByteArray hash = session->stateHash();
         const std::size_t rows = session->history().rows().size();
-        const std::vector<RowId> keyframes = session->keyframes();
+        const std::vector<RowId> keyframes = session->keyframes().rows();
         Result<StagedFile> staged = stageImages(path("b.burin"), true, study);
         QVERIFY(staged);
         const Result<void> saved = saveAs(*session, path("b.burin"),
             {.staged = std::make_shared<StagedFile>(*std::move(staged))});
         QVERIFY2(saved, qPrintable(saved ? QString() : test::errorText(saved.error())));
-        QVERIFY(session->holdsImages());
+        QVERIFY(session->storage().holdsImages());
         QCOMPARE(session->stateHash(), hash);
         QVERIFY(session->apply(test::drillAt(5)));
         QVERIFY(session->goTo(2));
@@ -259,7 +261,7 @@ private Q_SLOTS:
             QVERIFY2(again, qPrintable(again ? QString() : test::errorText(again.error())));
             QCOMPARE((*again)->history().rows().size(), rows + 1);
             QCOMPARE((*again)->stateHash(), hash);
-            QCOMPARE((*again)->keyframes(), keyframes);
+            QCOMPARE((*again)->keyframes().rows(), keyframes);
         }
     }
 
@@ -276,7 +278,7 @@ private Q_SLOTS:
             QVERIFY(session->apply(test::drillAt(3))); // while they were written
             QVERIFY(saveAs(
                 *session, file, {.staged = std::make_shared<StagedFile>(*std::move(staged))}));
-            QVERIFY(session->holdsImages());
+            QVERIFY(session->storage().holdsImages());
             QVERIFY(session->apply(test::drillAt(6)));
             QVERIFY(session->settle());
         }

@@ -147,9 +147,9 @@ EngineCase randomDrilling(int number)
     return std::move(scene.made);
 }
 
-core::PickVoxels::Ray randomRay(const glm::ivec3& size, Random& random)
+core::PickRay randomRay(const glm::ivec3& size, Random& random)
 {
-    core::PickVoxels::Ray ray;
+    core::PickRay ray;
     const glm::ivec3 a = randomVoxel(random, size);
     const glm::ivec3 b = randomVoxel(random, size);
     const int samples = randomInt(random, 1, 60);

@@ -26,7 +26,7 @@ EngineStep looks(const glm::ivec3& size)
     core::PickVoxels pick;
     for (int axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < 5; ++i) {
-            core::PickVoxels::Ray ray;
+            core::PickRay ray;
             for (int other = 0; other < 3; ++other)
                 ray.origin[other] = (size[other] - 1) * (i + 1) * 65536 / 6;
             ray.origin[axis] = 0;

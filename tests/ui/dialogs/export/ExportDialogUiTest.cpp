@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/objects/SegReader.h"
+#include "core/session/SessionDisplay.h"
 #include "ui/dialogs/export/ExportDialog.h"
 
 #include "tests/reference/ReferenceEngine.h"
@@ -60,7 +61,7 @@ public:
         grow.criteria.upper = volume.encoding.value(0) + 1.0;
         grow.steps = 2;
         apply(grow);
-        session().setSegmentVisible(2, false);
+        session().display().setSegmentVisible(2, false);
         // The engine's wake-up, as the program has it.
         QObject::connect(&wakeUp, &QTimer::timeout, [this] { session().poll(); });
         wakeUp.start(1);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/panels/growth/LeakSection.h"
 
 #include "tests/support/cases/growth/LeakPhantoms.h"
@@ -82,7 +83,7 @@ public:
     /// Voxels of the leak that the segment holds.
     [[nodiscard]] std::int64_t leaked()
     {
-        const auto labels = *session().labels(0);
+        const auto labels = *session().questions().labels(0);
         std::int64_t count = 0;
         for (std::size_t voxel = 0; voxel < labels.size(); ++voxel)
             count += labels[voxel] != 0 && phantom().leak.values[voxel] != 0 ? 1 : 0;
@@ -179,7 +180,7 @@ private Q_SLOTS:
             fixture.workspace.volume()->geometry.toIndex(fixture.workspace.crosshairLps());
         const glm::ivec3 voxel(glm::round(index));
         QVERIFY(phantom().leak.at(voxel) != 0);
-        const auto labels = *fixture.session().labels(0);
+        const auto labels = *fixture.session().questions().labels(0);
         const glm::ivec3 size = phantom().leak.size;
         QCOMPARE(int(labels[std::size_t(voxel.x + size.x * (voxel.y + size.y * voxel.z))]), 1);
     }

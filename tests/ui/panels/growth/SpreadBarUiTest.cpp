@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/panels/growth/SpreadBar.h"
 
 #include "tests/support/fixtures/WorkspaceFixture.h"
@@ -56,8 +57,10 @@ public:
     [[nodiscard]] int seenAt(const glm::ivec3& voxel)
     {
         int seen = -1;
-        session().ask(core::ProbeVoxels{{voxel}},
-            [&seen](const core::EngineResult& result) { seen = result.probes.front().label; });
+        session().questions().probe(
+            {voxel}, [&seen](const core::Result<std::vector<core::ProbedVoxel>>& probes) {
+                seen = probes->front().label;
+            });
         (void)QTest::qWaitFor([this, &seen] {
             session().poll();
             return seen >= 0;

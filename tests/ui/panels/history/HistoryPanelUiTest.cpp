@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/StepFindings.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -109,7 +110,7 @@ private Q_SLOTS:
         choose(panel.list, 1, tr("Remove stroke"));
         QVERIFY(session.settle());
         QCoreApplication::sendPostedEvents(); // the bar takes its place
-        QCOMPARE(session.strokesOnRevisedSurface(), std::vector<core::RowId>{2});
+        QCOMPARE(session.findings().strokesOnRevisedSurface(), std::vector<core::RowId>{2});
         QVERIFY2(panel.fixture.window.messages().sentence().startsWith(tr("One later stroke")),
             qPrintable(panel.fixture.window.messages().sentence()));
         QCOMPARE(enabledIn(panel.list, 1),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -90,7 +91,9 @@ private Q_SLOTS:
         QVERIFY(fixture.panel.summary().isEmpty());
         fixture.panel.comparison().read(fixture.path());
         QTRY_VERIFY(fixture.upToDate());
-        const auto errorNow = [&] { return errorOf(*fixture.session().labels(0), fixture.truth); };
+        const auto errorNow = [&] {
+            return errorOf(*fixture.session().questions().labels(0), fixture.truth);
+        };
         const double error = errorNow();
         QVERIFY(error > 0.1 && error < 0.5);
         QCOMPARE(*fixture.outcome().relativeVolumeError, error);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
 #include "core/edits/schema/EditQuantise.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
@@ -58,20 +59,22 @@ public:
     {
         std::set<std::array<int, 3>> found;
         const core::BrickGrid grid{workspace.volume()->geometry.size};
-        core::ReadBricks read;
+        std::vector<core::BrickKey> keys;
         for (int brick = 0; brick < grid.brickCount(); ++brick)
-            read.keys.push_back({field, plane, std::uint32_t(brick)});
-        session().ask(read, [&](const core::EngineResult& result) {
-            for (const core::BrickChange& brick : result.changes) {
+            keys.push_back({field, plane, std::uint32_t(brick)});
+        const auto take = [&](const core::Result<std::vector<core::BrickImage>>& bricks) {
+            for (const core::BrickImage& brick : *bricks) {
                 const core::VoxelBox box = grid.boxOf(int(brick.key.brick));
-                for (int z = box.minimum.z; z < box.maximum.z && !brick.after.empty(); ++z)
+                for (int z = box.minimum.z; z < box.maximum.z && !brick.bytes.empty(); ++z)
                     for (int y = box.minimum.y; y < box.maximum.y; ++y)
                         for (int x = box.minimum.x; x < box.maximum.x; ++x)
-                            if (brick.after.read()[std::size_t(core::BrickGrid::offsetInBrick({x, y, z}))]
+                            if (brick.bytes
+                                    .read()[std::size_t(core::BrickGrid::offsetInBrick({x, y, z}))]
                                 >= least)
                                 found.insert({x, y, z});
             }
-        });
+        };
+        session().questions().bricks(std::move(keys), take);
         session().poll();
         return found;
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
@@ -55,15 +56,16 @@ public:
     [[nodiscard]] std::int64_t carvedVoxels()
     {
         std::int64_t count = 0;
-        core::ReadBricks read;
+        std::vector<core::BrickKey> keys;
         const core::BrickGrid grid{workspace.volume()->geometry.size};
         for (int brick = 0; brick < grid.brickCount(); ++brick)
-            read.keys.push_back({core::Field::Coverage, 1, std::uint32_t(brick)});
-        session().ask(read, [&count](const core::EngineResult& result) {
-            for (const core::BrickChange& brick : result.changes)
-                count += std::count_if(brick.after.read().begin(), brick.after.read().end(),
-                    [](std::uint8_t coverage) { return coverage >= 128; });
-        });
+            keys.push_back({core::Field::Coverage, 1, std::uint32_t(brick)});
+        session().questions().bricks(
+            std::move(keys), [&count](const core::Result<std::vector<core::BrickImage>>& bricks) {
+                for (const core::BrickImage& brick : *bricks)
+                    count += std::count_if(brick.bytes.read().begin(), brick.bytes.read().end(),
+                        [](std::uint8_t coverage) { return coverage >= 128; });
+            });
         session().poll();
         return count;
     }

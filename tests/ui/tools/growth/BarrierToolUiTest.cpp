@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/growth/BarrierTool.h"
 
 #include "core/growth/SeedWord.h"
@@ -88,7 +89,7 @@ public:
     };
     [[nodiscard]] Distances distancesTo(const core::BrushPath& path, double lower, double upper)
     {
-        const auto labels = *session().labels(0);
+        const auto labels = *session().questions().labels(0);
         const core::LoadedVolume loaded = head::volume();
         Distances found;
         for (int i = 0; i < int(labels.size()); ++i) {
@@ -118,20 +119,21 @@ public:
     [[nodiscard]] std::int64_t shut()
     {
         const core::BrickGrid grid{workspace.volume()->geometry.size};
-        core::ReadBricks read;
+        std::vector<core::BrickKey> keys;
         for (int brick = 0; brick < grid.brickCount(); ++brick)
-            read.keys.push_back({core::Field::SeedWords, 0, std::uint32_t(brick)});
+            keys.push_back({core::Field::SeedWords, 0, std::uint32_t(brick)});
         std::int64_t count = 0;
-        session().ask(read, [&count](const core::EngineResult& result) {
-            for (const core::BrickChange& brick : result.changes) {
-                for (std::size_t at = 0; at + 4 <= brick.after.size(); at += 4) {
-                    std::uint32_t word = 0;
-                    for (std::size_t byte = 0; byte < 4; ++byte)
-                        word |= std::uint32_t(brick.after.read()[at + byte]) << (8 * byte);
-                    count += word == core::seedWord::barrier ? 1 : 0;
+        session().questions().bricks(
+            std::move(keys), [&count](const core::Result<std::vector<core::BrickImage>>& bricks) {
+                for (const core::BrickImage& brick : *bricks) {
+                    for (std::size_t at = 0; at + 4 <= brick.bytes.size(); at += 4) {
+                        std::uint32_t word = 0;
+                        for (std::size_t byte = 0; byte < 4; ++byte)
+                            word |= std::uint32_t(brick.bytes.read()[at + byte]) << (8 * byte);
+                        count += word == core::seedWord::barrier ? 1 : 0;
+                    }
                 }
-            }
-        });
+            });
         session().poll();
         return count;
     }

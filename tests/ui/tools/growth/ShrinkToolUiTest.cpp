@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/growth/ShrinkTool.h"
 
 #include "tests/support/cases/growth/LeakPhantoms.h"
@@ -88,7 +89,7 @@ public:
         const core::History& history = session().history();
         return std::get_if<core::ShrinkAt>(&history.row(history.position()).edit);
     }
-    [[nodiscard]] std::vector<std::uint8_t> labels() { return *session().labels(0); }
+    [[nodiscard]] std::vector<std::uint8_t> labels() { return *session().questions().labels(0); }
     struct Held {
         std::int64_t leak = 0;
         std::int64_t body = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
 #include "core/edits/schema/EditQuantise.h"
+#include "core/session/SessionSurface.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -240,7 +241,7 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QCOMPARE(fixture.refinement().mirror().vertexCount(),
-            fixture.session().surface()->vertexCount());
+            fixture.session().surface().mesh()->vertexCount());
     }
 
     void whatIsPaintedSinceIsTold()
@@ -416,7 +417,7 @@ private Q_SLOTS:
         RefineFixture fixture;
         fixture.lay();
         const QByteArray before = fixture.session().stateHash();
-        const core::SimplexMesh mesh = *fixture.session().surface();
+        const core::SimplexMesh mesh = *fixture.session().surface().mesh();
         fixture.set(Mode::Sphere, 6.0);
         draw(fixture, fixture.slice,
             {fixture.at(fixture.slice, {0.0, -radius, 0.0}),
@@ -427,7 +428,7 @@ private Q_SLOTS:
         fixture.settle();
         QVERIFY(!fixture.session().transactionOpen());
         QCOMPARE(fixture.session().stateHash(), before);
-        QVERIFY(core::identical(*fixture.session().surface(), mesh));
+        QVERIFY(core::identical(*fixture.session().surface().mesh(), mesh));
         // What is shown is that, too.
         const core::SurfaceMirror& mirror = fixture.refinement().mirror();
         for (const core::VertexId id : mesh.vertexIds())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/SessionDisplay.h"
 #include "ui/tools/sculpt/PieceTool.h"
 
 #include "tests/support/faults/FailingLog.h"
@@ -238,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.workspace.pieces().scene().front().opacity, 0.0f);
         QCOMPARE(fixture.rows(), before); // no step
         state.keep();
-        const QJsonObject kept = fixture.workspace.session()->display();
+        const QJsonObject kept = fixture.workspace.session()->display().kept();
         ui::PieceLook look;
         fixture.workspace.pieces().setLook(1, look);
         state.apply(kept);

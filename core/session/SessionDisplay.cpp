@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/SessionDisplay.h"
+
+#include "core/session/operations/OperationQueue.h"
+
+namespace core {
+
+SessionDisplay::SessionDisplay(OperationQueue& queue)
+    : m_queue(queue)
+{
+}
+
+void SessionDisplay::setSegmentVisible(int label, bool visible)
+{
+    m_queue.state().setVisible(label, visible);
+    m_queue.tellNews();
+}
+
+const QJsonObject& SessionDisplay::kept() const
+{
+    return m_queue.state().display;
+}
+
+void SessionDisplay::keep(const QJsonObject& display)
+{
+    m_queue.state().setDisplay(display);
+}
+
+} // namespace core

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/questions/VoxelQuestions.h"
+
+#include "core/base/Guarded.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/session/past/LabelReader.h"
+#include "core/session/questions/QuestionLine.h"
+#include "core/session/questions/TouchSearch.h"
+
+#include <utility>
+
+namespace core {
+
+namespace {
+
+/// Answers with one part of the engine's result.
+template <class T>
+QuestionLine::Answer telling(T EngineResult::*part, VoxelQuestions::Answer<T> answer)
+{
+    return [part, answer = std::move(answer)](EngineResult&& result) {
+        if (result.error)
+            answer(tl::unexpected(*std::move(result.error)));
+        else
+            answer(std::move(result.*part));
+    };
+}
+
+void ignore(EngineResult&&) { }
+
+} // namespace
+
+VoxelQuestions::VoxelQuestions(QuestionLine& line, const glm::ivec3& volumeSize)
+    : m_line(line)
+    , m_volumeSize(volumeSize)
+{
+}
+
+void VoxelQuestions::probe(std::vector<glm::ivec3> voxels, Answer<std::vector<ProbedVoxel>> answer)
+{
+    m_line.ask(ProbeVoxels{.voxels = std::move(voxels)},
+        telling(&EngineResult::probes, std::move(answer)));
+}
+
+void VoxelQuestions::pick(
+    PickQuestion question, Answer<std::vector<std::optional<glm::ivec3>>> answer)
+{
+    m_line.ask(PickVoxels{.rays = std::move(question.rays),
+                   .seenBy = question.seenBy,
+                   .thresholdCode = question.thresholdCode,
+                   .opacityOfCode = std::move(question.opacityOfCode)},
+        telling(&EngineResult::picks, std::move(answer)));
+}
+
+void VoxelQuestions::codes(const VoxelBox& box, Answer<std::vector<std::uint16_t>> answer)
+{
+    m_line.ask(ReadCodes{box}, telling(&EngineResult::codes, std::move(answer)));
+}
+
+void VoxelQuestions::bricks(std::vector<BrickKey> keys, Answer<std::vector<BrickImage>> answer)
+{
+    m_line.ask(ReadBricks{std::move(keys)}, [answer = std::move(answer)](EngineResult&& result) {
+        if (result.error)
+            return answer(tl::unexpected(*std::move(result.error)));
+        std::vector<BrickImage> values;
+        values.reserve(result.changes.size());
+        for (BrickChange& brick : result.changes)
+            values.push_back({.key = brick.key, .bytes = std::move(brick.after)});
+        answer(std::move(values));
+    });
+}
+
+bool VoxelQuestions::readOn(const std::shared_ptr<LabelReader>& reader, Answer<void> answer)
+{
+    std::optional<ReadBricks> portion = reader->next();
+    if (!portion)
+        return false;
+    m_line.ask(*std::move(portion), [reader, answer = std::move(answer)](EngineResult&& result) {
+        answer(reader->take(result));
+    });
+    return true;
+}
+
+void VoxelQuestions::seedSums(const CodeInterval& interval, std::vector<SeedGroup> strokes,
+    Answer<std::vector<ProbedSeeds>> answer)
+{
+    m_line.ask(
+        ProbeSeeds{
+            .lowCode = interval.low, .highCode = interval.high, .seedGroups = std::move(strokes)},
+        telling(&EngineResult::seeds, std::move(answer)));
+}
+
+void VoxelQuestions::generationSizes(Answer<std::vector<std::uint32_t>> answer)
+{
+    m_line.ask(CountGenerations{}, telling(&EngineResult::generationSizes, std::move(answer)));
+}
+
+void VoxelQuestions::traceTolerance(
+    const ToleranceRule& rule, Answer<std::optional<ToleranceCurve>> answer)
+{
+    m_line.ask(TraceTolerance{.rule = rule, .toTheEnd = false},
+        telling(&EngineResult::tolerance, std::move(answer)));
+}
+
+void VoxelQuestions::dropTolerance()
+{
+    m_line.ask(DropTolerance{}, ignore);
+}
+
+Result<void> VoxelQuestions::foreseeCut(
+    const ShrinkAt& shrink, Answer<std::optional<ForeseenCut>> answer)
+{
+    Result<CutGrowth> cut = cutGrowth(shrink, m_line.foreseen());
+    if (!cut)
+        return tl::unexpected(cut.error());
+    m_line.ask(ForeseeCut{.cut = *std::move(cut), .toTheEnd = false},
+        telling(&EngineResult::foreseen, std::move(answer)));
+    return {};
+}
+
+void VoxelQuestions::dropForesight()
+{
+    m_line.ask(DropForesight{}, ignore);
+}
+
+void VoxelQuestions::lastTouching(const Touch& touch, std::function<void(RowId)> answer)
+{
+    m_line.closeGrowth();
+    m_line.submit(std::make_unique<TouchSearch>(touch, std::move(answer)));
+}
+
+void VoxelQuestions::afterAll(std::function<void()> then)
+{
+    // Probing nothing costs nothing and takes its place in line.
+    m_line.ask(ProbeVoxels{}, [then = std::move(then)](EngineResult&&) { then(); });
+}
+
+Result<std::vector<std::uint8_t>> VoxelQuestions::labels(std::uint8_t plane)
+{
+    return guarded([&] { return read(plane, Field::Labels); });
+}
+
+Result<std::vector<std::uint8_t>> VoxelQuestions::coverage(std::uint8_t layer)
+{
+    return guarded([&] { return read(layer, Field::Coverage); });
+}
+
+Result<std::vector<std::uint8_t>> VoxelQuestions::read(std::uint8_t plane, Field field)
+{
+    const auto reader = std::make_shared<LabelReader>(m_volumeSize, plane, field);
+    // Shared with the answer: if waiting throws, the answer may still come.
+    const auto taken = std::make_shared<std::optional<Result<void>>>();
+    while (readOn(reader, [taken](const Result<void>& portion) { *taken = portion; })) {
+        while (!*taken)
+            m_line.waitForEngine();
+        if (!**taken)
+            return tl::unexpected((*taken)->error());
+        taken->reset();
+    }
+    return reader->takeLabels();
+}
+
+} // namespace core
