@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/TaskThread.h"
+#include "core/base/Background.h"
 #include "core/document/Document.h"
 #include "core/session/state/ChunkWorker.h"
 #include "gpu/scene/Scene.h"
@@ -109,7 +109,7 @@ private:
     std::vector<Chunk> m_lit;
     std::shared_ptr<const gpu::SceneChunks> m_areas;
     std::shared_ptr<const gpu::SceneChunks> m_bodies;
-    core::TaskThread m_thread; ///< last: it works for all of the above
+    core::Background m_background; ///< last: it uses all of the above
 };
 
 } // namespace ui
