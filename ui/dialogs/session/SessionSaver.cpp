@@ -65,12 +65,6 @@ SessionSaver::SessionSaver(Workspace& workspace, QWidget& window)
     connect(&workspace, &Workspace::sessionClosing, this, &SessionSaver::cancel);
 }
 
-SessionSaver::~SessionSaver()
-{
-    if (m_progress)
-        m_progress->cancel();
-}
-
 void SessionSaver::ask()
 {
     if (const std::optional<Choice> choice = choose(true))
@@ -124,60 +118,49 @@ void SessionSaver::save(const Choice& choice, std::function<void(bool)> done)
     if (!session)
         return;
     if (choice.images && !session->holdsImages())
-        stage(choice, done);
+        stage(choice, std::move(done));
     else
         goOnIn(choice, nullptr, std::move(done));
 }
 
 void SessionSaver::cancel()
 {
-    if (!m_progress)
+    if (!m_staging.running())
         return;
-    m_progress->cancel();
-    m_progress.reset();
+    m_staging.cancel();
+    // Behind it: nothing of it is left then.
+    m_background.start(
+        this, [] {},
+        [done = std::exchange(m_done, {})](const core::Result<void>&) {
+            if (done)
+                done(false);
+        });
     m_workspace.say(tr("Saving was cancelled; the session goes on where it was"));
     Q_EMIT imagesEnded();
 }
 
-void SessionSaver::stage(const Choice& choice, const std::function<void(bool)>& done)
+void SessionSaver::stage(const Choice& choice, std::function<void(bool)> done)
 {
     cancel();
-    // Reports of what was cancelled meanwhile are dropped on this side of the queue.
-    const auto listener = std::make_shared<core::Progress*>(nullptr);
-    m_progress = std::make_shared<core::Progress>(
-        [this, listener](const QString& step, int piece, int pieces) {
-            const core::Progress* mine = *listener;
-            QMetaObject::invokeMethod(this, [this, mine, step, piece, pieces] {
-                if (m_progress.get() == mine)
-                    Q_EMIT imagesProgressed(step, piece, pieces);
-            });
-        });
-    *listener = m_progress.get();
+    m_done = std::move(done);
     Q_EMIT imagesBegun(choice.target);
-    const core::SessionSource source = core::SessionSource::of(*m_workspace.volume());
-    const auto tell = [this, progress = m_progress, choice, done](const Staged& staged) {
-        QMetaObject::invokeMethod(this,
-            [this, progress, choice, staged, done] { takeStaged(progress, choice, staged, done); });
-    };
-    m_worker.post([tell, progress = m_progress, choice,
-                      source] { tell(stageFromStudy(choice.target, source, *progress)); },
-        [tell](const core::Error& error) { tell(tl::unexpected(error)); });
-}
-
-void SessionSaver::takeStaged(const std::shared_ptr<core::Progress>& progress, const Choice& choice,
-    const Staged& staged, const std::function<void(bool)>& done)
-{
-    const bool wanted = m_progress == progress;
-    if (wanted) {
-        m_progress.reset();
-        Q_EMIT imagesEnded();
-    }
-    if (wanted && staged)
-        return goOnIn(choice, *staged, done);
-    if (wanted)
-        m_workspace.fail(staged.error());
-    if (done)
-        done(false);
+    using Staged = core::Result<std::shared_ptr<core::StagedFile>>;
+    m_staging = m_background.start(
+        this,
+        [target = choice.target, source = core::SessionSource::of(*m_workspace.volume())](
+            const core::Progress& progress) { return stageFromStudy(target, source, progress); },
+        [this, choice](const Staged& staged) {
+            std::function<void(bool)> done = std::exchange(m_done, {});
+            Q_EMIT imagesEnded();
+            if (staged)
+                return goOnIn(choice, *staged, std::move(done));
+            m_workspace.fail(staged.error());
+            if (done)
+                done(false);
+        },
+        [this](const QString& step, int piece, int pieces) {
+            Q_EMIT imagesProgressed(step, piece, pieces);
+        });
 }
 
 void SessionSaver::goOnIn(const Choice& choice, const std::shared_ptr<core::StagedFile>& staged,
