@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/report/AuditSaver.h"
 
+#include "core/base/ToldHere.h"
 #include "ui/report/WriteAudit.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QFileDialog>
-#include <QPointer>
 #include <QStandardPaths>
 
 namespace ui {
@@ -45,21 +45,13 @@ void AuditSaver::save(const QString& path)
     }
     m_busy = true;
     session->closeGrowth();
-    // The workspace outlives the session, which answers before it is gone.
-    session->audit([workspace = &m_workspace, guard = QPointer(this), path](
-                       const core::Result<core::AuditReport>& report) {
-        QMetaObject::invokeMethod(
-            workspace,
-            [guard, path, report] {
-                if (!guard)
-                    return;
-                if (report)
-                    return guard->write(*report, path);
-                guard->m_busy = false;
-                Q_EMIT guard->failed(report.error());
-            },
-            Qt::QueuedConnection);
-    });
+    session->audit(
+        core::toldHere(this, [this, path](const core::Result<core::AuditReport>& report) {
+            if (report)
+                return write(*report, path);
+            m_busy = false;
+            Q_EMIT failed(report.error());
+        }));
 }
 
 void AuditSaver::write(const core::AuditReport& report, const QString& path)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/session/SessionSaver.h"
 
+#include "core/base/ToldHere.h"
 #include "core/sessionfile/SessionStudy.h"
 #include "core/sessionfile/records/SessionImages.h"
 #include "ui/base/ErrorText.h"
@@ -10,7 +11,6 @@
 #include <QDir>
 #include <QEventLoop>
 #include <QFileInfo>
-#include <QPointer>
 #include <QSettings>
 
 #include <utility>
@@ -173,25 +173,19 @@ void SessionSaver::goOnIn(const Choice& choice, const std::shared_ptr<core::Stag
     const QString before = leavesFile ? session->file() : QString();
     m_workspace.say(tr("Saving the session …"));
     // It may outlive whoever asked.
-    const QPointer<Workspace> workspace(&m_workspace);
-    const auto tell = [workspace, before, target, done = std::move(done)](
+    const auto tell = [workspace = &m_workspace, before, target, done = std::move(done)](
                           const core::Result<void>& saved) {
-        if (workspace && saved) {
+        if (saved) {
             workspace->tellSaved(before, target);
             workspace->say(tr("The session is saved and goes on in %1").arg(target));
-        } else if (workspace) {
+        } else {
             workspace->fail(saved.error());
             workspace->say(tr("The session was not saved there; it goes on where it was"));
         }
         if (done)
             done(saved.has_value());
     };
-    QObject* receiver = &m_workspace;
-    session->saveAs(target, true,
-        [receiver, tell](const core::Result<void>& saved) {
-            QMetaObject::invokeMethod(
-                receiver, [tell, saved] { tell(saved); }, Qt::QueuedConnection);
-        },
+    session->saveAs(target, true, core::toldHere(&m_workspace, tell),
         {.kept = choice.images, .staged = staged});
 }
 
