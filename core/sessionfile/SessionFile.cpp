@@ -2,69 +2,37 @@
 #include "core/sessionfile/SessionFile.h"
 
 #include "core/base/Guarded.h"
-#include "core/base/files/ReadableFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/sessionfile/AuditReport.h"
-#include "core/sessionfile/records/CloseSessionFiles.h"
+#include "core/sessionfile/SessionCopy.h"
+#include "core/sessionfile/SessionPlaces.h"
 #include "core/sessionfile/records/SessionTables.h"
 #include "core/sessionfile/records/SessionUse.h"
 
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
-#include <algorithm>
-#include <map>
 #include <utility>
 
 namespace core {
-
-namespace {
-
-const QString inUse = QStringLiteral("it is open in another window");
-
-struct OpenFiles {
-    std::mutex mutex;
-    std::map<const SessionFile*, std::function<void(const Error&)>> closing; ///< under the mutex
-};
-
-/// Never destroyed: sessions may outlive other globals.
-OpenFiles& openFiles()
-{
-    static auto* all = new OpenFiles;
-    return *all;
-}
-
-} // namespace
-
-void closeSessionFiles(const Error& why)
-{
-    const std::lock_guard lock(openFiles().mutex);
-    for (const auto& [file, close] : openFiles().closing)
-        close(why);
-}
 
 SessionFile::SessionFile(const QString& path)
     : m_path(path)
     , m_tables(std::make_unique<SessionTables>(path))
 {
-    const std::lock_guard lock(openFiles().mutex);
-    openFiles().closing[this] = [this](const Error& why) {
+    m_closable.emplace([this](const Error& why) {
         m_writer.run([&] {
             writeWaiting();
             m_tables.reset();
             const std::lock_guard guard(m_mutex);
             m_whyNoFile = why;
         });
-    };
+    });
 }
 
 SessionFile::~SessionFile()
 {
-    {
-        const std::lock_guard lock(openFiles().mutex);
-        openFiles().closing.erase(this);
-    }
+    m_closable.reset();
     // What cannot be closed orderly is recovered when it is opened again.
     constexpr int tries = 3;
     for (int i = 0; i < tries; ++i) {
@@ -84,17 +52,8 @@ void SessionFile::close()
 Result<std::unique_ptr<SessionFile>> SessionFile::create(
     const QString& path, const SessionSource& source)
 {
-    if (const Result<void> free = checkFileTarget(path, false); !free)
-        return tl::unexpected(free.error());
-    if (const QString stray = strayPartOf(path); !stray.isEmpty())
-        return failure(ErrorCode::FileUnwritable, path,
-            QStringLiteral("'%1' lies beside it, which belongs to another session; move it away")
-                .arg(stray));
-    QFile empty(path);
-    if (!empty.open(QIODevice::WriteOnly | QIODevice::NewOnly,
-            QFileDevice::ReadOwner | QFileDevice::WriteOwner))
-        return failure(ErrorCode::FileUnwritable, path, empty.errorString());
-    empty.close();
+    if (const Result<void> made = makeEmptySession(path); !made)
+        return tl::unexpected(made.error());
     auto begun = guarded([&] { return begin(path, source); });
     // With what SQLite left beside it; before, nothing was.
     if (!begun)
@@ -133,21 +92,8 @@ std::unique_ptr<SessionFile> SessionFile::waiting(
 
 Result<std::unique_ptr<SessionFile>> SessionFile::open(const QString& path, Access access)
 {
-    const QFileInfo info(path);
-    if (!info.exists())
-        return failure(ErrorCode::FileNotFound, path);
-    if (info.isDir())
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
-    if (const Result<void> plain = checkReadsToAnEnd(path); !plain)
-        return tl::unexpected(plain.error());
-    if (!info.isReadable())
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("permission denied"));
-    if (info.size() == 0)
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("it is empty"));
-    if (access == Access::ReadWrite
-        && !(info.isWritable() && QFileInfo(info.absolutePath()).isWritable()))
-        return failure(ErrorCode::FileUnwritable, path,
-            QStringLiteral("a session is written while it is open; copy it to a folder of yours"));
+    if (const Result<void> there = checkSessionToOpen(path, access); !there)
+        return tl::unexpected(there.error());
     std::unique_ptr<SessionFile> file(new SessionFile(path));
     Result<SessionContents> contents;
     file->m_writer.run([&] { contents = file->m_tables->open(access); });
@@ -161,16 +107,7 @@ Result<std::unique_ptr<SessionFile>> SessionFile::open(const QString& path, Acce
 
 bool SessionFile::isNamedAt(const QString& path)
 {
-    const QFileInfo info(path);
-    if (!info.isFile())
-        return false;
-    if (info.suffix().compare(QLatin1String("burin"), Qt::CaseInsensitive) == 0)
-        return true;
-    // One in use must not be opened as a plain file (SessionUse.h).
-    if (isSessionInUse(path))
-        return true;
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) && file.read(15) == "SQLite format 3";
+    return isSessionNamedAt(path);
 }
 
 void SessionFile::addRow(const HistoryRow& row)
@@ -212,10 +149,8 @@ void SessionFile::fetchKeyframe(RowId row, std::function<void(const QByteArray& 
 {
     m_writer.post(
         [this, row, take] {
-            const auto waits = std::find_if(m_waiting.rbegin(), m_waiting.rend(),
-                [row](const Write& write) { return !write.picture.isEmpty() && write.row == row; });
-            if (waits != m_waiting.rend())
-                take(waits->picture);
+            if (const QByteArray* waits = m_waiting.pictureOf(row))
+                take(*waits);
             else
                 take(m_tables ? m_tables->readKeyframe(row) : QByteArray());
         },
@@ -239,14 +174,14 @@ void SessionFile::setDisplay(const QJsonObject& display)
     post({.carryOut = [display](SessionTables& tables) { return tables.setDisplay(display); }});
 }
 
-void SessionFile::post(Write write)
+void SessionFile::post(SessionWrite write)
 {
     // Made here, so that there is nothing on the other side for which memory may be short.
-    const auto written = std::make_shared<std::list<Write>>();
+    const auto written = std::make_shared<SessionWrites::List>();
     written->push_back(std::move(write));
     m_writer.post(
         [this, written] {
-            m_waiting.splice(m_waiting.end(), *written);
+            m_waiting.append(*written);
             writeWaiting();
         },
         [this](const Error& error) { setTrouble(error); });
@@ -327,7 +262,8 @@ void SessionFile::copyTo(const QString& path, std::function<void(const Result<vo
     m_writer.post(
         [this, path, done] {
             writeWaiting();
-            const Result<void> copied = guarded([&] { return copyInto(path, {.kept = false}); });
+            const Result<void> copied =
+                guarded([&] { return copySessionInto(path, parts(), {.kept = false}); });
             if (!copied)
                 removeSession(path);
             done(copied);
@@ -335,31 +271,9 @@ void SessionFile::copyTo(const QString& path, std::function<void(const Result<vo
         [done](const Error& error) { done(tl::unexpected(error)); });
 }
 
-/// Into a staged file that is empty, or holds images and nothing else; with what waits.
-Result<void> SessionFile::copyInto(const QString& path, const SavedImages& images)
+SessionParts SessionFile::parts() const
 {
-    const bool leavesOut = m_tables && m_tables->holdsImages() && !images.kept;
-    const bool begun = images.staged || leavesOut || !m_tables;
-    if (begun && !images.staged) {
-        SessionTables empty(path);
-        if (const Result<void> made = empty.create(m_contents.source); !made)
-            return made;
-    }
-    if (m_tables) {
-        const Result<void> copied =
-            begun ? m_tables->copyHistoryInto(path) : m_tables->copyInto(path);
-        if (!copied)
-            return copied;
-    }
-    // Opened as any session is: rows and chain are there.
-    SessionTables copy(path);
-    if (const Result<SessionContents> read = copy.open(Access::ReadWrite); !read)
-        return tl::unexpected(read.error());
-    for (const Write& write : m_waiting) {
-        if (const Result<void> written = write.carryOut(copy); !written)
-            return written;
-    }
-    return {};
+    return {.tables = m_tables.get(), .source = m_contents.source, .waiting = m_waiting};
 }
 
 /// On the writer's thread.
@@ -368,28 +282,13 @@ Result<void> SessionFile::moveTo(
 {
     const bool ownPlace = m_tables && !m_isPrivateCopy && QFileInfo::exists(target)
         && QFileInfo(target).canonicalFilePath() == QFileInfo(m_path).canonicalFilePath();
-    if (!ownPlace && QFileInfo::exists(target) && isSessionInUse(target))
-        return failure(ErrorCode::FileUnwritable, target, inUse);
-    // What its program could not write any more would be taken for the new file's.
-    if (!ownPlace && isSessionUnfinished(target))
-        return failure(ErrorCode::FileUnwritable, target,
-            QStringLiteral("it was not closed properly; open it once, or take another name"));
-    std::shared_ptr<StagedFile> staged = images.staged;
-    if (!staged) {
-        Result<StagedFile> made = StagedFile::create(target, replaceExisting, ownPlace);
-        if (!made)
-            return tl::unexpected(made.error());
-        staged = std::make_shared<StagedFile>(*std::move(made));
-        QFile::setPermissions(staged->path(), QFileDevice::ReadOwner | QFileDevice::WriteOwner);
-    }
-    const QString path = staged->path();
-    if (const Result<void> whole = copyInto(path, images); !whole) {
-        removeSession(path);
-        return failure(whole.error().code, target, whole.error().arguments.value(1));
-    }
+    const Result<std::shared_ptr<StagedFile>> staged =
+        stageSessionCopy(target, replaceExisting, ownPlace, parts(), images);
+    if (!staged)
+        return tl::unexpected(staged.error());
     if (ownPlace)
         m_tables.reset(); // nothing of the old file is to lie beside the new one
-    if (const Result<void> placed = staged->commit(); !placed) {
+    if (const Result<void> placed = (*staged)->commit(); !placed) {
         if (ownPlace)
             static_cast<void>(reopen(m_path));
         return placed;
@@ -430,28 +329,10 @@ void SessionFile::retry()
 
 void SessionFile::writeWaiting()
 {
-    std::optional<Error> trouble;
-    if (!m_tables) {
-        const bool anyStep = std::any_of(
-            m_waiting.begin(), m_waiting.end(), [](const Write& write) { return write.isStep; });
-        return setTrouble(anyStep ? m_whyNoFile : std::nullopt);
-    }
-    while (!m_waiting.empty() && !trouble) {
-        if (const Result<void> written = carryOutFirst(); written)
-            m_waiting.pop_front();
-        else
-            trouble = written.error();
-    }
-    setTrouble(trouble);
-}
-
-Result<void> SessionFile::carryOutFirst()
-{
-    Result<void> written = guarded([this] { return m_waiting.front().carryOut(*m_tables); });
-    // It waits like what the disk does not take.
-    if (!written && written.error().code != ErrorCode::FileUnwritable)
-        written.error() = {ErrorCode::FileUnwritable, {m_path, written.error().arguments.value(0)}};
-    return written;
+    if (m_tables)
+        setTrouble(m_waiting.carryOut(*m_tables, m_path));
+    else
+        setTrouble(m_waiting.holdStep() ? m_whyNoFile : std::nullopt);
 }
 
 void SessionFile::setTrouble(const std::optional<Error>& trouble)
@@ -481,10 +362,8 @@ Result<BrickDelta> SessionFile::readDelta(RowId row)
 {
     Result<BrickDelta> result;
     m_writer.run([&] {
-        const auto waits = std::find_if(m_waiting.begin(), m_waiting.end(),
-            [row](const Write& write) { return write.delta && write.row == row; });
-        if (waits != m_waiting.end())
-            result = *waits->delta;
+        if (const BrickDelta* waits = m_waiting.deltaOf(row))
+            result = *waits;
         else if (m_tables)
             result = m_tables->readDelta(row);
         else

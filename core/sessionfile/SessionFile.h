@@ -3,14 +3,14 @@
 
 #include "core/base/Result.h"
 #include "core/base/TaskThread.h"
-#include "core/delta/BrickDelta.h"
+#include "core/sessionfile/CloseSessionFiles.h"
+#include "core/sessionfile/SessionWrites.h"
 #include "core/sessionfile/records/SavedImages.h"
 #include "core/sessionfile/records/SessionContents.h"
 
 #include <QString>
 
 #include <functional>
-#include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -20,6 +20,7 @@ namespace core {
 
 class SessionTables;
 class StagedFile;
+struct SessionParts;
 struct AuditReport;
 
 /// The history on disk (README.md beside this file): an SQLite database behind one writer thread
@@ -46,9 +47,7 @@ public:
     /// FileUnwritable, UnsupportedFormat (no session, or a newer Burin's), SessionDamaged.
     static Result<std::unique_ptr<SessionFile>> open(const QString& path, Access access);
 
-    /// Whether a path is to be opened as a session, by name (.burin) or content: it may still be
-    /// damaged, or not be one.
-    [[nodiscard]] static bool isNamedAt(const QString& path);
+    [[nodiscard]] static bool isNamedAt(const QString& path); ///< isSessionNamedAt()
 
     /// Writes what is waiting and leaves one file.
     ~SessionFile();
@@ -115,22 +114,14 @@ private:
     static Result<std::unique_ptr<SessionFile>> begin(
         const QString& emptyFile, const SessionSource& source);
 
-    struct Write {
-        std::function<Result<void>(SessionTables&)> carryOut; ///< may be done over
-        RowId row = 0; ///< whose second half it is; 0: another write
-        std::shared_ptr<const BrickDelta> delta; ///< of that row
-        QByteArray picture{}; ///< of that row
-        bool isStep = false; ///< what the user would miss
-    };
-    void post(Write write);
+    void post(SessionWrite write);
     void writeWaiting();
     void close();
-    [[nodiscard]] Result<void> carryOutFirst();
     void setTrouble(const std::optional<Error>& trouble);
     [[nodiscard]] Result<void> moveTo(
         const QString& target, bool replaceExisting, const SavedImages& images);
     [[nodiscard]] Result<void> renameTo(const QString& target);
-    [[nodiscard]] Result<void> copyInto(const QString& path, const SavedImages& images);
+    [[nodiscard]] SessionParts parts() const;
     [[nodiscard]] Result<void> reopen(const QString& path);
 
     SessionContents m_contents;
@@ -144,8 +135,9 @@ private:
     bool m_holdsImages = false;
     // The writer's thread only:
     std::unique_ptr<SessionTables> m_tables; ///< null: there is no file
-    std::list<Write> m_waiting;
+    SessionWrites m_waiting;
 
+    std::optional<ClosableSessionFile> m_closable; ///< gone before anything else of it is
     TaskThread m_writer; ///< last: it uses all of the above
 };
 

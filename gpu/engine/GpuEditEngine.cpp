@@ -12,21 +12,15 @@
 
 namespace gpu {
 
-namespace {
-
-constexpr std::size_t segmentationBricksPerSlice = 64;
-/// Keeps the slice of a path that has waited long within bounds.
-constexpr int extensionsAtOnce = 16;
-
-} // namespace
-
 GpuEditEngine::GpuEditEngine(const EditContext& context)
     : m_thread(context.thread)
     , m_textures(context.textures)
     , m_programs(context.shaders)
     , m_fieldPrograms(context.shaders)
+    , m_idleWork(m_programs, m_fieldPrograms)
     , m_picks(context.shaders)
     , m_foresight(context.textures)
+    , m_queue(context.thread)
 {
 }
 
@@ -87,41 +81,27 @@ void GpuEditEngine::lose(const core::Error& why)
 
 core::Ticket GpuEditEngine::submit(core::EngineCommand command)
 {
-    core::Ticket ticket = 0;
-    {
-        const std::lock_guard lock(m_mutex);
-        ticket = ++m_lastTicket;
-        m_waiting.push_back({.ticket = ticket, .command = std::move(command)});
-    }
-    m_thread.wake();
-    return ticket;
+    return m_queue.submit(std::move(command));
 }
 
 std::vector<core::EngineResult> GpuEditEngine::collect()
 {
-    const std::lock_guard lock(m_mutex);
-    return std::exchange(m_results, {});
+    return m_queue.collect();
 }
 
 void GpuEditEngine::finish()
 {
-    std::unique_lock lock(m_mutex);
-    m_hurry = true;
-    m_thread.wake();
-    m_settled.wait(lock, [this] { return m_waiting.empty() && !m_busy && !m_progress.running; });
-    m_hurry = false;
+    m_queue.finish();
 }
 
 void GpuEditEngine::setWakeUp(std::function<void()> wakeUp)
 {
-    const std::lock_guard lock(m_mutex);
-    m_wakeUp = std::move(wakeUp);
+    m_queue.setWakeUp(std::move(wakeUp));
 }
 
 core::GrowthProgress GpuEditEngine::growthProgress() const
 {
-    const std::lock_guard lock(m_mutex);
-    return m_progress;
+    return m_queue.progress();
 }
 
 void GpuEditEngine::showSegments(const std::bitset<256>& labels)
@@ -147,13 +127,8 @@ void GpuEditEngine::showAtTolerance(const std::optional<ToleranceDisplay>& shown
 
 void GpuEditEngine::warmUp()
 {
-    if (!m_fields)
-        return;
-    const glm::ivec3 size = KernelWarmUp::sizeLike(m_fields->grid().volumeSize);
-    if (std::find(m_warmSizes.begin(), m_warmSizes.end(), size) != m_warmSizes.end())
-        return;
-    m_warmUp.emplace(m_programs, m_fieldPrograms, size);
-    m_warmSizes.push_back(size);
+    if (m_fields)
+        m_idleWork.warmUp(m_fields->grid().volumeSize);
 }
 
 std::size_t GpuEditEngine::brickBytes() const
@@ -175,8 +150,8 @@ bool GpuEditEngine::work()
 
 bool GpuEditEngine::workUnguarded()
 {
-    Waiting next;
-    if (takeNext(next)) {
+    CommandQueue::Waiting next;
+    if (m_queue.takeNext(next, m_transaction.get())) {
         carryOut(next);
         publishProgress();
         return true;
@@ -192,7 +167,7 @@ bool GpuEditEngine::workUnguarded()
         return true;
     }
     try {
-        const bool more = followUp();
+        const bool more = m_idleWork.doSome(m_fields.get(), m_transaction != nullptr);
         requireNoError();
         m_followUpsFailed = 0;
         return more;
@@ -228,89 +203,19 @@ void GpuEditEngine::abandon(const core::Error& why)
     }
 }
 
-/// What is derived from the voxels, and what can be made ready; when there is nothing else to do.
-bool GpuEditEngine::followUp()
-{
-    if (m_fields && m_fields->barriersStale()) {
-        m_fields->updateBarriers();
-        return true;
-    }
-    if (m_fields && m_fields->segmentationStale()) {
-        m_fields->updateSegmentation(segmentationBricksPerSlice);
-        return true;
-    }
-    if (m_fields && m_fields->piecesStale()) {
-        m_fields->updatePieces(segmentationBricksPerSlice);
-        return true;
-    }
-    // Not while a pen is down: what it needs compiles for it anyway.
-    if (m_warmUp && !m_transaction) {
-        bool more = false;
-        try {
-            more = m_warmUp->runNext();
-            requireNoError();
-        } catch (const std::exception&) {
-            qCDebug(core::log, "Kernels are not made ready: %s",
-                qUtf8Printable(errorBeingHandled().arguments.join(QStringLiteral(": "))));
-            more = false;
-        }
-        if (!more)
-            m_warmUp.reset();
-        return more;
-    }
-    return false;
-}
-
-bool GpuEditEngine::takeNext(Waiting& next)
-{
-    const std::lock_guard lock(m_mutex);
-    if (m_waiting.empty())
-        return false;
-    const auto* end = std::get_if<core::EndEdit>(&m_waiting.front().command);
-    if (end && end->ending == core::Ending::Commit && m_transaction
-        && m_transaction->hasStepsLeft())
-        return false;
-    m_results.reserve(m_results.size() + 1); // a command that is taken is answered
-    next = std::move(m_waiting.front());
-    m_waiting.pop_front();
-    m_busy = true;
-    if (auto* extend = std::get_if<core::ExtendEdit>(&next.command); extend && m_transaction)
-        takeMore(*extend);
-    return true;
-}
-
-/// What a pen told while something else was done is one piece of path: each costs as much as many.
-void GpuEditEngine::takeMore(core::ExtendEdit& first)
-{
-    for (int taken = 1; taken < extensionsAtOnce && !m_waiting.empty(); ++taken) {
-        auto* next = std::get_if<core::ExtendEdit>(&m_waiting.front().command);
-        if (!next || !m_transaction->join(first.extension, next->extension))
-            return;
-        m_waiting.pop_front();
-    }
-}
-
 bool GpuEditEngine::growthIsDue()
 {
     if (!m_transaction || !m_transaction->hasStepsLeft())
         return false;
     if (m_transaction->generationsPerSecond() <= 0.0)
         return true;
-    const std::lock_guard lock(m_mutex);
-    if (m_hurry || Clock::now() >= m_nextGeneration)
-        return true;
-    m_thread.wakeAt(m_nextGeneration);
-    return false;
+    return m_queue.isDue(m_nextGeneration);
 }
 
 void GpuEditEngine::growOneSlice()
 {
     const double pace = m_transaction->generationsPerSecond();
-    bool paced = pace > 0.0;
-    {
-        const std::lock_guard lock(m_mutex);
-        paced = paced && !m_hurry;
-    }
+    const bool paced = pace > 0.0 && !m_queue.inHurry();
     const Clock::time_point start = Clock::now();
     m_transaction->advance(paced ? 1 : m_ringsPerSlice);
     const double milliseconds = millisecondsSince(start);
@@ -329,25 +234,10 @@ void GpuEditEngine::growOneSlice()
 
 void GpuEditEngine::publishProgress()
 {
-    const std::lock_guard lock(m_mutex);
-    m_progress = m_transaction ? m_transaction->progress() : core::GrowthProgress{};
-    m_busy = false;
-    m_settled.notify_all();
+    m_queue.publish(m_transaction ? m_transaction->progress() : core::GrowthProgress{});
 }
 
-void GpuEditEngine::deliver(core::EngineResult result)
-{
-    std::function<void()> wakeUp;
-    {
-        const std::lock_guard lock(m_mutex);
-        m_results.push_back(std::move(result));
-        wakeUp = m_wakeUp;
-    }
-    if (wakeUp)
-        wakeUp();
-}
-
-void GpuEditEngine::carryOut(Waiting& next)
+void GpuEditEngine::carryOut(CommandQueue::Waiting& next)
 {
     const Clock::time_point start = Clock::now();
     Outcome outcome = attempt(next.command);
@@ -361,7 +251,7 @@ void GpuEditEngine::carryOut(Waiting& next)
         result.error = outcome.error();
     result.ticket = next.ticket;
     result.statistics.milliseconds += milliseconds;
-    deliver(std::move(result));
+    m_queue.deliver(std::move(result));
 }
 
 /// A command that throws has changed nothing, and an open edit that it belongs to is taken back.

@@ -2,18 +2,16 @@
 #pragma once
 
 #include "core/engine/EditEngine.h"
+#include "gpu/engine/CommandQueue.h"
 #include "gpu/engine/EditTransaction.h"
 #include "gpu/engine/EngineThread.h"
-#include "gpu/engine/KernelWarmUp.h"
+#include "gpu/engine/IdleWork.h"
 #include "gpu/fields/textures/VolumeTextures.h"
 #include "gpu/frame/EditWorker.h"
 #include "gpu/kernels/labels/PickKernel.h"
 #include "gpu/kernels/shrink/CutForesight.h"
 
-#include <condition_variable>
-#include <deque>
 #include <memory>
-#include <mutex>
 #include <optional>
 
 namespace gpu {
@@ -54,14 +52,6 @@ private:
     static constexpr double sliceMilliseconds = 10.0;
     [[nodiscard]] static double millisecondsSince(Clock::time_point start);
 
-    struct Waiting {
-        core::Ticket ticket = 0;
-        core::EngineCommand command;
-    };
-
-    /// Takes the next command unless it has to wait for steps of a growth.
-    [[nodiscard]] bool takeNext(Waiting& next);
-    void takeMore(core::ExtendEdit& first); ///< m_mutex is held
     [[nodiscard]] bool growthIsDue();
     void growOneSlice();
     static constexpr std::size_t leastTraced = 32; ///< bricks
@@ -70,10 +60,8 @@ private:
     void lose(const core::Error& why);
     void abandon(const core::Error& why);
     bool workUnguarded();
-    [[nodiscard]] bool followUp();
     void followUpLater(const core::Error& why);
-    void carryOut(Waiting& next);
-    void deliver(core::EngineResult result);
+    void carryOut(CommandQueue::Waiting& next);
     void publishProgress();
     [[nodiscard]] core::Result<void> checkKeys(std::span<const core::BrickKey> keys) const;
 
@@ -110,8 +98,7 @@ private:
     // Engine thread.
     EditPrograms m_programs;
     FieldPrograms m_fieldPrograms;
-    std::optional<KernelWarmUp> m_warmUp; ///< what is left to run for the first time
-    std::vector<glm::ivec3> m_warmSizes; ///< of KernelWarmUp, that were run or are
+    IdleWork m_idleWork;
     PickKernel m_picks;
     std::unique_ptr<VoxelFields> m_fields;
     CutForesight m_foresight;
@@ -127,16 +114,7 @@ private:
     int m_ringsPerSlice = GrowthKernel::ringsPerBatch;
     Clock::time_point m_nextGeneration;
 
-    // Any thread.
-    mutable std::mutex m_mutex;
-    std::condition_variable m_settled;
-    std::deque<Waiting> m_waiting;
-    std::vector<core::EngineResult> m_results;
-    core::GrowthProgress m_progress;
-    std::function<void()> m_wakeUp;
-    core::Ticket m_lastTicket = 0;
-    bool m_busy = false;
-    bool m_hurry = false; ///< finish() is waiting: no pace
+    CommandQueue m_queue; ///< any thread
 };
 
 } // namespace gpu

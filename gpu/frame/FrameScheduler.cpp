@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstring>
 #include <utility>
 
 namespace gpu {
@@ -17,20 +15,6 @@ namespace gpu {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Two tiles are under way at a time, one drawn and one queued, so that no processor waits for this
-/// thread to wake up; together they are what an edit may have to wait for.
-constexpr double sliceMilliseconds = 5.0;
-constexpr double coarseMilliseconds = 40.0;
-/// Of a coarse picture while edits run: they take about as long again. Under the pen it is drawn in
-/// one slice, since an edit between its tiles would only show it later.
-constexpr double editingMilliseconds = 20.0;
-/// Slices that others may draw before it is this view's turn, whoever holds the pointer.
-constexpr std::uint64_t longestWait = 8;
-/// A full picture expected to be faster than this comes at once, without a coarse one before it.
-constexpr double directMilliseconds = 90.0;
-constexpr int accumulated = 8;
-constexpr int coarsest = 6;
 
 double since(Clock::time_point start)
 {
@@ -61,42 +45,27 @@ FrameScheduler::FrameScheduler(const Options& options)
     , m_resolve(options.shaders)
     , m_cellKernel(
           options.shaders, {.label = "macro-cells", .path = "fields/textures/macroCells.comp"})
+    , m_delivery(options.volume, m_mail)
 {
-    // Guesses of a software renderer; the first tiles correct them.
-    m_cost[0] = {60.0, 500.0, 800.0, 800.0, 1500.0};
-    m_cost[1] = {300.0, 800.0, 1100.0, 1100.0, 1800.0};
 }
 
 FrameScheduler::~FrameScheduler() = default;
 
 void FrameScheduler::request(FrameRequest request)
 {
-    {
-        const std::lock_guard lock(m_inboxMutex);
-        const ViewId view = request.view;
-        const bool fresh =
-            m_forgotten.erase(view) > 0 || (m_inbox.contains(view) && m_inbox[view].fresh);
-        m_inbox.insert_or_assign(view, Incoming{std::move(request), fresh});
-    }
+    m_mail.request(std::move(request));
     if (m_wake)
         m_wake();
 }
 
 void FrameScheduler::forget(ViewId view)
 {
-    {
-        const std::lock_guard lock(m_inboxMutex);
-        m_inbox.erase(view);
-        m_forgotten.insert(view);
-    }
-    // Whoever delivers looks at m_forgotten under this lock: after it nothing follows.
-    const std::lock_guard wait(m_listenerMutex);
+    m_mail.forget(view);
 }
 
 void FrameScheduler::setListener(Listener listener)
 {
-    const std::lock_guard lock(m_listenerMutex);
-    m_listener = std::move(listener);
+    m_mail.setListener(std::move(listener));
 }
 
 void FrameScheduler::updateSurface(core::SurfaceUpdate update)
@@ -124,16 +93,12 @@ bool FrameScheduler::work(bool editing)
 void FrameScheduler::giveUp(const core::Error& why)
 {
     m_flying.reset();
-    m_deliveries.clear();
+    m_delivery.clear();
     for (auto& [id, view] : m_views) {
-        if (view.stage == Stage::Done)
+        if (view.stage == ViewProgress::Stage::Done)
             continue;
-        view.stage = Stage::Done;
-        view.tiles.reset();
-        view.stale = false;
-        view.targets = {};
-        view.pictures = {};
-        hand({.view = id, .scene = view.request.scene, .failure = why});
+        view.giveUp();
+        m_mail.hand({.view = id, .scene = view.request.scene, .failure = why});
     }
 }
 
@@ -146,35 +111,29 @@ bool FrameScheduler::workUnguarded(bool editing)
     // An edit ran since it was queued: how long the tile itself took is not known.
     if (editing && m_flying)
         m_flying->cost = nullptr;
-    if (View* view = next(editing)) {
+    if (ViewProgress* view = next(editing)) {
         drawSlice(*view, editing);
         return true;
     }
     land();
     if (waiting) {
-        m_deliveries.begin()->second.fence.wait();
+        m_delivery.awaitFirst();
         deliver();
     }
-    return !m_deliveries.empty();
+    return !m_delivery.empty();
 }
 
 void FrameScheduler::takeRequests()
 {
-    std::map<ViewId, Incoming> inbox;
-    std::set<ViewId> forgotten;
-    {
-        const std::lock_guard lock(m_inboxMutex);
-        inbox.swap(m_inbox);
-        forgotten = m_forgotten;
-    }
-    for (const ViewId view : forgotten) {
+    FrameMail::Letters letters = m_mail.take();
+    for (const ViewId view : letters.forgotten) {
         m_views.erase(view);
-        m_deliveries.erase(view);
+        m_delivery.forget(view);
     }
-    for (auto& [id, incoming] : inbox) {
+    for (auto& [id, incoming] : letters.requests) {
         if (incoming.fresh) {
             m_views.erase(id);
-            m_deliveries.erase(id);
+            m_delivery.forget(id);
         }
         FrameRequest& request = incoming.request;
         if (request.sizePixels.x > 0 && request.sizePixels.y > 0)
@@ -182,7 +141,7 @@ void FrameScheduler::takeRequests()
     }
 }
 
-void FrameScheduler::begin(View& view, FrameRequest request)
+void FrameScheduler::begin(ViewProgress& view, FrameRequest request)
 {
     const bool same = view.request.sizePixels == request.sizePixels
         && view.request.scene == request.scene && view.request.segments == request.segments;
@@ -202,7 +161,7 @@ void FrameScheduler::begin(View& view, FrameRequest request)
     view.request = std::move(request);
     // The same picture again is no work, interacting or not.
     if (!same)
-        restart(view);
+        view.restart();
 }
 
 void FrameScheduler::showPieces(const VolumeScene& scene)
@@ -223,7 +182,7 @@ void FrameScheduler::takeChanges()
     // What changed since the volume was opened (a session that continues) stays to be taken in.
     if (m_volume.takeReplaced()) {
         for (auto& [id, view] : m_views)
-            restart(view);
+            view.restart();
     }
     if (!m_volume.isDrawable())
         return;
@@ -245,7 +204,7 @@ void FrameScheduler::takeChanges()
     }
     for (auto& [id, view] : m_views) {
         if (showsChange(view.request.scene, m_volume.geometry(), dirty))
-            changed(view);
+            view.changed();
     }
 }
 
@@ -259,123 +218,63 @@ void FrameScheduler::takeSurface()
     const WorldBox reach = m_painter.surface().takeChanged();
     for (auto& [id, view] : m_views) {
         if (showsSurface(view.request.scene, reach))
-            changed(view);
+            view.changed();
     }
 }
 
-void FrameScheduler::changed(View& view)
+ViewProgress* FrameScheduler::next(bool editing)
 {
-    // A coarse picture under way is finished first, or a long edit would never show.
-    if (view.stage == Stage::Coarse && view.tiles)
-        view.stale = true;
-    else
-        restart(view);
-}
-
-void FrameScheduler::restart(View& view)
-{
-    view.stage = Stage::Coarse;
-    view.tiles.reset();
-    view.stale = false;
-    view.sample = 0;
-    view.milliseconds = 0.0;
-}
-
-bool FrameScheduler::wants(const View& view, bool editing) const
-{
-    if (view.stage == Stage::Done)
-        return false;
-    return view.stage == Stage::Coarse || !(view.request.interacting || editing);
-}
-
-bool FrameScheduler::isOverdue(const View& view) const
-{
-    return view.stage == Stage::Coarse && m_turn - view.turn > longestWait;
-}
-
-FrameScheduler::View* FrameScheduler::next(bool editing)
-{
-    View* best = nullptr;
+    ViewProgress* best = nullptr;
     ViewId bestId = 0;
     for (auto& [id, view] : m_views) {
-        if (!wants(view, editing))
-            continue;
-        if (best != nullptr && isOverdue(view) != isOverdue(*best)) {
-            if (isOverdue(view)) {
-                best = &view;
-                bestId = id;
-            }
-            continue;
-        }
-        const bool better = best == nullptr || view.stage < best->stage
-            || (view.stage == best->stage && view.request.interacting && !best->request.interacting)
-            || (view.stage == best->stage && view.request.interacting == best->request.interacting
-                && view.turn < best->turn);
-        if (better) {
+        if (view.wants(editing) && (best == nullptr || view.comesBefore(*best, m_turn))) {
             best = &view;
             bestId = id;
         }
     }
     // Its buffer is still on the way home: that must arrive before the next picture.
-    if (best != nullptr) {
-        const auto pending = m_deliveries.find(bestId);
-        if (pending != m_deliveries.end()) {
-            pending->second.fence.wait();
-            deliver();
-        }
+    if (best != nullptr && m_delivery.contains(bestId)) {
+        m_delivery.await(bestId);
+        deliver();
     }
     return best;
 }
 
-double& FrameScheduler::costOf(const View& view)
+double& FrameScheduler::costOf(const ViewProgress& view)
 {
     const Scene& scene = view.request.scene;
-    auto& cost = m_cost[view.stage == Stage::Refine && wantsCubics(scene) ? 1 : 0];
-    if (const auto* volume = std::get_if<VolumeScene>(&scene))
-        return cost[1 + std::size_t(volume->mode)];
-    return cost[0];
+    return m_costs.of(scene, view.stage == ViewProgress::Stage::Refine && wantsCubics(scene));
 }
 
-int FrameScheduler::coarseFactor(const View& view, bool editing)
-{
-    const glm::dvec2 size(view.request.sizePixels);
-    const double expected = costOf(view) * size.x * size.y * 1e-6;
-    const double wanted = editing ? editingMilliseconds : coarseMilliseconds;
-    const bool patient = !view.request.interacting && !editing;
-    if (expected <= (patient ? directMilliseconds : wanted))
-        return 1;
-    return std::clamp(int(std::ceil(std::sqrt(expected / wanted))), 1, coarsest);
-}
-
-void FrameScheduler::drawSlice(View& view, bool editing)
+void FrameScheduler::drawSlice(ViewProgress& view, bool editing)
 {
     const Clock::time_point start = Clock::now();
     view.turn = ++m_turn;
     view.targets.resize(view.request.sizePixels);
     if (!m_volume.isDrawable()) {
         view.targets.picture.clear();
-        view.stage = Stage::Done;
-        readBack(view, Frame::Quality::Refined);
+        view.stage = ViewProgress::Stage::Done;
+        m_delivery.send(view, Frame::Quality::Refined);
         return;
     }
     const bool begins = !view.tiles;
     if (begins) {
-        const int factor = view.stage == Stage::Coarse ? coarseFactor(view, editing) : 1;
+        const int factor = view.stage == ViewProgress::Stage::Coarse
+            ? TileCosts::coarseFactor(
+                costOf(view), view.request.sizePixels, editing, view.request.interacting)
+            : 1;
         view.tiles.emplace((view.request.sizePixels + (factor - 1)) / factor);
         view.milliseconds = 0.0;
     }
     double& cost = costOf(view);
-    // While edits run one tile is under way, not two.
-    const double budget = !editing ? sliceMilliseconds
-        : view.request.interacting ? editingMilliseconds
-                                   : 2.0 * sliceMilliseconds;
-    const Tile tile = view.tiles->take(budget / cost * 1e6);
+    const Tile tile =
+        view.tiles->take(TileCosts::pixelsAtOnce(cost, editing, view.request.interacting));
     const PassTarget target{
         .frameSize = view.request.sizePixels,
         .pixelScale = float(view.request.sizePixels.x) / float(view.tiles->size().x),
         .pixelJitter = pixelJitter(view.sample),
         .sample = view.sample,
-        .cubic = view.stage == Stage::Refine,
+        .cubic = view.stage == ViewProgress::Stage::Refine,
     };
     const bool surface = begins && m_painter.begin(view.pictures, view.request.scene, target);
     m_painter.draw(
@@ -409,57 +308,29 @@ void FrameScheduler::land()
     const auto view = m_views.find(tile.view);
     if (view != m_views.end())
         view->second.milliseconds += spent.count();
-    if (!tile.cost)
-        return;
-    // Follows slowly and by bounded steps: a first use compiles, a corner may be empty.
-    double& cost = *tile.cost;
-    const double measured = spent.count() / tile.pixels * 1e6;
-    cost = std::clamp(0.7 * cost + 0.3 * measured, 0.5 * cost, 2.0 * cost);
+    if (tile.cost)
+        TileCosts::learn(*tile.cost, spent.count(), tile.pixels);
 }
 
-void FrameScheduler::finishPicture(View& view)
+void FrameScheduler::finishPicture(ViewProgress& view)
 {
     land();
     const Clock::time_point start = Clock::now();
     const glm::ivec2 drawn = view.tiles->size();
     view.tiles.reset();
-    const bool flat = std::holds_alternative<SliceScene>(view.request.scene);
-    const bool cubics = wantsCubics(view.request.scene);
-    if (view.stage == Stage::Refine && !flat && view.sample + 1 < accumulated) {
-        ++view.sample;
+    if (view.goesOnToNextSample())
         return;
-    }
     m_resolve.draw(view.targets, view.sample + 1, drawn, m_painter.noVertices());
-    // What could be drawn whole at once needs no second time.
-    if (view.stage == Stage::Coarse && drawn == view.targets.size)
-        view.stage = Stage::Full;
-    Frame::Quality quality = Frame::Quality::Full;
-    switch (view.stage) {
-    case Stage::Coarse:
-        quality = Frame::Quality::Coarse;
-        view.stage = Stage::Full;
-        break;
-    case Stage::Full:
-        quality = flat && !cubics ? Frame::Quality::Refined : Frame::Quality::Full;
-        view.stage = flat && !cubics ? Stage::Done : Stage::Refine;
-        // With cubics the first of the pictures is another one, too.
-        view.sample = cubics || flat ? 0 : 1;
-        break;
-    case Stage::Refine:
-    case Stage::Done:
-        quality = Frame::Quality::Refined;
-        view.stage = Stage::Done;
-        break;
-    }
+    const Frame::Quality quality = view.finishStage(drawn);
     view.milliseconds += since(start);
-    readBack(view, quality);
+    m_delivery.send(view, quality);
     if (quality == Frame::Quality::Refined)
         warmUp(view);
     if (view.stale)
-        restart(view);
+        view.restart();
 }
 
-void FrameScheduler::warmUp(View& view)
+void FrameScheduler::warmUp(ViewProgress& view)
 {
     const auto* scene = std::get_if<VolumeScene>(&view.request.scene);
     if (scene == nullptr || !m_volume.isDrawable())
@@ -470,62 +341,10 @@ void FrameScheduler::warmUp(View& view)
     m_edits.warmUp();
 }
 
-void FrameScheduler::readBack(View& view, Frame::Quality quality)
-{
-    view.targets.pictureFrame.readInto(view.targets.home.id());
-    Delivery delivery;
-    delivery.frame = Frame{
-        .view = view.request.view,
-        .sizePixels = view.targets.size,
-        .rgba = nullptr,
-        .quality = quality,
-        .renderMilliseconds = view.milliseconds,
-        .pieces = {},
-        .scene = view.request.scene,
-    };
-    if (const auto* scene = std::get_if<VolumeScene>(&view.request.scene)) {
-        for (const ScenePiece& piece : scene->pieces) {
-            const auto* entry = m_volume.pieces().entry({piece.layer, piece.segment});
-            if (piece.id != 0 && entry && !entry->filled.empty())
-                delivery.frame.pieces.push_back({.id = piece.id, .filled = entry->filled});
-        }
-    }
-    delivery.fence = Fence::insert();
-    m_deliveries.insert_or_assign(view.request.view, std::move(delivery));
-}
-
 bool FrameScheduler::deliver()
 {
-    for (auto it = m_deliveries.begin(); it != m_deliveries.end();) {
-        if (!it->second.fence.passed()) {
-            ++it;
-            continue;
-        }
-        Frame frame = std::move(it->second.frame);
-        const auto view = m_views.find(it->first);
-        it = m_deliveries.erase(it);
-        if (view == m_views.end())
-            continue;
-        const Buffer& home = view->second.targets.home;
-        std::vector<std::uint8_t> bytes(home.bytes());
-        std::memcpy(bytes.data(), home.mapped(), bytes.size());
-        frame.rgba = std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes));
-        ++m_counters.frames;
-        hand(frame);
-    }
-    return !m_deliveries.empty();
-}
-
-void FrameScheduler::hand(const Frame& frame)
-{
-    const std::lock_guard listening(m_listenerMutex);
-    bool wanted = true;
-    {
-        const std::lock_guard lock(m_inboxMutex);
-        wanted = !m_forgotten.contains(frame.view);
-    }
-    if (wanted && m_listener)
-        m_listener(frame);
+    m_counters.frames += m_delivery.deliver(m_views);
+    return !m_delivery.empty();
 }
 
 } // namespace gpu

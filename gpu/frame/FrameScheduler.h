@@ -2,22 +2,20 @@
 #pragma once
 
 #include "gpu/frame/EditWorker.h"
-#include "gpu/frame/FrameSource.h"
-#include "gpu/frame/FrameTargets.h"
-#include "gpu/frame/ViewPainter.h"
+#include "gpu/frame/FrameDelivery.h"
+#include "gpu/frame/FrameMail.h"
+#include "gpu/frame/TileCosts.h"
+#include "gpu/frame/ViewProgress.h"
 #include "gpu/gl/Fence.h"
 #include "gpu/scene/SurfaceInbox.h"
-#include "gpu/scene/TilePlan.h"
 
-#include <array>
 #include <bitset>
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <optional>
-#include <set>
+#include <vector>
 
 namespace gpu {
 
@@ -65,57 +63,29 @@ public:
     }
 
 private:
-    enum class Stage { Coarse, Full, Refine, Done };
-    struct View {
-        FrameRequest request;
-        Stage stage = Stage::Done;
-        int sample = 0; ///< of Refine
-        std::optional<TilePlan> tiles; ///< of the picture being drawn; none: about to begin
-        bool stale = false; ///< changed while its coarse picture was drawn
-        double milliseconds = 0.0;
-        std::uint64_t turn = 0;
-        FrameTargets targets;
-        ViewPictures pictures; ///< of the picture being drawn
-    };
-    struct Incoming {
-        FrameRequest request;
-        bool fresh = false; ///< forgotten before: nothing of the view's past counts
-    };
     /// A tile that is being drawn while the next one is queued.
     struct Flying {
         ViewId view = 0;
         Fence fence;
         std::chrono::steady_clock::time_point queued;
         double pixels = 0.0;
-        double* cost = nullptr; ///< of its kind, in m_cost; null: nothing to be learnt from it
-    };
-    /// A picture on its way from the GPU.
-    struct Delivery {
-        Frame frame;
-        Fence fence;
+        double* cost = nullptr; ///< of its kind, in m_costs; null: nothing to be learnt from it
     };
 
     [[nodiscard]] bool workUnguarded(bool editing);
     void giveUp(const core::Error& why);
-    void hand(const Frame& frame);
     void takeRequests();
-    void begin(View& view, FrameRequest request);
+    void begin(ViewProgress& view, FrameRequest request);
     void showPieces(const VolumeScene& scene);
     void takeChanges();
     void takeSurface();
-    void changed(View& view);
-    void restart(View& view);
-    [[nodiscard]] View* next(bool editing);
-    [[nodiscard]] bool wants(const View& view, bool editing) const;
-    [[nodiscard]] bool isOverdue(const View& view) const;
-    void drawSlice(View& view, bool editing);
+    [[nodiscard]] ViewProgress* next(bool editing);
+    void drawSlice(ViewProgress& view, bool editing);
     void land(); ///< waits for the flying tile
-    void finishPicture(View& view);
-    void warmUp(View& view);
-    void readBack(View& view, Frame::Quality quality);
+    void finishPicture(ViewProgress& view);
+    void warmUp(ViewProgress& view);
     bool deliver();
-    [[nodiscard]] double& costOf(const View& view);
-    [[nodiscard]] int coarseFactor(const View& view, bool editing);
+    [[nodiscard]] double& costOf(const ViewProgress& view);
 
     VolumeTextures& m_volume;
     EditWorker& m_edits;
@@ -126,21 +96,18 @@ private:
     std::bitset<256> m_shown;
     std::vector<PieceSource> m_shownPieces;
     std::optional<ToleranceDisplay> m_atTolerance;
-    std::map<ViewId, View> m_views;
-    std::map<ViewId, Delivery> m_deliveries;
-    /// Milliseconds per megapixel: of slices, then by render mode; without cubics and with.
-    std::array<std::array<double, 1 + renderModes>, 2> m_cost;
+    std::map<ViewId, ViewProgress> m_views;
+    TileCosts m_costs;
     std::optional<Flying> m_flying;
     std::chrono::steady_clock::time_point m_landed; ///< when a tile was last done
     std::uint64_t m_turn = 0;
     Counters m_counters;
 
-    std::mutex m_inboxMutex;
-    std::map<ViewId, Incoming> m_inbox; ///< guarded; the latest per view
-    std::set<ViewId> m_forgotten; ///< guarded
+    // Any thread.
+    FrameMail m_mail;
     SurfaceInbox m_surfaceInbox;
-    std::mutex m_listenerMutex; ///< held while the listener runs
-    Listener m_listener; ///< guarded by m_listenerMutex
+
+    FrameDelivery m_delivery; ///< to the above; of the engine thread
 };
 
 } // namespace gpu

@@ -85,6 +85,9 @@ const std::vector<Rule>& rules()
                         QStringLiteral("core/session/operations")})
                 || included == QLatin1String("core/session/questions/QuestionLine.h"));
     };
+    const auto taskThread = [](S, S included) {
+        return included == QLatin1String("core/base/TaskThread.h");
+    };
     const QString core = QStringLiteral("core"), gpu = QStringLiteral("gpu"),
                   ui = QStringLiteral("ui"), app = QStringLiteral("app");
     const QString gui = QStringLiteral("QtGui"), widgets = QStringLiteral("QtWidgets"),
@@ -100,6 +103,7 @@ const std::vector<Rule>& rules()
             QStringLiteral("gpu knows no window")},
         {ui, roomsAbove({app}), QStringLiteral("app composes, nobody includes it")},
         {ui, gl, QStringLiteral("GL belongs to gpu")},
+        {ui, taskThread, QStringLiteral("work beside the window is told by core/base/Background")},
         {app, gl, QStringLiteral("GL belongs to gpu")},
         {core, dcmtk, QStringLiteral("DCMTK stays inside core/dicom/*.cpp and core/pacs/*.cpp")},
         {gpu, dcmtk, QStringLiteral("DCMTK stays inside core/dicom/*.cpp and core/pacs/*.cpp")},
@@ -308,6 +312,8 @@ void HouseTest::ruleBites_data()
     row("app/A.cpp", "#include <epoxy/gl.h>", false);
     row("app/A.cpp", "#include \"ui/A.h\"\n#include \"gpu/A.h\"\n#include \"core/A.h\"", true);
     row("tests/reference/A.cpp", "#include \"gpu/A.h\"", false);
+    row("ui/A.h", "#include \"core/base/TaskThread.h\"", false);
+    row("ui/A.h", "#include \"core/base/Background.h\"", true);
     row("ui/A.cpp", "m_thread.reset(QThread::create([] {}));", false);
     row("core/a/A.h", "    std::thread m_thread;", false);
     row("core/a/A.cpp", "auto a = std::thread([] {});", false);

@@ -23,11 +23,13 @@ namespace {
 
 using Condition = core::SessionPreview::Condition;
 
-std::vector<core::SessionPreview> readFolder(const QString& folder)
+std::vector<core::SessionPreview> readFolder(const QString& folder, const core::Progress& progress)
 {
     std::vector<core::SessionPreview> offers;
     const QDir sessions(folder);
     for (const QString& name : sessions.entryList({QStringLiteral("*.burin")}, QDir::Files)) {
+        if (progress.cancelled())
+            break;
         core::Result<core::SessionPreview> preview = core::previewSession(sessions.filePath(name));
         if (preview && preview->condition != Condition::InUse && preview->steps > 0)
             offers.push_back(*std::move(preview));
@@ -118,17 +120,17 @@ QString SessionOffers::studyText(const core::SessionPreview& preview)
 void SessionOffers::showFolder(const QString& folder)
 {
     m_folder = folder;
-    const int reading = ++m_reading;
-    m_reader.post(
-        [this, reading, folder] {
-            auto offers =
-                folder.isEmpty() ? std::vector<core::SessionPreview>() : readFolder(folder);
-            QMetaObject::invokeMethod(this, [this, reading, offers = std::move(offers)] {
-                if (reading == m_reading)
-                    showOffers(offers);
-            });
+    using Offers = std::vector<core::SessionPreview>;
+    m_reader.replace(
+        this,
+        [folder](const core::Progress& progress) {
+            return folder.isEmpty() ? Offers() : readFolder(folder, progress);
         },
-        [](const core::Error&) {}); // none are offered, then; they can be opened by name
+        [this](core::Result<Offers>&& offers) {
+            // Where they cannot be read none are offered; they can be opened by name.
+            if (offers)
+                showOffers(*std::move(offers));
+        });
 }
 
 void SessionOffers::showOffers(std::vector<core::SessionPreview> offers)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/TaskThread.h"
+#include "core/base/Background.h"
 #include "core/sessionfile/SessionPreview.h"
 
 #include <QWidget>
@@ -44,11 +44,10 @@ private:
     void discard(const core::SessionPreview& preview);
 
     QString m_folder;
-    int m_reading = 0; ///< the last one asked for
     std::vector<core::SessionPreview> m_offers;
     bool m_showAll = false;
     QVBoxLayout* m_cards;
-    core::TaskThread m_reader; ///< last: what it posts comes back to all of the above
+    core::Background m_reader; ///< last: it uses all of the above
 };
 
 } // namespace ui

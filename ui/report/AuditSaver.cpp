@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/report/AuditSaver.h"
 
-#include "core/base/Guarded.h"
+#include "core/base/ToldHere.h"
 #include "core/session/SessionStorage.h"
 #include "ui/report/WriteAudit.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QFileDialog>
-#include <QPointer>
 #include <QStandardPaths>
-
-#include <utility>
 
 namespace ui {
 
@@ -19,11 +16,6 @@ AuditSaver::AuditSaver(Workspace& workspace, QWidget* window)
     , m_workspace(workspace)
     , m_window(window)
 {
-}
-
-AuditSaver::~AuditSaver()
-{
-    m_thread.reset();
 }
 
 void AuditSaver::ask()
@@ -54,46 +46,26 @@ void AuditSaver::save(const QString& path)
     }
     m_busy = true;
     session->closeGrowth();
-    // The workspace outlives the session, which answers before it is gone.
-    session->storage().audit([workspace = &m_workspace, guard = QPointer(this), path](
-                                 const core::Result<core::AuditReport>& report) {
-        QMetaObject::invokeMethod(
-            workspace,
-            [guard, path, report] {
-                if (!guard)
-                    return;
-                if (report)
-                    return guard->write(*report, path);
-                guard->m_busy = false;
-                Q_EMIT guard->failed(report.error());
-            },
-            Qt::QueuedConnection);
-    });
+    session->storage().audit(
+        core::toldHere(this, [this, path](const core::Result<core::AuditReport>& report) {
+            if (report)
+                return write(*report, path);
+            m_busy = false;
+            Q_EMIT failed(report.error());
+        }));
 }
 
 void AuditSaver::write(const core::AuditReport& report, const QString& path)
 {
-    const auto tell = [this, path](const core::Result<void>& written) {
-        QMetaObject::invokeMethod(
-            this, [this, path, written] { take(path, written); }, Qt::QueuedConnection);
-    };
-    const core::Result<void> begun = core::guarded([&] {
-        m_thread.emplace();
-        m_thread->post([tell, report, path] { tell(writeAudit(report, path, true)); },
-            [tell](const core::Error& error) { tell(tl::unexpected(error)); });
-    });
-    if (!begun)
-        take(path, begun);
-}
-
-void AuditSaver::take(const QString& path, const core::Result<void>& written)
-{
-    m_thread.reset();
-    m_busy = false;
-    if (written)
-        Q_EMIT saved(path);
-    else
-        Q_EMIT failed(written.error());
+    m_background.start(
+        this, [report, path] { return writeAudit(report, path, true); },
+        [this, path](const core::Result<void>& written) {
+            m_busy = false;
+            if (written)
+                Q_EMIT saved(path);
+            else
+                Q_EMIT failed(written.error());
+        });
 }
 
 } // namespace ui

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/TaskThread.h"
+#include "core/base/Background.h"
 #include "core/sessionfile/AuditReport.h"
 
 #include <QObject>
-
-#include <optional>
 
 class QWidget;
 
@@ -21,7 +19,6 @@ class AuditSaver : public QObject {
 
 public:
     AuditSaver(Workspace& workspace, QWidget* window);
-    ~AuditSaver() override;
 
     /// Asks where to.
     void ask();
@@ -34,12 +31,11 @@ Q_SIGNALS:
 
 private:
     void write(const core::AuditReport& report, const QString& path);
-    void take(const QString& path, const core::Result<void>& written);
 
     Workspace& m_workspace;
     QWidget* m_window;
     bool m_busy = false;
-    std::optional<core::TaskThread> m_thread; ///< while a report is laid out
+    core::Background m_background; ///< last: it uses all of the above
 };
 
 } // namespace ui

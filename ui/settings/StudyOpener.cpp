@@ -53,21 +53,11 @@ bool isAboutThePlace(const core::Error& error)
 
 } // namespace
 
-StudyOpener::StudyOpener(QObject* parent)
-    : QObject(parent)
-{
-}
-
-StudyOpener::~StudyOpener()
-{
-    abandon(); // who listens may be coming apart, too
-}
-
 void StudyOpener::abandon()
 {
     blockSignals(true);
     cancel();
-    m_worker.finish();
+    m_background.finish();
 }
 
 void StudyOpener::open(const QString& path, const QString& series)
@@ -143,96 +133,43 @@ void StudyOpener::start(const QString& path,
     std::function<Tell(const core::Progress&, const core::EarlySliceListener&)> work)
 {
     cancel();
-    // Reports of a job that was cancelled meanwhile are dropped on this side of the queue.
-    auto listener = std::make_shared<core::Progress*>(nullptr);
-    auto progress = std::make_shared<core::Progress>(
-        [this, listener](const QString& step, int done, int total) {
-            const core::Progress* mine = *listener;
-            QMetaObject::invokeMethod(this, [this, mine, step, done, total] {
-                if (m_progress.get() == mine)
-                    Q_EMIT progressed(step, done, total);
-            });
-        });
-    *listener = progress.get();
-    const core::EarlySliceListener early =
-        [this, listener](const std::shared_ptr<const core::EarlySlice>& slice) {
-            const core::Progress* mine = *listener;
-            QMetaObject::invokeMethod(this, [this, mine, slice] {
-                if (m_progress.get() == mine)
-                    Q_EMIT sliceReady(slice);
-            });
-        };
-    m_progress = progress;
-    m_busy = true;
+    // What was called off may take a while to notice; nobody but the next task waits for it.
+    m_task = m_background.start(
+        this,
+        [this, work = std::move(work)](
+            const core::Progress& progress, const core::Background::Meanwhile& meanwhile) {
+            return work(
+                progress, [this, &meanwhile](const std::shared_ptr<const core::EarlySlice>& slice) {
+                    meanwhile([this, slice] { Q_EMIT sliceReady(slice); });
+                });
+        },
+        [this](const core::Result<Tell>& outcome) { take(outcome); },
+        [this](const QString& step, int done, int total) { Q_EMIT progressed(step, done, total); });
     Q_EMIT started(path);
-    launch([progress, early, work = std::move(work)] { return work(*progress, early); });
 }
 
 void StudyOpener::goOn(const QString& step, std::function<Tell()> work)
 {
-    m_progress = std::make_shared<core::Progress>();
-    m_busy = true;
-    launch(std::move(work));
+    m_task = m_background.start(
+        this, std::move(work), [this](const core::Result<Tell>& outcome) { take(outcome); });
     Q_EMIT progressed(step, 0, 0);
 }
 
-void StudyOpener::launch(std::function<Tell()> work)
+void StudyOpener::take(const core::Result<Tell>& outcome)
 {
-    const auto outcome = std::make_shared<Outcome>();
-    m_outcome = outcome;
-    // What was called off may take a while to notice; nobody but the next worker waits for it.
-    m_worker.post(
-        [this, outcome, work = std::move(work)]() mutable {
-            Tell tell = work();
-            work = {};
-            setOutcome(outcome, std::move(tell));
-        },
-        [this, outcome](const core::Error& error) {
-            setOutcome(outcome, [this, error] { Q_EMIT failed(error); });
-        });
-}
-
-void StudyOpener::setOutcome(const std::shared_ptr<Outcome>& outcome, Tell tell)
-{
-    {
-        const std::lock_guard lock(outcome->mutex);
-        // What it holds then goes here, before another work begins.
-        if (outcome->calledOff)
-            return;
-        outcome->tell = std::move(tell);
-    }
-    QMetaObject::invokeMethod(this, [this, outcome] {
-        if (m_outcome == outcome)
-            take();
-    });
-}
-
-void StudyOpener::take()
-{
-    const Tell tell = std::exchange(m_outcome->tell, {});
-    m_outcome.reset();
-    m_progress.reset();
-    m_busy = false;
-    tell();
-    if (!m_busy)
+    if (outcome)
+        (*outcome)();
+    else
+        Q_EMIT failed(outcome.error());
+    if (!busy())
         Q_EMIT finished();
 }
 
 void StudyOpener::cancel()
 {
-    if (!m_progress)
+    if (!busy())
         return;
-    m_progress->cancel();
-    m_progress.reset();
-    m_busy = false;
-    Tell dropped;
-    {
-        const std::lock_guard lock(m_outcome->mutex);
-        m_outcome->calledOff = true;
-        dropped = std::exchange(m_outcome->tell, {});
-    }
-    m_outcome.reset();
-    dropped = {}; // before anybody begins something else
+    m_task.cancel();
     Q_EMIT finished();
 }
 

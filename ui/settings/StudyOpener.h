@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/Progress.h"
-#include "core/base/Result.h"
-#include "core/base/TaskThread.h"
+#include "core/base/Background.h"
 #include "core/study/StudyLoader.h"
 #include "core/volume/Volume.h"
 #include "core/volume/encoding/EarlySlice.h"
@@ -12,7 +10,6 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 
 namespace core {
 struct SessionContents;
@@ -26,8 +23,7 @@ class StudyOpener : public QObject {
     Q_OBJECT
 
 public:
-    explicit StudyOpener(QObject* parent = nullptr);
-    ~StudyOpener() override; ///< abandon()
+    using QObject::QObject;
 
     /// A session file ends in sessionLoaded() or what openSession() says, anything else in a
     /// volume.
@@ -51,9 +47,9 @@ public:
     /// finished() follows what @p work returns. When called off, that is dropped.
     void goOn(const QString& step, std::function<Tell()> work);
     void cancel();
-    /// Cancels and waits; tells nobody, now or later: the program ends.
+    /// Cancels and waits, as the destructor does; tells nobody, now or later: the program ends.
     void abandon();
-    [[nodiscard]] bool busy() const { return m_busy; }
+    [[nodiscard]] bool busy() const { return m_task.running(); }
 
 Q_SIGNALS:
     void started(const QString& path);
@@ -79,22 +75,10 @@ Q_SIGNALS:
 private:
     void start(const QString& path,
         std::function<Tell(const core::Progress&, const core::EarlySliceListener&)> work);
-    void launch(std::function<Tell()> work);
-    void take();
+    void take(const core::Result<Tell>& outcome);
 
-    /// Of the work under way, from its thread to this one.
-    struct Outcome {
-        std::mutex mutex;
-        Tell tell; ///< guarded by the mutex until it is taken
-        bool calledOff = false; ///< guarded by the mutex
-    };
-
-    void setOutcome(const std::shared_ptr<Outcome>& outcome, Tell tell); ///< the worker
-
-    std::shared_ptr<core::Progress> m_progress; ///< none: nothing is under way
-    std::shared_ptr<Outcome> m_outcome; ///< likewise
-    bool m_busy = false;
-    core::TaskThread m_worker; ///< last: it uses all of the above
+    core::Background::Task m_task; ///< what is under way
+    core::Background m_background; ///< last: it uses all of the above
 };
 
 } // namespace ui

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/BackgroundJob.h"
 
-#include "core/base/Guarded.h"
-#include "core/base/TaskThread.h"
-
 #include <QCoreApplication>
 #include <QPointer>
 
@@ -16,9 +13,9 @@ namespace {
 
 /// Of all jobs, those called off among them; touched by the GUI thread only. A connection that does
 /// not come about may take seconds to notice that it is no longer wanted.
-std::list<core::TaskThread>& threads()
+std::list<core::Background>& threads()
 {
-    static std::list<core::TaskThread> alive;
+    static std::list<core::Background> alive;
     return alive;
 }
 
@@ -41,60 +38,34 @@ BackgroundJob::BackgroundJob(QObject* parent)
 
 BackgroundJob::~BackgroundJob()
 {
-    if (m_progress)
-        m_progress->cancel();
+    m_task.cancel();
 }
 
 void BackgroundJob::start(Work work, Failed failed)
 {
     cancel();
-    // Whatever the thread says reaches this only on the GUI thread, and only while it lives.
-    const QPointer<BackgroundJob> guard(this);
-    auto mine = std::make_shared<const core::Progress*>(nullptr);
-    auto progress =
-        std::make_shared<core::Progress>([guard, mine](const QString& step, int done, int total) {
-            QMetaObject::invokeMethod(qApp, [guard, teller = *mine, step, done, total] {
-                if (guard && guard->m_progress.get() == teller)
-                    Q_EMIT guard->progressed(step, done, total);
-            });
-        });
-    *mine = progress.get();
-    m_progress = progress;
-    const auto tell = [guard, progress](const std::function<void()>& outcome) {
-        QMetaObject::invokeMethod(
-            qApp,
-            [guard, progress, outcome] {
-                if (!guard || guard->m_progress != progress)
-                    return;
-                guard->m_progress.reset();
-                outcome();
-                if (guard)
-                    Q_EMIT guard->ended();
-            },
-            Qt::QueuedConnection);
-    };
-    const auto fail = [tell, failed = std::move(failed)](
-                          const core::Error& error) { tell([failed, error] { failed(error); }); };
-    const core::Result<void> begun = core::guarded([&] {
-        threads().emplace_back();
-        const auto thread = std::prev(threads().end());
-        const auto end = [thread] {
-            QMetaObject::invokeMethod(
-                qApp, [thread] { threads().erase(thread); }, Qt::QueuedConnection);
-        };
-        thread->post([does = std::move(work), progress, tell] { tell(does(*progress)); }, fail);
-        thread->post(end, [](const core::Error&) {}); // it rests until the program ends, then
-    });
-    if (!begun)
-        fail(begun.error());
+    const auto mine = threads().emplace(threads().end());
+    m_task = mine->start(
+        this, std::move(work),
+        [this, failed = std::move(failed)](const core::Result<std::function<void()>>& outcome) {
+            const QPointer<BackgroundJob> guard(this);
+            if (outcome)
+                (*outcome)();
+            else
+                failed(outcome.error());
+            if (guard)
+                Q_EMIT ended();
+        },
+        [this](const QString& step, int done, int total) { Q_EMIT progressed(step, done, total); });
+    mine->start(
+        qApp, [] {}, [mine](const core::Result<void>&) { threads().erase(mine); });
 }
 
 void BackgroundJob::cancel()
 {
-    if (!m_progress)
+    if (!running())
         return;
-    m_progress->cancel();
-    m_progress.reset();
+    m_task.cancel();
     Q_EMIT ended();
 }
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/Error.h"
-#include "core/base/Progress.h"
+#include "core/base/Background.h"
 
 #include <QObject>
 
 #include <functional>
-#include <memory>
 
 namespace ui {
 
@@ -29,7 +27,7 @@ public:
     /// @param failed told what @p work has thrown, on the GUI thread
     void start(Work work, Failed failed);
     void cancel();
-    [[nodiscard]] bool running() const { return m_progress != nullptr; }
+    [[nodiscard]] bool running() const { return m_task.running(); }
 
 Q_SIGNALS:
     void progressed(const QString& step, int done, int total);
@@ -37,7 +35,7 @@ Q_SIGNALS:
     void ended();
 
 private:
-    std::shared_ptr<core::Progress> m_progress; ///< none: nothing is under way
+    core::Background::Task m_task;
 };
 
 } // namespace ui

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/TaskThread.h"
+#include "core/base/Background.h"
 #include "core/export/common/ExportMask.h"
 
 #include <QObject>
 
 #include <functional>
-#include <memory>
-#include <optional>
 #include <vector>
 
 namespace ui {
@@ -24,13 +22,13 @@ public:
         std::vector<std::uint8_t> labels; ///< x fastest
     };
 
-    explicit ExportJob(QObject* parent = nullptr);
-    ~ExportJob() override;
+    using QObject::QObject;
 
     /// @param write called on the job's thread; owns all it needs
     void start(std::function<core::Result<core::ExportReport>(const core::Progress&)> write);
-    void cancel();
-    [[nodiscard]] bool running() const;
+    /// It ends soon, and tells how: the file may be there by then.
+    void cancel() { m_task.stop(); }
+    [[nodiscard]] bool running() const { return m_task.running(); }
 
 Q_SIGNALS:
     void progressed(const QString& step, int done, int total);
@@ -38,11 +36,8 @@ Q_SIGNALS:
     void failed(const core::Error& error);
 
 private:
-    void take(const core::Result<core::ExportReport>& outcome);
-
-    struct Work;
-    std::shared_ptr<Work> m_work;
-    std::optional<core::TaskThread> m_thread; ///< while it runs
+    core::Background::Task m_task;
+    core::Background m_background;
 };
 
 } // namespace ui

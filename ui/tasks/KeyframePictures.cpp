@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/KeyframePictures.h"
 
+#include "core/base/ToldHere.h"
 #include "core/session/SessionKeyframes.h"
 #include "ui/workspace/Workspace.h"
-
-#include <QPointer>
 
 #include <algorithm>
 #include <cstdlib>
@@ -57,18 +56,12 @@ QImage KeyframePictures::picture(core::RowId row)
     core::EditSession* session = m_workspace.session();
     if (!session || !m_asked.insert(row).second)
         return {};
-    // The workspace outlives the session, which answers before it is gone.
-    session->keyframes().fetch(row,
-        [workspace = &m_workspace, guard = QPointer(this), row, asked = m_session](
-            const QByteArray& png) {
-            QMetaObject::invokeMethod(
-                workspace,
-                [guard, row, asked, picture = QImage::fromData(png, "PNG")] {
-                    if (guard && guard->m_session == asked)
-                        guard->take(row, picture);
-                },
-                Qt::QueuedConnection);
-        });
+    const auto tell = core::toldHere(this, [this, row, asked = m_session](const QImage& picture) {
+        if (m_session == asked)
+            take(row, picture);
+    });
+    session->keyframes().fetch(
+        row, [tell](const QByteArray& png) { tell(QImage::fromData(png, "PNG")); });
     return {};
 }
 

@@ -2,6 +2,7 @@
 #include "ui/tasks/LiveComparison.h"
 
 #include "core/brick/LabelRuns.h"
+#include "core/refine/mesh/SimplexMesh.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/SessionSurface.h"
 #include "ui/workspace/Refinement.h"
@@ -10,6 +11,34 @@
 #include <utility>
 
 namespace ui {
+
+/// The thread's, with copies of all it needs.
+struct LiveComparison::Job {
+    Outcome outcome;
+    Labels labels; ///< of the segment's plane, x fastest; null: the surface's voxels count
+    core::SimplexMesh mesh;
+    Masks masks;
+    std::size_t reference = 0; ///< place in masks
+    core::VolumeGeometry geometry;
+
+    [[nodiscard]] core::Result<Outcome> compared(const core::Progress& progress) const;
+};
+
+core::Result<LiveComparison::Outcome> LiveComparison::Job::compared(
+    const core::Progress& progress) const
+{
+    const core::Result<core::VoxelRuns> voxels = labels
+        ? core::Result<core::VoxelRuns>(core::labelRuns(*labels, std::uint8_t(outcome.segment)))
+        : core::voxelsOf(mesh, geometry, progress);
+    if (!voxels)
+        return tl::unexpected(voxels.error());
+    return core::compareMasks(*voxels, (*masks)[reference].voxels, geometry, progress)
+        .map([this](const core::MaskComparison& comparison) {
+            Outcome done = outcome;
+            done.comparison = comparison;
+            return done;
+        });
+}
 
 LiveComparison::LiveComparison(Workspace& workspace, QObject* parent)
     : QObject(parent)
@@ -37,15 +66,9 @@ LiveComparison::LiveComparison(Workspace& workspace, QObject* parent)
     connect(&m_fetch, &LabelFetch::failed, this, &LiveComparison::later);
 }
 
-LiveComparison::~LiveComparison()
-{
-    if (m_job)
-        m_job->progress.cancel();
-}
-
 bool LiveComparison::isBehind() const
 {
-    return m_reading || m_timer.isActive() || m_fetch.running() || m_job;
+    return m_reading || m_timer.isActive() || m_fetch.running() || m_background.busy();
 }
 
 void LiveComparison::forget()
@@ -53,9 +76,7 @@ void LiveComparison::forget()
     m_timer.stop();
     m_fetch.cancel();
     m_labels.reset();
-    if (m_job)
-        m_job->progress.cancel();
-    m_job.reset();
+    m_background.cancel();
     m_path.clear();
     m_masks.reset();
     m_chosen = -1;
@@ -72,26 +93,16 @@ void LiveComparison::read(const QString& path)
     forget();
     m_reading = true;
     m_path = path;
-    // The thread ends before the object does; another study may be open by then.
-    const auto tell = [this, path](const std::shared_ptr<core::Result<core::MaskOnVolume>>& done) {
-        QMetaObject::invokeMethod(
-            this, [this, path, done] { takeMasks(path, std::move(*done)); }, Qt::QueuedConnection);
-    };
-    m_thread.post(
-        [tell, path, volume = std::make_shared<const core::Volume>(*volume)] {
-            tell(std::make_shared<core::Result<core::MaskOnVolume>>(
-                core::readMask(path, *volume, {})));
-        },
-        [tell](const core::Error& error) {
-            tell(std::make_shared<core::Result<core::MaskOnVolume>>(tl::unexpected(error)));
-        });
+    m_background.start(
+        this,
+        [path, volume = *volume](
+            const core::Progress& progress) { return core::readMask(path, volume, progress); },
+        [this](core::Result<core::MaskOnVolume>&& read) { takeMasks(std::move(read)); });
     Q_EMIT changed();
 }
 
-void LiveComparison::takeMasks(const QString& path, core::Result<core::MaskOnVolume>&& read)
+void LiveComparison::takeMasks(core::Result<core::MaskOnVolume>&& read)
 {
-    if (!m_reading || path != m_path)
-        return;
     m_reading = false;
     if (!read) {
         m_path.clear();
@@ -166,55 +177,25 @@ void LiveComparison::compare()
     // What was fetched may not be what is asked by now.
     if (!mesh && !m_labels)
         return later();
-    if (m_job)
-        m_job->progress.cancel();
-    m_job = std::make_shared<Job>();
-    m_job->outcome.segment = segment->label;
-    m_job->outcome.ofSurface = mesh != nullptr;
+    Job job;
+    job.outcome.segment = segment->label;
+    job.outcome.ofSurface = mesh != nullptr;
     if (mesh)
-        m_job->mesh = *mesh;
+        job.mesh = *mesh;
     else
-        m_job->labels = m_labels;
-    m_job->masks = m_masks;
-    m_job->reference = std::size_t(m_chosen);
-    m_job->geometry = m_workspace.volume()->geometry;
-    const auto tell = [this, job = m_job](
-                          const std::shared_ptr<core::Result<core::MaskComparison>>& done) {
-        QMetaObject::invokeMethod(
-            this, [this, job, done] { take(job, *done); }, Qt::QueuedConnection);
-    };
-    const auto compared = [job = m_job] {
-        const Job& work = *job;
-        const core::Result<core::VoxelRuns> voxels = work.labels
-            ? core::Result<core::VoxelRuns>(
-                core::labelRuns(*work.labels, std::uint8_t(work.outcome.segment)))
-            : core::voxelsOf(work.mesh, work.geometry, work.progress);
-        auto done = std::make_shared<core::Result<core::MaskComparison>>();
-        if (voxels)
-            *done = core::compareMasks(
-                *voxels, (*work.masks)[work.reference].voxels, work.geometry, work.progress);
-        else
-            *done = tl::unexpected(voxels.error());
-        return done;
-    };
-    m_thread.post([tell, compared] { tell(compared()); },
-        [tell](const core::Error& error) {
-            tell(std::make_shared<core::Result<core::MaskComparison>>(tl::unexpected(error)));
+        job.labels = m_labels;
+    job.masks = m_masks;
+    job.reference = std::size_t(m_chosen);
+    job.geometry = m_workspace.volume()->geometry;
+    m_background.replace(
+        this,
+        [job = std::move(job)](const core::Progress& progress) { return job.compared(progress); },
+        [this](const core::Result<Outcome>& compared) {
+            m_outcome.reset();
+            if (compared)
+                m_outcome = *compared;
+            Q_EMIT changed();
         });
-    Q_EMIT changed();
-}
-
-void LiveComparison::take(
-    const std::shared_ptr<Job>& job, const core::Result<core::MaskComparison>& done)
-{
-    if (job != m_job)
-        return;
-    m_job.reset();
-    m_outcome.reset();
-    if (done) {
-        m_outcome = job->outcome;
-        m_outcome->comparison = *done;
-    }
     Q_EMIT changed();
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/TaskThread.h"
+#include "core/base/Background.h"
 #include "core/masks/MaskOnVolume.h"
 #include "core/metrics/MaskComparison.h"
-#include "core/refine/mesh/SimplexMesh.h"
 #include "ui/tasks/LabelFetch.h"
 #include "ui/workspace/Workspace.h"
 
@@ -25,7 +24,6 @@ class LiveComparison : public QObject {
 
 public:
     explicit LiveComparison(Workspace& workspace, QObject* parent = nullptr);
-    ~LiveComparison() override;
 
     /// Reads a mask of any format beside the window's work; its first segment is the reference
     /// then.
@@ -55,23 +53,13 @@ Q_SIGNALS:
 private:
     using Masks = std::shared_ptr<const std::vector<core::MaskSegment>>;
     using Labels = std::shared_ptr<const std::vector<std::uint8_t>>;
-    /// What the thread works on; it belongs to it until it is done.
-    struct Job {
-        Outcome outcome;
-        Labels labels; ///< of the segment's plane, x fastest; null: the surface's voxels count
-        core::SimplexMesh mesh;
-        Masks masks;
-        std::size_t reference = 0; ///< place in masks
-        core::VolumeGeometry geometry;
-        core::Progress progress;
-    };
+    struct Job;
 
     void forget();
     void later();
     void look();
     void compare();
-    void takeMasks(const QString& path, core::Result<core::MaskOnVolume>&& read);
-    void take(const std::shared_ptr<Job>& job, const core::Result<core::MaskComparison>& done);
+    void takeMasks(core::Result<core::MaskOnVolume>&& read);
     [[nodiscard]] const core::Segment* comparedSegment() const;
 
     Workspace& m_workspace;
@@ -83,8 +71,7 @@ private:
     QTimer m_timer; ///< until things have settled
     LabelFetch m_fetch;
     Labels m_labels; ///< of the compared segment's plane as they are now; null: not known
-    std::shared_ptr<Job> m_job;
-    core::TaskThread m_thread; ///< last: it uses all of the above
+    core::Background m_background; ///< last: it uses all of the above
 };
 
 } // namespace ui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/MaskImporter.h"
 
-#include "core/base/Guarded.h"
 #include "core/dicom/base/DicomFile.h"
 #include "core/masks/ReadImport.h"
 #include "core/meshfile/MeshReader.h"
@@ -30,18 +29,7 @@ MaskImporter::MaskImporter(Workspace& workspace, QWidget* window)
     , m_window(window)
 {
     // What is read for one study is nothing to the next.
-    connect(&workspace, &Workspace::sessionChanged, this, [this] {
-        m_session = nullptr;
-        if (m_progress)
-            m_progress->cancel();
-    });
-}
-
-MaskImporter::~MaskImporter()
-{
-    if (m_progress)
-        m_progress->cancel();
-    m_thread.reset();
+    connect(&workspace, &Workspace::sessionChanged, this, [this] { m_background.cancel(); });
 }
 
 bool MaskImporter::looksLikeMask(const QString& path)
@@ -76,43 +64,22 @@ void MaskImporter::import(const QString& path)
     core::EditSession* session = m_workspace.session();
     if (!session || busy())
         return;
-    m_session = session;
-    m_progress = std::make_shared<core::Progress>();
     Q_EMIT started(path);
     const core::Document document = session->foreseenDocument();
-    using Read = core::Result<core::ReadImport>;
-    const auto tell = [this, path](const std::shared_ptr<const Read>& read) {
-        QMetaObject::invokeMethod(
-            this, [this, path, read] { take(*read, path); }, Qt::QueuedConnection);
-    };
-    const core::Result<void> begun = core::guarded([&] {
-        m_thread.emplace();
-        m_thread->post(
-            [tell, path, volume = document.volumes.front(), before = document.segments.size(),
-                progress = m_progress] {
-                tell(std::make_shared<const Read>(
-                    core::readImport(core::ImportMask{.file = path}, volume, before, *progress)));
-            },
-            [tell](const core::Error& error) {
-                tell(std::make_shared<const Read>(tl::unexpected(error)));
-            });
-    });
-    if (!begun)
-        tell(std::make_shared<const Read>(tl::unexpected(begun.error())));
-}
-
-void MaskImporter::take(const core::Result<core::ReadImport>& read, const QString& path)
-{
-    m_thread.reset();
-    m_progress.reset();
-    apply(read, path);
+    m_background.start(
+        this,
+        [path, volume = document.volumes.front(), before = document.segments.size()](
+            const core::Progress& progress) {
+            return core::readImport(core::ImportMask{.file = path}, volume, before, progress);
+        },
+        [this, path](const core::Result<core::ReadImport>& read) { apply(read, path); });
 }
 
 void MaskImporter::apply(const core::Result<core::ReadImport>& read, const QString& path)
 {
     core::EditSession* session = m_workspace.session();
-    if (!session || session != m_session)
-        return; // another study is open by now
+    if (!session)
+        return;
     if (!read) {
         Q_EMIT failed(read.error());
         return;

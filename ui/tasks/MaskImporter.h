@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/Progress.h"
-#include "core/base/Result.h"
-#include "core/base/TaskThread.h"
+#include "core/base/Background.h"
 
 #include <QObject>
 #include <QStringList>
-
-#include <memory>
-#include <optional>
 
 class QWidget;
 
@@ -31,12 +26,11 @@ class MaskImporter : public QObject {
 
 public:
     MaskImporter(Workspace& workspace, QWidget* window);
-    ~MaskImporter() override; ///< cancels and waits
 
     /// Asks which file.
     void ask();
     void import(const QString& path);
-    [[nodiscard]] bool busy() const { return m_progress != nullptr; }
+    [[nodiscard]] bool busy() const { return m_background.busy(); }
 
     /// Whether a file that was dropped is rather a mask than a study, by its name or, of a DICOM
     /// file, by what it says it is. Reads no more than its beginning.
@@ -51,14 +45,11 @@ Q_SIGNALS:
     void failed(const core::Error& error);
 
 private:
-    void take(const core::Result<core::ReadImport>& read, const QString& path);
     void apply(const core::Result<core::ReadImport>& read, const QString& path);
 
     Workspace& m_workspace;
     QWidget* m_window;
-    const void* m_session = nullptr; ///< that it was begun for
-    std::shared_ptr<core::Progress> m_progress; ///< none: nothing is under way
-    std::optional<core::TaskThread> m_thread; ///< while a file is read
+    core::Background m_background; ///< last: it uses all of the above
 };
 
 } // namespace ui

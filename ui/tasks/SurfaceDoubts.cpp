@@ -107,6 +107,7 @@ SurfaceDoubts::SurfaceDoubts(Workspace& workspace, QObject* parent)
 void SurfaceDoubts::forget()
 {
     m_fetch.cancel();
+    m_background.cancel();
     m_job.reset();
     m_doubts.clear();
     Q_EMIT changed();
@@ -152,29 +153,14 @@ void SurfaceDoubts::workOut(const std::shared_ptr<Job>& job)
 {
     // What was under way when the question came has changed it since.
     job->surface = m_workspace.refinement().mirror();
-    // The thread ends before the object does.
-    m_thread.post(
-        [this, job] {
-            auto found = std::make_shared<std::vector<Doubt>>(job->found());
-            QMetaObject::invokeMethod(
-                this,
-                [this, job, found] {
-                    if (m_job != job)
-                        return;
-                    m_job.reset();
-                    m_doubts = std::move(*found);
-                    Q_EMIT changed();
-                },
-                Qt::QueuedConnection);
-        },
-        [this, job](const core::Error& error) {
-            QMetaObject::invokeMethod(
-                this,
-                [this, job, error] {
-                    if (m_job == job)
-                        fail(error);
-                },
-                Qt::QueuedConnection);
+    m_background.start(
+        this, [job] { return job->found(); },
+        [this](core::Result<std::vector<Doubt>>&& found) {
+            if (!found)
+                return fail(found.error());
+            m_job.reset();
+            m_doubts = *std::move(found);
+            Q_EMIT changed();
         });
 }
 

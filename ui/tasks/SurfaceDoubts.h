@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/TaskThread.h"
+#include "core/base/Background.h"
 #include "core/refine/mesh/SurfaceMirror.h"
 #include "ui/tasks/LabelFetch.h"
 
@@ -53,7 +53,7 @@ private:
     LabelFetch m_fetch;
     std::shared_ptr<Job> m_job; ///< what is under way
     std::vector<Doubt> m_doubts;
-    core::TaskThread m_thread; ///< last: it uses all of the above
+    core::Background m_background; ///< last: it uses all of the above
 };
 
 } // namespace ui

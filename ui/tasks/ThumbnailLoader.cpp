@@ -47,25 +47,22 @@ QImage thumbnail(const core::LoadedVolume& volume, int size)
 ThumbnailLoader::ThumbnailLoader(const QStringList& files, int size)
 {
     for (int index = 0; index < files.size(); ++index) {
-        m_worker.post(
-            [this, index, size, file = files[index]] {
+        m_worker.start(
+            this,
+            [size, file = files[index]]() -> core::Result<QImage> {
                 // Of pictures any spacing will do for a thumbnail, not so for a volume.
                 const QString series = core::isImageName(file)
                     ? core::withRepair(QString(), QStringLiteral("spacing=1x1x1"))
                     : QString();
-                if (m_stop)
-                    return;
-                const auto volume = core::loadVolume(file, series);
-                if (volume)
-                    Q_EMIT ready(index, thumbnail(*volume, size));
+                return core::loadVolume(file, series).map([size](const core::LoadedVolume& volume) {
+                    return thumbnail(volume, size);
+                });
             },
-            [](const core::Error&) {}); // no picture, then
+            [this, index](const core::Result<QImage>& picture) {
+                if (picture)
+                    Q_EMIT ready(index, *picture);
+            });
     }
-}
-
-ThumbnailLoader::~ThumbnailLoader()
-{
-    m_stop = true;
 }
 
 } // namespace ui

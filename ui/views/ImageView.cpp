@@ -21,7 +21,6 @@ namespace ui {
 namespace {
 
 constexpr int restMilliseconds = 160;
-constexpr double clickSlackPixels = 4.0;
 
 /// Slices count in pixels: a scene of logical pixels is not one of device pixels.
 gpu::Scene scaled(gpu::Scene scene, double mmFactor)
@@ -42,6 +41,7 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
     , m_view(view)
+    , m_pointer(workspace, *this, *this)
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
@@ -64,9 +64,9 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
             if (change.what == core::DocumentChange::What::Measurements)
                 update(); // the picture stays, what lies over it does not
         });
-    connect(&m_workspace, &Workspace::activeToolChanged, this, &ImageView::followTool);
+    connect(&m_workspace, &Workspace::activeToolChanged, this, [this] { m_pointer.followTool(); });
     // Another study: what the tool showed under the pointer was for the one before.
-    connect(&m_workspace, &Workspace::sessionChanged, this, &ImageView::takeToolAway);
+    connect(&m_workspace, &Workspace::sessionChanged, this, [this] { m_pointer.takeToolAway(); });
     connect(&m_workspace, &Workspace::cautionAcceptedChanged, this, [this] { update(); });
     qApp->installEventFilter(this); // proximity of a pen is told to the application alone
 }
@@ -170,8 +170,9 @@ void ImageView::requestFrame(bool interacting)
     if (!m_workspace.volume())
         return drawWithoutEngine();
     // Under a pointer at rest is another place once the picture has moved.
-    if (m_pointer && context().isSlice() && rect().contains(m_pointer->toPoint()))
-        m_workspace.setPointedLps(context().toLps(*m_pointer));
+    if (const auto& at = m_pointer.position();
+        at && context().isSlice() && rect().contains(at->toPoint()))
+        m_workspace.setPointedLps(context().toLps(*at));
     if (!isVisible() || width() <= 0 || height() <= 0)
         return;
     gpu::FrameRequest request;
@@ -179,8 +180,7 @@ void ImageView::requestFrame(bool interacting)
     request.sizePixels = {sizeInDevicePixels().width(), sizeInDevicePixels().height()};
     request.scene = scaled(scene(), 1.0 / devicePixelRatioF());
     request.segments = m_workspace.segmentDisplay();
-    request.interacting =
-        interacting || m_rest.isActive() || m_dragging || m_gesture == Gesture::Tool;
+    request.interacting = interacting || m_rest.isActive() || m_pointer.isAtWork();
     const bool same = m_requested && request.sizePixels == m_request.sizePixels
         && request.scene == m_request.scene && request.segments == m_request.segments
         && request.interacting == m_request.interacting;
@@ -211,7 +211,7 @@ core::WindowLevel ImageView::windowAfterDrag(core::WindowLevel window, const QPo
 bool ImageView::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == qApp && event->type() == QEvent::TabletLeaveProximity)
-        endStrokeWithoutPen();
+        m_pointer.endStrokeWithoutPen();
     return QWidget::eventFilter(watched, event);
 }
 
@@ -225,10 +225,11 @@ bool ImageView::event(QEvent* event)
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
-        return handlePointer(*event);
+        m_pointer.handle(*event);
+        return true;
     case QEvent::WindowDeactivate:
         // Another window takes the pointer; whether the release will ever come is not known.
-        loseStroke();
+        m_pointer.loseStroke();
         break;
     default:
         break;
@@ -236,163 +237,9 @@ bool ImageView::event(QEvent* event)
     return QWidget::event(event);
 }
 
-bool ImageView::handlePointer(QEvent& event)
-{
-    const auto reading = m_glue.read(event);
-    event.accept();
-    if (!reading || !m_workspace.volume())
-        return true;
-    m_pointer = reading->sample.position;
-    if (reading->pen)
-        m_workspace.showPressure(reading->sample.pressure);
-    switch (reading->phase) {
-    case PointerReading::Phase::Press:
-        pointerPressed(*reading);
-        break;
-    case PointerReading::Phase::Move:
-        pointerMoved(*reading);
-        break;
-    case PointerReading::Phase::Release:
-        pointerReleased(*reading);
-        break;
-    }
-    return true;
-}
-
-bool ImageView::toolWorksHere() const
-{
-    return m_tool && !m_navigateKey && m_tool->worksIn(context());
-}
-
-void ImageView::pointerPressed(const PointerReading& reading)
-{
-    if (m_gesture != Gesture::None)
-        return; // one drag at a time; a second button does not change what the first began
-    setFocus(Qt::MouseFocusReason);
-    if (reading.doubleClick && reading.button == Qt::LeftButton && !toolWorksHere()) {
-        // The first of the two clicks was meant for this, not for the crosshair.
-        if (m_crosshairBeforePressLps)
-            m_workspace.setCrosshairLps(*std::exchange(m_crosshairBeforePressLps, std::nullopt));
-        Q_EMIT maximiseToggled();
-        return;
-    }
-    m_crosshairBeforePressLps = m_workspace.crosshairLps();
-    const bool tools = toolWorksHere() && m_tool->takes(reading.sample, context());
-    m_gesture = gestureFor(reading.button, tools);
-    if (m_navigateKey && reading.button == Qt::LeftButton && m_gesture == Gesture::Window)
-        m_gesture = Gesture::Pan;
-    m_gestureButton = reading.button;
-    m_pressedAt = m_lastAt = reading.sample.position;
-    m_dragging = false;
-    if (m_gesture == Gesture::Tool) {
-        m_everyEvent.emplace();
-        m_toolIsHere = true;
-        m_lastSample = reading.sample;
-        m_workspace.showPressure(reading.sample.pressure);
-        m_tool->press(reading.sample, context());
-        requestFrame();
-    }
-}
-
-void ImageView::pointerMoved(const PointerReading& reading)
-{
-    const QPointF at = reading.sample.position;
-    if (m_gesture == Gesture::Tool) {
-        m_lastSample = reading.sample;
-        if (m_tool)
-            m_tool->drag(reading.sample, context());
-    } else if (m_gesture != Gesture::None) {
-        const QPointF moved = at - m_pressedAt;
-        m_dragging = m_dragging || std::hypot(moved.x(), moved.y()) > clickSlackPixels;
-        if (m_dragging) {
-            dragged(m_gesture, m_lastAt, at);
-            m_lastAt = at;
-        }
-    } else if (reading.hovering()) {
-        if (toolWorksHere()) {
-            m_toolIsHere = true;
-            m_tool->hover(reading.sample, context());
-        }
-        hovered(reading.sample);
-    }
-    if (context().isSlice() && rect().contains(at.toPoint()))
-        m_workspace.setPointedLps(context().toLps(at));
-}
-
-void ImageView::pointerReleased(const PointerReading& reading)
-{
-    if (m_gesture == Gesture::None || reading.button != m_gestureButton)
-        return;
-    const Gesture gesture = m_gesture;
-    const bool click = !m_dragging;
-    m_gesture = Gesture::None;
-    m_gestureButton = Qt::NoButton;
-    m_dragging = false;
-    m_everyEvent.reset();
-    if (gesture == Gesture::Tool) {
-        if (m_tool)
-            m_tool->release(reading.sample, context());
-    } else if (click && reading.button == Qt::LeftButton) {
-        clicked(reading.sample.position);
-    }
-    requestFrame();
-}
-
-void ImageView::loseStroke()
-{
-    if (m_gesture != Gesture::Tool)
-        return;
-    m_gesture = Gesture::None;
-    m_everyEvent.reset();
-    m_glue.forget();
-    if (m_tool)
-        m_tool->cancel();
-    requestFrame();
-}
-
-void ImageView::endStrokeWithoutPen()
-{
-    if (m_gesture != Gesture::Tool || !m_glue.penDown())
-        return;
-    // Lifted so fast that the tablet told of no release: what was drawn was meant.
-    m_gesture = Gesture::None;
-    m_everyEvent.reset();
-    m_glue.forget();
-    if (m_tool)
-        m_tool->release(m_lastSample, context());
-    requestFrame();
-}
-
-void ImageView::followTool()
-{
-    loseStroke();
-    if (m_tool)
-        disconnect(m_tool, nullptr, this, nullptr);
-    m_tool = m_workspace.activeTool();
-    if (m_tool)
-        connect(m_tool, &Tool::overlayChanged, this, [this] { update(); });
-    setCursor(toolWorksHere() ? Qt::CrossCursor : Qt::ArrowCursor);
-    update();
-}
-
 void ImageView::wheelEvent(QWheelEvent* event)
 {
-    // Alt turns a wheel sideways on some systems.
-    const QPoint angle = event->angleDelta();
-    const double steps = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
-    event->accept();
-    if (steps == 0.0 || !m_workspace.volume() || m_gesture == Gesture::Tool)
-        return;
-    const int whole = steps > 0.0 ? std::max(1, int(steps)) : std::min(-1, int(steps));
-    const Qt::KeyboardModifiers both = Qt::ShiftModifier | Qt::AltModifier;
-    if (toolWorksHere() && (event->modifiers() & both) == both)
-        m_tool->turn(whole);
-    else if (toolWorksHere() && (event->modifiers() & Qt::ShiftModifier))
-        m_tool->changeRadius(whole);
-    else if (toolWorksHere() && (event->modifiers() & Qt::AltModifier))
-        m_tool->changeDepth(whole);
-    else
-        wheelTurned(steps, event->position(), event->modifiers());
+    m_pointer.turnWheel(*event);
 }
 
 void ImageView::enterEvent(QEnterEvent* event)
@@ -406,42 +253,20 @@ void ImageView::enterEvent(QEnterEvent* event)
 void ImageView::leaveEvent(QEvent* event)
 {
     QWidget::leaveEvent(event);
-    m_pointer.reset();
-    m_workspace.setPointedLps(std::nullopt);
-    takeToolAway();
+    m_pointer.leave();
     update();
-}
-
-void ImageView::takeToolAway()
-{
-    // The mouse may leave here when a pen is over another view already.
-    if (m_tool && m_gesture != Gesture::Tool && std::exchange(m_toolIsHere, false))
-        m_tool->leave();
 }
 
 void ImageView::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
-        m_navigateKey = true;
-        setCursor(Qt::OpenHandCursor);
-    } else if (event->key() == Qt::Key_Escape && m_gesture == Gesture::Tool) {
-        loseStroke();
-    } else if (event->key() == Qt::Key_Escape && m_tool) {
-        // What stays open after the pen is lifted: a peel, an outline that is to be drawn.
-        m_tool->cancel();
-    } else {
+    if (!m_pointer.pressKey(*event))
         QWidget::keyPressEvent(event);
-    }
 }
 
 void ImageView::keyReleaseEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
-        m_navigateKey = false;
-        setCursor(toolWorksHere() ? Qt::CrossCursor : Qt::ArrowCursor);
-    } else {
+    if (!m_pointer.releaseKey(*event))
         QWidget::keyReleaseEvent(event);
-    }
 }
 
 void ImageView::resizeEvent(QResizeEvent* event)
@@ -459,9 +284,8 @@ void ImageView::showEvent(QShowEvent* event)
 void ImageView::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
-    loseStroke();
+    m_pointer.forget();
     // Nobody looks: edits shall not draw this view anew.
-    m_glue.forget();
     m_requested = false;
     m_workspace.frames().forget(m_view);
 }
@@ -479,9 +303,9 @@ void ImageView::paintEvent(QPaintEvent*)
         const ViewContext shown = shownContext();
         paintAnnotations(painter, shown);
         // Over them: what is said at the cursor is never hidden.
-        if (m_tool && !m_navigateKey && m_tool->worksIn(shown)) {
+        if (Tool* tool = m_pointer.toolIn(shown)) {
             painter.save();
-            m_tool->paintOverlay(painter, shown);
+            tool->paintOverlay(painter, shown);
             painter.restore();
         }
         if (volume->needsCaution() && !m_workspace.cautionAccepted())

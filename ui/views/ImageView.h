@@ -3,12 +3,10 @@
 
 #include "core/volume/encoding/EarlySlice.h"
 #include "ui/geometry/ViewContext.h"
-#include "ui/input/EveryPointerEvent.h"
-#include "ui/input/StylusGlue.h"
+#include "ui/views/ViewPointer.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QImage>
-#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 
@@ -18,14 +16,12 @@
 namespace ui {
 
 /// A picture of the open volume with what is written over it. Asks for frames at device pixels,
-/// shows the last finished one and lays overlays over exactly what that frame shows.
-///
-/// Pointer: the left button and the pen belong to the active tool where it works; otherwise, and
-/// for the other buttons, the view navigates (UX §4.3).
+/// shows the last finished one and lays overlays over exactly what that frame shows. What the
+/// pointer does to it and to the tool is ViewPointer's.
 ///
 /// While a study is on its way, a view that looks at the slice that is there already shows it, as
 /// the engine will; the others say that they wait.
-class ImageView : public QWidget {
+class ImageView : public QWidget, protected PointedView {
     Q_OBJECT
 
 public:
@@ -37,7 +33,7 @@ public:
     [[nodiscard]] virtual QColor barColour() const = 0;
 
     /// What the user has asked to see, in logical pixels.
-    [[nodiscard]] ViewContext context() const;
+    [[nodiscard]] ViewContext context() const override;
     /// What the picture on the screen shows; the same once the engine has caught up.
     [[nodiscard]] ViewContext shownContext() const;
     /// Where the crosshair is drawn.
@@ -59,24 +55,14 @@ Q_SIGNALS:
     void qualityChanged();
 
 protected:
-    /// What a drag does.
-    enum class Gesture { None, Tool, Window, Pan, Zoom, Rotate };
-
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     /// Null where a volume is open, or none is on its way.
     [[nodiscard]] const core::EarlySlice* early() const;
     /// The open volume, or that of the early slice, or null.
     [[nodiscard]] const core::Volume* shownVolume() const;
-    [[nodiscard]] bool penOverPicture() const { return m_pointer.has_value(); }
+    [[nodiscard]] bool penOverPicture() const { return m_pointer.position().has_value(); }
     /// The scene in logical pixels.
     [[nodiscard]] virtual gpu::Scene scene() const = 0;
-    [[nodiscard]] virtual Gesture gestureFor(Qt::MouseButton button, bool toolWorksHere) const = 0;
-    virtual void dragged(Gesture gesture, const QPointF& from, const QPointF& to) = 0;
-    /// A left click without a drag and without a tool.
-    virtual void clicked(const QPointF&) { }
-    /// Moved with no button down.
-    virtual void hovered(const PointerSample&) { }
-    virtual void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) = 0;
     virtual void paintAnnotations(QPainter& painter, const ViewContext& shown) = 0;
     /// Of early(), for scene(); null where this view does not look at it.
     [[nodiscard]] virtual QImage earlyPictureOf(const gpu::Scene&, const QSize&) const
@@ -115,24 +101,14 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
+    void doubleClicked() override { Q_EMIT maximiseToggled(); }
+    void refresh() override { requestFrame(); }
     void drawWithoutEngine();
     [[nodiscard]] QSize sizeInDevicePixels() const;
-    bool handlePointer(QEvent& event);
-    void pointerPressed(const PointerReading& reading);
-    void pointerMoved(const PointerReading& reading);
-    void pointerReleased(const PointerReading& reading);
-    [[nodiscard]] bool toolWorksHere() const;
-    void followTool();
-    /// The pointer was taken away while a tool was at work.
-    void loseStroke();
-    void takeToolAway();
-    void endStrokeWithoutPen();
 
     Workspace& m_workspace;
     gpu::ViewId m_view;
-    StylusGlue m_glue;
-    std::optional<EveryPointerEvent> m_everyEvent; ///< while a tool is at work
-    PointerSample m_lastSample; ///< of the stroke
+    ViewPointer m_pointer;
 
     gpu::FrameRequest m_request; ///< the last one
     bool m_requested = false;
@@ -141,17 +117,6 @@ private:
     gpu::Scene m_pictureScene; ///< in device pixels, as it came
     std::optional<gpu::Frame::Quality> m_pictureQuality; ///< none: the engine did not draw it
     QTimer m_rest;
-
-    Gesture m_gesture = Gesture::None;
-    Qt::MouseButton m_gestureButton = Qt::NoButton;
-    QPointF m_pressedAt;
-    QPointF m_lastAt;
-    std::optional<glm::dvec3> m_crosshairBeforePressLps;
-    bool m_dragging = false; ///< moved farther than a click does
-    bool m_navigateKey = false; ///< Space: the left button navigates with a tool in hand
-    bool m_toolIsHere = false; ///< it was told of the pointer here, and not that it left
-    std::optional<QPointF> m_pointer; ///< over this view
-    QPointer<Tool> m_tool; ///< the window may outlive it
 };
 
 } // namespace ui

@@ -20,8 +20,6 @@ KeyframeRecorder::KeyframeRecorder(Workspace& workspace, ImageView& view)
     begin();
 }
 
-KeyframeRecorder::~KeyframeRecorder() = default;
-
 void KeyframeRecorder::begin()
 {
     core::EditSession* session = m_workspace.session();
@@ -71,29 +69,13 @@ void KeyframeRecorder::keep(core::RowId row, const QImage& picture)
 {
     m_due = false;
     m_rule.kept(row, m_rows, m_clock());
-    m_encoder.post(
-        [this, row, picture] {
-            QByteArray png = keyframePng(picture);
-            {
-                const std::lock_guard lock(m_mutex);
-                m_done.emplace_back(row, std::move(png));
-            }
-            QMetaObject::invokeMethod(this, &KeyframeRecorder::deliver, Qt::QueuedConnection);
-        },
-        [](const core::Error&) {}); // the row has no picture, then
-}
-
-void KeyframeRecorder::deliver()
-{
-    std::vector<std::pair<core::RowId, QByteArray>> done;
-    {
-        const std::lock_guard lock(m_mutex);
-        done.swap(m_done);
-    }
-    for (const auto& [row, png] : done) {
-        if (core::EditSession* session = m_workspace.session())
-            session->keyframes().add(row, png);
-    }
+    m_encoder.start(
+        this, [picture] { return keyframePng(picture); },
+        [this, row](const core::Result<QByteArray>& png) {
+            core::EditSession* session = m_workspace.session();
+            if (png && session) // the row has no picture, else
+                session->keyframes().add(row, *png);
+        });
 }
 
 void KeyframeRecorder::close()
@@ -101,7 +83,6 @@ void KeyframeRecorder::close()
     if (m_rule.dueAtEnd(m_position) && showsPresentState())
         keep(m_position, m_view.picture());
     m_encoder.finish();
-    deliver();
 }
 
 } // namespace ui

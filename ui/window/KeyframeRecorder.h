@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/TaskThread.h"
+#include "core/base/Background.h"
 #include "core/history/History.h"
 #include "ui/settings/KeyframeRule.h"
 
-#include <QByteArray>
 #include <QImage>
 #include <QObject>
 
 #include <functional>
-#include <mutex>
-#include <utility>
-#include <vector>
 
 namespace core {
 struct DocumentChange;
@@ -31,7 +27,6 @@ class KeyframeRecorder : public QObject {
 
 public:
     KeyframeRecorder(Workspace& workspace, ImageView& view);
-    ~KeyframeRecorder() override;
 
     /// Milliseconds of some steady clock; until it is set, the machine's.
     void setClock(std::function<qint64()> clock) { m_clock = std::move(clock); }
@@ -44,7 +39,6 @@ private:
     /// The picture is one of the present state: newer than the last change of voxels.
     [[nodiscard]] bool showsPresentState() const;
     void keep(core::RowId row, const QImage& picture);
-    void deliver();
 
     Workspace& m_workspace;
     ImageView& m_view;
@@ -54,10 +48,7 @@ private:
     KeyframeRule m_rule;
     bool m_due = false;
     qint64 m_outdated = 0; ///< the picture that was shown when voxels last changed
-
-    std::mutex m_mutex;
-    std::vector<std::pair<core::RowId, QByteArray>> m_done; ///< under m_mutex
-    core::TaskThread m_encoder; ///< last: it uses all of the above
+    core::Background m_encoder; ///< last: it uses all of the above
 };
 
 } // namespace ui

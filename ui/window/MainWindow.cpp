@@ -3,9 +3,7 @@
 
 #include "ui/base/ErrorText.h"
 #include "ui/base/Icons.h"
-#include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
-#include "ui/base/TimeText.h"
 #include "ui/dialogs/AboutDialog.h"
 #include "ui/dialogs/session/SessionSaver.h"
 #include "ui/dialogs/session/UnwrittenSteps.h"
@@ -15,19 +13,18 @@
 #include "ui/frame/Panel.h"
 #include "ui/frame/PanelColumn.h"
 #include "ui/frame/PanelSection.h"
-#include "ui/frame/ReadOnlyMark.h"
 #include "ui/frame/StartPage.h"
 #include "ui/frame/ToolColumn.h"
+#include "ui/frame/WindowHeader.h"
 #include "ui/input/Tool.h"
-#include "ui/overlays/CautionStrip.h"
 #include "ui/settings/RecentStudies.h"
 #include "ui/tasks/MaskImporter.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/widgets/FieldManners.h"
-#include "ui/widgets/FittingLabel.h"
 #include "ui/window/BookmarkMenu.h"
 #include "ui/window/OptionBar.h"
 #include "ui/window/PlaneActions.h"
+#include "ui/window/ShownStudy.h"
 #include "ui/window/StageActions.h"
 #include "ui/window/StatusLine.h"
 #include "ui/window/WindowActions.h"
@@ -37,7 +34,6 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QMenuBar>
 #include <QMimeData>
 #include <QScrollArea>
 #include <QSettings>
@@ -59,21 +55,13 @@ QString droppedPath(const QMimeData& data)
     return {};
 }
 
-QString cautionSentence(const core::Volume& volume)
-{
-    return QStringLiteral("%1 Views and exports carry this caution until you accept it.")
-        .arg(cautionText(volume));
-}
-
 } // namespace
 
 MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     : m_workspace(workspace)
     , m_graphics(graphics)
     , m_actions(*this)
-    , m_menuBar(new QMenuBar(this))
-    , m_readOnly(new ReadOnlyMark(workspace, this))
-    , m_identity(new FittingLabel(Qt::AlignRight, this))
+    , m_header(new WindowHeader(workspace, this))
     , m_tools(new ToolColumn(this))
     , m_loading(new LoadingBar(this))
     , m_messages(new MessageBar(this))
@@ -81,6 +69,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     , m_startPage(new QScrollArea(this))
     , m_start(new StartPage)
     , m_views(new ViewGrid(workspace, this))
+    , m_shown(new ShownStudy(workspace, *m_views, *m_messages, this))
     , m_status(new StatusLine(workspace, this))
     , m_panels(new PanelColumn(this))
     , m_splitter(new QSplitter(this))
@@ -92,7 +81,11 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     setAcceptDrops(true);
     qApp->installEventFilter(new FieldManners(this));
     addWindowActions(*this);
-    buildMenus();
+    const QStringList plane = addPlaneActions(*this);
+    const QStringList stage = addStageActions(*this);
+    m_header->fillMenus(m_actions, plane, stage);
+    m_bookmarks->fill(m_header->bookmarksMenu());
+    setMenuWidget(m_header);
     buildCentre();
     connectOpener();
 
@@ -109,9 +102,10 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     connect(m_panels, &PanelColumn::changed, this, refresh);
     connect(m_views, &ViewGrid::frameTimed, m_status, &StatusLine::showFrameTime);
     connect(&workspace, &Workspace::sessionChanged, this, &MainWindow::showSession);
+    connect(m_shown, &ShownStudy::earlyChanged, this, &MainWindow::showPages);
     connect(&workspace, &Workspace::sessionSaved, this, [this] {
         m_messages->dismiss();
-        showIdentity();
+        m_header->showIdentity(m_shown->volume());
         m_actions.refresh();
     });
     connect(&workspace, &Workspace::offered, this, [this](const Workspace::Offer& made) {
@@ -125,74 +119,34 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::buildMenus()
+QMenu& MainWindow::fileMenu() const
 {
-    const auto ids = [](std::initializer_list<const char*> names) {
-        QStringList list;
-        for (const char* name : names)
-            list += QLatin1String(name);
-        return list;
-    };
-    const QStringList plane = addPlaneActions(*this);
-    const QStringList stage = addStageActions(*this);
-    m_fileMenu = m_menuBar->addMenu(QStringLiteral("&File"));
-    m_actions.fill(*m_fileMenu,
-        ids({"file.openFolder", "file.openFile", "file.openSession", "file.fromPacs",
-            "file.demonstration", "", "file.importMask", "file.toPacs", "file.saveAs",
-            "file.auditReport", "file.close", "file.quit"}));
-    m_editMenu = m_menuBar->addMenu(QStringLiteral("&Edit"));
-    m_actions.fill(
-        *m_editMenu, ids({"edit.undo", "edit.redo", "", "edit.author", "edit.historyMemory"}));
+    return m_header->fileMenu();
+}
 
-    QMenu* view = m_menuBar->addMenu(QStringLiteral("&View"));
-    m_actions.fill(*view,
-        ids({"view.four", "view.penAndStage", "view.volume", "view.axial", "view.sagittal",
-            "view.coronal", "view.plane", "view.penApart", "", "view.reset", "view.resetAll", "",
-            "view.bookmark"}));
-    m_bookmarks->fill(*view->addMenu(QStringLiteral("Bookmarks")));
-    view->addSeparator();
-    QMenu* grey = view->addMenu(QStringLiteral("Grey scale"));
-    for (int number = 1; number <= 9; ++number)
-        grey->addAction(&m_actions[QStringLiteral("window.preset%1").arg(number)]);
-    grey->addSeparator();
-    grey->addAction(&m_actions[QStringLiteral("view.inverted")]);
-    QMenu* volume = view->addMenu(QStringLiteral("3D"));
-    m_actions.fill(*volume,
-        ids({"view.surface", "view.dvr", "view.mip", "view.xray", "", "view.fromFront",
-            "view.fromBack", "view.fromLeft", "view.fromRight", "view.fromAbove",
-            "view.fromBelow"}));
-    m_actions.fill(*view->addMenu(QStringLiteral("Stage")), stage);
-    m_actions.fill(*view->addMenu(QStringLiteral("Cutting plane")), plane);
-    view->addSeparator();
-    m_actions.fill(*view,
-        ids({"view.crosshair", "view.patient", "view.segments", "view.carved", "view.hole",
-            "view.barriers", ""}));
-    m_panelsMenu = view->addMenu(QStringLiteral("Panels"));
-    m_actions.fill(*m_panelsMenu, ids({"view.panels", "view.resetPanels", ""}));
-    m_actions.fill(*view, ids({"view.fullScreen"}));
+QMenu& MainWindow::editMenu() const
+{
+    return m_header->editMenu();
+}
 
-    m_sculptMenu = m_menuBar->addMenu(QStringLiteral("S&culpt"));
-    m_growMenu = m_menuBar->addMenu(QStringLiteral("&Grow"));
-    m_refineMenu = m_menuBar->addMenu(QStringLiteral("&Refine"));
-    m_segmentsMenu = m_menuBar->addMenu(QStringLiteral("&Segments"));
-    m_actions.fill(*m_segmentsMenu, ids({"segments.add", "segments.remove"}));
-    QMenu* help = m_menuBar->addMenu(QStringLiteral("&Help"));
-    m_actions.fill(*help, ids({"help.keys", "help.pen", "help.about"}));
+QMenu& MainWindow::sculptMenu() const
+{
+    return m_header->sculptMenu();
+}
 
-    m_identity->setFont(theme::smallFont());
-    m_identity->setProperty("role", QStringLiteral("secondary"));
-    m_identity->setContentsMargins(0, 0, theme::padding, 0);
+QMenu& MainWindow::growMenu() const
+{
+    return m_header->growMenu();
+}
 
-    auto* header = new QFrame(this);
-    header->setProperty("role", QStringLiteral("panel"));
-    auto* row = new QHBoxLayout(header);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(theme::padding);
-    m_menuBar->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
-    row->addWidget(m_menuBar);
-    row->addWidget(m_readOnly);
-    row->addWidget(m_identity, 1);
-    setMenuWidget(header);
+QMenu& MainWindow::refineMenu() const
+{
+    return m_header->refineMenu();
+}
+
+QMenu& MainWindow::segmentsMenu() const
+{
+    return m_header->segmentsMenu();
 }
 
 void MainWindow::buildCentre()
@@ -262,28 +216,11 @@ void MainWindow::connectOpener()
     connect(&m_opener, &StudyOpener::started, m_messages, &MessageBar::dismiss);
     connect(&m_opener, &StudyOpener::started, &m_actions, &Actions::refresh);
     connect(&m_opener, &StudyOpener::finished, &m_actions, &Actions::refresh);
-    connect(&m_opener, &StudyOpener::sliceReady, this, [this](const auto& early) {
-        m_early = early;
-        showEarlySlice(early);
-    });
-    connect(&m_opener, &StudyOpener::finished, this, [this] {
-        m_early.reset();
-        showEarlySlice(nullptr);
-    });
+    connect(&m_opener, &StudyOpener::sliceReady, this,
+        [this](const auto& early) { m_shown->setEarly(early); });
+    connect(&m_opener, &StudyOpener::finished, this, [this] { m_shown->setEarly(nullptr); });
     connect(&m_opener, &StudyOpener::failed, &m_workspace, &Workspace::fail);
-    connect(
-        &m_opener, &StudyOpener::choiceNeeded, this,
-        [this](const auto& study) { chooseVolume(study, m_opener, *this); }, Qt::QueuedConnection);
-    connect(
-        &m_opener, &StudyOpener::spacingNeeded, this,
-        [this](const auto& study, const QString& series) {
-            askForSpacing(study, series, m_opener, *this);
-        },
-        Qt::QueuedConnection);
-    connect(&m_opener, &StudyOpener::sessionStudyNeeded, this,
-        [this](const QString& file, const QString& format, const core::Error& why) {
-            offerToFindStudy({file, format, why}, *m_messages, m_opener, *this);
-        });
+    answerQuestions(m_opener, *m_messages, *this);
     connect(m_saver, &SessionSaver::imagesBegun, this, [this](const QString& target) {
         m_loading->begin(QStringLiteral("Saving %1").arg(QFileInfo(target).fileName()));
     });
@@ -321,7 +258,7 @@ void MainWindow::addPanel(Panel* panel)
         .text = panel->title(),
         .run = [this, &section] { m_panels->setWanted(section, !m_panels->isWanted(section)); },
         .checked = [this, &section] { return m_panels->isWanted(section); }});
-    m_panelsMenu->addAction(&action);
+    m_header->panelsMenu().addAction(&action);
 }
 
 void MainWindow::bringUp(const Panel& panel)
@@ -339,7 +276,7 @@ void MainWindow::showPanels(bool shown)
 {
     m_panelsWanted = shown;
     m_panels->setUsable(m_workspace.volume() != nullptr);
-    m_panels->showAll(shown && shownVolume());
+    m_panels->showAll(shown && m_shown->volume());
     m_actions.refresh();
 }
 
@@ -377,81 +314,28 @@ void MainWindow::closeEvent(QCloseEvent* event)
     QMainWindow::closeEvent(event);
 }
 
-const core::Volume* MainWindow::shownVolume() const
-{
-    const core::EarlySlice* early = m_views->earlySlice();
-    return early && !m_workspace.volume() ? &early->volume : m_workspace.volume();
-}
-
 void MainWindow::showSession()
 {
     if (!m_workspace.volume()) {
         m_workspace.setActiveTool(nullptr);
-        // What takes the closed study's place is on its way already.
-        if (m_early)
-            showEarlySlice(m_early);
+        m_shown->showEarlyAgain();
         m_start->showRecent(RecentStudies::paths());
         m_start->showSessions(m_sessionFolder);
     }
     showPages();
-    showCaution();
+    m_shown->showCaution();
     if (m_workspace.volume())
         m_views->current().setFocus();
     m_actions.refresh();
 }
 
-void MainWindow::showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early)
-{
-    const core::EarlySlice* before = m_views->earlySlice();
-    const QString said = before ? cautionSentence(before->volume) : QString();
-    // An open study stays, and can be worked on, until the next one is there.
-    if (!m_views->showEarlySlice(m_workspace.session() ? nullptr : early) && !before)
-        return;
-    showPages();
-    // The bar takes its room now, lest the picture move when it comes.
-    if (early && early->volume.needsCaution())
-        m_messages->show(MessageBar::Kind::Caution, cautionSentence(early->volume));
-    else if (!m_workspace.volume() && m_messages->sentence() == said)
-        m_messages->dismiss();
-}
-
 void MainWindow::showPages()
 {
-    const bool open = shownVolume() != nullptr;
+    const bool open = m_shown->volume() != nullptr;
     m_pages->setCurrentWidget(open ? static_cast<QWidget*>(m_views) : m_startPage);
     m_tools->setVisible(open);
     showPanels(m_panelsWanted);
-    showIdentity();
-}
-
-void MainWindow::showIdentity()
-{
-    const core::Volume* volume = shownVolume();
-    if (!volume) {
-        setWindowTitle(QStringLiteral("Burin"));
-        m_identity->clear();
-        m_identity->setToolTip(QString());
-        return;
-    }
-    QStringList parts{patientText(volume->identity), studyText(volume->identity),
-        seriesText(volume->identity), timeText(*volume)};
-    parts.removeAll(QString());
-    const QString text = parts.join(QStringLiteral(" · "));
-    const bool readOnly = m_workspace.session() && !m_workspace.session()->whyReadOnly().isEmpty();
-    setWindowTitle(text + (readOnly ? QStringLiteral(" (read-only)") : QString())
-        + QStringLiteral(" — Burin"));
-    m_identity->setToolTip(text);
-    m_identity->setText(text);
-}
-
-void MainWindow::showCaution()
-{
-    const core::Volume* volume = m_workspace.volume();
-    m_messages->dismiss();
-    if (!volume || !volume->needsCaution() || m_workspace.cautionAccepted())
-        return;
-    m_messages->show(MessageBar::Kind::Caution, cautionSentence(*volume), QStringLiteral("Accept"),
-        [this] { m_workspace.acceptCaution(); });
+    m_header->showIdentity(m_shown->volume());
 }
 
 void MainWindow::showAbout()

@@ -7,7 +7,6 @@
 
 #include <QMainWindow>
 
-class QMenuBar;
 class QScrollArea;
 class QSplitter;
 class QStackedWidget;
@@ -15,19 +14,19 @@ class QStackedWidget;
 namespace ui {
 
 class BookmarkMenu;
-class FittingLabel;
 class LoadingBar;
 class MessageBar;
 class OptionBar;
 class Panel;
 class PanelColumn;
-class ReadOnlyMark;
 class MaskImporter;
 class SessionSaver;
+class ShownStudy;
 class StartPage;
 class StatusLine;
 class ToolColumn;
 class ViewGrid;
+class WindowHeader;
 
 /// Lays the window out and shows whose study is open. What can be done is in Actions, what happens
 /// in the views, tools and panels.
@@ -48,12 +47,12 @@ public:
     void addPanel(Panel* panel);
     /// Shows the panels, and this one of them unfolded.
     void bringUp(const Panel& panel);
-    [[nodiscard]] QMenu& fileMenu() const { return *m_fileMenu; }
-    [[nodiscard]] QMenu& editMenu() const { return *m_editMenu; }
-    [[nodiscard]] QMenu& sculptMenu() const { return *m_sculptMenu; }
-    [[nodiscard]] QMenu& growMenu() const { return *m_growMenu; }
-    [[nodiscard]] QMenu& refineMenu() const { return *m_refineMenu; }
-    [[nodiscard]] QMenu& segmentsMenu() const { return *m_segmentsMenu; }
+    [[nodiscard]] QMenu& fileMenu() const;
+    [[nodiscard]] QMenu& editMenu() const;
+    [[nodiscard]] QMenu& sculptMenu() const;
+    [[nodiscard]] QMenu& growMenu() const;
+    [[nodiscard]] QMenu& refineMenu() const;
+    [[nodiscard]] QMenu& segmentsMenu() const;
 
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     [[nodiscard]] ViewGrid& views() const { return *m_views; }
@@ -88,32 +87,16 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
-    void buildMenus();
     void buildCentre();
     void connectOpener();
     void showSession();
-    void showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
     void showPages();
-    /// The open volume, or one of which a slice is there; null: the start page.
-    [[nodiscard]] const core::Volume* shownVolume() const;
-    void showIdentity();
-    void showCaution();
 
     Workspace& m_workspace;
     QString m_graphics;
     Actions m_actions;
-    std::shared_ptr<const core::EarlySlice> m_early; ///< of what is being opened
     StudyOpener m_opener;
-    QMenu* m_fileMenu = nullptr;
-    QMenu* m_editMenu = nullptr;
-    QMenu* m_sculptMenu = nullptr;
-    QMenu* m_growMenu = nullptr;
-    QMenu* m_refineMenu = nullptr;
-    QMenu* m_segmentsMenu = nullptr;
-    QMenu* m_panelsMenu = nullptr;
-    QMenuBar* m_menuBar;
-    ReadOnlyMark* m_readOnly;
-    FittingLabel* m_identity;
+    WindowHeader* m_header;
     ToolColumn* m_tools;
     LoadingBar* m_loading;
     MessageBar* m_messages;
@@ -121,6 +104,7 @@ private:
     QScrollArea* m_startPage; ///< holds m_start
     StartPage* m_start;
     ViewGrid* m_views;
+    ShownStudy* m_shown;
     StatusLine* m_status;
     PanelColumn* m_panels;
     QSplitter* m_splitter;

@@ -47,6 +47,7 @@ Chunks::Chunks(Workspace& workspace)
     , m_members(workspace)
 {
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_background.cancel();
         m_wanted.reset();
         m_leaves.reset();
         m_lit.clear();
@@ -115,22 +116,15 @@ void Chunks::follow()
         m_lit.clear();
         m_members.begin(nullptr, 0);
         colour();
+        m_background.cancel();
         if (m_wanted)
-            m_thread.post(
-                [this, map = m_wanted] {
-                    auto leaves = std::make_shared<const ChunkLeaves>(map);
-                    QMetaObject::invokeMethod(
-                        this, [this, leaves = std::move(leaves)] { take(leaves); },
-                        Qt::QueuedConnection);
-                },
-                [this](const core::Error& error) {
-                    QMetaObject::invokeMethod(
-                        this,
-                        [this, error] {
-                            takeBack();
-                            m_workspace.fail(error);
-                        },
-                        Qt::QueuedConnection);
+            m_background.start(
+                this, [map = m_wanted] { return std::make_shared<const ChunkLeaves>(map); },
+                [this](const core::Result<std::shared_ptr<const ChunkLeaves>>& leaves) {
+                    if (leaves)
+                        return take(*leaves);
+                    takeBack();
+                    m_workspace.fail(leaves.error());
                 });
     }
     Q_EMIT changed();
@@ -138,8 +132,6 @@ void Chunks::follow()
 
 void Chunks::take(const std::shared_ptr<const ChunkLeaves>& leaves)
 {
-    if (leaves->map != m_wanted)
-        return;
     m_leaves = leaves;
     const core::ChunkTree& tree = m_leaves->map->tree();
     const std::vector<Chunk> roots = tree.division(tree.fewest());

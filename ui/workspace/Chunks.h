@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/TaskThread.h"
+#include "core/base/Background.h"
 #include "core/chunks/ChunkMap.h"
 #include "core/chunks/ChunkStage.h"
 #include "core/document/Document.h"
@@ -116,7 +116,7 @@ private:
     std::vector<Chunk> m_lit;
     std::shared_ptr<const gpu::SceneChunks> m_areas;
     std::shared_ptr<const gpu::SceneChunks> m_bodies;
-    core::TaskThread m_thread; ///< last: it works for all of the above
+    core::Background m_background; ///< last: it uses all of the above
 };
 
 } // namespace ui

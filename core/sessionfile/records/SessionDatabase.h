@@ -3,11 +3,11 @@
 
 #include "core/base/Result.h"
 #include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/records/SqliteConnection.h"
 
 #include <QString>
 #include <QVariant>
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,10 +17,8 @@ class QTemporaryDir;
 
 namespace core {
 
-/// One SQLite connection to a session file: how it is opened, locked and left (README.md beside
-/// this file). Knows nothing of rows. Belongs to the thread that made it.
-///
-/// No statement does more work than a file of its size can give it: one that was built so that
+/// A session file as a database: how it is opened, checked, locked and left (README.md beside this
+/// file). Knows nothing of rows. Belongs to the thread that made it. One that was built so that
 /// reading it would never end is damaged.
 class SessionDatabase {
 public:
@@ -53,7 +51,7 @@ public:
     /// copied as it stands, for the chain hangs on it.
     bool copyHistoryInto(const QString& path);
 
-    [[nodiscard]] QString reason() const { return m_reason; }
+    [[nodiscard]] QString reason() const { return m_connection.failure().reason; }
     /// What the file lacks; of one that is cut off what is there is read.
     [[nodiscard]] const SessionLoss& loss() const { return m_loss; }
     /// Why the last statement failed, where that is nothing in the file: it, or one beside it,
@@ -61,30 +59,22 @@ public:
     [[nodiscard]] std::optional<Error> failureOutside() const;
 
 private:
-    [[nodiscard]] bool isForReading() const;
     explicit SessionDatabase(QString path);
     void leaveWal();
     [[nodiscard]] Result<QString> copyPrivately();
     [[nodiscard]] Result<void> connect(const QString& name, const QString& options);
     [[nodiscard]] Result<void> checkFormat();
     [[nodiscard]] Result<void> checkSchema();
-    void readCutOff();
     [[nodiscard]] Result<void> beginWriting();
     [[nodiscard]] tl::unexpected<Error> failed() const;
-    [[nodiscard]] int number(const char* pragma);
-    [[nodiscard]] std::int64_t bytesOnDisk() const;
-    [[nodiscard]] bool goesOnForEver();
 
     QString m_path; ///< what people know it by
     QString m_file; ///< what is open: that, or a private copy
     std::unique_ptr<QTemporaryDir> m_copy;
     SessionUse m_use; ///< while this process writes it
-    QString m_connection;
     SessionLoss m_loss;
-    QString m_reason;
-    QString m_code; ///< SQLite's result code
-    std::int64_t m_work = 0; ///< of the statement that runs, in SQLite's instructions
     bool m_readOnly = false;
+    SqliteConnection m_connection; ///< last: closed while the copy and the lock are there
 };
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export/DeidentifySessionDialog.h"
 
+#include "core/base/ToldHere.h"
 #include "core/export/common/MaskSelection.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"
@@ -16,7 +17,6 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPointer>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QVBoxLayout>
@@ -117,24 +117,18 @@ void DeidentifySessionDialog::start()
     m_waits = true;
     showRunning();
     session->closeGrowth();
-    // The session's own file is open, and stays so. The workspace outlives the session.
+    // The session's own file is open, and stays so.
     const auto folder = std::make_shared<QTemporaryDir>();
     session->storage().copyTo(copyIn(*folder),
-        [workspace = &m_workspace, guard = QPointer(this), target, replaces, folder](
-            const core::Result<void>& copied) {
-            QMetaObject::invokeMethod(
-                workspace,
-                [guard, target, replaces, folder, copied] {
-                    if (!guard || !guard->m_waits)
-                        return;
-                    guard->m_waits = false;
-                    if (copied)
-                        guard->write(target, replaces, folder);
-                    else
-                        guard->showFailure(copied.error());
-                },
-                Qt::QueuedConnection);
-        });
+        core::toldHere(this, [this, target, replaces, folder](const core::Result<void>& copied) {
+            if (!m_waits)
+                return;
+            m_waits = false;
+            if (copied)
+                write(target, replaces, folder);
+            else
+                showFailure(copied.error());
+        }));
 }
 
 void DeidentifySessionDialog::write(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/session/SessionSaver.h"
 
+#include "core/base/ToldHere.h"
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionStudy.h"
 #include "core/sessionfile/records/SessionImages.h"
@@ -11,7 +12,6 @@
 #include <QDir>
 #include <QEventLoop>
 #include <QFileInfo>
-#include <QPointer>
 #include <QSettings>
 
 #include <utility>
@@ -64,12 +64,6 @@ SessionSaver::SessionSaver(Workspace& workspace, QWidget& window)
     , m_window(window)
 {
     connect(&workspace, &Workspace::sessionClosing, this, &SessionSaver::cancel);
-}
-
-SessionSaver::~SessionSaver()
-{
-    if (m_progress)
-        m_progress->cancel();
 }
 
 void SessionSaver::ask()
@@ -125,60 +119,49 @@ void SessionSaver::save(const Choice& choice, std::function<void(bool)> done)
     if (!session)
         return;
     if (choice.images && !session->storage().holdsImages())
-        stage(choice, done);
+        stage(choice, std::move(done));
     else
         goOnIn(choice, nullptr, std::move(done));
 }
 
 void SessionSaver::cancel()
 {
-    if (!m_progress)
+    if (!m_staging.running())
         return;
-    m_progress->cancel();
-    m_progress.reset();
+    m_staging.cancel();
+    // Behind it: nothing of it is left then.
+    m_background.start(
+        this, [] {},
+        [done = std::exchange(m_done, {})](const core::Result<void>&) {
+            if (done)
+                done(false);
+        });
     m_workspace.say(tr("Saving was cancelled; the session goes on where it was"));
     Q_EMIT imagesEnded();
 }
 
-void SessionSaver::stage(const Choice& choice, const std::function<void(bool)>& done)
+void SessionSaver::stage(const Choice& choice, std::function<void(bool)> done)
 {
     cancel();
-    // Reports of what was cancelled meanwhile are dropped on this side of the queue.
-    const auto listener = std::make_shared<core::Progress*>(nullptr);
-    m_progress = std::make_shared<core::Progress>(
-        [this, listener](const QString& step, int piece, int pieces) {
-            const core::Progress* mine = *listener;
-            QMetaObject::invokeMethod(this, [this, mine, step, piece, pieces] {
-                if (m_progress.get() == mine)
-                    Q_EMIT imagesProgressed(step, piece, pieces);
-            });
-        });
-    *listener = m_progress.get();
+    m_done = std::move(done);
     Q_EMIT imagesBegun(choice.target);
-    const core::SessionSource source = core::SessionSource::of(*m_workspace.volume());
-    const auto tell = [this, progress = m_progress, choice, done](const Staged& staged) {
-        QMetaObject::invokeMethod(this,
-            [this, progress, choice, staged, done] { takeStaged(progress, choice, staged, done); });
-    };
-    m_worker.post([tell, progress = m_progress, choice,
-                      source] { tell(stageFromStudy(choice.target, source, *progress)); },
-        [tell](const core::Error& error) { tell(tl::unexpected(error)); });
-}
-
-void SessionSaver::takeStaged(const std::shared_ptr<core::Progress>& progress, const Choice& choice,
-    const Staged& staged, const std::function<void(bool)>& done)
-{
-    const bool wanted = m_progress == progress;
-    if (wanted) {
-        m_progress.reset();
-        Q_EMIT imagesEnded();
-    }
-    if (wanted && staged)
-        return goOnIn(choice, *staged, done);
-    if (wanted)
-        m_workspace.fail(staged.error());
-    if (done)
-        done(false);
+    using Staged = core::Result<std::shared_ptr<core::StagedFile>>;
+    m_staging = m_background.start(
+        this,
+        [target = choice.target, source = core::SessionSource::of(*m_workspace.volume())](
+            const core::Progress& progress) { return stageFromStudy(target, source, progress); },
+        [this, choice](const Staged& staged) {
+            std::function<void(bool)> done = std::exchange(m_done, {});
+            Q_EMIT imagesEnded();
+            if (staged)
+                return goOnIn(choice, *staged, std::move(done));
+            m_workspace.fail(staged.error());
+            if (done)
+                done(false);
+        },
+        [this](const QString& step, int piece, int pieces) {
+            Q_EMIT imagesProgressed(step, piece, pieces);
+        });
 }
 
 void SessionSaver::goOnIn(const Choice& choice, const std::shared_ptr<core::StagedFile>& staged,
@@ -191,25 +174,19 @@ void SessionSaver::goOnIn(const Choice& choice, const std::shared_ptr<core::Stag
     const QString before = leavesFile ? session->file() : QString();
     m_workspace.say(tr("Saving the session …"));
     // It may outlive whoever asked.
-    const QPointer<Workspace> workspace(&m_workspace);
-    const auto tell = [workspace, before, target, done = std::move(done)](
+    const auto tell = [workspace = &m_workspace, before, target, done = std::move(done)](
                           const core::Result<void>& saved) {
-        if (workspace && saved) {
+        if (saved) {
             workspace->tellSaved(before, target);
             workspace->say(tr("The session is saved and goes on in %1").arg(target));
-        } else if (workspace) {
+        } else {
             workspace->fail(saved.error());
             workspace->say(tr("The session was not saved there; it goes on where it was"));
         }
         if (done)
             done(saved.has_value());
     };
-    QObject* receiver = &m_workspace;
-    session->storage().saveAs(target, true,
-        [receiver, tell](const core::Result<void>& saved) {
-            QMetaObject::invokeMethod(
-                receiver, [tell, saved] { tell(saved); }, Qt::QueuedConnection);
-        },
+    session->storage().saveAs(target, true, core::toldHere(&m_workspace, tell),
         {.kept = choice.images, .staged = staged});
 }
 

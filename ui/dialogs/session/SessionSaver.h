@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/Progress.h"
-#include "core/base/Result.h"
-#include "core/base/TaskThread.h"
+#include "core/base/Background.h"
 
 #include <QObject>
 #include <QString>
@@ -35,7 +33,6 @@ public:
     };
 
     SessionSaver(Workspace& workspace, QWidget& window);
-    ~SessionSaver() override; ///< cancels and waits
 
     /// Sessions in this folder were named by the program: that name is not suggested for another.
     void setWorkingFolder(const QString& folder) { m_workingFolder = folder; }
@@ -57,21 +54,18 @@ Q_SIGNALS:
     void imagesEnded(); ///< written, failed or cancelled
 
 private:
-    using Staged = core::Result<std::shared_ptr<core::StagedFile>>;
-
     [[nodiscard]] QString suggestedName() const;
     [[nodiscard]] std::optional<Choice> choose(bool offerImages);
-    void stage(const Choice& choice, const std::function<void(bool saved)>& done);
-    void takeStaged(const std::shared_ptr<core::Progress>& progress, const Choice& choice,
-        const Staged& staged, const std::function<void(bool saved)>& done);
+    void stage(const Choice& choice, std::function<void(bool saved)> done);
     void goOnIn(const Choice& choice, const std::shared_ptr<core::StagedFile>& staged,
         std::function<void(bool saved)> done);
 
     Workspace& m_workspace;
     QWidget& m_window;
     QString m_workingFolder;
-    std::shared_ptr<core::Progress> m_progress; ///< of images that are being written
-    core::TaskThread m_worker; ///< last: it uses all of the above
+    core::Background::Task m_staging; ///< of images
+    std::function<void(bool saved)> m_done; ///< told when that has ended
+    core::Background m_background; ///< last: it uses all of the above
 };
 
 } // namespace ui

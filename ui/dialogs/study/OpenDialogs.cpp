@@ -97,4 +97,23 @@ void offerToFindStudy(const LostStudy& lost, MessageBar& bar, StudyOpener& opene
         QStringLiteral("Choose its study …"), ask);
 }
 
+void answerQuestions(StudyOpener& opener, MessageBar& bar, QWidget& window)
+{
+    QObject::connect(
+        &opener, &StudyOpener::choiceNeeded, &window,
+        [&opener, &window](const auto& study) { chooseVolume(study, opener, window); },
+        Qt::QueuedConnection);
+    QObject::connect(
+        &opener, &StudyOpener::spacingNeeded, &window,
+        [&opener, &window](const auto& study, const QString& series) {
+            askForSpacing(study, series, opener, window);
+        },
+        Qt::QueuedConnection);
+    QObject::connect(&opener, &StudyOpener::sessionStudyNeeded, &window,
+        [&opener, &bar, &window](
+            const QString& file, const QString& format, const core::Error& why) {
+            offerToFindStudy({file, format, why}, bar, opener, window);
+        });
+}
+
 } // namespace ui

@@ -41,4 +41,7 @@ struct LostStudy {
 /// Says so in the bar, with a button to say where it is. All of them outlive the bar's message.
 void offerToFindStudy(const LostStudy& lost, MessageBar& bar, StudyOpener& opener, QWidget& parent);
 
+/// Asks all of that whenever the opener wants to know it.
+void answerQuestions(StudyOpener& opener, MessageBar& bar, QWidget& window);
+
 } // namespace ui

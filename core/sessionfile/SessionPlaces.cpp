@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sessionfile/SessionPlaces.h"
+
+#include "core/base/files/ReadableFile.h"
+#include "core/base/files/StagedFile.h"
+#include "core/sessionfile/records/SessionUse.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+namespace core {
+
+Result<void> makeEmptySession(const QString& path)
+{
+    if (const Result<void> free = checkFileTarget(path, false); !free)
+        return tl::unexpected(free.error());
+    if (const QString stray = strayPartOf(path); !stray.isEmpty())
+        return failure(ErrorCode::FileUnwritable, path,
+            QStringLiteral("'%1' lies beside it, which belongs to another session; move it away")
+                .arg(stray));
+    QFile empty(path);
+    if (!empty.open(QIODevice::WriteOnly | QIODevice::NewOnly,
+            QFileDevice::ReadOwner | QFileDevice::WriteOwner))
+        return failure(ErrorCode::FileUnwritable, path, empty.errorString());
+    return {};
+}
+
+Result<void> checkSessionToOpen(const QString& path, SessionAccess access)
+{
+    const QFileInfo info(path);
+    if (!info.exists())
+        return failure(ErrorCode::FileNotFound, path);
+    if (info.isDir())
+        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
+    if (const Result<void> plain = checkReadsToAnEnd(path); !plain)
+        return tl::unexpected(plain.error());
+    if (!info.isReadable())
+        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("permission denied"));
+    if (info.size() == 0)
+        return failure(ErrorCode::FileTruncated, path, QStringLiteral("it is empty"));
+    if (access == SessionAccess::ReadWrite
+        && !(info.isWritable() && QFileInfo(info.absolutePath()).isWritable()))
+        return failure(ErrorCode::FileUnwritable, path,
+            QStringLiteral("a session is written while it is open; copy it to a folder of yours"));
+    return {};
+}
+
+Result<void> checkOtherSessionAt(const QString& target)
+{
+    if (QFileInfo::exists(target) && isSessionInUse(target))
+        return failure(
+            ErrorCode::FileUnwritable, target, QStringLiteral("it is open in another window"));
+    // What its program could not write any more would be taken for the new file's.
+    if (isSessionUnfinished(target))
+        return failure(ErrorCode::FileUnwritable, target,
+            QStringLiteral("it was not closed properly; open it once, or take another name"));
+    return {};
+}
+
+bool isSessionNamedAt(const QString& path)
+{
+    const QFileInfo info(path);
+    if (!info.isFile())
+        return false;
+    if (info.suffix().compare(QLatin1String("burin"), Qt::CaseInsensitive) == 0)
+        return true;
+    // One in use must not be opened as a plain file (SessionUse.h).
+    if (isSessionInUse(path))
+        return true;
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && file.read(15) == "SQLite format 3";
+}
+
+} // namespace core

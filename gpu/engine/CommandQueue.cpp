@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/engine/CommandQueue.h"
+
+#include <utility>
+#include <variant>
+
+namespace gpu {
+
+namespace {
+
+/// Keeps the slice of a path that has waited long within bounds.
+constexpr int extensionsAtOnce = 16;
+
+} // namespace
+
+CommandQueue::CommandQueue(EngineThread& thread)
+    : m_thread(thread)
+{
+}
+
+core::Ticket CommandQueue::submit(core::EngineCommand command)
+{
+    core::Ticket ticket = 0;
+    {
+        const std::lock_guard lock(m_mutex);
+        ticket = ++m_lastTicket;
+        m_waiting.push_back({.ticket = ticket, .command = std::move(command)});
+    }
+    m_thread.wake();
+    return ticket;
+}
+
+std::vector<core::EngineResult> CommandQueue::collect()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_results, {});
+}
+
+void CommandQueue::finish()
+{
+    std::unique_lock lock(m_mutex);
+    m_hurry = true;
+    m_thread.wake();
+    m_settled.wait(lock, [this] { return m_waiting.empty() && !m_busy && !m_progress.running; });
+    m_hurry = false;
+}
+
+void CommandQueue::setWakeUp(std::function<void()> wakeUp)
+{
+    const std::lock_guard lock(m_mutex);
+    m_wakeUp = std::move(wakeUp);
+}
+
+core::GrowthProgress CommandQueue::progress() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_progress;
+}
+
+bool CommandQueue::takeNext(Waiting& next, EditTransaction* open)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_waiting.empty())
+        return false;
+    const auto* end = std::get_if<core::EndEdit>(&m_waiting.front().command);
+    if (end && end->ending == core::Ending::Commit && open && open->hasStepsLeft())
+        return false;
+    m_results.reserve(m_results.size() + 1); // a command that is taken is answered
+    next = std::move(m_waiting.front());
+    m_waiting.pop_front();
+    m_busy = true;
+    if (auto* extend = std::get_if<core::ExtendEdit>(&next.command); extend && open)
+        takeMore(*extend, *open);
+    return true;
+}
+
+/// What a pen told while something else was done is one piece of path: each costs as much as many.
+void CommandQueue::takeMore(core::ExtendEdit& first, EditTransaction& open)
+{
+    for (int taken = 1; taken < extensionsAtOnce && !m_waiting.empty(); ++taken) {
+        auto* next = std::get_if<core::ExtendEdit>(&m_waiting.front().command);
+        if (!next || !open.join(first.extension, next->extension))
+            return;
+        m_waiting.pop_front();
+    }
+}
+
+void CommandQueue::deliver(core::EngineResult result)
+{
+    std::function<void()> wakeUp;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_results.push_back(std::move(result));
+        wakeUp = m_wakeUp;
+    }
+    if (wakeUp)
+        wakeUp();
+}
+
+void CommandQueue::publish(const core::GrowthProgress& progress)
+{
+    const std::lock_guard lock(m_mutex);
+    m_progress = progress;
+    m_busy = false;
+    m_settled.notify_all();
+}
+
+bool CommandQueue::inHurry() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_hurry;
+}
+
+bool CommandQueue::isDue(EngineThread::Clock::time_point moment)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_hurry || EngineThread::Clock::now() >= moment)
+        return true;
+    m_thread.wakeAt(moment);
+    return false;
+}
+
+} // namespace gpu

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/cases/StrokeHashes.h"
+
+#include "core/edits/kinds/SurfaceEdit.h"
+#include "core/session/EditSession.h"
+
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+namespace test {
+
+namespace {
+
+using core::EditSession;
+
+struct Failure {
+    QString text;
+};
+
+void require(const core::Result<void>& result, const char* what)
+{
+    if (!result)
+        throw Failure{QLatin1String(what) + QStringLiteral(": ")
+            + result.error().arguments.join(QStringLiteral(": "))};
+}
+
+std::unique_ptr<EditSession> begun(
+    core::EditEngine& engine, const StrokeCase& strokeCase, const QString& file)
+{
+    auto session = EditSession::create(engine, strokeCase.volume, {.file = file});
+    if (!session)
+        throw Failure{
+            QStringLiteral("create: ") + session.error().arguments.join(QStringLiteral(": "))};
+    for (const core::Edit& edit : strokeCase.before)
+        require((*session)->apply(edit), "an edit before");
+    require((*session)->settle(), "settle");
+    return std::move(*session);
+}
+
+QByteArray settledHash(EditSession& session)
+{
+    require(session.settle(), "settle");
+    return session.stateHash();
+}
+
+/// As the pen tells a stroke and the panel a growth; nothing for edits that are made at once.
+bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending ending)
+{
+    const auto* drill = std::get_if<core::DrillStroke>(&edit);
+    const auto* laser = std::get_if<core::LaserStroke>(&edit);
+    if (drill || laser) {
+        core::Edit stroke = edit;
+        std::vector<core::PenSample>& told = drill ? std::get<core::DrillStroke>(stroke).samples
+                                                   : std::get<core::LaserStroke>(stroke).samples;
+        const std::vector<core::PenSample> samples = std::exchange(told, {});
+        require(session.begin(stroke), "begin");
+        for (std::size_t first = 0; first < samples.size(); first += 2) {
+            const std::size_t last = std::min(first + 2, samples.size());
+            session.extendDrill(
+                {samples.begin() + std::ptrdiff_t(first), samples.begin() + std::ptrdiff_t(last)});
+            session.poll();
+        }
+    } else if (std::holds_alternative<core::PaintStroke>(edit)
+        || std::holds_alternative<core::BarrierStroke>(edit)
+        || std::holds_alternative<core::BrushStroke>(edit)) {
+        core::Edit first = edit;
+        auto* paint = std::get_if<core::PaintStroke>(&first);
+        auto* barrier = std::get_if<core::BarrierStroke>(&first);
+        core::BrushPath& path = paint ? paint->path
+            : barrier                 ? barrier->path
+                                      : std::get<core::BrushStroke>(first).path;
+        const core::BrushPath whole = path;
+        const std::vector<glm::dvec3>& points = whole.pointsLps;
+        path.pointsLps.resize(1);
+        path.lifts.clear();
+        require(session.begin(first), "begin");
+        for (std::size_t next = 1; next < points.size(); ++next) {
+            session.extendPath({points[next]},
+                std::find(whole.lifts.begin(), whole.lifts.end(), std::int64_t(next))
+                    != whole.lifts.end());
+            session.poll();
+        }
+    } else if (const core::SurfacePath* surface = core::surfacePathOf(edit)) {
+        core::Edit first = edit;
+        core::surfacePathOf(first)->pointsLps.resize(1);
+        require(session.begin(first), "begin");
+        for (std::size_t next = 1; next < surface->pointsLps.size(); ++next) {
+            session.extendPath({surface->pointsLps[next]});
+            session.poll();
+        }
+    } else if (const auto* peel = std::get_if<core::PeelCut>(&edit)) {
+        core::PeelCut first = *peel;
+        first.depthMm = std::min(2.0 * peel->depthMm + 1.0, 60.0);
+        require(session.begin(first), "begin");
+        for (const double depthMm : {1.0, 0.0, 0.5 * peel->depthMm, peel->depthMm}) {
+            session.setPeelDepth(depthMm);
+            session.poll();
+        }
+    } else if (const auto* change = std::get_if<core::ChangeInterval>(&edit)) {
+        // As a slider is dragged.
+        core::ChangeInterval first = *change;
+        first.criteria.upper += 200.0;
+        require(session.begin(first), "begin");
+        session.extendGrowth({});
+        session.poll();
+        session.setInterval(change->criteria.lower - 100.0, change->criteria.upper);
+        session.extendGrowth({});
+        session.poll();
+        session.setInterval(change->criteria.lower, change->criteria.upper);
+        session.extendGrowth({.steps = change->steps.value_or(core::GrowAdvance::toClosure)});
+    } else if (const auto* resume = std::get_if<core::ResumeGrowth>(&edit)) {
+        require(session.begin(*resume), "begin");
+        session.extendGrowth({.steps = resume->steps.value_or(core::GrowAdvance::toClosure)});
+    } else if (std::holds_alternative<core::GrowFromSeeds>(edit)) {
+        require(session.begin(edit), "begin");
+        // Whatever else is done takes a preview back, and the next goes on from what it found.
+        session.closeGrowth();
+        session.poll();
+        require(session.begin(edit), "begin again");
+        session.poll();
+    } else if (const auto* grow = std::get_if<core::GrowSteps>(&edit)) {
+        require(session.begin(*grow), "begin");
+        const int steps = grow->steps.value_or(core::GrowAdvance::toClosure);
+        if (steps > 1) {
+            session.extendGrowth({.steps = 1});
+            session.poll();
+            session.extendGrowth({.steps = steps - 1});
+        } else {
+            session.extendGrowth({.steps = steps});
+        }
+    } else {
+        return false;
+    }
+    session.end(ending);
+    session.poll();
+    return true;
+}
+
+StrokeHashes run(core::EditEngine& engine, const StrokeCase& strokeCase)
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("stroke.burin"));
+    StrokeHashes hashes;
+    std::vector<core::Edit> recorded;
+    {
+        const auto session = begun(engine, strokeCase, file);
+        hashes.before = settledHash(*session);
+        const std::size_t rows = session->history().rows().size();
+        tellInPieces(*session, strokeCase.edit, core::Ending::Rollback);
+        hashes.cancelled = settledHash(*session);
+        if (session->history().rows().size() != rows)
+            throw Failure{QStringLiteral("a cancelled edit left a row")};
+
+        require(session->apply(strokeCase.edit), "apply");
+        hashes.finished = settledHash(*session);
+        // An edit that changed nothing leaves no row, and undo must not take back another.
+        if (session->history().rows().size() == rows) {
+            hashes.undone = hashes.before;
+            hashes.redone = hashes.again = hashes.finished;
+        } else {
+            require(session->undo(), "undo");
+            hashes.undone = settledHash(*session);
+            require(session->redo(), "redo");
+            hashes.redone = settledHash(*session);
+            require(session->undo(), "undo");
+            require(session->apply(strokeCase.edit), "apply again");
+            hashes.again = settledHash(*session);
+        }
+        const core::History& history = session->history();
+        for (const core::RowId row : history.pathTo(history.position()))
+            recorded.push_back(history.row(row).edit);
+    }
+    {
+        auto session = EditSession::open(engine, strokeCase.volume, file);
+        if (!session)
+            throw Failure{
+                QStringLiteral("open: ") + session.error().arguments.join(QStringLiteral(": "))};
+        hashes.reopened = settledHash(**session);
+    }
+    {
+        const auto session = begun(engine, strokeCase, {});
+        if (tellInPieces(*session, strokeCase.edit, core::Ending::Commit))
+            hashes.inPieces = settledHash(*session);
+        else
+            hashes.inPieces = hashes.finished;
+    }
+    StrokeCase bare = strokeCase;
+    bare.before.clear();
+    const auto session = begun(engine, bare, {});
+    for (const core::Edit& edit : recorded)
+        require(session->apply(edit), "replay");
+    hashes.replayed = settledHash(*session);
+    return hashes;
+}
+
+} // namespace
+
+StrokeHashes runStroke(core::EditEngine& engine, const StrokeCase& strokeCase)
+{
+    try {
+        return run(engine, strokeCase);
+    } catch (const Failure& failure) {
+        StrokeHashes hashes;
+        hashes.failure = failure.text;
+        return hashes;
+    }
+}
+
+QString contradiction(const StrokeHashes& hashes)
+{
+    if (!hashes.failure.isEmpty())
+        return hashes.failure;
+    const std::array<std::tuple<const char*, const QByteArray&, const QByteArray&>, 7> pairs{
+        {{"cancelled", hashes.before, hashes.cancelled}, {"undone", hashes.before, hashes.undone},
+            {"redone", hashes.finished, hashes.redone},
+            {"made again", hashes.finished, hashes.again},
+            {"told in pieces", hashes.finished, hashes.inPieces},
+            {"reopened", hashes.finished, hashes.reopened},
+            {"replayed", hashes.finished, hashes.replayed}}};
+    for (const auto& [name, expected, found] : pairs) {
+        if (expected.size() != 64)
+            return QStringLiteral("no hash");
+        if (expected != found)
+            return QStringLiteral("%1: %2 expected, %3 found")
+                .arg(QLatin1String(name), QString::fromLatin1(expected.left(12)),
+                    QString::fromLatin1(found.left(12)));
+    }
+    return {};
+}
+
+QString difference(const StrokeHashes& expected, const StrokeHashes& actual)
+{
+    for (const StrokeHashes* hashes : {&expected, &actual}) {
+        if (const QString text = contradiction(*hashes); !text.isEmpty())
+            return text;
+    }
+    if (expected.before != actual.before)
+        return QStringLiteral("the engines part before the edit");
+    if (expected.finished != actual.finished)
+        return QStringLiteral("the engines part at the edit");
+    return {};
+}
+
+} // namespace test

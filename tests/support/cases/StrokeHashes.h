@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/engine/EditEngine.h"
+#include "tests/support/cases/StrokeCases.h"
+
+#include <QByteArray>
+#include <QString>
+
+namespace test {
+
+/// State hashes of everything that can become of an edit. Six must equal `finished`, two `before`.
+struct StrokeHashes {
+    QByteArray before;
+    QByteArray finished;
+    QByteArray inPieces; ///< told as a pen or a running growth tells it
+    QByteArray cancelled;
+    QByteArray undone;
+    QByteArray redone;
+    QByteArray again; ///< undone and made anew: a second branch
+    QByteArray reopened; ///< from the session file
+    QByteArray replayed; ///< from the recorded edits, in a session of its own
+    QString failure; ///< something refused that must not be
+};
+
+/// Runs a case through core::EditSession. The engine is used by nobody else meanwhile.
+[[nodiscard]] StrokeHashes runStroke(core::EditEngine& engine, const StrokeCase& strokeCase);
+
+/// What does not agree in itself, in words; empty if all does.
+[[nodiscard]] QString contradiction(const StrokeHashes& hashes);
+/// The same between two engines.
+[[nodiscard]] QString difference(const StrokeHashes& expected, const StrokeHashes& actual);
+
+} // namespace test

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/cases/strokes/StrokeFamilies.h"
+
+#include "core/brick/VoxelRuns.h"
+
+namespace test {
+
+namespace {
+
+/// Two segments that overlap, as if read from a file.
+core::ImportMask importOf(const glm::ivec3& size)
+{
+    core::VoxelRuns low;
+    core::VoxelRuns middle;
+    const std::uint64_t slice = std::uint64_t(size.x) * std::uint64_t(size.y);
+    for (int row = 3; row < size.y - 2; ++row) {
+        const std::uint64_t at = slice * 2 + std::uint64_t(row) * std::uint64_t(size.x);
+        low.append(at + 1, std::uint64_t(size.x) / 2);
+        middle.append(at + std::uint64_t(row), 5);
+    }
+    middle.append(slice * std::uint64_t(size.z / 2), slice * 2);
+    core::ImportMask mask{.file = QStringLiteral("organs.seg.nrrd")};
+    mask.size = size;
+    mask.segments = {{.name = QStringLiteral("Low"),
+                         .rgb = 0x40C080,
+                         .code = {},
+                         .voxels = core::packedRuns(low)},
+        {.name = QStringLiteral("Middle"),
+            .rgb = 0xC04080,
+            .code = {.scheme = QStringLiteral("SCT"),
+                .value = QStringLiteral("10200004"),
+                .meaning = QStringLiteral("Liver")},
+            .voxels = core::packedRuns(middle)}};
+    return mask;
+}
+
+/// The same, all of it into segment 1.
+core::ImportMask joinedFirst(core::ImportMask mask)
+{
+    mask.as = core::SegmentWord{.number = 1, .name = {}};
+    return mask;
+}
+
+} // namespace
+
+void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
+{
+    const core::LoadedVolume& volume = scene.volume;
+    const core::Edit& first = scene.first;
+    const core::Edit& second = scene.second;
+    const core::Edit& seeds = scene.seeds;
+    const core::Edit& others = scene.others;
+    const core::Edit& lock = scene.lock;
+    const core::GrowSteps& some = scene.some;
+    const core::GrowSteps& all = scene.all;
+    const core::GrowSteps& over = scene.over;
+    const core::DrillStroke& drill = scene.drill;
+    const core::DrillStroke& beside = scene.beside;
+    const core::DrillStroke& drillBack = scene.drillBack;
+    const core::PaintStroke& paint = scene.paint;
+    const core::PaintStroke& taker = scene.taker;
+    const core::BrushStroke& brush = scene.brush;
+    const core::PeelCut& peel = scene.peel;
+    const core::VolumeGeometry& geometry = scene.document.volumes.front().geometry;
+
+    core::DrillStroke other = drill;
+    other.layer = 2;
+    const core::Edit layer = core::AddLayer{.name = QStringLiteral("Other")};
+    const core::Edit mute = core::ChangeLayer{.layer = 1, .muted = true};
+    const core::Edit bookmark = bookmarkOf(drill);
+    cases.push_back(
+        {"delete an empty segment", volume, {first, second}, core::RemoveSegment{.segment = 1}});
+    cases.push_back({"delete a segment and its seeds", volume, {first, seeds, second, others},
+        core::RemoveSegment{.segment = 1}});
+    cases.push_back({"delete one of two grown", volume, {first, seeds, second, others, some, all},
+        core::RemoveSegment{.segment = 2}});
+    cases.push_back({"growth after a deletion", volume,
+        {first, seeds, second, others, some, core::RemoveSegment{.segment = 1}}, all});
+    cases.push_back({"add after a deletion", volume,
+        {first, second, core::RemoveSegment{.segment = 2}}, first});
+    cases.push_back({"add a layer", volume, {drill}, layer});
+    cases.push_back({"move a layer", volume, {layer}, core::MoveLayer{.layer = 2, .place = 1}});
+    cases.push_back({"mute a layer", volume, {layer, drill, other}, mute});
+    cases.push_back({"drill over another layer", volume, {layer, drill}, other});
+    cases.push_back({"drill through a muted layer", volume, {layer, drill, mute}, other});
+    cases.push_back({"drill where a layer is heard again", volume,
+        {layer, drill, mute, core::ChangeLayer{.layer = 1, .muted = false}}, other});
+    cases.push_back({"bookmark", volume, {drill}, bookmark});
+
+    const core::SegmentChoice toFirst{.segment = 1};
+    const core::SegmentChoice toNew{.name = QStringLiteral("Carved"), .rgb = 0x4080C0};
+    const core::LayerToSegment carved{.layer = 1, .target = toNew};
+    const core::SegmentToLayer cover{.segment = 1, .layer = 2};
+    core::SegmentSeen seen{.target = toNew, .lower = 300.0};
+    core::SegmentSeen clipped{.target = toFirst, .overwriteUnlocked = true};
+    clipped.hidden = {{beyond(geometry.toWorld({20.0, 16.0, 10.0}), {0.3, -0.2, 1.0}),
+        beyond(geometry.toWorld({12.0, 16.0, 10.0}), geometry.direction()[0])}};
+    const core::MergeLayers merge{.from = 1, .into = 2};
+    const core::RemoveLayer removeLayer{.layer = 2};
+    cases.push_back({"layer to a new segment", volume, {drill}, carved});
+    cases.push_back({"layer to a segment", volume, {first, seeds, all, second, peel},
+        core::LayerToSegment{.layer = 1, .target = {.segment = 2}, .overwriteUnlocked = true}});
+    cases.push_back({"nothing to a new segment", volume, {layer}, carved});
+    cases.push_back({"muted layer to a segment", volume, {layer, drill, mute}, carved});
+    cases.push_back({"segment to layer", volume, {first, seeds, some, layer, drill, other}, cover});
+    cases.push_back({"empty segment to layer", volume, {first, layer}, cover});
+    cases.push_back({"segment what is seen", volume, {first, paint, drill}, seen});
+    cases.push_back(
+        {"segment what is seen in a clip region", volume, {first, second, taker, peel}, clipped});
+    cases.push_back(
+        {"nothing is seen", volume, {}, core::SegmentSeen{.target = toNew, .lower = 1e9}});
+    const core::ImportMask mask = importOf(geometry.size);
+    core::ImportMask joined = mask;
+    joined.as = core::SegmentWord{.number = 2, .name = {}};
+    joined.overwriteUnlocked = true;
+    cases.push_back({"import a mask", volume, {}, mask});
+    cases.push_back({"import a mask around what has grown", volume, {first, seeds, some}, mask});
+    cases.push_back({"import a mask into a segment", volume, {first, seeds, all, second}, joined});
+    cases.push_back({"growth after a mask", volume, {first, seeds, some, joinedFirst(mask)}, all});
+    core::ImportMask taking = mask;
+    taking.overwriteUnlocked = true;
+    cases.push_back({"import a mask twice", volume, {mask}, taking});
+    cases.push_back({"a mask that is held already", volume, {mask}, mask});
+    cases.push_back(
+        {"undo only a mask", volume, {first, joinedFirst(mask), drill}, core::RevertRows{{2}}});
+    cases.push_back({"growth after what is seen", volume, {first, seeds, some, seen}, over});
+    cases.push_back({"merge layers", volume, {layer, drill, other, brush}, merge});
+    cases.push_back({"merge an empty layer", volume, {layer, other}, merge});
+    cases.push_back({"delete a layer", volume, {layer, drill, other}, removeLayer});
+    cases.push_back({"delete a muted layer", volume,
+        {layer, other, core::ChangeLayer{.layer = 2, .muted = true}}, removeLayer});
+    cases.push_back({"add a layer after a deletion", volume, {layer, removeLayer}, layer});
+    cases.push_back(
+        {"solo", volume, {layer, drill, other}, core::ChangeLayer{.layer = 2, .solo = true}});
+    cases.push_back({"drill into a solo layer", volume,
+        {layer, drill, core::ChangeLayer{.layer = 2, .solo = true}}, other});
+    cases.push_back({"undo only a segment to layer", volume,
+        {first, seeds, all, layer, cover, lock}, core::RevertRows{{5}}});
+    cases.push_back({"undo only a layer to segment", volume,
+        {first, drill, core::LayerToSegment{.layer = 1, .target = toFirst}, drillBack},
+        core::RevertRows{{3}}});
+    cases.push_back({"revise a drill on a carved segment", volume,
+        {first, seeds, all, core::SegmentToLayer{.segment = 1, .layer = 1}, drill, beside},
+        core::ReviseStroke{.row = 5, .radiusMm = drill.mask.radiusMm * 1.5}});
+    cases.push_back({"remove a bookmark", volume, {bookmark}, core::RemoveBookmark{.bookmark = 1}});
+}
+
+void addPieceStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
+{
+    const core::LoadedVolume& volume = scene.volume;
+    const core::Edit& first = scene.first;
+    const core::Edit& seeds = scene.seeds;
+    const core::GrowSteps& all = scene.all;
+    const core::DrillStroke& drill = scene.drill;
+
+    const core::Edit lift = core::CutPiece{.layer = 1, .name = QStringLiteral("Lid")};
+    const core::Edit aside = core::ChangePiece{.piece = 1,
+        .offsetMm = glm::dvec3(12.5, -3, 0),
+        .rotationDegrees = glm::dvec3(0, 30, 0),
+        .zoom = 1.5};
+    cases.push_back({"piece", volume, {drill}, lift});
+    cases.push_back({"move a piece", volume, {drill, lift}, aside});
+    cases.push_back({"drill into a piece's layer", volume, {drill, lift, aside}, drill});
+    cases.push_back({"pieces home", volume, {drill, lift, aside}, core::SendPiecesHome{}});
+    cases.push_back({"remove a piece", volume, {drill, lift}, core::RemovePiece{.piece = 1}});
+    cases.push_back({"piece of a segment", volume, {first},
+        core::PastePiece{.segment = 1, .name = QStringLiteral("Copy")}});
+    cases.push_back({"delete a segment with its piece", volume,
+        {first, core::PastePiece{.segment = 1, .name = QStringLiteral("Copy")}},
+        core::RemoveSegment{.segment = 1}});
+
+    const core::Edit shield = core::ChangeSegment{.segment = 1, .uncarvable = true};
+    cases.push_back({"protect a segment", volume, {first}, shield});
+    cases.push_back(
+        {"drill beside a protected segment", volume, {first, seeds, all, shield}, drill});
+    cases.push_back(
+        {"restore a protected segment", volume, {first, seeds, all, drill, shield}, [&drill] {
+             core::DrillStroke filled = drill;
+             filled.restore = true;
+             return filled;
+         }()});
+    const core::AddMeasurement length{
+        .fromLps = glm::dvec3(1, 2, 3), .toLps = glm::dvec3(4, 6, 3), .piece = {}};
+    core::AddMeasurement onPiece = length;
+    onPiece.piece = 1;
+    cases.push_back({"measure", volume, {}, length});
+    cases.push_back({"measure on a piece", volume, {drill, lift}, onPiece});
+    cases.push_back(
+        {"remove a measurement", volume, {length}, core::RemoveMeasurement{.measurement = 1}});
+}
+
+} // namespace test

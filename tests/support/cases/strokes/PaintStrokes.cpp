@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/cases/strokes/StrokeFamilies.h"
+
+namespace test {
+
+void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
+{
+    const core::LoadedVolume& volume = scene.volume;
+    const core::Edit& first = scene.first;
+    const core::Edit& second = scene.second;
+    const core::Edit& seeds = scene.seeds;
+    const core::Edit& others = scene.others;
+    const core::Edit& lock = scene.lock;
+    const core::GrowSteps& some = scene.some;
+    const core::GrowSteps& all = scene.all;
+    const core::DrillStroke& drill = scene.drill;
+    const core::PaintStroke& paint = scene.paint;
+    const core::PaintStroke& eraser = scene.eraser;
+    const core::PaintStroke& slice = scene.slice;
+    const core::PaintStroke& taker = scene.taker;
+    const core::VolumeGeometry& geometry = scene.document.volumes.front().geometry;
+
+    cases.push_back({"paint", volume, {first}, paint});
+    cases.push_back({"paint on a slice", volume, {first, paint}, slice});
+    cases.push_back({"paint over another", volume, {first, second, seeds, all, paint}, taker});
+    cases.push_back({"erase what has grown", volume, {first, seeds, all, paint}, eraser});
+    cases.push_back({"erase nothing", volume, {first}, eraser});
+    cases.push_back({"growth from paint", volume, {first, slice}, all});
+    cases.push_back({"growth after erasing", volume, {first, seeds, some, eraser}, all});
+    cases.push_back({"undo only paint", volume, {first, paint, drill}, core::RevertRows{{2}}});
+    core::PaintStroke dab = paint;
+    dab.segment = 2;
+    dab.path.radiusMm = 2.0;
+    dab.path.lifts.clear();
+    dab.path.pointsLps = {geometry.toWorld({34.0, 4.0, 4.0})};
+    core::GrowFromSeeds fromSeeds;
+    core::GrowFromSeeds within;
+    within.box =
+        core::GrowBox{geometry.toWorld({3.0, 2.0, 5.0}), geometry.toWorld({90.0, 30.0, 12.0})};
+    within.connectivity = 26;
+    within.lengthCost = 0.5;
+    core::GrowFromSeeds between;
+    between.segments = {2, 3};
+    between.overwriteUnlocked = true;
+    const core::Edit third = segmentNamed("Third");
+    core::PaintStroke last = dab;
+    last.segment = 3;
+    last.path.pointsLps = {geometry.toWorld({5.0, 28.0, 17.0})};
+    cases.push_back({"growing from seeds", volume, {first, second, paint, dab}, fromSeeds});
+    cases.push_back({"growing from seeds that are sketched", volume, {first, second, seeds, others},
+        fromSeeds});
+    cases.push_back({"growing from seeds over what has grown", volume,
+        {first, second, third, seeds, some, dab, last}, between});
+    cases.push_back({"growing from seeds in a box, beside a locked one", volume,
+        {first, second, third, paint, dab, last, lock}, within});
+    cases.push_back({"growing from seeds again", volume,
+        {first, second, paint, dab, fromSeeds, eraser}, fromSeeds});
+    cases.push_back({"undo only growing from seeds", volume,
+        {first, second, paint, dab, fromSeeds, drill}, core::RevertRows{{5}}});
+    cases.push_back(
+        {"growth after growing from seeds", volume, {first, second, seeds, dab, fromSeeds}, all});
+}
+
+} // namespace test

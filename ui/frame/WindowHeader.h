@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QFrame>
+
+class QMenu;
+class QMenuBar;
+
+namespace core {
+struct Volume;
+}
+
+namespace ui {
+
+class Actions;
+class FittingLabel;
+class Workspace;
+
+/// Over all of the window: its menus, and whose study is shown.
+class WindowHeader : public QFrame {
+    Q_OBJECT
+
+public:
+    WindowHeader(Workspace& workspace, QWidget* parent);
+
+    /// @param plane, stage ids of the actions of those submenus of View
+    void fillMenus(Actions& actions, const QStringList& plane, const QStringList& stage);
+    /// Here and in the title of the window. Null: nobody's.
+    void showIdentity(const core::Volume* volume);
+
+    [[nodiscard]] QMenu& fileMenu() const { return *m_fileMenu; }
+    [[nodiscard]] QMenu& editMenu() const { return *m_editMenu; }
+    [[nodiscard]] QMenu& sculptMenu() const { return *m_sculptMenu; }
+    [[nodiscard]] QMenu& growMenu() const { return *m_growMenu; }
+    [[nodiscard]] QMenu& refineMenu() const { return *m_refineMenu; }
+    [[nodiscard]] QMenu& segmentsMenu() const { return *m_segmentsMenu; }
+    [[nodiscard]] QMenu& bookmarksMenu() const { return *m_bookmarksMenu; }
+    [[nodiscard]] QMenu& panelsMenu() const { return *m_panelsMenu; }
+
+private:
+    void fillViewMenu(Actions& actions, const QStringList& plane, const QStringList& stage);
+
+    Workspace& m_workspace;
+    QMenuBar* m_menuBar;
+    FittingLabel* m_identity;
+    QMenu* m_fileMenu = nullptr;
+    QMenu* m_editMenu = nullptr;
+    QMenu* m_sculptMenu = nullptr;
+    QMenu* m_growMenu = nullptr;
+    QMenu* m_refineMenu = nullptr;
+    QMenu* m_segmentsMenu = nullptr;
+    QMenu* m_bookmarksMenu = nullptr;
+    QMenu* m_panelsMenu = nullptr;
+};
+
+} // namespace ui

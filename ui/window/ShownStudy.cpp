@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/ShownStudy.h"
+
+#include "core/volume/encoding/EarlySlice.h"
+#include "ui/frame/MessageBar.h"
+#include "ui/overlays/CautionStrip.h"
+#include "ui/views/ViewGrid.h"
+#include "ui/workspace/Workspace.h"
+
+namespace ui {
+
+namespace {
+
+QString cautionSentence(const core::Volume& volume)
+{
+    return QStringLiteral("%1 Views and exports carry this caution until you accept it.")
+        .arg(cautionText(volume));
+}
+
+} // namespace
+
+ShownStudy::ShownStudy(Workspace& workspace, ViewGrid& views, MessageBar& messages, QObject* parent)
+    : QObject(parent)
+    , m_workspace(workspace)
+    , m_views(views)
+    , m_messages(messages)
+{
+}
+
+void ShownStudy::setEarly(const std::shared_ptr<const core::EarlySlice>& early)
+{
+    m_early = early;
+    showEarly(early);
+}
+
+void ShownStudy::showEarlyAgain()
+{
+    if (m_early)
+        showEarly(m_early);
+}
+
+const core::Volume* ShownStudy::volume() const
+{
+    const core::EarlySlice* early = m_views.earlySlice();
+    return early && !m_workspace.volume() ? &early->volume : m_workspace.volume();
+}
+
+void ShownStudy::showEarly(const std::shared_ptr<const core::EarlySlice>& early)
+{
+    const core::EarlySlice* before = m_views.earlySlice();
+    const QString said = before ? cautionSentence(before->volume) : QString();
+    // An open study stays, and can be worked on, until the next one is there.
+    if (!m_views.showEarlySlice(m_workspace.session() ? nullptr : early) && !before)
+        return;
+    Q_EMIT earlyChanged();
+    // The bar takes its room now, lest the picture move when it comes.
+    if (early && early->volume.needsCaution())
+        m_messages.show(MessageBar::Kind::Caution, cautionSentence(early->volume));
+    else if (!m_workspace.volume() && m_messages.sentence() == said)
+        m_messages.dismiss();
+}
+
+void ShownStudy::showCaution()
+{
+    const core::Volume* volume = m_workspace.volume();
+    m_messages.dismiss();
+    if (!volume || !volume->needsCaution() || m_workspace.cautionAccepted())
+        return;
+    m_messages.show(MessageBar::Kind::Caution, cautionSentence(*volume), QStringLiteral("Accept"),
+        [this] { m_workspace.acceptCaution(); });
+}
+
+} // namespace ui
