@@ -216,7 +216,7 @@ QStringList masksOf(const core::Recipe& recipe)
     QStringList files;
     for (const core::RecipeStep& step : recipe.steps) {
         const auto* edit = std::get_if<core::Edit>(&step);
-        const auto* mask = edit ? std::get_if<core::ImportMask>(edit) : nullptr;
+        const auto* mask = edit ? edit->as<core::ImportMask>() : nullptr;
         if (mask && !mask->segments)
             files += {mask->file, QFileInfo(recipe.path).dir().filePath(mask->file)};
     }

@@ -19,10 +19,10 @@ struct LaterSteps {
     {
         for (const RowId id : history.standing()) {
             const Edit& edit = history.row(id).edit;
-            if (const auto* revert = std::get_if<RevertRows>(&edit)) {
+            if (const auto* revert = edit.as<RevertRows>()) {
                 for (const RowId row : revert->rows)
                     takenBackBy[std::size_t(row)] = id;
-            } else if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
+            } else if (const auto* revise = edit.as<ReviseStroke>()) {
                 revisedBy[std::size_t(revise->row)] = id;
             }
         }

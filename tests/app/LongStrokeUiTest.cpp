@@ -189,9 +189,9 @@ private Q_SLOTS:
         QCOMPARE(session.history().rows().size(), rowsBefore + 1);
         const core::HistoryRow& row = session.history().rows().back();
         QVERIFY(row.statistics.voxelsChanged > 0);
-        if (const auto* drill = std::get_if<core::DrillStroke>(&row.edit))
+        if (const auto* drill = row.edit.as<core::DrillStroke>())
             QCOMPARE(drill->samples.size(), std::size_t(sample));
-        if (const auto* laser = std::get_if<core::LaserStroke>(&row.edit))
+        if (const auto* laser = row.edit.as<core::LaserStroke>())
             QCOMPARE(laser->samples.size(), std::size_t(sample));
         // Pictures came while the pen was down; where drawing is slow, coarse ones.
         QVERIFY2(frames.size() >= fewest, qPrintable(QString::number(frames.size())));

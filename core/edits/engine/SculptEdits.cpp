@@ -4,6 +4,7 @@
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/AnyEdit.h"
 
 #include <type_traits>
 #include <utility>
@@ -178,17 +179,17 @@ struct ParameterWriter {
 
 bool writesLayer(const Edit& edit, int layer)
 {
-    if (const auto* segment = std::get_if<SegmentToLayer>(&edit))
+    if (const auto* segment = edit.as<SegmentToLayer>())
         return segment->layer == layer;
-    if (const auto* merge = std::get_if<MergeLayers>(&edit))
+    if (const auto* merge = edit.as<MergeLayers>())
         return merge->from == layer || merge->into == layer;
-    const auto* remove = std::get_if<RemoveLayer>(&edit);
+    const auto* remove = edit.as<RemoveLayer>();
     return remove && remove->layer == layer;
 }
 
 std::optional<SculptEdit> sculptEdit(const Edit& edit)
 {
-    return std::visit(
+    return visitEdit(
         [](const auto& known) -> std::optional<SculptEdit> {
             using E = std::decay_t<decltype(known)>;
             if constexpr (std::is_constructible_v<SculptEdit, E>)

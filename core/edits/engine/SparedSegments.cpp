@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/SparedSegments.h"
 
+#include "core/edits/kinds/AnyEdit.h"
+
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -9,7 +11,7 @@ namespace core {
 
 const SparedSegments* sparedBy(const Edit& edit)
 {
-    return std::visit(
+    return visitEdit(
         [](const auto& known) -> const SparedSegments* {
             using E = std::decay_t<decltype(known)>;
             if constexpr (

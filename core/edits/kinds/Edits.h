@@ -3,6 +3,7 @@
 
 #include "core/document/Document.h"
 #include "core/edits/kinds/ChunkEdits.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/SurfaceEdits.h"
 #include "core/sculpt/DrillCut.h"
 
@@ -10,14 +11,9 @@
 
 #include <cstdint>
 #include <optional>
-#include <variant>
 #include <vector>
 
 namespace core {
-
-// Edits are plain data: what the user did, in the patient's millimetres and modality units, with no
-// pointer and nothing left to be read elsewhere. Recipe, session file and replay share this form.
-// Numbers that decide voxels are rounded once by quantised() (EditQuantise.h).
 
 struct AddSegment {
     QString name{};
@@ -467,31 +463,6 @@ struct ReviseStroke {
     std::optional<int> layer{};
     std::optional<bool> throughGaps{};
     bool removed = false;
-};
-
-using EditVariant = std::variant<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer,
-    ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
-    RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, RemoveLayer,
-    MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen, CutPiece, PastePiece, ChangePiece,
-    SendPiecesHome, RemovePiece, LaserStroke, AddMeasurement, RemoveMeasurement, ShrinkSteps,
-    ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, ImportMask,
-    LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
-    PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, Chunks, ChunkToggle,
-    SurfaceBarrier>;
-
-/// Any one edit. A std::variant in all but one thing: what copies, moves and destroys it is
-/// compiled once, in Edits.cpp, instead of in every source that holds an edit.
-struct Edit : EditVariant {
-    using EditVariant::variant;
-    Edit();
-    Edit(const Edit& other);
-    Edit(Edit&& other) noexcept;
-    Edit& operator=(const Edit& other);
-    Edit& operator=(Edit&& other) noexcept;
-    ~Edit();
-    /// Not all edits compare.
-    friend bool operator==(const Edit&, const Edit&) = delete;
-    friend bool operator<(const Edit&, const Edit&) = delete;
 };
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/SurfaceEdit.h"
 
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
 
 #include <type_traits>
@@ -10,7 +11,7 @@ namespace core {
 
 std::optional<SurfaceEdit> surfaceEditOf(const Edit& edit)
 {
-    return std::visit(
+    return visitEdit(
         [](const auto& known) -> std::optional<SurfaceEdit> {
             if constexpr (std::is_constructible_v<SurfaceEdit, decltype(known)>)
                 return known;
@@ -22,7 +23,7 @@ std::optional<SurfaceEdit> surfaceEditOf(const Edit& edit)
 
 const SurfacePath* surfacePathOf(const Edit& edit)
 {
-    return std::visit(
+    return visitEdit(
         [](const auto& known) -> const SurfacePath* {
             using E = std::decay_t<decltype(known)>;
             if constexpr (isOneOf<E, MarkSurface, SpherePush, PlaneScrape, PointDrag, SmoothSurface,

@@ -2,6 +2,7 @@
 #include "core/session/names/RowName.h"
 
 #include "core/edits/engine/SculptEdits.h"
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/session/names/ChangeName.h"
 #include "core/session/names/ChunkName.h"
 #include "core/session/names/SurfaceName.h"
@@ -510,11 +511,11 @@ QString rowName(const Edit& edit, const EditStatistics& statistics,
     const std::vector<BrickChange>& changes, const Document& document, const History& history,
     const std::optional<SketchedSeeds>& sketched)
 {
-    return std::visit(RowNames{.statistics = statistics,
-                          .changes = changes,
-                          .document = document,
-                          .history = history,
-                          .sketched = sketched},
+    return visitEdit(RowNames{.statistics = statistics,
+                         .changes = changes,
+                         .document = document,
+                         .history = history,
+                         .sketched = sketched},
         edit);
 }
 

@@ -92,16 +92,15 @@ struct Claim {
     [[nodiscard]] bool isHurtBy(const Edit& later) const
     {
         // What took back only rows after this one cancels with them.
-        const auto* revert = std::get_if<RevertRows>(&later);
-        return std::holds_alternative<ReviseStroke>(later)
-            || (revert && returning != 0 && revert->rows.front() < row);
+        const auto* revert = later.as<RevertRows>();
+        return later.is<ReviseStroke>() || (revert && returning != 0 && revert->rows.front() < row);
     }
 };
 
 /// Every row that "undo only" takes back or brings back, itself or by rows that it took back.
 void addDecided(const History& history, RowId revert, std::set<RowId>& decided)
 {
-    const auto* edit = std::get_if<RevertRows>(&history.row(revert).edit);
+    const auto* edit = history.row(revert).edit.as<RevertRows>();
     if (!edit)
         return;
     for (const RowId taken : edit->rows) {
@@ -115,14 +114,14 @@ void addDecided(const History& history, RowId revert, std::set<RowId>& decided)
 void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
     const std::vector<BrickKey>& written, std::vector<Claim>& claims)
 {
-    const auto* revert = std::get_if<RevertRows>(&state.history.row(row).edit);
+    const auto* revert = state.history.row(row).edit.as<RevertRows>();
     if (!revert)
         return;
     for (const RowId id : revert->rows) {
         const Edit& edit = state.history.row(id).edit;
-        if (!std::holds_alternative<RevertRows>(edit))
+        if (!edit.is<RevertRows>())
             claims.push_back({RowReach(edit, state.document, written), taken, id});
-        if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
+        if (const auto* revise = edit.as<ReviseStroke>()) {
             for (const SculptEdit& form : formsOf(state.history, revise->row))
                 claims.push_back({RowReach(plainEdit(form), state.document, {}), taken, id});
         }
@@ -135,7 +134,7 @@ void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
 void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims)
 {
     const Edit& edit = state.history.row(row).edit;
-    const auto* revise = std::get_if<ReviseStroke>(&edit);
+    const auto* revise = edit.as<ReviseStroke>();
     for (const SculptEdit& form : formsOf(state.history, revise ? revise->row : row))
         claims.push_back({RowReach(plainEdit(form), state.document, {}), row, 0});
 }
@@ -146,8 +145,8 @@ void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims
 bool foldedIn(const SessionState& state, const Edit& taken, const std::vector<BrickKey>& written,
     const Edit& later)
 {
-    const auto* revise = std::get_if<ReviseStroke>(&later);
-    if (!revise || !(sculptEdit(taken) || std::holds_alternative<SegmentToLayer>(taken)))
+    const auto* revise = later.as<ReviseStroke>();
+    if (!revise || !(sculptEdit(taken) || taken.is<SegmentToLayer>()))
         return false;
     for (const SculptEdit& form : formsOf(state.history, revise->row)) {
         const RowReach reach(plainEdit(form), state.document, {});
@@ -221,8 +220,7 @@ void RevertOperation::start(SessionState& state)
 
 bool RevertOperation::isNeeded(RowId row, const Edit& edit) const
 {
-    return isTakenBack(row) || std::holds_alternative<RevertRows>(edit)
-        || std::holds_alternative<ReviseStroke>(edit);
+    return isTakenBack(row) || edit.is<RevertRows>() || edit.is<ReviseStroke>();
 }
 
 RowTrace RevertOperation::traceOf(const SessionState& state, RowId row) const
@@ -333,7 +331,7 @@ Result<void> RevertOperation::checkReach(const SessionState& state) const
                     return entangled(row, history.row(claim.row));
             }
         }
-        if (std::holds_alternative<RevertRows>(row.edit))
+        if (row.edit.is<RevertRows>())
             continue;
         const RowReach reach(row.edit, state.document,
             differences == m_differences.end() ? std::vector<BrickKey>()

@@ -34,17 +34,16 @@ VoxelBox boxOfWords(const BrickImage& difference, const VoxelBox& brick)
 
 bool GrowthTrace::isOf(const Edit& edit)
 {
-    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+    if (const auto* grow = edit.as<GrowSteps>())
         return !grow->criteria.passage;
-    const auto* interval = std::get_if<ChangeInterval>(&edit);
+    const auto* interval = edit.as<ChangeInterval>();
     return interval && !interval->criteria.passage;
 }
 
 bool GrowthTrace::mayNeed(const Edit& edit)
 {
-    return !changesDocumentOnly(edit) && !sculptEdit(edit)
-        && !std::holds_alternative<SegmentToLayer>(edit)
-        && !std::holds_alternative<MergeLayers>(edit) && !std::holds_alternative<RemoveLayer>(edit);
+    return !changesDocumentOnly(edit) && !sculptEdit(edit) && !edit.is<SegmentToLayer>()
+        && !edit.is<MergeLayers>() && !edit.is<RemoveLayer>();
 }
 
 void GrowthTrace::note(

@@ -14,9 +14,9 @@ bool asksForStrokes(const Edit& edit)
     const auto asks = [](const GrowCriteria& criteria) {
         return criteria.sigmas && criteria.perStroke.value_or(false);
     };
-    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+    if (const auto* grow = edit.as<GrowSteps>())
         return asks(grow->criteria);
-    const auto* change = std::get_if<ChangeInterval>(&edit);
+    const auto* change = edit.as<ChangeInterval>();
     return change && asks(change->criteria);
 }
 
@@ -27,7 +27,7 @@ std::vector<SeedGroup> seedStrokes(const History& history, const Document& docum
     std::vector<SeedGroup> strokes;
     const VolumeGeometry& geometry = document.volumes.front().geometry;
     for (const RowId id : history.standing()) {
-        const auto* stroke = std::get_if<SeedStroke>(&history.row(id).edit);
+        const auto* stroke = history.row(id).edit.as<SeedStroke>();
         // The seeds of a segment that was deleted went with it.
         const Segment* segment = stroke ? document.segment(stroke->segment) : nullptr;
         if (!segment || segment->plane != plane || stroke->pointsLps.empty())

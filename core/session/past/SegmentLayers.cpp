@@ -19,7 +19,7 @@ std::map<int, int> layersOfSegments(const History& history, const Document& docu
     for (const RowId id : history.pathTo(history.position())) {
         const Edit& edit = history.row(id).edit;
         static_cast<void>(applyToDocument(edit, then));
-        const auto* made = std::get_if<LayerToSegment>(&edit);
+        const auto* made = edit.as<LayerToSegment>();
         if (made && stands(id))
             layers[made->target.segment.value_or(then.lastLabelGiven())] = made->layer;
     }

@@ -59,7 +59,7 @@ RowId SessionState::append(const Edit& edit, const std::vector<BrickChange>& cha
 {
     HistoryRow row;
     row.name = rowName(edit, statistics, changes, document, history,
-        std::holds_alternative<SeedStroke>(edit) ? lastSketched : std::nullopt);
+        edit.is<SeedStroke>() ? lastSketched : std::nullopt);
     if (!remark.isEmpty())
         row.name += QStringLiteral(", ") + remark;
     if (generation)
@@ -68,7 +68,7 @@ RowId SessionState::append(const Edit& edit, const std::vector<BrickChange>& cha
     row.statistics = statistics;
     if (const Segment* refined = surfaceBefore ? document.segment(surfaceBefore->segment) : nullptr)
         row.statistics.surfaceMaskChanged =
-            !std::holds_alternative<WriteBack>(edit) && changesSegment(changes, *refined);
+            !edit.is<WriteBack>() && changesSegment(changes, *refined);
     applyRow(edit, row.statistics, document);
     placeSegments();
     muteLayers();
@@ -216,7 +216,7 @@ RowId SessionState::divisionRow() const
     if (!document.chunks)
         return 0;
     for (RowId id = history.position(); id != 0; id = history.row(id).parent) {
-        if (std::holds_alternative<Chunks>(history.row(id).edit))
+        if (history.row(id).edit.is<Chunks>())
             return id;
     }
     return 0;
@@ -225,7 +225,7 @@ RowId SessionState::divisionRow() const
 void SessionState::wantChunks()
 {
     if (const RowId row = divisionRow(); row != 0)
-        chunks->want(row, std::get<Chunks>(history.row(row).edit));
+        chunks->want(row, history.row(row).edit.get<Chunks>());
 }
 
 /// What the edits on the way there made of the first one.

@@ -74,13 +74,13 @@ Result<HistoryRow> RowText::row() const
     if (!known)
         return tl::unexpected(known.error());
     // Sessions of schema 3 and before do not say so: they grew by the other rule.
-    if (auto* grow = std::get_if<GrowSteps>(&*known); grow && !parsed(edit).contains(tellsHeld))
+    if (auto* grow = known->as<GrowSteps>(); grow && !parsed(edit).contains(tellsHeld))
         grow->tellsHeld = false;
     // Rows from before there was a choice took samples for the corners of the path.
     if (!parsed(edit).contains(QStringLiteral("byTime"))) {
-        if (auto* drill = std::get_if<DrillStroke>(&*known))
+        if (auto* drill = known->as<DrillStroke>())
             drill->byTime = false;
-        else if (auto* laser = std::get_if<LaserStroke>(&*known))
+        else if (auto* laser = known->as<LaserStroke>())
             laser->byTime = false;
     }
     HistoryRow row;

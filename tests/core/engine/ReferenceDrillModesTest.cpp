@@ -52,7 +52,7 @@ struct Bench {
     void open() { (void)engine.openVolume(size, codes.values); }
     EngineResult drill()
     {
-        const auto exact = std::get<DrillStroke>(quantised(stroke));
+        const auto exact = quantised(stroke).get<DrillStroke>();
         const DrillCut cut = test::drillCutOf(exact, document);
         submitWhole(engine, cut, {DrillPath{test::drillSamplesOf(exact, cut)}});
         return test::lastResult(engine);

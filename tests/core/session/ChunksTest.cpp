@@ -157,7 +157,7 @@ private Q_SLOTS:
         QCOMPARE(bench.session->document().chunks->segment, 1);
         QVERIFY(bench.session->stateHash() != before);
         QCOMPARE(told, 1);
-        const auto& divided = std::get<Chunks>(bench.rows().back().edit);
+        const auto& divided = bench.rows().back().edit.get<Chunks>();
         QCOMPARE(divided.owners->size(), std::size_t(2));
         QCOMPARE(divided.owners->back().label, 2);
 
@@ -435,7 +435,7 @@ private Q_SLOTS:
         // In bricks above the organ's.
         QCOMPARE(bench.tried(click({{14, 8, 12}}, 1000)), QString());
         QVERIFY(bench.tried(RevertRows{{2}}).contains(QStringLiteral("no voxel, only what is")));
-        const auto& chunk = std::get<ChunkToggle>(bench.rows().back().edit);
+        const auto& chunk = bench.rows().back().edit.get<ChunkToggle>();
         QVERIFY(!chunk.bricks->empty() && chunk.bricks->size() <= 8);
         QCOMPARE(bench.tried(RevertRows{{3}}), QString());
         std::vector<std::uint8_t> expected = bench.labels();

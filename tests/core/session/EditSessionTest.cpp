@@ -251,8 +251,7 @@ private Q_SLOTS:
         QVERIFY(pieces.session->settle());
         QCOMPARE(pieces.session->stateHash(), whole.session->stateHash());
         QCOMPARE(pieces.lastRow().name, whole.lastRow().name);
-        QCOMPARE(
-            std::get<DrillStroke>(pieces.lastRow().edit).samples.size(), stroke.samples.size());
+        QCOMPARE(pieces.lastRow().edit.get<DrillStroke>().samples.size(), stroke.samples.size());
     }
 
     void aRunningGrowthIsClosedByWhateverComes_data()
@@ -286,7 +285,7 @@ private Q_SLOTS:
         QVERIFY(bench.session->settle());
         QVERIFY(!bench.session->transactionOpen());
         const HistoryRow& grown = bench.session->history().row(3);
-        QCOMPARE(std::get<GrowSteps>(grown.edit).steps, std::optional<int>(2));
+        QCOMPARE(grown.edit.get<GrowSteps>().steps, std::optional<int>(2));
         QCOMPARE(grown.growthGeneration, 3u);
         if (what == 1)
             QCOMPARE(bench.session->stateHash(), seeded);
@@ -313,13 +312,13 @@ private Q_SLOTS:
         bench.session->extendGrowth({.steps = 1});
         bench.session->end(Ending::Commit);
         QVERIFY(bench.session->settle());
-        QCOMPARE(std::get<GrowSteps>(bench.lastRow().edit).steps, std::optional<int>(3));
+        QCOMPARE(bench.lastRow().edit.get<GrowSteps>().steps, std::optional<int>(3));
         QCOMPARE(bench.lastRow().growthGeneration, 5u);
         QVERIFY(bench.session->begin(test::growBrain()));
         bench.session->extendGrowth({});
         bench.session->end(Ending::Commit);
         QVERIFY(bench.session->settle());
-        QVERIFY(!std::get<GrowSteps>(bench.lastRow().edit).steps);
+        QVERIFY(!bench.lastRow().edit.get<GrowSteps>().steps);
     }
 
     void aGrowthIsScrubbed()
@@ -340,7 +339,7 @@ private Q_SLOTS:
         session.end(Ending::Commit);
         QVERIFY(session.settle());
         QCOMPARE(session.stateHash(), whole.session->stateHash());
-        QCOMPARE(std::get<ShrinkSteps>(scrubbed.lastRow().edit).steps, std::optional<int>(2));
+        QCOMPARE(scrubbed.lastRow().edit.get<ShrinkSteps>().steps, std::optional<int>(2));
         QCOMPARE(scrubbed.lastRow().growthGeneration, whole.lastRow().growthGeneration);
         QCOMPARE(scrubbed.lastRow().name, whole.lastRow().name);
         QVERIFY(session.undo());

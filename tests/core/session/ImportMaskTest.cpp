@@ -250,7 +250,7 @@ private Q_SLOTS:
         QVERIFY(recipe);
         const Result<QStringList> notes = readMasks(*recipe, volume);
         QVERIFY(notes);
-        const auto& mask = std::get<ImportMask>(std::get<Edit>(recipe->steps.front()));
+        const auto& mask = std::get<Edit>(recipe->steps.front()).get<ImportMask>();
         QCOMPARE(mask.segments->size(), std::size_t(2));
         QVERIFY(checkAgainst(initialDocument(volume), Edit(mask)));
         write(R"({"edits": [{"edit": "importMask", "file": "gone.nrrd"}]})");

@@ -138,13 +138,13 @@ private Q_SLOTS:
     void theEditNamesWhatItSpares()
     {
         Bench bench({vessel, paintIn(1), protect(1), deepDrill()});
-        const auto drill = std::get<DrillStroke>(bench.session->history().rows().back().edit);
+        const auto drill = bench.session->history().rows().back().edit.get<DrillStroke>();
         QCOMPARE(*drill.spared, std::vector<int>{1});
         const Bench again({vessel, paintIn(1), drill});
         QVERIFY(again.coverage().values == bench.coverage().values);
         bench.run(protect(1, false));
         bench.run(deepDrill());
-        const auto open = std::get<DrillStroke>(bench.session->history().rows().back().edit);
+        const auto open = bench.session->history().rows().back().edit.get<DrillStroke>();
         QVERIFY(!open.spared);
         QVERIFY(bench.coverage().values != again.coverage().values);
         DrillStroke unknown = deepDrill();

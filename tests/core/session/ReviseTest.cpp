@@ -420,7 +420,7 @@ private Q_SLOTS:
         auto session = EditSession::open(engine, test::smallStudy(), file);
         QVERIFY(session);
         QCOMPARE((*session)->stateHash(), hash);
-        const auto& edit = std::get<ReviseStroke>((*session)->history().row(3).edit);
+        const auto& edit = (*session)->history().row(3).edit.get<ReviseStroke>();
         QCOMPARE(edit.row, std::int64_t(1));
         QCOMPARE(edit.radiusMm.value_or(0.0), 2.5);
         QVERIFY(!edit.depthMm && !edit.removed);
@@ -466,11 +466,11 @@ private Q_SLOTS:
                 const bool applied = bool(bench.attempt(edit));
                 const RowId now = bench.session->history().position();
                 if (applied && now != position) {
-                    if (const auto* stroke = std::get_if<DrillStroke>(&edit))
-                        truth.draw(now, std::get<DrillStroke>(quantised(*stroke)), before);
-                    if (const auto* revert = std::get_if<RevertRows>(&edit))
+                    if (const auto* stroke = edit.as<DrillStroke>())
+                        truth.draw(now, quantised(*stroke).get<DrillStroke>(), before);
+                    if (const auto* revert = edit.as<RevertRows>())
                         truth.setStanding(revert->rows.front(), false);
-                    if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
+                    if (const auto* revise = edit.as<ReviseStroke>()) {
                         const Edit& drawn = bench.session->history().row(revise->row).edit;
                         truth.setStroke(revise->row,
                             std::get<DrillStroke>(*revised(*sculptEdit(drawn), *revise)));

@@ -67,11 +67,11 @@ core::Document RealCutGlTest::grow(const test::RealGrowth& real)
         qFatal("the study is not opened");
     core::Document document = core::initialDocument(real.study.volume);
     for (const core::Edit& edit : real.edits) {
-        if (std::holds_alternative<core::AddSegment>(edit))
+        if (edit.is<core::AddSegment>())
             (void)core::applyToDocument(edit, document);
-        else if (const auto* seeds = std::get_if<core::SeedStroke>(&edit))
+        else if (const auto* seeds = edit.as<core::SeedStroke>())
             apply(*core::seedPlacement(*seeds, document));
-        else if (const auto* grown = std::get_if<core::GrowSteps>(&edit)) {
+        else if (const auto* grown = edit.as<core::GrowSteps>()) {
             core::submitWhole(engine, *core::growBurst(*grown, document), {core::GrowAdvance{}});
             m_generation = test::lastResult(engine).generation;
         }

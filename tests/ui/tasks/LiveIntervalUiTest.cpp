@@ -80,7 +80,7 @@ public:
         const core::History& history = session().history();
         return history.position() == 0
             ? nullptr
-            : std::get_if<core::ChangeInterval>(&history.row(history.position()).edit);
+            : history.row(history.position()).edit.as<core::ChangeInterval>();
     }
     [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] std::vector<std::uint8_t> labels() { return *session().labels(0); }

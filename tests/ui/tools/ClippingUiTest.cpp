@@ -80,7 +80,7 @@ public:
             qFatal("not settled");
         for (std::size_t i = before; i < workspace.session()->history().rows().size(); ++i) {
             const auto* stroke =
-                std::get_if<core::SeedStroke>(&workspace.session()->history().rows()[i].edit);
+                workspace.session()->history().rows()[i].edit.as<core::SeedStroke>();
             for (std::size_t k = 0; stroke && k < stroke->pointsLps.size(); ++k)
                 found.push_back(glm::ivec3(glm::round(geometry().toIndex(stroke->pointsLps[k]))));
         }

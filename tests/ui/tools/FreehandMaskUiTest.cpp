@@ -115,9 +115,9 @@ public:
         if (!session().settle() || rows() == 0)
             return {};
         const core::Edit& edit = session().history().rows().back().edit;
-        if (const auto* stroke = std::get_if<core::LaserStroke>(&edit))
+        if (const auto* stroke = edit.as<core::LaserStroke>())
             return stroke->mask;
-        return std::get<core::DrillStroke>(edit).mask;
+        return edit.get<core::DrillStroke>().mask;
     }
     core::MaskShape press()
     {

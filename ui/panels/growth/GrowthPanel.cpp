@@ -484,11 +484,11 @@ QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
         return text.arg(
             countText(generation), millilitreText(row->statistics.voxelsChanged, voxelMm3));
     };
-    if (row && std::holds_alternative<core::GrowSteps>(row->edit))
+    if (row && row->edit.is<core::GrowSteps>())
         return told(tr("Generation %1 · added %2"));
-    if (row && std::holds_alternative<core::ShrinkSteps>(row->edit))
+    if (row && row->edit.is<core::ShrinkSteps>())
         return told(tr("Generation %1 · taken back %2"));
-    if (row && std::holds_alternative<core::ChangeInterval>(row->edit))
+    if (row && row->edit.is<core::ChangeInterval>())
         return told(tr("Generation %1 · changed by %2"));
     return tr("Generation %1").arg(countText(generation));
 }

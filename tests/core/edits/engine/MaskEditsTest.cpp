@@ -155,8 +155,7 @@ private Q_SLOTS:
         const Result<Edit> again = editFromJson(editToJson(edit));
         QVERIFY(again);
         QCOMPARE(editToJson(*again), editToJson(edit));
-        QCOMPARE(
-            std::get<ImportMask>(*again).segments->front().voxels, edit.segments->front().voxels);
+        QCOMPARE(again->get<ImportMask>().segments->front().voxels, edit.segments->front().voxels);
     }
 };
 

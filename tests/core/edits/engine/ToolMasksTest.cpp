@@ -122,7 +122,7 @@ private Q_SLOTS:
         const Result<Edit> edit = editFromJson(json);
         QVERIFY2(edit, edit ? "" : qPrintable(edit.error().arguments.join(u' ')));
         QCOMPARE(editToJson(*edit)[QLatin1String("mask")], json[QLatin1String("mask")]);
-        QVERIFY(drillCut(std::get<DrillStroke>(*edit), initialDocument(test::smallStudy().volume)));
+        QVERIFY(drillCut(edit->get<DrillStroke>(), initialDocument(test::smallStudy().volume)));
     }
 
     void isRefused_data()

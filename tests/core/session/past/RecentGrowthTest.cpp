@@ -160,7 +160,7 @@ private Q_SLOTS:
         two.run(Bench::seed(2, 39)); // too bright: it waits, but it competes
         two.run(Bench::grow(60.0, 6));
         two.run(Bench::interval(62.0, 2));
-        const auto& change = std::get<ChangeInterval>(two.session->history().rows().back().edit);
+        const auto& change = two.session->history().rows().back().edit.get<ChangeInterval>();
         QVERIFY(change.fromSeeds.value_or(false));
         QCOMPARE(change.steps.value_or(-1), 8);
         QVERIFY(one.voxels(1) > 0);

@@ -213,8 +213,8 @@ private Q_SLOTS:
         narrower.criteria.upper = 500.0;
         bench.run(narrower);
         const Edit& row = bench.session->history().row(bench.row()).edit;
-        QCOMPARE(std::get<ChangeInterval>(row).criteria.perStroke, std::optional(true));
-        QVERIFY(std::get<ChangeInterval>(row).fromSeeds.value_or(false));
+        QCOMPARE(row.get<ChangeInterval>().criteria.perStroke, std::optional(true));
+        QVERIFY(row.get<ChangeInterval>().fromSeeds.value_or(false));
         QCOMPARE(bench.grown(0), 1280);
         QCOMPARE(bench.grown(2), 0);
     }

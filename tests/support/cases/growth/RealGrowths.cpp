@@ -226,7 +226,7 @@ std::vector<glm::dvec3> placesOf(
 
 int userActions(const Edit& edit, const VolumeGeometry& geometry)
 {
-    const auto* grow = std::get_if<GrowSteps>(&edit);
+    const auto* grow = edit.as<GrowSteps>();
     if (grow == nullptr)
         return 1;
     const GrowCriteria& criteria = grow->criteria;

@@ -77,7 +77,7 @@ struct Bench {
     }
     [[nodiscard]] core::ReviseStroke last()
     {
-        return std::get<core::ReviseStroke>(session().history().rows().back().edit);
+        return session().history().rows().back().edit.get<core::ReviseStroke>();
     }
 
     test::WindowFixture fixture;

@@ -59,9 +59,8 @@ public:
     [[nodiscard]] const core::GrowSteps* lastGrowth()
     {
         const core::History& history = session().history();
-        return history.position() == 0
-            ? nullptr
-            : std::get_if<core::GrowSteps>(&history.row(history.position()).edit);
+        return history.position() == 0 ? nullptr
+                                       : history.row(history.position()).edit.as<core::GrowSteps>();
     }
     GrowthPanel panel;
 };

@@ -160,7 +160,7 @@ private Q_SLOTS:
         fixture.click("growPlay");
         QVERIFY(fixture.offered());
         QCOMPARE(fixture.rows(), rows + 1);
-        QVERIFY(std::holds_alternative<core::GrowSteps>(fixture.lastEdit()));
+        QVERIFY(fixture.lastEdit().is<core::GrowSteps>());
         QVERIFY(fixture.leaked() > 0);
         QVERIFY(fixture.leaked() * 50 < phantom().leakVoxels);
         auto& text = fixture.part<QLabel>("leakText");
@@ -197,7 +197,7 @@ private Q_SLOTS:
         interval.move(phantom().lowCode - 1.0, phantom().highCode);
         interval.settle();
         fixture.settle();
-        QVERIFY(std::holds_alternative<core::ChangeInterval>(fixture.lastEdit()));
+        QVERIFY(fixture.lastEdit().is<core::ChangeInterval>());
         QVERIFY(fixture.offered());
         QVERIFY(fixture.leaked() * 50 < phantom().leakVoxels);
         QVERIFY(fixture.session().undo());
@@ -216,8 +216,8 @@ private Q_SLOTS:
         // The plug is a step, and what grew elsewhere since another.
         QCOMPARE(fixture.rows(), rows + 2);
         const core::History& history = fixture.session().history();
-        QVERIFY(std::holds_alternative<core::PlugLeak>(history.row(core::RowId(rows + 1)).edit));
-        QVERIFY(std::holds_alternative<core::GrowSteps>(fixture.lastEdit()));
+        QVERIFY(history.row(core::RowId(rows + 1)).edit.is<core::PlugLeak>());
+        QVERIFY(fixture.lastEdit().is<core::GrowSteps>());
         QVERIFY(!fixture.offered());
         QCOMPARE(fixture.leaked(), std::int64_t(0));
         const std::int64_t grown = fixture.session().document().segments[0].voxels;
@@ -242,7 +242,7 @@ private Q_SLOTS:
         QVERIFY(!fixture.offered());
         QVERIFY(!fixture.panel.findChild<ui::GenerationBar*>()->leak());
         QCOMPARE(fixture.rows(), rows + 1);
-        const auto* shrink = std::get_if<core::ShrinkSteps>(&fixture.lastEdit());
+        const auto* shrink = fixture.lastEdit().as<core::ShrinkSteps>();
         QVERIFY(shrink && shrink->steps);
         QVERIFY(*shrink->steps > 0);
         QCOMPARE(fixture.generation(), alarmed - std::uint32_t(*shrink->steps));
@@ -263,7 +263,7 @@ private Q_SLOTS:
         const std::int64_t leaked = fixture.leaked();
         fixture.click("leakAccept");
         QCOMPARE(fixture.rows(), rows + 1);
-        QVERIFY(std::holds_alternative<core::GrowSteps>(fixture.lastEdit()));
+        QVERIFY(fixture.lastEdit().is<core::GrowSteps>());
         QVERIFY(fixture.leaked() > leaked);
         QVERIFY(fixture.session().undo());
         fixture.settle();

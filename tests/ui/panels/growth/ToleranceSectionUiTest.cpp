@@ -159,7 +159,7 @@ private Q_SLOTS:
         fixture.settle();
         QCOMPARE(fixture.rows(), rows + 1);
         const core::HistoryRow& grown = fixture.session().history().rows().back();
-        QVERIFY(std::holds_alternative<core::GrowSteps>(grown.edit));
+        QVERIFY(grown.edit.is<core::GrowSteps>());
         QVERIFY(!grown.name.isEmpty());
         QCOMPARE(fixture.voxels(), fixture.bar.members()[std::size_t(tolerance)]);
         QCOMPARE(fixture.workspace.growSettings().lower, 8.0 - tolerance);
@@ -172,7 +172,7 @@ private Q_SLOTS:
             fixture.drag({40, other});
             fixture.settle();
             const auto& edit = fixture.session().history().rows().back().edit;
-            QVERIFY(std::holds_alternative<core::ChangeInterval>(edit));
+            QVERIFY(edit.is<core::ChangeInterval>());
             QCOMPARE(fixture.voxels(), fixture.bar.members()[std::size_t(fixture.bar.tolerance())]);
             fixture.wait();
         }

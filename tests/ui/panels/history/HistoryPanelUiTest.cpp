@@ -91,7 +91,7 @@ private Q_SLOTS:
             radius->setValue(7.5);
             dialog.accept();
         });
-        const auto& edit = std::get<core::ReviseStroke>(session.history().row(3).edit);
+        const auto& edit = session.history().row(3).edit.get<core::ReviseStroke>();
         QCOMPARE(edit.row, std::int64_t(1));
         QCOMPARE(edit.radiusMm.value_or(0.0), 7.5);
         QVERIFY(!edit.depthMm && !edit.layer && !edit.throughGaps && !edit.removed);
@@ -176,7 +176,7 @@ private Q_SLOTS:
         change(2, {"depth", "factor", "throughGaps"}, "depth", 6.5);
         change(3, {"radius"}, "radius", 7.0);
         const auto revision = [&session](core::RowId row) {
-            return std::get<core::ReviseStroke>(session.history().row(row).edit);
+            return session.history().row(row).edit.get<core::ReviseStroke>();
         };
         QCOMPARE(revision(4).softnessMm.value_or(0.0), 2.0);
         QVERIFY(!revision(4).radiusMm && !revision(4).depthMm && !revision(4).throughGaps);

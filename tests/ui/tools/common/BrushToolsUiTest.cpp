@@ -187,7 +187,7 @@ private Q_SLOTS:
         QVERIFY(fixture.session().settle());
         const std::size_t left = fixture.painted().size();
         QVERIFY(left < painted);
-        QVERIFY(std::get<core::PaintStroke>(fixture.lastEdit()).erase);
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().erase);
 
         const QPoint end = (BrushFixture::middleOf(fixture.slice) + stroke.back().offset).toPoint();
         QTest::mousePress(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, end);
@@ -238,7 +238,7 @@ private Q_SLOTS:
         test::Pen pen(fixture.view);
         draw(fixture, fixture.view, pen);
         lift(fixture, fixture.view, pen);
-        const auto edit = std::get<core::PaintStroke>(fixture.lastEdit());
+        const auto edit = fixture.lastEdit().get<core::PaintStroke>();
         QVERIFY(edit.path.shape == BrushPath::Shape::Ball);
         QVERIFY(edit.path.lifts.empty());
         QVERIFY(edit.path.pointsLps.size() > 4);
@@ -293,7 +293,7 @@ private Q_SLOTS:
         draw(fixture, fixture.slice, eraser);
         lift(fixture, fixture.slice, eraser);
         QVERIFY(fixture.carved().empty());
-        QVERIFY(std::get<core::BrushStroke>(fixture.lastEdit()).restore);
+        QVERIFY(fixture.lastEdit().get<core::BrushStroke>().restore);
     }
 
     /// Over the edge of what is seen the brush is lifted; off it nothing happens.
@@ -308,7 +308,7 @@ private Q_SLOTS:
                 {{30.0 * perMm, -30.0 * perMm}, 1020}, {{30.0 * perMm, 0.0}, 1030},
                 {{8.0 * perMm, 0.0}, 1040}});
         lift(fixture, fixture.view, pen);
-        const auto edit = std::get<core::PaintStroke>(fixture.lastEdit());
+        const auto edit = fixture.lastEdit().get<core::PaintStroke>();
         QVERIFY(!edit.path.lifts.empty());
         for (const glm::dvec3& point : edit.path.pointsLps)
             QVERIFY(glm::length(point) < 18.0);
@@ -372,7 +372,7 @@ private Q_SLOTS:
         test::Pen pen(fixture.slice);
         draw(fixture, fixture.slice, pen);
         lift(fixture, fixture.slice, pen);
-        QVERIFY(std::get<core::PaintStroke>(fixture.lastEdit()).seeds);
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().seeds);
     }
 
     void aStrokeEndsWithItsSession()
@@ -433,7 +433,7 @@ private Q_SLOTS:
         test::Pen pen(fixture.slice);
         draw(fixture, fixture.slice, pen);
         lift(fixture, fixture.slice, pen);
-        const auto& edit = std::get<core::PaintStroke>(fixture.lastEdit());
+        const auto& edit = fixture.lastEdit().get<core::PaintStroke>();
         QCOMPARE(*edit.lower, 20.0);
         QCOMPARE(*edit.upper, 100.0);
         QVERIFY(edit.overwriteUnlocked);

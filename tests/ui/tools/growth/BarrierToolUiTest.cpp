@@ -77,7 +77,7 @@ public:
     [[nodiscard]] const core::BarrierStroke* lastBarrier()
     {
         const core::History& history = session().history();
-        return std::get_if<core::BarrierStroke>(&history.row(history.position()).edit);
+        return history.row(history.position()).edit.as<core::BarrierStroke>();
     }
     [[nodiscard]] std::int64_t voxels() { return session().document().segments[0].voxels; }
     /// Of voxels that the segment holds, the least distance to a path; then of voxels in a range of

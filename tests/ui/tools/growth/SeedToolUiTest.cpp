@@ -55,7 +55,7 @@ public:
     }
     [[nodiscard]] std::vector<glm::ivec3> seeds(core::RowId row)
     {
-        const auto& stroke = std::get<core::SeedStroke>(session().history().row(row).edit);
+        const auto& stroke = session().history().row(row).edit.get<core::SeedStroke>();
         std::vector<glm::ivec3> voxels;
         for (const glm::dvec3& point : stroke.pointsLps) {
             const glm::dvec3 index = workspace.volume()->geometry.toIndex(point);
@@ -88,8 +88,8 @@ private Q_SLOTS:
         QCOMPARE(document.segments.size(), std::size_t(1));
         QCOMPARE(fixture.workspace.activeSegment(), 1);
         QCOMPARE(fixture.session().history().position(), core::RowId(2));
-        QVERIFY(std::holds_alternative<core::AddSegment>(fixture.session().history().row(1).edit));
-        QVERIFY(std::holds_alternative<core::SeedStroke>(fixture.session().history().row(2).edit));
+        QVERIFY(fixture.session().history().row(1).edit.is<core::AddSegment>());
+        QVERIFY(fixture.session().history().row(2).edit.is<core::SeedStroke>());
         // One undo takes back the seeds only.
         QVERIFY(fixture.session().undo());
         QVERIFY(fixture.session().settle());
@@ -190,7 +190,7 @@ private Q_SLOTS:
         fixture.workspace.setActiveSegment(2);
         fixture.sketch(fixture.window.views().coronal(), {0, 0}, {5, 5});
         const auto& edit = fixture.session().history().row(3).edit;
-        QCOMPARE(std::get<core::SeedStroke>(edit).segment, 2);
+        QCOMPARE(edit.get<core::SeedStroke>().segment, 2);
         QCOMPARE(fixture.session().document().segments.size(), std::size_t(2));
     }
 
@@ -205,7 +205,7 @@ private Q_SLOTS:
         fixture.stroke(view, Qt::ControlModifier, {0, 6}, {40, 6});
         QVERIFY2(fixture.session().history().rows().size() == 3,
             said.isEmpty() ? "nothing said" : qPrintable(said.last()[0].toString()));
-        const auto& stroke = std::get<core::SeedStroke>(fixture.session().history().row(3).edit);
+        const auto& stroke = fixture.session().history().row(3).edit.get<core::SeedStroke>();
         QVERIFY(stroke.pointsLps.empty());
         QVERIFY(stroke.takenLps && !stroke.takenLps->empty());
         const std::size_t left = fixture.workspace.seeds().seeds().size();

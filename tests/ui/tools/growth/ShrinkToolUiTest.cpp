@@ -86,7 +86,7 @@ public:
     [[nodiscard]] const core::ShrinkAt* lastShrink()
     {
         const core::History& history = session().history();
-        return std::get_if<core::ShrinkAt>(&history.row(history.position()).edit);
+        return history.row(history.position()).edit.as<core::ShrinkAt>();
     }
     [[nodiscard]] std::vector<std::uint8_t> labels() { return *session().labels(0); }
     struct Held {

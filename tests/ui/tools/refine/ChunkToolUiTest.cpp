@@ -102,7 +102,7 @@ public:
     [[nodiscard]] core::RowId position() { return session().history().position(); }
     [[nodiscard]] const core::ChunkToggle* lastClick()
     {
-        return std::get_if<core::ChunkToggle>(&session().history().row(position()).edit);
+        return session().history().row(position()).edit.as<core::ChunkToggle>();
     }
     [[nodiscard]] std::int64_t voxels() { return session().document().segment(1)->voxels; }
     template <class View> [[nodiscard]] static QPointF at(View& where, const glm::dvec3& lps)
@@ -161,8 +161,7 @@ private Q_SLOTS:
         fixture.settle();
         fixture.await();
         const core::RowId divided = fixture.position();
-        const auto* edit =
-            std::get_if<core::Chunks>(&fixture.session().history().row(divided).edit);
+        const auto* edit = fixture.session().history().row(divided).edit.as<core::Chunks>();
         QVERIFY(edit && edit->segment == 1);
         QCOMPARE(edit->marginMm, marginMm);
         QVERIFY(fixture.find<QCheckBox>("chunksShown")->isChecked());

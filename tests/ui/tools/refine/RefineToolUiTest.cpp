@@ -295,7 +295,7 @@ private Q_SLOTS:
 
         shut->click();
         fixture.settle();
-        QVERIFY(std::holds_alternative<core::SurfaceBarrier>(fixture.lastRow().edit));
+        QVERIFY(fixture.lastRow().edit.is<core::SurfaceBarrier>());
         QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Barrier around surface, ")));
         QCOMPARE(fixture.voxels(), held);
         core::GrowSteps grow;
@@ -380,7 +380,7 @@ private Q_SLOTS:
         fixture.set(Mode::Sphere, 6.0);
         const QPointF middle = fixture.at(fixture.view, glm::dvec3(0.0));
         draw(fixture, fixture.view, {middle});
-        const auto* push = std::get_if<core::SpherePush>(&fixture.lastRow().edit);
+        const auto* push = fixture.lastRow().edit.as<core::SpherePush>();
         QVERIFY(push);
         // Half its radius outside of what is seen from the front.
         QVERIFY(std::abs(push->path.pointsLps.front().y + radius + 3.0) < 0.6);
@@ -536,7 +536,7 @@ private Q_SLOTS:
         fixture.refinement().changeMarks(core::ChangeMarks::Way::Grow);
         fixture.settle();
         QVERIFY(!fixture.refinement().isPreviewing());
-        QVERIFY(std::holds_alternative<core::ChangeMarks>(fixture.lastRow().edit));
+        QVERIFY(fixture.lastRow().edit.is<core::ChangeMarks>());
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QCOMPARE(fixture.session().stateHash(), before);

@@ -279,8 +279,8 @@ private Q_SLOTS:
         pen.press(at, 1.0, 5000);
         pen.release(at, 5010);
         fixture.settle();
-        const auto* stroke = std::get_if<core::SeedStroke>(
-            &fixture.workspace.session()->history().rows().back().edit);
+        const auto* stroke =
+            fixture.workspace.session()->history().rows().back().edit.as<core::SeedStroke>();
         QVERIFY(stroke && stroke->pointsLps.size() == 1);
         const glm::dvec3 seed = stroke->pointsLps.front();
         QVERIFY2(std::abs(seed.x - middle.x - 4.0) < 1.0 && std::abs(seed.z - middle.z) < 1.2,

@@ -129,8 +129,7 @@ private Q_SLOTS:
         const Document document = smallDocument();
         std::vector<Result<SeedPlacement>> placements;
         for (const RecipeStep& step : recipe->steps)
-            placements.push_back(
-                seedPlacement(std::get<SeedStroke>(std::get<Edit>(step)), document));
+            placements.push_back(seedPlacement(std::get<Edit>(step).get<SeedStroke>(), document));
         const glm::ivec3 first(3, 4, 5);
         const glm::ivec3 second(3, 4, 6);
         QVERIFY(placements[0] && placements[1] && placements[2]);
