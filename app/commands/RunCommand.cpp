@@ -12,6 +12,7 @@
 #include "core/base/files/ReadableFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 #include "core/sessionfile/SessionFile.h"

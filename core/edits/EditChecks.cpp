@@ -3,7 +3,7 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/ChunkVoxels.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/SparedSegments.h"
+#include "core/edits/engine/SculptEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/history/History.h"
 
+#include "core/edits/kinds/history/RevertRows.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/history/StandingStrokes.h"
 
+#include "core/edits/kinds/history/ReviseStroke.h"
+
 #include <algorithm>
 
 namespace core {

@@ -4,7 +4,13 @@
 #include "core/base/files/FileInUse.h"
 #include "core/base/files/ReadableFile.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/recipe/RepeatedKey.h"
 #include "core/volume/SurfaceThreshold.h"
 
@@ -150,14 +156,8 @@ Result<Recipe> readRecipe(const QString& path)
 void fillSurfaces(Recipe& recipe, const Volume& volume)
 {
     const double threshold = usualSurfaceThreshold(volume);
-    for (const std::size_t step : recipe.withoutSurface) {
-        visitEdit(
-            [threshold](auto& edit) {
-                if constexpr (requires { edit.surfaceThreshold; })
-                    edit.surfaceThreshold = threshold;
-            },
-            std::get<Edit>(recipe.steps[step]));
-    }
+    for (const std::size_t step : recipe.withoutSurface)
+        setSurface(std::get<Edit>(recipe.steps[step]), threshold);
 }
 
 Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceExisting)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/masks/ReadImport.h"
 #include "core/recipe/Recipe.h"
 

@@ -127,6 +127,16 @@ bool startsOnSurface(const QString& editName)
     return false;
 }
 
+void setSurface(Edit& edit, double threshold)
+{
+    visitEdit(
+        [threshold](auto& known) {
+            if constexpr (requires { known.surfaceThreshold; })
+                known.surfaceThreshold = threshold;
+        },
+        edit);
+}
+
 std::vector<EditDocumentation> recipeStepDocumentation()
 {
     std::vector<EditDocumentation> all = editDocumentation();

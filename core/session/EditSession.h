@@ -4,7 +4,7 @@
 #include "core/base/Result.h"
 #include "core/base/files/FileInUse.h"
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
 #include "core/refine/mesh/SurfaceUpdate.h"
@@ -20,6 +20,8 @@
 #include <optional>
 
 namespace core {
+
+struct PenSample;
 
 class ChunkMap;
 class OperationQueue;

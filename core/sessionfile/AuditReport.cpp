@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/AuditReport.h"
 
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/sessionfile/records/SessionTables.h"
 
 #include <QFileInfo>

@@ -3,6 +3,7 @@
 
 #include "core/base/files/StagedError.h"
 #include "core/base/files/StagedFile.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/records/RowText.h"

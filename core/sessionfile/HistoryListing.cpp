@@ -3,6 +3,10 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/sessionfile/records/StateHash.h"
 
 #include <QJsonArray>

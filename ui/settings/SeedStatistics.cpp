@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/settings/SeedStatistics.h"
 
+#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/session/EditSession.h"
 
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "core/base/Guarded.h"
 #include "core/dicom/base/DicomFile.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/masks/ReadImport.h"
 #include "core/meshfile/MeshReader.h"
 #include "core/session/EditSession.h"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/PendingSeeds.h"
 
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>

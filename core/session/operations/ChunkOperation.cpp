@@ -2,6 +2,7 @@
 #include "core/session/operations/ChunkOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/chunks/Chunks.h"
 
 #include <utility>
 

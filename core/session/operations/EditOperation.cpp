@@ -2,6 +2,10 @@
 #include "core/session/operations/EditOperation.h"
 
 #include "core/edits/EditTask.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/session/operations/ChunkOperation.h"
 #include "core/session/operations/DocumentOperation.h"
 #include "core/session/operations/RevertOperation.h"

@@ -2,6 +2,7 @@
 #include "core/session/operations/RevertOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/growth/SeedWord.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/past/ProtectedVoxels.h"
@@ -123,7 +124,7 @@ void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
             claims.push_back({RowReach(edit, state.document, written), taken, id});
         if (const auto* revise = edit.as<ReviseStroke>()) {
             for (const SculptEdit& form : formsOf(state.history, revise->row))
-                claims.push_back({RowReach(plainEdit(form), state.document, {}), taken, id});
+                claims.push_back({RowReach(form.plain(), state.document, {}), taken, id});
         }
         claimWhatReturns(state, id, taken, written, claims);
     }
@@ -136,7 +137,7 @@ void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims
     const Edit& edit = state.history.row(row).edit;
     const auto* revise = edit.as<ReviseStroke>();
     for (const SculptEdit& form : formsOf(state.history, revise ? revise->row : row))
-        claims.push_back({RowReach(plainEdit(form), state.document, {}), row, 0});
+        claims.push_back({RowReach(form.plain(), state.document, {}), row, 0});
 }
 
 /// A revision folds in the cuts, and carved segments, that lie wherever its own stroke reaches,
@@ -149,7 +150,7 @@ bool foldedIn(const SessionState& state, const Edit& taken, const std::vector<Br
     if (!revise || !(sculptEdit(taken) || taken.is<SegmentToLayer>()))
         return false;
     for (const SculptEdit& form : formsOf(state.history, revise->row)) {
-        const RowReach reach(plainEdit(form), state.document, {});
+        const RowReach reach(form.plain(), state.document, {});
         if (std::any_of(written.begin(), written.end(),
                 [&reach](const BrickKey& key) { return reach.covers(key); }))
             return true;

@@ -3,6 +3,8 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/SurfacePath.h"
 
 #include <utility>
 

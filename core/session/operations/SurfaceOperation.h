@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/SurfaceEdit.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/state/Operation.h"

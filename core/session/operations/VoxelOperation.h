@@ -2,12 +2,15 @@
 #pragma once
 
 #include "core/edits/engine/DrillPathSampler.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/session/past/SketchedSeeds.h"
 #include "core/session/state/Operation.h"
 
 #include <deque>
 
 namespace core {
+
+struct PenSample;
 
 /// An edit of voxels, which may change the document with them: one engine transaction, one row if
 /// it changed anything.

@@ -3,6 +3,8 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/SculptEdits.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
 
 #include <algorithm>
 
@@ -42,7 +44,7 @@ bool GrowthTrace::isOf(const Edit& edit)
 
 bool GrowthTrace::mayNeed(const Edit& edit)
 {
-    return !changesDocumentOnly(edit) && !sculptEdit(edit) && !edit.is<SegmentToLayer>()
+    return !changesDocumentOnly(edit) && !isSculptEdit(edit) && !edit.is<SegmentToLayer>()
         && !edit.is<MergeLayers>() && !edit.is<RemoveLayer>();
 }
 

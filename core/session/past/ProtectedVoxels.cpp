@@ -2,6 +2,7 @@
 #include "core/session/past/ProtectedVoxels.h"
 
 #include "core/edits/engine/SparedSegments.h"
+#include "core/edits/kinds/parts/SparedSegments.h"
 
 #include <map>
 #include <set>

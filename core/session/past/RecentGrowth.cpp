@@ -3,6 +3,13 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/engine/growth/GrowLimits.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowGuard.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "core/session/past/RowReach.h"
 
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/SculptEdits.h"
 #include "core/edits/engine/SparedSegments.h"
 #include "core/edits/engine/ToolMasks.h"
 #include "core/edits/kinds/AnyEdit.h"

@@ -2,6 +2,10 @@
 #include "core/session/past/SeedStrokes.h"
 
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
 
 #include <utility>
 

@@ -2,6 +2,7 @@
 #include "core/session/past/SegmentLayers.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
 
 #include <algorithm>
 

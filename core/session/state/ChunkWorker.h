@@ -4,7 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/TaskThread.h"
 #include "core/chunks/ChunkMap.h"
-#include "core/edits/engine/ChunkVoxels.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
 

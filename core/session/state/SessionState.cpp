@@ -2,6 +2,7 @@
 #include "core/session/state/SessionState.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/chunks/Chunks.h"
 #include "core/session/names/RowName.h"
 
 #include <QJsonDocument>

@@ -2,6 +2,9 @@
 #include "core/sessionfile/records/RowText.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
 
 #include <QCryptographicHash>
 #include <QJsonDocument>

@@ -3,6 +3,7 @@
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/HiddenSides.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineConformance.h"

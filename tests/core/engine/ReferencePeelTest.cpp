@@ -2,6 +2,8 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"

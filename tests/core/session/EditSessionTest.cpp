@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/MoveSegment.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -194,7 +201,7 @@ private Q_SLOTS:
         Bench bench;
         bench.run(test::addSegment("A"));
         const QByteArray before = bench.session->stateHash();
-        DrillStroke stroke = test::drillAt(0);
+        DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
         const std::vector<PenSample> samples = std::exchange(stroke.samples, {});
         QVERIFY(bench.session->begin(stroke));
         bench.session->extendDrill(samples);
@@ -213,7 +220,7 @@ private Q_SLOTS:
         Bench bench;
         bench.run(test::addSegment("A"));
         bench.run(ChangeSegment{.segment = 1, .name = QStringLiteral("A")});
-        DrillStroke beside = test::drillAt(0);
+        DrillStroke beside = test::drillAt(0).get<DrillStroke>();
         for (PenSample& sample : beside.samples)
             sample.xMm += 500;
         bench.run(beside);
@@ -229,7 +236,7 @@ private Q_SLOTS:
     void aStrokeInPiecesEqualsTheWhole()
     {
         QFETCH(bool, delayed);
-        DrillStroke stroke = test::drillAt(-8);
+        DrillStroke stroke = test::drillAt(-8).get<DrillStroke>();
         for (int i = 0; i < 20; ++i)
             stroke.samples.push_back({.xMm = -5 + i * 0.517,
                 .yMm = i * 0.311 - 2,
@@ -393,10 +400,10 @@ private Q_SLOTS:
         const std::int64_t locked = bench.voxels(1);
         QVERIFY(locked > 10);
         QCOMPARE(bench.session->apply(test::seedInBrain(1)).error().code, ErrorCode::SegmentLocked);
-        SeedStroke beside = test::seedInBrain(2);
+        SeedStroke beside = test::seedInBrain(2).get<SeedStroke>();
         beside.pointsLps = {beside.pointsLps.back() + glm::dvec3(6, 0, 0)};
         bench.run(beside);
-        GrowSteps grow = test::growBrain();
+        GrowSteps grow = test::growBrain().get<GrowSteps>();
         grow.criteria.overwriteUnlocked = true;
         bench.run(grow);
         QCOMPARE(bench.voxels(1), locked);
@@ -449,13 +456,13 @@ private Q_SLOTS:
         const QByteArray before = bench.session->stateHash();
         QCOMPARE(
             bench.session->apply(test::seedInBrain(2)).error().code, ErrorCode::UnknownSegment);
-        SeedStroke outside = test::seedInBrain(1);
+        SeedStroke outside = test::seedInBrain(1).get<SeedStroke>();
         outside.pointsLps.push_back({1000, 0, 0});
         QCOMPARE(bench.session->apply(outside).error().code, ErrorCode::SeedOutsideVolume);
-        GrowSteps crossed = test::growBrain();
+        GrowSteps crossed = test::growBrain().get<GrowSteps>();
         crossed.criteria.lower = 200;
         QCOMPARE(bench.session->apply(crossed).error().code, ErrorCode::InvalidField);
-        DrillStroke empty = test::drillAt(0);
+        DrillStroke empty = test::drillAt(0).get<DrillStroke>();
         empty.samples.clear();
         QCOMPARE(bench.session->apply(empty).error().code, ErrorCode::InvalidField);
         QVERIFY(!bench.session->begin(test::seedInBrain(1)));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/growth/SeedWord.h"
 #include "tests/support/cases/EngineConformance.h"
 #include "tests/support/cases/growth/CutPromises.h"

@@ -5,6 +5,38 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/SculptVisit.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/MoveLayer.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/pieces/ChangePiece.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/pieces/PastePiece.h"
+#include "core/edits/kinds/pieces/RemovePiece.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/MoveSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/views/Bookmarks.h"
+#include "core/edits/kinds/views/Measurements.h"
 #include "core/growth/SeedWord.h"
 #include "core/sessionfile/records/StateHash.h"
 #include "tests/reference/MaskPlane.h"
@@ -342,9 +374,9 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
         }
         if (stroke->removed)
             continue;
-        const int layer = std::visit([](const auto& form) { return form.layer; }, stroke->form);
+        const int layer = visitSculpt([](const auto& form) { return form.layer; }, stroke->form);
         const bool restore =
-            std::visit([](const auto& form) { return form.restore; }, stroke->form);
+            visitSculpt([](const auto& form) { return form.restore; }, stroke->form);
         for (const auto& [brick, bytes] : cutOf(*stroke)) {
             std::vector<std::uint8_t>& held = carved[{Field::Coverage, std::uint8_t(layer), brick}];
             held.resize(bytes.size(), 0);
@@ -401,11 +433,7 @@ void HistoryTruth::writeLayer(const Edit& edit, RowId at, Bricks& carved) const
 HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
 {
     const QByteArray key = QByteArray::number(qlonglong(stroke.row))
-        + std::visit(
-            [](const auto& form) {
-                return QJsonDocument(editToJson(form)).toJson(QJsonDocument::Compact);
-            },
-            stroke.form);
+        + QJsonDocument(editToJson(stroke.form.plain())).toJson(QJsonDocument::Compact);
     if (const auto known = m_cuts.find(key); known != m_cuts.end())
         return known->second;
     const State& before = m_states.at(m_rows.at(stroke.row).parent);
@@ -413,32 +441,32 @@ HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
     std::erase_if(coverage, [](const auto& each) { return each.first.field == Field::SeedWords; });
     EngineEdit edit;
     std::vector<EngineExtension> paths;
-    if (const auto* drill = std::get_if<DrillStroke>(&stroke.form)) {
+    if (const auto* drill = stroke.form.as<DrillStroke>()) {
         DrillCut alone = *drillCut(*drill, before.document);
         alone.layer = truthLayer;
         alone.laying = Laying::Carve;
         paths.push_back(DrillPath{drillPath(*drill, alone)});
         edit = alone;
-    } else if (const auto* brush = std::get_if<BrushStroke>(&stroke.form)) {
+    } else if (const auto* brush = stroke.form.as<BrushStroke>()) {
         CapsuleCut alone = *capsuleCut(*brush, before.document);
         alone.layer = truthLayer;
         alone.restore = false;
         paths.push_back(CapsulePath{capsules(brush->path, m_study.volume.geometry)});
         edit = alone;
-    } else if (const auto* laser = std::get_if<LaserStroke>(&stroke.form)) {
+    } else if (const auto* laser = stroke.form.as<LaserStroke>()) {
         LaserCut alone = *laserCut(*laser, before.document);
         alone.layer = truthLayer;
         alone.laying = Laying::Carve;
         paths.push_back(DrillPath{laserPath(*laser, alone)});
         edit = alone;
-    } else if (const auto* peel = std::get_if<PeelCut>(&stroke.form)) {
+    } else if (const auto* peel = stroke.form.as<PeelCut>()) {
         MaskPeel alone = *maskPeel(*peel, before.document);
         alone.layer = truthLayer;
         alone.laying = Laying::Carve;
         paths.push_back(peelDepth(*peel));
         edit = alone;
     } else {
-        MaskScissors alone = *maskScissors(std::get<ScissorsCut>(stroke.form), before.document);
+        MaskScissors alone = *maskScissors(stroke.form.get<ScissorsCut>(), before.document);
         alone.layer = truthLayer;
         alone.laying = Laying::Carve;
         edit = alone;

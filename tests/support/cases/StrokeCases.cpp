@@ -3,9 +3,54 @@
 
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/SurfaceEdit.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/MoveLayer.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/pieces/ChangePiece.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/pieces/PastePiece.h"
+#include "core/edits/kinds/pieces/RemovePiece.h"
+#include "core/edits/kinds/pieces/SendPiecesHome.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/MoveSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/edits/kinds/views/Bookmarks.h"
+#include "core/edits/kinds/views/Measurements.h"
 #include "core/session/EditSession.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/SurfaceCases.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 #include <QTemporaryDir>
 
@@ -441,7 +486,7 @@ void addChunkCases(std::vector<StrokeCase>& cases, const core::LoadedVolume& vol
     added.overwriteUnlocked = true;
     core::ChunkToggle removed = toggle(2, {{4, 9, 9}, {20, 16, 12}, {30, 30, 12}});
     removed.mode = core::ChunkToggle::Mode::Remove;
-    const core::Edit lock = core::ChangeSegment{.segment = 2, .locked = true};
+    const core::Edit lock = test::lockSegment(2);
     const auto row = std::int64_t(grown.size()) + 2;
 
     cases.push_back({"divide into chunks", volume, grown, near});
@@ -458,7 +503,7 @@ void addChunkCases(std::vector<StrokeCase>& cases, const core::LoadedVolume& vol
         after({wide, one, near, core::RemoveSegment{.segment = 2}}), one});
     cases.push_back({"undo only a chunk", volume,
         after({wide, one, core::AddLayer{.name = QStringLiteral("Other")}}),
-        core::RevertRows{{row}}});
+        test::revertRows({row})});
     cases.push_back({"growth after chunks", volume, after({wide, removed}),
         core::GrowSteps{.criteria = {.lower = 0, .upper = 1000}, .steps = 3}});
     cases.push_back(
@@ -530,8 +575,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     drill.mode = core::DrillMode::Limit;
     drill.restore = false;
     drill.hidden.reset();
-    const core::Edit lock =
-        core::ChangeSegment{.segment = 1, .name = {}, .rgb = {}, .code = {}, .locked = true};
+    const core::Edit lock = test::lockSegment(1);
     core::GrowSteps some{.criteria = {.lower = 0, .upper = 700}, .steps = 5};
     core::GrowSteps all{.criteria = {.lower = 0, .upper = 240}, .steps = {}};
     core::GrowSteps none{.criteria = {.lower = 60000, .upper = 60001}, .steps = {}};
@@ -539,8 +583,8 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         .criteria = {.lower = 0, .upper = 1000, .overwriteUnlocked = true}, .steps = {}};
 
     cases.push_back({"add a segment", volume, {}, first});
-    cases.push_back({"rename a segment", volume, {first},
-        core::ChangeSegment{.segment = 1, .name = QStringLiteral("Other"), .rgb = {}, .code = {}}});
+    cases.push_back(
+        {"rename a segment", volume, {first}, test::renameSegment(1, QStringLiteral("Other"))});
     cases.push_back({"lock a segment", volume, {first}, lock});
     cases.push_back(
         {"move a segment", volume, {first, second}, core::MoveSegment{.segment = 1, .place = 2}});
@@ -599,7 +643,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"growth with a guard, again", volume, {first, seeds, guarded}, guarded});
     cases.push_back({"growth after shrinking", volume, {first, seeds, all, three}, over});
     cases.push_back({"undo only a shrinking", volume, {first, seeds, all, three, drill},
-        core::RevertRows{{4}}});
+        test::revertRows({4})});
     const auto interval = [](double lower, double upper) {
         core::ChangeInterval change;
         change.criteria.lower = lower;
@@ -653,7 +697,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"resume after another interval", volume,
         {first, seeds, some, fewSteps, core::ShrinkSteps{.steps = 2}}, core::ResumeGrowth{}});
     cases.push_back({"undo only a change of the interval", volume,
-        {first, seeds, all, interval(0, 900), drill}, core::RevertRows{{4}}});
+        {first, seeds, all, interval(0, 900), drill}, test::revertRows({4})});
     core::BarrierStroke shut;
     shut.path.radiusMm = 5.0;
     shut.path.pointsLps = {document.volumes.front().geometry.toWorld({4.0, 9.0, 9.0}),
@@ -674,11 +718,11 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"drill in a drill", volume, {drill}, drill});
     cases.push_back({"drill on a segment", volume, {first, seeds, all}, drill});
     cases.push_back(
-        {"undo only a drill", volume, {first, drill, seeds, all}, core::RevertRows{{2}}});
+        {"undo only a drill", volume, {first, drill, seeds, all}, test::revertRows({2})});
     cases.push_back({"undo only two growths", volume, {first, seeds, some, all, drill},
-        core::RevertRows{{3, 4}}});
+        test::revertRows({3, 4})});
     cases.push_back({"undo only what was undone only", volume,
-        {first, drill, seeds, core::RevertRows{{2}}}, core::RevertRows{{4}}});
+        {first, drill, seeds, test::revertRows({2})}, test::revertRows({4})});
 
     core::DrillStroke beside = drill;
     beside.mask.radiusMm *= 0.7;
@@ -721,7 +765,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"erase nothing", volume, {first}, eraser});
     cases.push_back({"growth from paint", volume, {first, slice}, all});
     cases.push_back({"growth after erasing", volume, {first, seeds, some, eraser}, all});
-    cases.push_back({"undo only paint", volume, {first, paint, drill}, core::RevertRows{{2}}});
+    cases.push_back({"undo only paint", volume, {first, paint, drill}, test::revertRows({2})});
     core::PaintStroke dab = paint;
     dab.segment = 2;
     dab.path.radiusMm = 2.0;
@@ -750,7 +794,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"growing from seeds again", volume,
         {first, second, paint, dab, fromSeeds, eraser}, fromSeeds});
     cases.push_back({"undo only growing from seeds", volume,
-        {first, second, paint, dab, fromSeeds, drill}, core::RevertRows{{5}}});
+        {first, second, paint, dab, fromSeeds, drill}, test::revertRows({5})});
     cases.push_back(
         {"growth after growing from seeds", volume, {first, second, seeds, dab, fromSeeds}, all});
     cases.push_back({"carve brush", volume, {drill}, brush});
@@ -762,7 +806,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"remove a drill below the brush", volume, {drill, brush, back},
         core::ReviseStroke{.row = 1, .removed = true}});
     cases.push_back(
-        {"undo only the brush", volume, {first, brush, seeds, all}, core::RevertRows{{2}}});
+        {"undo only the brush", volume, {first, brush, seeds, all}, test::revertRows({2})});
 
     core::PeelCut peel;
     peel.view = drill.view;
@@ -788,7 +832,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"scissors to a depth", volume, {}, shallow});
     cases.push_back({"scissors through a layer", volume, {peel}, layerOnly});
     cases.push_back({"restore by drilling", volume, {peel, drill}, drillBack});
-    cases.push_back({"undo only a peel", volume, {first, peel, seeds, all}, core::RevertRows{{2}}});
+    cases.push_back({"undo only a peel", volume, {first, peel, seeds, all}, test::revertRows({2})});
     cases.push_back({"revise a drill below a peel", volume, {drill, peel, drillBack, shallow},
         core::ReviseStroke{.row = 1, .radiusMm = drill.mask.radiusMm * 1.5}});
     cases.push_back({"remove a drill below a peel", volume, {drill, peel, peelBack, drill},
@@ -813,7 +857,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         core::ReviseStroke{.row = 2, .removed = true}});
     cases.push_back({"undo only the revision of a brush", volume,
         {first, brush, core::ReviseStroke{.row = 2, .radiusMm = 8.0}, seeds},
-        core::RevertRows{{3}}});
+        test::revertRows({3})});
     core::LaserStroke laser;
     laser.view = drill.view;
     laser.mask = drill.mask;
@@ -845,7 +889,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"scissors of what is not hidden", volume, {}, scissorsClipped});
     cases.push_back({"brush of what is not hidden", volume, {}, brushClipped});
     cases.push_back(
-        {"undo only a laser", volume, {first, laser, seeds, all}, core::RevertRows{{2}}});
+        {"undo only a laser", volume, {first, laser, seeds, all}, test::revertRows({2})});
     cases.push_back({"revise a drill below a laser", volume, {drill, laser, laserBack, shallow},
         core::ReviseStroke{.row = 1, .radiusMm = drill.mask.radiusMm * 1.5}});
     cases.push_back({"revise a laser", volume, {laser, drill, laserBack},
@@ -912,7 +956,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"import a mask twice", volume, {mask}, taking});
     cases.push_back({"a mask that is held already", volume, {mask}, mask});
     cases.push_back(
-        {"undo only a mask", volume, {first, joinedFirst(mask), drill}, core::RevertRows{{2}}});
+        {"undo only a mask", volume, {first, joinedFirst(mask), drill}, test::revertRows({2})});
     cases.push_back({"growth after what is seen", volume, {first, seeds, some, seen}, over});
     cases.push_back({"merge layers", volume, {layer, drill, other, brush}, merge});
     cases.push_back({"merge an empty layer", volume, {layer, other}, merge});
@@ -925,10 +969,10 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     cases.push_back({"drill into a solo layer", volume,
         {layer, drill, core::ChangeLayer{.layer = 2, .solo = true}}, other});
     cases.push_back({"undo only a segment to layer", volume,
-        {first, seeds, all, layer, cover, lock}, core::RevertRows{{5}}});
+        {first, seeds, all, layer, cover, lock}, test::revertRows({5})});
     cases.push_back({"undo only a layer to segment", volume,
         {first, drill, core::LayerToSegment{.layer = 1, .target = toFirst}, drillBack},
-        core::RevertRows{{3}}});
+        test::revertRows({3})});
     cases.push_back({"revise a drill on a carved segment", volume,
         {first, seeds, all, core::SegmentToLayer{.segment = 1, .layer = 1}, drill, beside},
         core::ReviseStroke{.row = 5, .radiusMm = drill.mask.radiusMm * 1.5}});
@@ -952,7 +996,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
         {first, core::PastePiece{.segment = 1, .name = QStringLiteral("Copy")}},
         core::RemoveSegment{.segment = 1}});
 
-    const core::Edit shield = core::ChangeSegment{.segment = 1, .uncarvable = true};
+    const core::Edit shield = test::protectSegment(1);
     cases.push_back({"protect a segment", volume, {first}, shield});
     cases.push_back(
         {"drill beside a protected segment", volume, {first, seeds, all, shield}, drill});

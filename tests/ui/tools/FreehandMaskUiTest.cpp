@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"

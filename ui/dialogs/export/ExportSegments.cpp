@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export/ExportSegments.h"
 
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/export/common/ExportChoices.h"
 #include "core/session/EditSession.h"
 #include "ui/base/StudyTexts.h"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GrowthPanel.h"
 
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/past/RecentGrowth.h"
 #include "ui/base/CountText.h"
 #include "ui/base/Icons.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/history/StrokeRevision.h"
 
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/history/StandingStrokes.h"
 #include "ui/base/RevisionText.h"
 #include "ui/dialogs/session/ReviseStrokeDialog.h"
@@ -117,7 +118,7 @@ void StrokeRevision::redrill(const std::vector<core::RowId>& rows)
         remove(row);
     }
     for (const core::SculptEdit& stroke : strokes)
-        apply(core::plainEdit(stroke));
+        apply(stroke.plain());
 }
 
 } // namespace ui

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/PaintTool.h"
 
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "ui/tools/common/BrushOptions.h"
 #include "ui/workspace/SegmentActions.h"
 

@@ -2,6 +2,7 @@
 #include "ui/tools/growth/ShrinkForesight.h"
 
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/workspace/Workspace.h"
 

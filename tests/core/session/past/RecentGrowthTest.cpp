@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/RecentGrowth.h"
 
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -130,7 +136,8 @@ private Q_SLOTS:
         bench.run(wall);
         bench.run(ResumeGrowth{});
         QCOMPARE(bench.voxels(1), slices(31));
-        QVERIFY(!bench.session->apply(RevertRows{{RowId(before + 1)}}) || !bench.session->settle());
+        QVERIFY(!bench.session->apply(test::revertRows({RowId(before + 1)}))
+            || !bench.session->settle());
     }
 
     void whatChangesNothingAtAllLeavesNoRow()

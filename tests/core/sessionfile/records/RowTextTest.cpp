@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/records/RowText.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

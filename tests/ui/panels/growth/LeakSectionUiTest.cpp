@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/LeakSection.h"
 
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GenerationBar.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/tasks/LiveInterval.h"
@@ -38,7 +41,7 @@ public:
         panel.show();
         if (!QTest::qWaitForWindowExposed(&panel) || !ui::addSegment(workspace))
             qFatal("no panel");
-        apply(core::SeedStroke{1, {placeOf(phantom().seed)}});
+        apply(test::seedAt(1, {placeOf(phantom().seed)}));
         ui::GrowSettings settings = workspace.growSettings();
         settings.lower = phantom().lowCode;
         settings.upper = phantom().highCode;

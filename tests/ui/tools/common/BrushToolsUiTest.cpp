@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/sculpt/CarveBrushTool.h"
 #include "ui/views/ViewGrid.h"
@@ -331,10 +336,8 @@ private Q_SLOTS:
         BrushFixture fixture(Brush::Paint);
         int failures = 0;
         connect(&fixture.workspace, &ui::Workspace::failed, this, [&failures] { ++failures; });
-        QVERIFY(fixture.session().apply(
-            core::AddSegment{.name = QStringLiteral("Liver"), .rgb = 0x804020, .code = {}}));
-        QVERIFY(fixture.session().apply(
-            core::ChangeSegment{.segment = 1, .name = {}, .rgb = {}, .code = {}, .locked = true}));
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Liver"), 0x804020)));
+        QVERIFY(fixture.session().apply(test::lockSegment(1)));
         QVERIFY(fixture.session().settle());
         fixture.workspace.setActiveSegment(1);
         QCOMPARE(fixture.paint.target(), QStringLiteral("Liver is locked"));
@@ -361,8 +364,7 @@ private Q_SLOTS:
     void paintTakesPartInGrowth()
     {
         BrushFixture fixture(Brush::Paint);
-        QVERIFY(fixture.session().apply(
-            core::AddSegment{.name = QStringLiteral("Brain"), .rgb = 0x804020, .code = {}}));
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Brain"), 0x804020)));
         QVERIFY(!ui::takesPartInGrowth(fixture.session().history(), 1));
         QVERIFY(fixture.session().apply(test::WorkspaceFixture::middleSeed(1)));
         QVERIFY(fixture.session().settle());

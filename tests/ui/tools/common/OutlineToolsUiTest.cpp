@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"

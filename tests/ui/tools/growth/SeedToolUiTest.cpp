@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/SeedTool.h"
 
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/tools/aim/PickQuestion.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/PendingSeeds.h"
@@ -185,7 +188,7 @@ private Q_SLOTS:
     {
         SeedFixture fixture;
         for (const char* name : {"A", "B"})
-            QVERIFY(fixture.session().apply(core::AddSegment{QLatin1String(name), 1, {}}));
+            QVERIFY(fixture.session().apply(test::newSegment(QLatin1String(name), 1)));
         QVERIFY(fixture.session().settle());
         fixture.workspace.setActiveSegment(2);
         fixture.sketch(fixture.window.views().coronal(), {0, 0}, {5, 5});
@@ -272,8 +275,7 @@ private Q_SLOTS:
         SeedFixture fixture;
         ui::SliceView& view = fixture.window.views().axial();
         fixture.sketch(view, {-10, 6}, {10, 6});
-        QVERIFY(fixture.session().apply(
-            core::GrowSteps{.criteria = {.lower = -2000, .upper = 3000}, .steps = 1}));
+        QVERIFY(fixture.session().apply(test::growBetween(-2000, 3000, 1)));
         QVERIFY(fixture.session().settle());
         const auto rows = fixture.session().history().rows().size();
         QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
@@ -288,9 +290,8 @@ private Q_SLOTS:
         SeedFixture fixture;
         ui::SliceView& view = fixture.window.views().axial();
         fixture.sketch(view, {-10, 6}, {10, 6});
-        QVERIFY(fixture.session().apply(
-            core::GrowSteps{.criteria = {.lower = -2000, .upper = 3000}, .steps = 1}));
-        QVERIFY(fixture.session().apply(core::AddSegment{QStringLiteral("Other"), 1, {}}));
+        QVERIFY(fixture.session().apply(test::growBetween(-2000, 3000, 1)));
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Other"), 1)));
         QVERIFY(fixture.session().settle());
         fixture.workspace.setActiveSegment(2);
         const auto rows = fixture.session().history().rows().size();

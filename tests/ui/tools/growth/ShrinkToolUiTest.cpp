@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/ShrinkTool.h"
 
+#include "core/edits/kinds/growth/ShrinkAt.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/tools/growth/ShrinkForesight.h"
 #include "ui/views/ViewGrid.h"
@@ -39,8 +41,8 @@ public:
         display.surfaceThreshold = phantom().lowCode;
         workspace.setVolumeDisplay(display);
         workspace.setActiveTool(&tool);
-        apply(core::AddSegment{.name = QStringLiteral("Vessel"), .rgb = 1, .code = {}});
-        apply(core::SeedStroke{1, {placeOf(phantom().seed)}});
+        apply(test::newSegment(QStringLiteral("Vessel"), 1));
+        apply(test::seedAt(1, {placeOf(phantom().seed)}));
         grow();
         workspace.setCrosshairLps(placeOf(phantom().click));
         view.lookFrom({0.0, 1.0, 0.0}); // the leak is on the vessel's back
@@ -57,10 +59,7 @@ public:
     }
     void grow(int wider = 0)
     {
-        core::GrowSteps growth;
-        growth.criteria.lower = phantom().lowCode - wider;
-        growth.criteria.upper = phantom().highCode + wider;
-        apply(growth);
+        apply(test::growBetween(phantom().lowCode - wider, phantom().highCode + wider));
     }
     /// Over a voxel of the leak, as it is seen in a view.
     void sketch(ui::ImageView& where, const QPointF& offset = {})

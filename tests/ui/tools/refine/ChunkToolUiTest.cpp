@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/reference/RefusingEngine.h"
 #include "tests/support/cases/SurfaceCases.h"
@@ -8,6 +10,7 @@
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/refine/ChunksPanel.h"
 #include "ui/tools/refine/ChunkTool.h"
 #include "ui/views/ViewGrid.h"
@@ -36,7 +39,7 @@ constexpr int few = 5; // ventricle, brain within and without, bone, air
 constexpr glm::dvec3 inVentricle(0.0, 0.0, 0.0);
 constexpr glm::dvec3 inBone(14.0, 0.0, 0.0);
 
-core::ImportMask ball()
+core::Edit ball()
 {
     return test::ballMask(glm::ivec3(test::smallHead::side), radius);
 }
@@ -200,7 +203,7 @@ private Q_SLOTS:
     void whatHasNoVoxelsIsNotDivided()
     {
         ChunkFixture fixture;
-        fixture.apply(core::AddSegment{.name = QStringLiteral("Empty"), .rgb = 0x20A0C0});
+        fixture.apply(test::newSegment(QStringLiteral("Empty"), 0x20A0C0));
         fixture.workspace.setActiveSegment(2);
         QVERIFY(!fixture.find<QPushButton>("divide")->isEnabled());
         QVERIFY(fixture.find<QLabel>("chunksWhose")

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/surface/ApplyTemplate.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/MarkSurface.h"
+#include "core/edits/kinds/surface/SpherePush.h"
+#include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/base/Actions.h"
 #include "ui/panels/refine/RefineActions.h"
 #include "ui/panels/refine/RefinePanel.h"
@@ -246,13 +254,11 @@ private Q_SLOTS:
     void whatIsPaintedSinceIsTold()
     {
         RefineFixture fixture;
-        fixture.apply(
-            core::AddSegment{.name = QStringLiteral("Other"), .rgb = 0x4080ff, .code = {}});
+        fixture.apply(test::newSegment(QStringLiteral("Other"), 0x4080ff));
         fixture.lay();
         const auto differs = [&] { return fixture.session().document().surface->differs; };
         const auto painted = [](int segment, double x) {
-            return core::PaintStroke{.segment = segment,
-                .path = {.radiusMm = 3.0, .pointsLps = {glm::dvec3(x, 0.0, 0.0)}}};
+            return test::paintAt(segment, {glm::dvec3(x, 0.0, 0.0)}, 3.0);
         };
         fixture.apply(painted(2, -16.0));
         QVERIFY(!differs());
@@ -289,8 +295,8 @@ private Q_SLOTS:
         QVERIFY(!shut->toolTip().isEmpty() && !open->toolTip().isEmpty());
         QVERIFY2(fixture.panel.minimumSizeHint().width() <= 280,
             qPrintable(QString::number(fixture.panel.minimumSizeHint().width())));
-        fixture.apply(core::AddSegment{.name = QStringLiteral("Within"), .rgb = 1, .code = {}});
-        fixture.apply(core::SeedStroke{.segment = 2, .pointsLps = {glm::dvec3(0.0)}});
+        fixture.apply(test::newSegment(QStringLiteral("Within"), 1));
+        fixture.apply(test::seedAt(2, {glm::dvec3(0.0)}));
         const std::int64_t held = fixture.voxels();
 
         shut->click();
@@ -298,10 +304,8 @@ private Q_SLOTS:
         QVERIFY(fixture.lastRow().edit.is<core::SurfaceBarrier>());
         QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Barrier around surface, ")));
         QCOMPARE(fixture.voxels(), held);
-        core::GrowSteps grow;
-        grow.criteria = {.lower = -3000, .upper = 3000, .connectivity = 26};
-        grow.criteria.overwriteUnlocked = true;
-        fixture.apply(grow);
+        fixture.apply(test::growBy(
+            {.lower = -3000, .upper = 3000, .connectivity = 26, .overwriteUnlocked = true}));
         const auto within = [&fixture] { return fixture.session().document().segment(2)->voxels; };
         const std::int64_t enclosed = within();
         QVERIFY(std::abs(double(enclosed - held)) < 0.01 * double(held)); // it was only laid
@@ -454,8 +458,7 @@ private Q_SLOTS:
         QTRY_VERIFY(found());
         const int before = list->count();
         // The segment grows under what is green.
-        fixture.apply(core::PaintStroke{.segment = 1,
-            .path = {.radiusMm = 7.0, .pointsLps = {glm::dvec3(radius + 1.0, 0.0, 0.0)}}});
+        fixture.apply(test::paintAt(1, {glm::dvec3(radius + 1.0, 0.0, 0.0)}, 7.0));
         const std::size_t green = fixture.marked(SurfaceMark::Green);
         fixture.panel.findChild<QPushButton*>(QStringLiteral("followMask"))->click();
         QTRY_VERIFY(found());

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/LaserTool.h"
 
+#include "core/edits/EditJson.h"
 #include "core/edits/engine/HiddenSides.h"
-#include "core/edits/engine/SculptEdits.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -16,6 +19,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
+#include <QJsonArray>
 #include <QWheelEvent>
 #include <QtTest>
 
@@ -283,9 +287,8 @@ private Q_SLOTS:
         QCOMPARE(fixture.rows(), std::size_t(1));
         const core::HiddenSides expected =
             core::hiddenSides(clip, fixture.workspace.volume()->geometry);
-        const std::size_t sides = std::visit(
-            [](const auto& cut) { return cut.hidden ? cut.hidden->size() : std::size_t(0); },
-            *core::sculptEdit(fixture.session().history().rows().back().edit));
+        const QJsonObject edit = core::editToJson(fixture.session().history().rows().back().edit);
+        const auto sides = std::size_t(edit[QStringLiteral("hidden")].toArray().size());
         QCOMPARE(sides, expected->size());
         reference::DenseFields fields = fixture.engine.fields();
         const reference::DenseArray<std::uint8_t> cut = fields.coverage(1);

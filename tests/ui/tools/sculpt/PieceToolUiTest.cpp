@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/PieceTool.h"
 
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/frame/PanelSection.h"
 #include "ui/models/PieceListModel.h"
 #include "ui/panels/lists/PiecesPanel.h"
@@ -302,12 +306,8 @@ private Q_SLOTS:
     void aSegmentIsPasted()
     {
         PieceFixture fixture;
-        fixture.apply(core::AddSegment{.name = QStringLiteral("Tooth"), .rgb = 0x40C080});
-        core::PaintStroke paint;
-        paint.segment = 1;
-        paint.path.radiusMm = 5.0;
-        paint.path.pointsLps = {{4, 0, -6}};
-        fixture.apply(paint);
+        fixture.apply(test::newSegment(QStringLiteral("Tooth"), 0x40C080));
+        fixture.apply(test::paintAt(1, {{4, 0, -6}}, 5.0));
         fixture.workspace.pieces().paste(1);
         fixture.settle();
         QCOMPARE(fixture.document().pieces.size(), std::size_t(1));
