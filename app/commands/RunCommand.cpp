@@ -12,6 +12,7 @@
 #include "core/base/files/ReadableFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"
@@ -217,7 +218,7 @@ QStringList masksOf(const core::Recipe& recipe)
     QStringList files;
     for (const core::RecipeStep& step : recipe.steps) {
         const auto* edit = std::get_if<core::Edit>(&step);
-        const auto* mask = edit ? std::get_if<core::ImportMask>(edit) : nullptr;
+        const auto* mask = edit ? edit->as<core::ImportMask>() : nullptr;
         if (mask && !mask->segments)
             files += {mask->file, QFileInfo(recipe.path).dir().filePath(mask->file)};
     }

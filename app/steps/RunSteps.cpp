@@ -25,7 +25,7 @@ QString nothingChanged(const core::Edit& edit, const core::EditSession& session)
 {
     const QString name = QStringLiteral("nothing changed");
     const std::optional<core::SketchedSeeds>& seeds = session.findings().sketchedSeeds();
-    if (!std::holds_alternative<core::SeedStroke>(edit) || !seeds || seeds->voxels == 0)
+    if (!edit.is<core::SeedStroke>() || !seeds || seeds->voxels == 0)
         return name;
     return name + QStringLiteral(": ") + core::sketchedText(*seeds, session.document());
 }
@@ -51,7 +51,7 @@ void printEdit(const core::Edit& edit, const core::EditSession& session, bool ch
         line[QStringLiteral("ms")] = std::round(row.statistics.milliseconds * 1000.0) / 1000.0;
         line[QStringLiteral("hash")] = QString::fromLatin1(row.stateHash);
     }
-    const bool revised = changed && std::holds_alternative<core::ReviseStroke>(edit);
+    const bool revised = changed && edit.is<core::ReviseStroke>();
     const std::vector<core::RowId> keep =
         revised ? session.findings().strokesOnRevisedSurface() : std::vector<core::RowId>();
     if (revised) {

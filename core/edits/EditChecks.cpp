@@ -3,7 +3,8 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/ChunkVoxels.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/SparedSegments.h"
+#include "core/edits/engine/SculptEdits.h"
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
 
 namespace core {
@@ -118,14 +119,14 @@ private:
 
 Result<void> checkAgainst(const Document& document, const Edit& edit)
 {
-    if (changedPart(edit) || std::holds_alternative<SurfaceBarrier>(edit)) {
+    if (changedPart(edit) || edit.is<SurfaceBarrier>()) {
         Document copy = document;
         if (const Result<bool> applied = applyToDocument(edit, copy); !applied)
             return tl::unexpected(applied.error());
     }
     if (const Result<void> checked = checkSparedAreThere(edit, document); !checked)
         return checked;
-    return std::visit(Checks{document}, edit);
+    return visitEdit(Checks{document}, edit);
 }
 
 } // namespace core

@@ -2,6 +2,7 @@
 #include "core/edits/EditJson.h"
 
 #include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/schema/EditSchema.h"
 
 #include <QJsonArray>
@@ -187,7 +188,7 @@ private:
 
 Result<void> check(Edit edit, bool atBegin)
 {
-    return std::visit(
+    return visitEdit(
         [atBegin](auto& fields) -> Result<void> {
             using E = std::decay_t<decltype(fields)>;
             Checker checker(QLatin1String(editSchema::editName<E>), atBegin);
@@ -216,21 +217,20 @@ std::optional<Result<Edit>> readIfNamed(const QString& name, const QJsonObject& 
     return Edit(std::move(edit));
 }
 
-template <class... Es> QStringList namesOf(const std::variant<Es...>*)
+template <class... Es> QStringList namesOf(EditKinds<Es...>)
 {
     return {QString(QLatin1String(editSchema::editName<Es>))...};
 }
 
 template <class... Es>
-Result<Edit> readAny(const QString& name, const QJsonObject& object, const std::variant<Es...>*)
+Result<Edit> readAny(const QString& name, const QJsonObject& object, EditKinds<Es...> kinds)
 {
     std::optional<Result<Edit>> result;
     static_cast<void>(((result = readIfNamed<Es>(name, object)) || ...));
     if (result)
         return *std::move(result);
     return failure(ErrorCode::UnknownEdit, name,
-        QStringLiteral("known are %1")
-            .arg(namesOf(static_cast<Edit*>(nullptr)).join(QStringLiteral(", "))));
+        QStringLiteral("known are %1").arg(namesOf(kinds).join(QStringLiteral(", "))));
 }
 
 Error notUnderstood(const QString& field, const QString& reason)
@@ -288,7 +288,7 @@ QJsonObject editToJson(const Edit& edit)
 {
     Edit copy = edit;
     Writer writer;
-    std::visit([&writer](auto& fields) { editSchema::visitFields(writer, fields); }, copy);
+    visitEdit([&writer](auto& fields) { editSchema::visitFields(writer, fields); }, copy);
     writer.m_object.insert(QStringLiteral("edit"), editName(edit));
     return writer.m_object;
 }
@@ -316,7 +316,7 @@ Result<Edit> editFromJson(const QJsonValue& json)
         if (const Result<void> told = maskToPolygon(known, object); !told)
             return tl::unexpected(told.error());
     }
-    return readAny(known, object, static_cast<Edit*>(nullptr));
+    return readAny(known, object, AllEdits());
 }
 
 Result<void> checkFields(const Edit& edit)
@@ -331,7 +331,7 @@ Result<void> checkFieldsAtBegin(const Edit& edit)
 
 QString editName(const Edit& edit)
 {
-    return std::visit(
+    return visitEdit(
         [](const auto& fields) -> QString {
             return QLatin1String(editSchema::editName<std::decay_t<decltype(fields)>>);
         },

@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/kinds/SurfaceEdit.h"
 
@@ -144,7 +145,7 @@ private:
 
 EditTask taskOf(const Edit& edit)
 {
-    return std::visit(
+    return visitEdit(
         [](const auto& known) {
             using E = std::decay_t<decltype(known)>;
             if constexpr (isOfDocument<E>)
@@ -163,7 +164,7 @@ EditTask taskOf(const Edit& edit)
 
 bool canStandOpen(const Edit& edit)
 {
-    return std::visit(
+    return visitEdit(
         [](const auto& known) {
             using E = std::decay_t<decltype(known)>;
             constexpr bool isOpen = isOneOf<E, DrillStroke, LaserStroke, PeelCut, BrushStroke,
@@ -181,7 +182,7 @@ bool canStandOpen(const Edit& edit)
 
 Result<EngineEdit> engineEditOf(const Edit& edit, const Document& document)
 {
-    return std::visit(EngineEdits{document}, edit);
+    return visitEdit(EngineEdits{document}, edit);
 }
 
 } // namespace core

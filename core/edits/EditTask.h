@@ -3,7 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/engine/EngineCommands.h"
 
 namespace core {

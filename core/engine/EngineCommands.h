@@ -88,7 +88,7 @@ using EngineEditVariant =
         MaskScissors, LaserCut, LabelCarved, LabelSeen, LabelListed, RelabelListed, CoverLabel,
         FoldLayer, ShrinkGrowth, CutGrowth, PaintBarrier, ShutListed, SpreadLabels>;
 
-/// Any one of them; like Edit (core/edits/kinds/Edits.h), its copies are compiled once.
+/// Any one of them; like Edit (core/edits/kinds/Edit.h), its copies are compiled once.
 struct EngineEdit : EngineEditVariant {
     using EngineEditVariant::variant;
     EngineEdit();
@@ -258,7 +258,7 @@ using EngineCommandVariant = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBr
     MuteLayers, ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels, PickVoxels, CountGenerations,
     ProbeSeeds, TraceTolerance, DropTolerance, ForeseeCut, DropForesight>;
 
-/// Any one command; like Edit (core/edits/kinds/Edits.h), its copies are compiled once.
+/// Any one command; like Edit (core/edits/kinds/Edit.h), its copies are compiled once.
 struct EngineCommand : EngineCommandVariant {
     using EngineCommandVariant::variant;
     EngineCommand();

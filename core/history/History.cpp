@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/history/History.h"
 
+#include "core/edits/kinds/history/RevertRows.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -25,7 +27,7 @@ std::vector<RowId> History::standing(RowId id) const
         if (taken.count(id) != 0)
             continue;
         stands.push_back(id);
-        if (const auto* revert = std::get_if<RevertRows>(&row(id).edit))
+        if (const auto* revert = row(id).edit.as<RevertRows>())
             taken.insert(revert->rows.begin(), revert->rows.end());
     }
     std::reverse(stands.begin(), stands.end());

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/delta/EditStatistics.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/history/RowOrigin.h"
 
 #include <QByteArray>

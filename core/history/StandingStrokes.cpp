@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/history/StandingStrokes.h"
 
+#include "core/edits/kinds/history/ReviseStroke.h"
+
 #include <algorithm>
 
 namespace core {
@@ -29,7 +31,7 @@ std::vector<StandingStroke> standingStrokes(const History& history, RowId at)
         const Edit& edit = history.row(id).edit;
         if (std::optional<SculptEdit> sculpted = sculptEdit(edit)) {
             strokes.push_back({.row = id, .form = *std::move(sculpted), .removed = false});
-        } else if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
+        } else if (const auto* revise = edit.as<ReviseStroke>()) {
             const auto found = std::find_if(strokes.begin(), strokes.end(),
                 [revise](const StandingStroke& stroke) { return stroke.row == revise->row; });
             if (found == strokes.end())
@@ -48,7 +50,7 @@ std::vector<SculptEdit> formsOf(const History& history, RowId row)
         return {};
     std::vector<SculptEdit> forms{*std::move(drawn)};
     for (const RowId id : history.pathTo(history.position())) {
-        const auto* revise = std::get_if<ReviseStroke>(&history.row(id).edit);
+        const auto* revise = history.row(id).edit.as<ReviseStroke>();
         if (revise && revise->row == row && !revise->removed)
             forms.push_back(asRevised(history, *revise));
     }

@@ -2,6 +2,7 @@
 #include "core/masks/ReadImport.h"
 
 #include "core/document/SegmentColours.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/schema/EditFields.h"
 
 #include <QFileInfo>

@@ -4,6 +4,13 @@
 #include "core/base/files/FileInUse.h"
 #include "core/base/files/ReadableFile.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/recipe/RepeatedKey.h"
 #include "core/volume/SurfaceThreshold.h"
 
@@ -149,14 +156,8 @@ Result<Recipe> readRecipe(const QString& path)
 void fillSurfaces(Recipe& recipe, const Volume& volume)
 {
     const double threshold = usualSurfaceThreshold(volume);
-    for (const std::size_t step : recipe.withoutSurface) {
-        std::visit(
-            [threshold](auto& edit) {
-                if constexpr (requires { edit.surfaceThreshold; })
-                    edit.surfaceThreshold = threshold;
-            },
-            std::get<Edit>(recipe.steps[step]));
-    }
+    for (const std::size_t step : recipe.withoutSurface)
+        setSurface(std::get<Edit>(recipe.steps[step]), threshold);
 }
 
 Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceExisting)
@@ -172,13 +173,13 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
             return tl::unexpected(atEdit(checked.error(), entryOf(recipe, i)));
         const std::size_t segmentsBefore = document.segments.size();
         static_cast<void>(applyToDocument(*edit, document));
-        if (const auto* seed = std::get_if<SeedStroke>(edit))
+        if (const auto* seed = edit->as<SeedStroke>())
             seeded.insert(seed->segment);
-        if (const auto* paint = std::get_if<PaintStroke>(edit); paint && !paint->erase)
+        if (const auto* paint = edit->as<PaintStroke>(); paint && !paint->erase)
             seeded.insert(paint->segment);
-        if (const auto* toggle = std::get_if<ChunkToggle>(edit))
+        if (const auto* toggle = edit->as<ChunkToggle>())
             seeded.insert(toggle->segment);
-        if (const auto* mask = std::get_if<ImportMask>(edit)) {
+        if (const auto* mask = edit->as<ImportMask>()) {
             // What it made is last, as many as there are; what was there is named.
             for (std::size_t k = 0; k < document.segments.size(); ++k) {
                 const Segment& segment = document.segments[k];
@@ -187,8 +188,8 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
                     seeded.insert(segment.label);
             }
         }
-        const auto* carved = std::get_if<LayerToSegment>(edit);
-        const auto* seen = std::get_if<SegmentSeen>(edit);
+        const auto* carved = edit->as<LayerToSegment>();
+        const auto* seen = edit->as<SegmentSeen>();
         if (carved || seen) {
             const SegmentChoice& choice = carved ? carved->target : seen->target;
             seeded.insert(choice.segment.value_or(document.lastLabelGiven()));

@@ -2,6 +2,7 @@
 #include "core/recipe/RecipeElsewhere.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
 
 #include <type_traits>
@@ -23,7 +24,7 @@ template <class Take> void RecipeElsewhere::visitNumbers(Edit& edit, const Take&
         if (number)
             take(kind, *number);
     };
-    std::visit(
+    visitEdit(
         [&](auto& known) {
             using E = std::decay_t<decltype(known)>;
             if constexpr (isOneOf<E, ChangeSegment, MoveSegment, RemoveSegment, SegmentToLayer,
@@ -110,7 +111,7 @@ bool RecipeElsewhere::isThere(Kind kind, int number, const Document& document)
 
 bool RecipeElsewhere::mayMake(const Edit& edit, Kind& kind)
 {
-    return std::visit(
+    return visitEdit(
         [&kind](const auto& known) {
             using E = std::decay_t<decltype(known)>;
             if constexpr (isOneOf<E, AddSegment, LayerToSegment, SegmentSeen, ImportMask>)

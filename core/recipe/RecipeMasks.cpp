@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/masks/ReadImport.h"
 #include "core/recipe/Recipe.h"
 
@@ -13,7 +14,7 @@ Result<QStringList> readMasks(Recipe& recipe, const Volume& volume)
     std::size_t segments = 0;
     for (RecipeStep& step : recipe.steps) {
         auto* edit = std::get_if<Edit>(&step);
-        auto* mask = edit ? std::get_if<ImportMask>(edit) : nullptr;
+        auto* mask = edit ? edit->as<ImportMask>() : nullptr;
         if (!mask || mask->segments)
             continue;
         const QFileInfo file(mask->file);

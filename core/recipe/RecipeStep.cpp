@@ -2,6 +2,7 @@
 #include "core/recipe/RecipeStep.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/schema/EditQuantise.h"
 
@@ -91,7 +92,7 @@ bool isBoundToStudy(const RecipeStep& step)
     const auto* edit = std::get_if<Edit>(&step);
     if (!edit)
         return true;
-    return std::visit(
+    return visitEdit(
         [](const auto& known) {
             using E = std::decay_t<decltype(known)>;
             if constexpr (isOneOf<E, CutPiece, PastePiece>)
@@ -124,6 +125,16 @@ bool startsOnSurface(const QString& editName)
             return true;
     }
     return false;
+}
+
+void setSurface(Edit& edit, double threshold)
+{
+    visitEdit(
+        [threshold](auto& known) {
+            if constexpr (requires { known.surfaceThreshold; })
+                known.surfaceThreshold = threshold;
+        },
+        edit);
 }
 
 std::vector<EditDocumentation> recipeStepDocumentation()

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/edits/schema/EditDocumentation.h"
 #include "core/history/History.h"
 
@@ -37,6 +37,9 @@ using RecipeStep = std::variant<Edit, HistoryMove>;
 
 /// Whether an edit of this name starts on what is seen ("surface").
 [[nodiscard]] bool startsOnSurface(const QString& editName);
+
+/// What is seen, where an edit starts on that. @param threshold modality units
+void setSurface(Edit& edit, double threshold);
 
 /// editDocumentation() and the walks: everything a recipe's list can hold.
 [[nodiscard]] std::vector<EditDocumentation> recipeStepDocumentation();

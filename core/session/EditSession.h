@@ -5,7 +5,7 @@
 #include "core/base/files/FileInUse.h"
 #include "core/delta/Ending.h"
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/growth/GrowthProgress.h"
 #include "core/history/History.h"
 
@@ -15,6 +15,8 @@
 #include <memory>
 
 namespace core {
+
+struct PenSample;
 
 class EditEngine;
 class OperationQueue;

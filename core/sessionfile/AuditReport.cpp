@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/AuditReport.h"
 
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/sessionfile/records/SessionTables.h"
 
 #include <QFileInfo>
@@ -19,10 +21,10 @@ struct LaterSteps {
     {
         for (const RowId id : history.standing()) {
             const Edit& edit = history.row(id).edit;
-            if (const auto* revert = std::get_if<RevertRows>(&edit)) {
+            if (const auto* revert = edit.as<RevertRows>()) {
                 for (const RowId row : revert->rows)
                     takenBackBy[std::size_t(row)] = id;
-            } else if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
+            } else if (const auto* revise = edit.as<ReviseStroke>()) {
                 revisedBy[std::size_t(revise->row)] = id;
             }
         }

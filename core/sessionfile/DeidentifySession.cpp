@@ -3,6 +3,7 @@
 
 #include "core/base/files/StagedError.h"
 #include "core/base/files/StagedFile.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/records/RowText.h"
@@ -29,7 +30,7 @@ bool namesPatient(const QString& text, const QStringList& words)
 /// Its file's name alone, of a mask that was imported: the folder may be named after the patient.
 HistoryRow neutral(HistoryRow row, const Deidentifier& by)
 {
-    if (auto* mask = std::get_if<ImportMask>(&row.edit); mask && !mask->file.isEmpty()) {
+    if (auto* mask = row.edit.as<ImportMask>(); mask && !mask->file.isEmpty()) {
         const QFileInfo named(mask->file);
         mask->file = QStringLiteral("mask.") + named.completeSuffix();
         row.name.replace(named.fileName(), mask->file);

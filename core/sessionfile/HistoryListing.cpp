@@ -3,6 +3,10 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/sessionfile/records/StateHash.h"
 
 #include <QJsonArray>
@@ -33,9 +37,9 @@ QJsonValue told(const HistoryRow& row, const QString& text)
 /// A recipe says what was done; what a row adds to it, it finds again.
 Edit asToldAtFirst(Edit edit)
 {
-    if (auto* chunks = std::get_if<Chunks>(&edit))
+    if (auto* chunks = edit.as<Chunks>())
         chunks->owners.reset();
-    else if (auto* toggle = std::get_if<ChunkToggle>(&edit))
+    else if (auto* toggle = edit.as<ChunkToggle>())
         toggle->bricks.reset();
     return edit;
 }
@@ -151,10 +155,10 @@ Edit renumbered(const Edit& edit, const std::map<RowId, RowId>& numbers)
             row = number->second;
     };
     Edit result = edit;
-    if (auto* revert = std::get_if<RevertRows>(&result)) {
+    if (auto* revert = result.as<RevertRows>()) {
         for (std::int64_t& row : revert->rows)
             renumber(row);
-    } else if (auto* revise = std::get_if<ReviseStroke>(&result)) {
+    } else if (auto* revise = result.as<ReviseStroke>()) {
         renumber(revise->row);
     }
     return result;

@@ -4,6 +4,15 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/growth/SeedWord.h"
 
 #include <array>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/window/Application.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/session/SessionKeyframes.h"
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionFile.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/series/SyntheticSeries.h"
 #include "ui/base/AuthorName.h"
 #include "ui/dialogs/AuthorDialog.h"
@@ -191,7 +193,7 @@ private Q_SLOTS:
         QVERIFY(wait([this] { return m_application->workspace().session() != nullptr; }));
         QVERIFY(waitUntilDrawn());
 
-        QVERIFY(apply(core::AddSegment{.name = QStringLiteral("Skull"), .rgb = 0xE0C068}));
+        QVERIFY(apply(test::newSegment(QStringLiteral("Skull"), 0xE0C068)));
         ui::AuthorDialog dialog(&window());
         dialog.findChild<QLineEdit*>(QStringLiteral("authorName"))
             ->setText(QStringLiteral("Dr. M. Muster "));
@@ -219,10 +221,10 @@ private Q_SLOTS:
         // An old future, a step undone alone, and one undone.
         QVERIFY(session().goTo(9));
         QVERIFY(waitUntilDrawn());
-        QVERIFY(apply(core::ChangeSegment{.segment = 1, .name = QStringLiteral("Cranium")}));
+        QVERIFY(apply(test::renameSegment(1, QStringLiteral("Cranium"))));
         QVERIFY(apply(drill(0.05, -0.15)));
-        QVERIFY(apply(core::RevertRows{{13}}));
-        QVERIFY(apply(core::AddSegment{.name = QStringLiteral("Brain"), .rgb = 0x60A0E0}));
+        QVERIFY(apply(test::revertRows({13})));
+        QVERIFY(apply(test::newSegment(QStringLiteral("Brain"), 0x60A0E0)));
         QVERIFY(session().undo());
         QVERIFY(waitUntilDrawn());
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/window/Application.h"
+#include "core/edits/kinds/layers/AddLayer.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionDisplay.h"

@@ -134,7 +134,7 @@ private Q_SLOTS:
         for (const Edit& edit : growth->edits) {
             QCOMPARE(stage.apply(edit), QString());
             actions += test::userActions(edit, geometry);
-            if (std::holds_alternative<GrowSteps>(edit))
+            if (edit.is<GrowSteps>())
                 leaked = ours(stage, *growth);
         }
         const double reached = ours(stage, *growth);

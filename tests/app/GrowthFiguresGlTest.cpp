@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/demo/DemoStudy.h"
 #include "core/demo/HeadPhantom.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/pieces/PastePiece.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/growth/GrowthFigure.h"
 #include "tests/support/cases/growth/RealGrowths.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/FigurePanels.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SculptStage.h"
 #include "tests/support/scenes/SharedData.h"
 #include "tests/support/series/OpenedVolume.h"
@@ -128,7 +138,7 @@ private Q_SLOTS:
         xray.mode = gpu::RenderMode::Xray;
         xray.xrayWindow = {60.0, 900.0};
         const GrowCriteria criteria{.lower = 180.0, .upper = 350.0};
-        QCOMPARE(figure.does(GrowSteps{.criteria = criteria, .steps = 80}), QString());
+        QCOMPARE(figure.does(test::growBy(criteria, 80)), QString());
         figure.shows(xray, shown);
         QCOMPARE(figure.does(ResumeGrowth{}), QString());
         figure.shows(xray, shown);
@@ -201,9 +211,8 @@ private Q_SLOTS:
         gpu::VolumeScene xray = sceneOf(front);
         xray.mode = gpu::RenderMode::Xray;
         xray.xrayWindow = {-280.0, 900.0};
-        GrowSteps grow{.criteria = {.lower = 200.0, .upper = 600.0, .majority = 14}};
-        grow.steps = 40;
-        QCOMPARE(figure.does(grow), QString());
+        QCOMPARE(figure.does(test::growBy({.lower = 200.0, .upper = 600.0, .majority = 14}, 40)),
+            QString());
         figure.shows(xray, shown);
         QCOMPARE(figure.does(ResumeGrowth{}), QString());
         figure.shows(xray, shown);
@@ -248,7 +257,7 @@ private Q_SLOTS:
         QCOMPARE(figure.seeds(1, {{98, 105, 96}, {105, 125, 96}}), QString());
         const auto shown = inColours({blue});
         const GrowCriteria criteria{.lower = 0.0, .upper = 70.0, .majority = 14};
-        QCOMPARE(figure.does(GrowSteps{.criteria = criteria, .steps = 130}), QString());
+        QCOMPARE(figure.does(test::growBy(criteria, 130)), QString());
         const double leaked = figure.mL(1);
         figure.shows(scene, shown);
         ChangeInterval narrower;
@@ -297,10 +306,10 @@ private Q_SLOTS:
             .toLps = figure.place(glm::dvec3(figure.geometry().size - 1))};
         QCOMPARE(figure.does(segment("White matter", ivory)), QString());
         QCOMPARE(figure.seeds(1, {{60, 100, 100}, {60, 130, 100}}), QString());
-        QCOMPARE(figure.does(GrowSteps{
-                     .criteria = {.lower = 93.0, .upper = 135.0, .majority = 16, .box = upper}}),
+        QCOMPARE(figure.does(
+                     test::growBy({.lower = 93.0, .upper = 135.0, .majority = 16, .box = upper})),
             QString());
-        QCOMPARE(figure.does(ChangeSegment{.segment = 1, .locked = true}), QString());
+        QCOMPARE(figure.does(test::lockSegment(1)), QString());
         QCOMPARE(figure.does(segment("Grey matter", rose)), QString());
         const std::vector<glm::dvec2> stroke{
             {-40.0, -4.0}, {-10.0, 14.0}, {20.0, 6.0}, {46.0, -8.0}};
@@ -309,9 +318,9 @@ private Q_SLOTS:
         QCOMPARE(figure.seeds(2, deeper, stroke), QString());
         figure.shows(scene);
         figure.sketched(view, stroke, false, 0xFF60A0);
-        GrowSteps grow{.criteria = {.lower = 62.0, .upper = 92.0, .majority = 14, .box = upper}};
-        grow.steps = 25;
-        QCOMPARE(figure.does(grow), QString());
+        QCOMPARE(figure.does(test::growBy(
+                     {.lower = 62.0, .upper = 92.0, .majority = 14, .box = upper}, 25)),
+            QString());
         figure.shows(scene, inColours({0, rose}));
         QCOMPARE(figure.does(ResumeGrowth{}), QString());
 
@@ -425,23 +434,21 @@ private Q_SLOTS:
             .fromLps = figure.place({0, 0, 0}), .toLps = figure.place({511, 511, 60})};
         QCOMPARE(figure.does(segment("Liver", brown)), QString());
         QCOMPARE(figure.seeds(1, {{110, 250, 30}, {150, 200, 30}}), QString());
-        QCOMPARE(figure.does(GrowSteps{
-                     .criteria = {.lower = -10.0, .upper = 135.0, .majority = 27, .box = below}}),
+        QCOMPARE(figure.does(
+                     test::growBy({.lower = -10.0, .upper = 135.0, .majority = 27, .box = below})),
             QString());
         const double leaked = figure.mL(1);
         QCOMPARE(figure.shrinksAt({{350, 300, 20}, {380, 300, 20}}), QString());
         QCOMPARE(figure.shrinksAt({{330, 240, 36}, {350, 260, 36}}), QString());
-        QCOMPARE(figure.does(ChangeSegment{.segment = 1, .locked = true}), QString());
+        QCOMPARE(figure.does(test::lockSegment(1)), QString());
         QCOMPARE(figure.does(segment("Bronchus", yellow)), QString());
         QCOMPARE(figure.seeds(2, {{304, 340, 86}, {304, 340, 88}}), QString());
-        QCOMPARE(
-            figure.does(GrowSteps{.criteria = {.lower = -1000.0, .upper = -870.0}}), QString());
-        QCOMPARE(figure.does(ChangeSegment{.segment = 2, .locked = true}), QString());
+        QCOMPARE(figure.does(test::growBetween(-1000.0, -870.0)), QString());
+        QCOMPARE(figure.does(test::lockSegment(2)), QString());
         QCOMPARE(figure.does(segment("Lungs", blue)), QString());
         QCOMPARE(figure.seeds(3, {{340, 300, 80}, {330, 380, 80}}), QString());
         QCOMPARE(figure.seeds(3, {{226, 320, 86}, {226, 380, 86}}), QString());
-        QCOMPARE(
-            figure.does(GrowSteps{.criteria = {.lower = -1000.0, .upper = -500.0}}), QString());
+        QCOMPARE(figure.does(test::growBetween(-1000.0, -500.0)), QString());
         figure.shows(scene, inColours({brown, yellow, blue}));
         qInfo("abdomen: liver %.0f mL (with spleen and stomach %.0f), lungs %.0f mL, bronchus %.2f "
               "mL",

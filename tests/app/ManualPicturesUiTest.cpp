@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/window/DemonstrationStudy.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/surface/MarkSurface.h"
+#include "core/edits/kinds/surface/SpherePush.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ManualWindow.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SharedData.h"
 #include "ui/dialogs/export/ExportDialog.h"
 #include "ui/dialogs/study/OpenStudyDialog.h"
@@ -197,8 +203,8 @@ private Q_SLOTS:
         };
         apply(core::AddSegment{
             QStringLiteral("Ventricles"), 0x4AA3FF, code("35764002", "Brain ventricle")});
-        apply(core::SeedStroke{.segment = 1, .pointsLps = {{-16.0, 0.5, 20.5}}});
-        apply(core::GrowSteps{.criteria = {.lower = -20, .upper = 18}, .steps = 12});
+        apply(test::seedAt(1, {{-16.0, 0.5, 20.5}}));
+        apply(test::growBetween(-20, 18, 12));
         apply(core::AddSegment{QStringLiteral("Trepanation"), 0xE07A5F, code("89546000", "Skull")});
         apply(drill({-0.08, 0.21}, {0.08, 0.21}, 12, 14));
         apply(core::LayerToSegment{.layer = 1, .target = {.segment = 2}});
@@ -277,8 +283,8 @@ private Q_SLOTS:
         // Grown by its values alone, a liver leaks.
         apply(core::AddSegment{.name = QStringLiteral("Liver"), .rgb = 0xE07A5F});
         workspace().setActiveSegment(1);
-        apply(core::SeedStroke{.segment = 1, .pointsLps = {{-66.0, -170.0, 392.0}}});
-        apply(core::GrowSteps{.criteria = {.lower = 5, .upper = 95}, .steps = 30});
+        apply(test::seedAt(1, {{-66.0, -170.0, 392.0}}));
+        apply(test::growBetween(5, 95, 30));
         QVERIFY(session().document().segment(1)->voxels > 10000);
         ui::Chunks& chunks = workspace().chunks();
         chunks.divide(12.0);
@@ -312,17 +318,16 @@ private Q_SLOTS:
         apply(drill({-0.10, 0.21}, {0.10, 0.21}, 14, 12));
         apply(drill({-0.08, 0.21}, {0.08, 0.21}, 9, 24));
         apply(core::AddSegment{.name = QStringLiteral("Brain"), .rgb = 0x4AA3FF});
-        apply(
-            core::SeedStroke{.segment = 1, .pointsLps = {{-16.0, 0.5, 20.5}, {-14.0, 0.5, 20.5}}});
+        apply(test::seedAt(1, {{-16.0, 0.5, 20.5}, {-14.0, 0.5, 20.5}}));
         const core::RowId seeded = session().history().position();
-        apply(core::GrowSteps{.criteria = {.lower = -20, .upper = 120}, .steps = 30});
-        apply(core::GrowSteps{.criteria = {.lower = -20, .upper = 160}, .steps = 25});
+        apply(test::growBetween(-20, 120, 30));
+        apply(test::growBetween(-20, 160, 25));
         QVERIFY(session().goTo(seeded));
         QVERIFY(waitUntilDrawn());
-        apply(core::GrowSteps{.criteria = {.lower = 0, .upper = 90}, .steps = 88});
-        apply(core::ChangeSegment{.segment = 1, .name = QStringLiteral("Cerebrum")});
+        apply(test::growBetween(0, 90, 88));
+        apply(test::renameSegment(1, QStringLiteral("Cerebrum")));
         apply(drill({0.22, 0.0}, {0.24, -0.04}, 9, 14));
-        apply(core::RevertRows{{session().history().position()}});
+        apply(test::revertRows({session().history().position()}));
         const core::RowId last = session().history().position();
         apply(core::AddSegment{.name = QStringLiteral("Ventricles"), .rgb = 0xE07A5F});
         QVERIFY(session().goTo(last));

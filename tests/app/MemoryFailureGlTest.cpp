@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QDir>
-#include <QFileInfo>
 #include <QFile>
+#include <QFileInfo>
 #include <QTest>
 
 #include <set>
@@ -43,14 +46,12 @@ QJsonArray script(const core::VolumeGeometry& geometry)
 {
     const glm::dvec3 corner = geometry.toWorld({1, 1, 1});
     const glm::dvec3 middle = geometry.toWorld(glm::dvec3(geometry.size) / 2.0);
-    QJsonArray steps =
-        test::toJson({test::addSegment("Brain"), test::seedInBrain(1), test::growBrain(),
-            test::addSegment("Air"), core::SeedStroke{.segment = 2, .pointsLps = {corner}},
-            core::GrowSteps{.criteria = {.lower = -2000, .upper = -500}},
-            core::ShrinkSteps{.steps = 6}, test::drillAt(-6),
-            core::PaintStroke{.segment = 1,
-                .path = {.radiusMm = 6, .pointsLps = {middle, middle + glm::dvec3(4, 3, 2)}},
-                .overwriteUnlocked = true}});
+    QJsonArray steps = test::toJson({test::addSegment("Brain"), test::seedInBrain(1),
+        test::growBrain(), test::addSegment("Air"), test::seedAt(2, {corner}),
+        test::growBetween(-2000, -500), core::ShrinkSteps{.steps = 6}, test::drillAt(-6),
+        core::PaintStroke{.segment = 1,
+            .path = {.radiusMm = 6, .pointsLps = {middle, middle + glm::dvec3(4, 3, 2)}},
+            .overwriteUnlocked = true}});
     for (const char* move : {"undo", "undo", "redo"})
         steps.append(QJsonObject{{key("edit"), key(move)}});
     return steps;

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
 #include "core/study/StudyLoader.h"
@@ -22,15 +29,15 @@ using Settings = std::vector<std::pair<const char*, const char*>>;
 /// A stroke of every tool, and back.
 std::vector<core::Edit> everyTool()
 {
-    const core::DrillStroke at = test::drillAt(-6);
-    core::DrillStroke rate = test::drillAt(5);
+    const core::DrillStroke at = test::drillAt(-6).get<core::DrillStroke>();
+    core::DrillStroke rate = test::drillAt(5).get<core::DrillStroke>();
     rate.mode = core::DrillMode::Rate;
     rate.mask = {.kind = core::MaskShape::Kind::Rounded,
         .widthMm = 9.0,
         .heightMm = 6.0,
         .rotationDegrees = 30.0,
         .softnessMm = 1.0};
-    core::DrillStroke restore = test::drillAt(-4);
+    core::DrillStroke restore = test::drillAt(-4).get<core::DrillStroke>();
     restore.restore = true;
     core::LaserStroke laser;
     laser.view = at.view;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "gpu/engine/GpuEngine.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/base/Theme.h"
 #include "ui/geometry/OrientationLetters.h"
 #include "ui/tools/aim/PickQuestion.h"
@@ -344,9 +346,9 @@ void PicturesUiTest::continuedSessionLooksAsItWasLeft()
         drill.surfaceThreshold = -350.0;
         drill.samples = {{10.0, 10.0, 1.0, 0.0}, {-20.0, 10.0, 1.0, 0.4}};
         QVERIFY(session.apply(drill));
-        QVERIFY(session.apply(core::AddSegment{.name = QStringLiteral("S"), .rgb = 0x3388ff}));
-        QVERIFY(session.apply(core::SeedStroke{1, {front.centreLps}}));
-        QVERIFY(session.apply(core::GrowSteps{.criteria = {.lower = 400.0, .upper = 600.0}}));
+        QVERIFY(session.apply(test::newSegment(QStringLiteral("S"), 0x3388ff)));
+        QVERIFY(session.apply(test::seedAt(1, {front.centreLps})));
+        QVERIFY(session.apply(test::growBetween(400.0, 600.0)));
         QVERIFY(session.settle());
         // Elsewhere and back: what comes then was drawn after the last edit.
         const dvec3 place = real.workspace.crosshairLps();

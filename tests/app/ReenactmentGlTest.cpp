@@ -3,9 +3,21 @@
 #include "core/demo/HeadPhantom.h"
 #include "core/document/Piece.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/pieces/ChangePiece.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/pieces/PastePiece.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/FigurePanels.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SculptStage.h"
 #include "tests/support/scenes/SharedData.h"
 #include "tests/support/series/OpenedVolume.h"
@@ -312,10 +324,8 @@ private Q_SLOTS:
         const test::BandShell shell =
             test::bandShell(study.volume.geometry, view, outline, value, 60.0, 230.0);
         QVERIFY(shell.met > 0.95);
-        QCOMPARE(
-            stage->apply(AddSegment{.name = QStringLiteral("Fat"), .rgb = 0xE8D8A0}), QString());
-        QCOMPARE(
-            stage->apply(AddSegment{.name = QStringLiteral("Brain"), .rgb = 0xE0B0A8}), QString());
+        QCOMPARE(stage->apply(test::newSegment(QStringLiteral("Fat"), 0xE8D8A0)), QString());
+        QCOMPARE(stage->apply(test::newSegment(QStringLiteral("Brain"), 0xE0B0A8)), QString());
         const glm::dmat3 axes = *viewAxes(view, {});
         const auto under = [&](const glm::dvec2& onPlane, const auto& isThere) {
             for (double depth = -200.0; depth < 200.0; depth += 0.4) {
@@ -342,13 +352,12 @@ private Q_SLOTS:
             box.toLps = glm::max(box.toLps, glm::max(at, at + 40.0 * axes[2]));
         }
         QCOMPARE(stage->apply(fat), QString());
-        QCOMPARE(
-            stage->apply(GrowSteps{
-                .criteria = {.lower = 230.0, .upper = 2000.0, .connectivity = 26, .box = box}}),
+        QCOMPARE(stage->apply(test::growBy(
+                     {.lower = 230.0, .upper = 2000.0, .connectivity = 26, .box = box})),
             QString());
         QCOMPARE(stage->apply(brain), QString());
         QCOMPARE(stage->apply(GrowFromSeeds{.box = box}), QString());
-        QCOMPARE(stage->apply(ChangeSegment{.segment = 2, .uncarvable = true}), QString());
+        QCOMPARE(stage->apply(test::protectSegment(2)), QString());
         peel.depthMm = 8.0;
         QCOMPARE(stage->apply(peel), QString());
         gpu::SegmentDisplay shown;
@@ -395,16 +404,14 @@ private Q_SLOTS:
         drill.surfaceThreshold = 226.0;
         drill.samples = {{}};
         QCOMPARE(stage->apply(drill), QString());
-        QCOMPARE(
-            stage->apply(AddSegment{.name = QStringLiteral("Molar"), .rgb = 0xF2D9A6}), QString());
+        QCOMPARE(stage->apply(test::newSegment(QStringLiteral("Molar"), 0xF2D9A6)), QString());
         SeedStroke seeds{.segment = 1, .pointsLps = {}};
         for (int k = 1; k < 8; ++k)
             seeds.pointsLps.push_back(place(160, 178, k));
         QCOMPARE(stage->apply(seeds), QString());
         panels.push_back(stage->draw(scene, panelSize));
-        QCOMPARE(
-            stage->apply(GrowSteps{.criteria = {.lower = 1200.0, .upper = 3071.0}}), QString());
-        QCOMPARE(stage->apply(ChangeSegment{.segment = 1, .uncarvable = true}), QString());
+        QCOMPARE(stage->apply(test::growBetween(1200.0, 3071.0)), QString());
+        QCOMPARE(stage->apply(test::protectSegment(1)), QString());
 
         DrillStroke around = drill;
         around.mask.widthMm = 21.0;

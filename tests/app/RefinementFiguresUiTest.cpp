@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/surface/MarkSurface.h"
+#include "core/edits/kinds/surface/PlaneScrape.h"
+#include "core/edits/kinds/surface/WriteBack.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ManualWindow.h"
 #include "tests/support/program/TestProgram.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -26,8 +28,7 @@ private Q_SLOTS:
 
     void theBoneComesWithAClick()
     {
-        const SeedStroke inBone = test::seedInBone(1);
-        ChunkToggle click{.segment = 1, .chunks = 3, .pointsLps = inBone.pointsLps};
+        ChunkToggle click{.segment = 1, .chunks = 3, .pointsLps = test::pointsInBone()};
         const std::vector<Edit> edits{test::addSegment("Head"), test::seedInBrain(1),
             test::growBrain(), Chunks{.segment = 1, .marginMm = 6.0}, click};
         const Outcome made =
@@ -56,7 +57,7 @@ private Q_SLOTS:
     void aClickWithoutADivisionIsRefused()
     {
         const std::vector<Edit> edits{test::addSegment("Head"),
-            ChunkToggle{.segment = 1, .chunks = 4, .pointsLps = test::seedInBone(1).pointsLps}};
+            ChunkToggle{.segment = 1, .chunks = 4, .pointsLps = test::pointsInBone()}};
         const Outcome refused =
             run(recipe("make.json", {{key("edits"), test::toJson(edits)}}), "a.burin");
         QCOMPARE(refused.status, 1);

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/pieces/ChangePiece.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/pieces/PastePiece.h"
+#include "core/edits/kinds/pieces/RemovePiece.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"

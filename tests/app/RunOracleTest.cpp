@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
@@ -8,6 +9,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SharedData.h"
 
 #include <QFile>
@@ -106,9 +108,9 @@ void RunOracleTest::runsAlike()
     const std::vector<glm::ivec3> seeds = seedsWithin(*loaded, low, high, 3);
     QCOMPARE(seeds.size(), std::size_t(3));
 
-    SeedStroke stroke{1, {}};
+    std::vector<glm::dvec3> seedsLps;
     for (const glm::ivec3& seed : seeds)
-        stroke.pointsLps.push_back(geometry.toWorld(glm::dvec3(seed)));
+        seedsLps.push_back(geometry.toWorld(glm::dvec3(seed)));
     DrillStroke drill;
     drill.view.targetLps = geometry.toWorld(glm::dvec3(geometry.size) / 2.0);
     drill.view.eyeLps = drill.view.targetLps + glm::dvec3(-150.0, -210.0, 60.0);
@@ -116,11 +118,9 @@ void RunOracleTest::runsAlike()
     drill.depthMm = 12.0;
     drill.surfaceThreshold = input.lower;
     drill.samples = {{.xMm = -6.0, .yMm = 3.0, .pressure = 0.8}, {.xMm = 8.0, .yMm = -5.0}};
-    const std::vector<Edit> edits{
-        quantised(AddSegment{.name = QStringLiteral("Grown"), .rgb = 0x40C080, .code = {}}),
-        quantised(stroke),
-        quantised(GrowSteps{.criteria = {.lower = input.lower, .upper = input.upper}, .steps = {}}),
-        quantised(drill)};
+    const std::vector<Edit> edits{quantised(test::newSegment(QStringLiteral("Grown"), 0x40C080)),
+        quantised(test::seedAt(1, seedsLps)),
+        quantised(test::growBetween(input.lower, input.upper)), quantised(drill)};
 
     const QTemporaryDir folder;
     QJsonArray json;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -53,7 +54,7 @@ private Q_SLOTS:
         QFETCH(bool, inVolume);
         test::ApplicationFixture fixture;
         fixture.open(fixture.path("case/ct"));
-        core::AddSegment bone = test::addSegment("Bone");
+        core::AddSegment bone = test::addSegment("Bone").get<core::AddSegment>();
         bone.rgb = 0x40C040;
         fixture.edit(bone);
         fixture.edit(test::seedInBone(1));
@@ -66,7 +67,7 @@ private Q_SLOTS:
             return test::waitUntilDrawn(fixture.window(), fixture.workspace());
         };
         // Through the shell's front, which the 3D view looks at.
-        const glm::dvec3 place = test::seedInBone(1).pointsLps.front() + glm::dvec3(3.0, 0.0, 0.0);
+        const glm::dvec3 place = test::pointsInBone().front() + glm::dvec3(3.0, 0.0, 0.0);
         fixture.workspace().setCrosshairLps(place);
         QVERIFY(drawn());
         ui::ImageView& where =

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/HistoryBenchmark.h"
 
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "gpu/engine/GpuEngine.h"
 #include "tests/benchmarks/SessionDriver.h"
 #include "tests/benchmarks/TorsoVolume.h"
 #include "tests/benchmarks/WholeImageUndo.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/TypicalStrokes.h"
 #include "ui/base/ErrorText.h"
 
@@ -27,22 +29,19 @@ using Voxels = std::vector<std::uint8_t>;
 constexpr int strokeCount = 20;
 constexpr int dabs = 60; ///< half a second of a pen
 
-core::GrowSteps liverGrowth()
+core::Edit liverGrowth()
 {
-    core::GrowSteps grow;
-    grow.criteria.lower = TorsoVolume::lowerHu;
-    grow.criteria.upper = TorsoVolume::upperHu;
-    return grow;
+    return test::growBetween(TorsoVolume::lowerHu, TorsoVolume::upperHu);
 }
 
 /// Along a curve of about 60 mm through the liver.
-core::SeedStroke seedStroke()
+core::Edit seedStroke()
 {
-    core::SeedStroke stroke{.segment = 1, .pointsLps = {}};
+    std::vector<glm::dvec3> pointsLps;
     for (int i = 0; i < dabs; ++i)
-        stroke.pointsLps.push_back(TorsoVolume::liverLps()
+        pointsLps.push_back(TorsoVolume::liverLps()
             + glm::dvec3(i - dabs / 2, 6.0 * std::sin(0.15 * i), 4.0 * std::sin(0.1 * i)));
-    return stroke;
+    return test::seedAt(1, std::move(pointsLps));
 }
 
 /// From the front into the belly, with the tool's usual radius and depth: a curve of 60 mm.
@@ -125,8 +124,7 @@ private:
     QString work()
     {
         SessionDriver& session = *m_driver;
-        session.apply(
-            core::AddSegment{.name = QStringLiteral("Liver"), .rgb = 0xB04030, .code = {}});
+        session.apply(test::newSegment(QStringLiteral("Liver"), 0xB04030));
         session.apply(seedStroke());
         m_seedRow = session.lastRow();
         m_beforeGrowth = state();
@@ -140,8 +138,7 @@ private:
         m_report.add({"history.growth.held", "Ms", growth.longestCallMs()});
 
         m_beforePaint = state();
-        session.apply(
-            core::AddSegment{.name = QStringLiteral("Lesion"), .rgb = 0x40B030, .code = {}});
+        session.apply(test::newSegment(QStringLiteral("Lesion"), 0x40B030));
         session.apply(test::typicalPaintStroke(
             2, glm::dvec3(-TorsoVolume::liverLps().x, 0.0, 60.0), core::BrushPath::Shape::Ball));
         m_paintRow = session.lastRow();

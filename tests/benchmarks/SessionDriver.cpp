@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/SessionDriver.h"
 
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/engine/EditEngine.h"
 #include "core/session/SessionStorage.h"
 #include "core/session/questions/VoxelQuestions.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reenactment/BrushRobot.h"
 
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/reenactment/BallStroke.h"
 #include "tests/reenactment/RobotLog.h"
 #include "tests/reenactment/UserHand.h"

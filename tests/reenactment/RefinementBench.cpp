@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reenactment/RefinementBench.h"
 
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/refine/fit/InitialFit.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/SessionChunks.h"

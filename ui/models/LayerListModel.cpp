@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/LayerListModel.h"
 
+#include "core/edits/kinds/layers/ChangeLayer.h"
 #include "ui/workspace/LayerLooks.h"
 #include "ui/workspace/Workspace.h"
 

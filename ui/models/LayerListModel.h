@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/document/Document.h"
 #include "ui/models/NumberedListModel.h"
 
 namespace ui {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/PieceListModel.h"
 
+#include "core/edits/kinds/pieces/ChangePiece.h"
 #include "ui/workspace/Pieces.h"
 #include "ui/workspace/Workspace.h"
 

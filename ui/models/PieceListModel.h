@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/document/Document.h"
+#include "core/document/Piece.h"
 #include "ui/models/NumberedListModel.h"
 
 namespace ui {

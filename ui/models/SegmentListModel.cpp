@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/SegmentListModel.h"
 
+#include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/session/SessionDisplay.h"
 #include "ui/base/CountText.h"
 #include "ui/workspace/Workspace.h"

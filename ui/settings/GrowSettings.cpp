@@ -2,6 +2,8 @@
 #include "ui/settings/GrowSettings.h"
 
 #include "core/edits/engine/growth/GrowLimits.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
 #include "ui/base/DisplayJson.h"
 
 #include <QJsonArray>

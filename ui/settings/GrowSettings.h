@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/growth/GrowBox.h"
 #include "core/volume/ClipRegion.h"
 #include "core/volume/Volume.h"
 
 #include <QJsonObject>
 
 #include <optional>
+
+namespace core {
+struct GrowCriteria;
+}
 
 namespace ui {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/settings/SeedStatistics.h"
 
+#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/session/EditSession.h"
 
 #include <cmath>
@@ -22,7 +23,7 @@ std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label)
     const core::VolumeGeometry& geometry = session.document().volumes.front().geometry;
     const core::History& history = session.history();
     for (const core::RowId id : history.standing()) {
-        const auto* stroke = std::get_if<core::SeedStroke>(&history.row(id).edit);
+        const auto* stroke = history.row(id).edit.as<core::SeedStroke>();
         if (!stroke || stroke->segment != label)
             continue;
         if (stroke->takenLps) {

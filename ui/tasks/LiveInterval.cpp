@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/LiveInterval.h"
 
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/session/past/RecentGrowth.h"
 #include "ui/settings/GrowSettings.h"
 #include "ui/workspace/Workspace.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/UndoOnly.h"
 
+#include "core/edits/kinds/history/RevertRows.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/workspace/Workspace.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/BookmarkMenu.h"
 
+#include "core/edits/kinds/views/Bookmarks.h"
 #include "ui/views/VolumeView.h"
 #include "ui/workspace/Workspace.h"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Background.h"
+#include "core/document/Document.h"
 #include "core/history/History.h"
 #include "ui/settings/KeyframeRule.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/WindowActions.h"
 
+#include "core/edits/kinds/layers/ChangeLayer.h"
 #include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/KeysDialog.h"
 #include "ui/dialogs/PenTesterDialog.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/Chunks.h"
 
+#include "core/edits/kinds/chunks/Chunks.h"
 #include "core/session/SessionChunks.h"
 #include "ui/workspace/Workspace.h"
 
@@ -326,8 +327,7 @@ void Chunks::takeBack()
     setLook(look);
     core::EditSession* session = m_workspace.session();
     const core::RowId row = session->history().position();
-    if (row <= m_dividedAfter
-        || !std::holds_alternative<core::Chunks>(session->history().row(row).edit))
+    if (row <= m_dividedAfter || !session->history().row(row).edit.is<core::Chunks>())
         return;
     if (const auto undone = session->undo(); !undone)
         m_workspace.fail(undone.error());

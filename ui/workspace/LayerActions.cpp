@@ -2,6 +2,13 @@
 #include "ui/workspace/LayerActions.h"
 
 #include "core/edits/engine/HiddenSides.h"
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/ShownValues.h"
 #include "ui/workspace/Workspace.h"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/PendingSeeds.h"
 
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -49,12 +52,11 @@ PendingSeeds::Sketched PendingSeeds::seedsOf(const core::EditSession& session)
     const core::VolumeGeometry& geometry = session.document().volumes.front().geometry;
     for (const core::RowId id : history.standing()) {
         const core::HistoryRow& row = history.row(id);
-        if (std::holds_alternative<core::GrowSteps>(row.edit)
-            || std::holds_alternative<core::ChangeInterval>(row.edit)) {
+        if (row.edit.is<core::GrowSteps>() || row.edit.is<core::ChangeInterval>()) {
             for (const gpu::SceneSeed& seed : seeds)
                 grown.emplace_back(generation + 1, seed);
             seeds.clear();
-        } else if (const auto* shrink = std::get_if<core::ShrinkSteps>(&row.edit)) {
+        } else if (const auto* shrink = row.edit.as<core::ShrinkSteps>()) {
             // By steps it sends back those that came later; to the seeds it keeps all.
             if (shrink->steps && std::uint32_t(*shrink->steps) < generation) {
                 const auto goes = [&row](const auto& each) {
@@ -66,7 +68,7 @@ PendingSeeds::Sketched PendingSeeds::seedsOf(const core::EditSession& session)
                 }
                 std::erase_if(grown, goes);
             }
-        } else if (const auto* stroke = std::get_if<core::SeedStroke>(&row.edit)) {
+        } else if (const auto* stroke = row.edit.as<core::SeedStroke>()) {
             // A seed that a growth came to and left waiting can be taken away too; one that it
             // accepted stays, and is asked after below.
             const auto taken = [stroke, &geometry](const gpu::SceneSeed& seed) {
@@ -80,7 +82,7 @@ PendingSeeds::Sketched PendingSeeds::seedsOf(const core::EditSession& session)
             std::erase_if(grown, [&taken](const auto& each) { return taken(each.second); });
             for (const glm::dvec3& point : stroke->pointsLps)
                 seeds.push_back({point, std::uint8_t(stroke->segment)});
-        } else if (const auto* removed = std::get_if<core::RemoveSegment>(&row.edit)) {
+        } else if (const auto* removed = row.edit.as<core::RemoveSegment>()) {
             std::erase_if(
                 seeds, [removed](const auto& seed) { return seed.label == removed->segment; });
             std::erase_if(grown,

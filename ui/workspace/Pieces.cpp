@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/Pieces.h"
 
+#include "core/edits/kinds/pieces/ChangePiece.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/pieces/PastePiece.h"
+#include "core/edits/kinds/pieces/RemovePiece.h"
+#include "core/edits/kinds/pieces/SendPiecesHome.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/workspace/LayerActions.h"

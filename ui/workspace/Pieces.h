@@ -3,7 +3,8 @@
 
 #include "core/base/Result.h"
 #include "core/brick/BrickGrid.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/document/Piece.h"
+#include "core/edits/kinds/Edit.h"
 #include "gpu/scene/Scene.h"
 
 #include <QObject>

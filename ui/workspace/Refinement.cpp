@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/Refinement.h"
 
+#include "core/edits/kinds/surface/ApplyTemplate.h"
+#include "core/edits/kinds/surface/DropSurface.h"
+#include "core/edits/kinds/surface/FollowMask.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/SurfaceBarrier.h"
+#include "core/edits/kinds/surface/WriteBack.h"
 #include "core/session/SessionSurface.h"
 #include "ui/workspace/Workspace.h"
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/document/Document.h"
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/surface/ChangeMarks.h"
 #include "core/refine/mesh/SurfaceMirror.h"
 #include "gpu/scene/Scene.h"
 

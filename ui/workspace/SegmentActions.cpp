@@ -2,6 +2,8 @@
 #include "ui/workspace/SegmentActions.h"
 
 #include "core/document/SegmentColours.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "ui/base/CountText.h"
 #include "ui/workspace/Workspace.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QString>

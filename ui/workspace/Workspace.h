@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/sculpt/MaskShape.h"
 #include "core/session/EditSession.h"
 #include "gpu/frame/FrameSource.h"
 #include "ui/geometry/MaskOutline.h"

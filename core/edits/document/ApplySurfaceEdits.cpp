@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/ApplyEdits.h"
 
+#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/surface/ChangeMarks.h"
+#include "core/edits/kinds/surface/DropSurface.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/MarkSurface.h"
+#include "core/edits/kinds/surface/PlaneScrape.h"
+#include "core/edits/kinds/surface/SurfaceBarrier.h"
+#include "core/edits/kinds/surface/WriteBack.h"
+
 namespace core::applyEdits {
 
 tl::unexpected<Error> unknownSegment(int label)

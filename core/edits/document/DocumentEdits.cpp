@@ -3,6 +3,7 @@
 
 #include "core/edits/document/ApplyEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/AnyEdit.h"
 
 #include <algorithm>
 #include <utility>
@@ -355,7 +356,7 @@ requires isOneOf<E, ChunkToggle, SeedStroke, GrowSteps, ShrinkSteps, ChangeInter
 /// before; nor what others take from it.
 bool writesTo(const Edit& edit, int segment)
 {
-    return std::visit(
+    return visitEdit(
         [segment](const auto& known) {
             using E = std::decay_t<decltype(known)>;
             if constexpr (isOneOf<E, PaintStroke, ChunkToggle>)
@@ -374,7 +375,7 @@ bool writesTo(const Edit& edit, int segment)
 
 bool changesDocumentOnly(const Edit& edit)
 {
-    return std::visit(
+    return visitEdit(
         [&edit](const auto& known) {
             using E = std::decay_t<decltype(known)>;
             return changedPart(edit)
@@ -386,13 +387,12 @@ bool changesDocumentOnly(const Edit& edit)
 
 bool takesVoxelsOrNothing(const Edit& edit)
 {
-    return std::holds_alternative<LayerToSegment>(edit) || std::holds_alternative<ImportMask>(edit)
-        || std::holds_alternative<SegmentSeen>(edit);
+    return edit.is<LayerToSegment>() || edit.is<ImportMask>() || edit.is<SegmentSeen>();
 }
 
 std::optional<DocumentChange::What> changedPart(const Edit& edit)
 {
-    return std::visit(
+    return visitEdit(
         [](const auto& known) -> std::optional<DocumentChange::What> {
             using E = std::decay_t<decltype(known)>;
             using What = DocumentChange::What;
@@ -427,7 +427,7 @@ std::optional<DocumentChange::What> changedPart(const Edit& edit)
 Result<bool> applyToDocument(const Edit& edit, Document& document)
 {
     const Result<bool> applied =
-        std::visit([&document](const auto& known) { return apply(known, document); }, edit);
+        visitEdit([&document](const auto& known) { return apply(known, document); }, edit);
     if (applied && document.surface && writesTo(edit, document.surface->segment))
         document.surface->differs = true;
     return applied;

@@ -3,6 +3,10 @@
 
 #include "core/edits/engine/HiddenSides.h"
 #include "core/edits/engine/SparedSegments.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 
 #include <algorithm>
 #include <array>

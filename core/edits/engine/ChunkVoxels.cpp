@@ -2,6 +2,8 @@
 #include "core/edits/engine/ChunkVoxels.h"
 
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
 
 #include <algorithm>
 #include <array>

@@ -4,12 +4,15 @@
 #include "core/base/Result.h"
 #include "core/chunks/ChunkMap.h"
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/sculpt/LayerWrites.h"
 
 #include <map>
 
 namespace core {
+
+struct Chunks;
+struct ChunkOwner;
 
 // Dividing into chunks and clicking on them, from edits to what core/chunks and an engine take.
 

@@ -3,6 +3,10 @@
 
 #include "core/edits/engine/MaskFrames.h"
 #include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/schema/EditQuantise.h"
 
 #include <algorithm>

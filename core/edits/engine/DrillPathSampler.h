@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/sculpt/LaserCut.h"
 
 #include <optional>
 #include <vector>
 
 namespace core {
+
+struct PenSample;
 
 /// Makes the samples of a stroke of drill or laser from what the pen reports, piece by piece as it
 /// comes; how it is cut into pieces does not matter.

@@ -3,12 +3,17 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/engine/EngineCommands.h"
 
 #include <vector>
 
 namespace core {
+
+struct BrushPath;
+struct GrowCriteria;
+struct GrowGuard;
+struct SegmentChoice;
 
 // From an edit in millimetres and modality units to the integers an engine works with. Doubles are
 // used here and nowhere after; the build forbids fused multiply-add, so every machine agrees.

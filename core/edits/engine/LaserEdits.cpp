@@ -3,6 +3,7 @@
 
 #include "core/edits/engine/MaskFrames.h"
 #include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/EngineEdits.h"
 
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -2,6 +2,8 @@
 #include "core/brick/BrickGrid.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 
 #include <algorithm>
 

@@ -3,7 +3,8 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/SparedSegments.h"
 #include "core/sculpt/MaskFrame.h"
 
 namespace core {

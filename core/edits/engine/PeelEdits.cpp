@@ -3,6 +3,8 @@
 
 #include "core/edits/engine/MaskFrames.h"
 #include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/document/OrthographicView.h"
 #include "core/sculpt/PickRay.h"
 #include "core/volume/ClipRegion.h"
 #include "core/volume/VolumeGeometry.h"

@@ -3,7 +3,13 @@
 
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/SculptVisit.h"
 #include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/EditKinds.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
 
 #include <type_traits>
 #include <utility>
@@ -178,61 +184,76 @@ struct ParameterWriter {
 
 bool writesLayer(const Edit& edit, int layer)
 {
-    if (const auto* segment = std::get_if<SegmentToLayer>(&edit))
+    if (const auto* segment = edit.as<SegmentToLayer>())
         return segment->layer == layer;
-    if (const auto* merge = std::get_if<MergeLayers>(&edit))
+    if (const auto* merge = edit.as<MergeLayers>())
         return merge->from == layer || merge->into == layer;
-    const auto* remove = std::get_if<RemoveLayer>(&edit);
+    const auto* remove = edit.as<RemoveLayer>();
     return remove && remove->layer == layer;
+}
+
+SculptEdit::SculptEdit()
+    : m_edit(DrillStroke())
+{
 }
 
 std::optional<SculptEdit> sculptEdit(const Edit& edit)
 {
-    return std::visit(
-        [](const auto& known) -> std::optional<SculptEdit> {
-            using E = std::decay_t<decltype(known)>;
-            if constexpr (std::is_constructible_v<SculptEdit, E>)
-                return SculptEdit(known);
-            else
-                return std::nullopt;
-        },
-        edit);
+    std::optional<SculptEdit> found;
+    visitAmong([&found](const auto& known) { found = SculptEdit(known); }, edit, SculptKinds());
+    return found;
 }
 
-Edit plainEdit(const SculptEdit& edit)
+bool isSculptEdit(const Edit& edit)
 {
-    return std::visit([](const auto& known) { return Edit(known); }, edit);
+    return isAmong(edit, SculptKinds());
 }
 
 int layerOf(const SculptEdit& edit)
 {
-    return std::visit([](const auto& known) { return known.layer; }, edit);
+    return visitSculpt([](const auto& known) { return known.layer; }, edit);
 }
 
 bool restores(const SculptEdit& edit)
 {
-    return std::visit([](const auto& known) { return known.restore; }, edit);
+    return visitSculpt([](const auto& known) { return known.restore; }, edit);
 }
 
 bool startsOnSurface(const SculptEdit& edit)
 {
-    if (const auto* scissors = std::get_if<ScissorsCut>(&edit))
+    if (const auto* scissors = edit.as<ScissorsCut>())
         return scissors->depthMm || scissors->firstLayerOnly;
-    return !std::holds_alternative<BrushStroke>(edit);
+    return !edit.is<BrushStroke>();
+}
+
+const SparedSegments* sparedBy(const Edit& edit)
+{
+    const SparedSegments* spared = nullptr;
+    const auto look = [&spared](const auto& cut) {
+        if (!cut.restore)
+            spared = &cut.spared;
+    };
+    visitAmong(look, edit, SculptKinds());
+    return spared;
+}
+
+SparedSegments* sparedBy(Edit& edit)
+{
+    return const_cast<SparedSegments*>(sparedBy(std::as_const(edit)));
 }
 
 StrokeParameters parametersOf(const SculptEdit& edit)
 {
     SculptEdit copy = edit;
     ParameterReader reader;
-    std::visit([&reader](auto& known) { visitParameters(reader, known); }, copy);
+    visitSculpt([&reader](auto& known) { visitParameters(reader, known); }, copy);
     return reader.read;
 }
 
 Result<SculptEdit> revised(SculptEdit edit, const ReviseStroke& revision)
 {
     ParameterWriter writer{revision};
-    std::visit([&writer](auto& known) { visitParameters(writer, known); }, edit);
+    visitSculpt([&writer](auto& known) { visitParameters(writer, known); }, edit);
     const ReviseStroke& left = writer.revision;
     const char* missing = left.radiusMm ? "radiusMm"
         : left.sideMm                   ? "sideMm"
@@ -252,7 +273,7 @@ Result<SculptEdit> revised(SculptEdit edit, const ReviseStroke& revision)
 
 Result<WholeCut> cutAlone(const SculptEdit& edit, const Document& document, std::uint8_t layer)
 {
-    return std::visit(
+    return visitSculpt(
         [&](const auto& known) -> Result<WholeCut> { return cutAlone(known, document, layer); },
         edit);
 }

@@ -2,25 +2,53 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/document/Document.h"
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/parts/SparedSegments.h"
 #include "core/engine/EngineCommands.h"
 
+#include <cstdint>
 #include <optional>
-#include <variant>
+#include <utility>
 #include <vector>
 
 namespace core {
 
-/// The edits that write the coverage of a sculpt layer: each by the greater value where it carves,
-/// by the lesser where it restores.
-using SculptEdit = std::variant<DrillStroke, BrushStroke, PeelCut, ScissorsCut, LaserStroke>;
+using SculptKinds = EditKinds<DrillStroke, BrushStroke, PeelCut, ScissorsCut, LaserStroke>;
+
+/// An edit that writes the coverage of a sculpt layer: by the greater value where it carves, by the
+/// lesser where it restores. As with Edit, nobody who only hands one on needs more than this
+/// header; visitSculpt() (SculptVisit.h) asks all kinds alike.
+class SculptEdit {
+public:
+    SculptEdit(); ///< a DrillStroke
+    template <isEdit E>
+    requires(placeAmong<E>(SculptKinds()) < SculptKinds::count) SculptEdit(E edit)
+        : m_edit(std::move(edit))
+    {
+    }
+
+    template <isEdit E> [[nodiscard]] bool is() const { return m_edit.is<E>(); }
+    template <isEdit E> [[nodiscard]] const E* as() const { return m_edit.as<E>(); }
+    template <isEdit E> [[nodiscard]] E* as() { return m_edit.as<E>(); }
+    template <isEdit E> [[nodiscard]] const E& get() const { return m_edit.get<E>(); }
+
+    [[nodiscard]] const Edit& plain() const { return m_edit; }
+
+private:
+    Edit m_edit;
+};
 
 [[nodiscard]] std::optional<SculptEdit> sculptEdit(const Edit& edit);
-[[nodiscard]] Edit plainEdit(const SculptEdit& edit);
+[[nodiscard]] bool isSculptEdit(const Edit& edit);
 [[nodiscard]] int layerOf(const SculptEdit& edit);
 [[nodiscard]] bool restores(const SculptEdit& edit);
 /// Whether what is seen decides where it cuts.
 [[nodiscard]] bool startsOnSurface(const SculptEdit& edit);
+
+/// What an edit that carves spares: its own list. Null: it carves nothing, or restores.
+[[nodiscard]] SparedSegments* sparedBy(Edit& edit);
+[[nodiscard]] const SparedSegments* sparedBy(const Edit& edit);
 
 /// What of a cut can be revised, as it is; absent: it has no such thing.
 struct StrokeParameters {

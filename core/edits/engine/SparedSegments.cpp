@@ -1,32 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/SparedSegments.h"
 
+#include "core/edits/engine/SculptEdits.h"
+
 #include <set>
-#include <type_traits>
-#include <utility>
 
 namespace core {
-
-const SparedSegments* sparedBy(const Edit& edit)
-{
-    return std::visit(
-        [](const auto& known) -> const SparedSegments* {
-            using E = std::decay_t<decltype(known)>;
-            if constexpr (
-                std::is_same_v<E,
-                    DrillStroke> || std::is_same_v<E, LaserStroke> || std::is_same_v<E, BrushStroke> || std::is_same_v<E, PeelCut> || std::is_same_v<E, ScissorsCut>) {
-                return known.restore ? nullptr : &known.spared;
-            } else {
-                return nullptr;
-            }
-        },
-        edit);
-}
-
-SparedSegments* sparedBy(Edit& edit)
-{
-    return const_cast<SparedSegments*>(sparedBy(std::as_const(edit)));
-}
 
 void spareProtected(Edit& edit, const Document& document)
 {

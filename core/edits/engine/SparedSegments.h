@@ -3,14 +3,11 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/parts/SparedSegments.h"
 #include "core/sculpt/SparedLabels.h"
 
 namespace core {
-
-/// What an edit that carves spares: its own list. Null: it carves nothing, or restores.
-[[nodiscard]] SparedSegments* sparedBy(Edit& edit);
-[[nodiscard]] const SparedSegments* sparedBy(const Edit& edit);
 
 /// Adds the segments that are protected to what an edit spares, as it is carried out. From then on
 /// the edit says by itself what it reads: neither replay nor a revision asks what is protected.

@@ -2,6 +2,7 @@
 #include "core/edits/engine/ToolMasks.h"
 
 #include "core/edits/engine/MaskFrames.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/edits/kinds/Edits.h"
 #include "core/sculpt/MaskRaster.h"
 
 #include <vector>
 
 namespace core {
+
+struct MaskShape;
 
 // From outlines in millimetres to rasters of elements.
 

@@ -1,37 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/SurfaceEdit.h"
 
-#include "core/edits/kinds/IsOneOf.h"
+#include "core/edits/kinds/surface/ApplyTemplate.h"
+#include "core/edits/kinds/surface/AttractSurface.h"
+#include "core/edits/kinds/surface/ChangeMarks.h"
+#include "core/edits/kinds/surface/DropSurface.h"
+#include "core/edits/kinds/surface/FollowMask.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/MarkSurface.h"
+#include "core/edits/kinds/surface/PlaneScrape.h"
+#include "core/edits/kinds/surface/PointDrag.h"
+#include "core/edits/kinds/surface/SmoothSurface.h"
+#include "core/edits/kinds/surface/SpherePush.h"
+#include "core/edits/kinds/surface/SurfaceBarrier.h"
+#include "core/edits/kinds/surface/WriteBack.h"
 
-#include <type_traits>
 #include <utility>
 
 namespace core {
 
 std::optional<SurfaceEdit> surfaceEditOf(const Edit& edit)
 {
-    return std::visit(
-        [](const auto& known) -> std::optional<SurfaceEdit> {
-            if constexpr (std::is_constructible_v<SurfaceEdit, decltype(known)>)
-                return known;
-            else
-                return std::nullopt;
-        },
-        edit);
+    std::optional<SurfaceEdit> found;
+    visitAmong([&found](const auto& known) { found = known; }, edit, SurfaceKinds());
+    return found;
 }
 
 const SurfacePath* surfacePathOf(const Edit& edit)
 {
-    return std::visit(
-        [](const auto& known) -> const SurfacePath* {
-            using E = std::decay_t<decltype(known)>;
-            if constexpr (isOneOf<E, MarkSurface, SpherePush, PlaneScrape, PointDrag, SmoothSurface,
-                              AttractSurface>)
-                return &known.path;
-            else
-                return nullptr;
-        },
-        edit);
+    using WithPath =
+        EditKinds<MarkSurface, SpherePush, PlaneScrape, PointDrag, SmoothSurface, AttractSurface>;
+    const SurfacePath* path = nullptr;
+    visitAmong([&path](const auto& known) { path = &known.path; }, edit, WithPath());
+    return path;
 }
 
 SurfacePath* surfacePathOf(Edit& edit)

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/EditKinds.h"
 
 #include <optional>
-#include <variant>
 
 namespace core {
 
+struct SurfacePath;
+
 /// Any one edit that works on the surface that is being refined, or lays it.
-using SurfaceEdit = std::variant<LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks,
+using SurfaceKinds = EditKinds<LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks,
     SpherePush, PlaneScrape, PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack,
     SurfaceBarrier>;
+using SurfaceEdit = VariantOfKinds<SurfaceKinds>::Type;
 
 /// None: it is no such edit.
 [[nodiscard]] std::optional<SurfaceEdit> surfaceEditOf(const Edit& edit);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
 #include "core/edits/schema/EditChunks.h"
 #include "core/edits/schema/SchemaParts.h"
 

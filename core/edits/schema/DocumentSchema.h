@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/MoveLayer.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/MoveSegment.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/views/Bookmarks.h"
+#include "core/edits/kinds/views/Measurements.h"
 #include "core/edits/schema/SchemaParts.h"
 
 namespace core::editSchema {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/schema/EditDocumentation.h"
 
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/schema/EditSchema.h"
 
 #include <QJsonArray>
@@ -82,7 +83,7 @@ template <class E> EditDocumentation document()
     return result;
 }
 
-template <class... Es> std::vector<EditDocumentation> documentAll(const std::variant<Es...>*)
+template <class... Es> std::vector<EditDocumentation> documentAll(EditKinds<Es...>)
 {
     return {document<Es>()...};
 }
@@ -91,7 +92,7 @@ template <class... Es> std::vector<EditDocumentation> documentAll(const std::var
 
 std::vector<EditDocumentation> editDocumentation()
 {
-    return documentAll(static_cast<Edit*>(nullptr));
+    return documentAll(AllEdits());
 }
 
 } // namespace core

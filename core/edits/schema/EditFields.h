@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/document/Document.h"
 
 #include <QJsonValue>
 #include <QString>
 
+#include <glm/glm.hpp>
+
 #include <array>
+#include <cstdint>
 #include <optional>
 
 namespace core::editFields {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/schema/EditQuantise.h"
 
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/schema/EditSchema.h"
 
 namespace core {
@@ -41,7 +42,7 @@ Edit quantised(const Edit& edit)
 {
     Edit result = edit;
     Rounder rounder;
-    std::visit([&rounder](auto& fields) { editSchema::visitFields(rounder, fields); }, result);
+    visitEdit([&rounder](auto& fields) { editSchema::visitFields(rounder, fields); }, result);
     return result;
 }
 

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
 
 namespace core {
+
+struct PenSample;
 
 /// The grids on which numbers that decide voxels lie (DESIGN §3.2). Numbers are rounded once, where
 /// the recipe or the pen enters; recipe, session and replay then hold the same form, to the bit.

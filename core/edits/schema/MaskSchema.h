@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/schema/EditMasks.h"
 #include "core/edits/schema/SchemaParts.h"
 

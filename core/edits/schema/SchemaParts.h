@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/document/OrthographicView.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/SparedSegments.h"
 #include "core/edits/schema/EditFields.h"
 #include "core/edits/schema/EditLists.h"
 #include "core/edits/schema/EditQuantise.h"
@@ -34,6 +37,7 @@ inline constexpr editFields::Number millimetres{
     "mm", -quantum::reachMm, quantum::reachMm, quantum::perMillimetre};
 inline constexpr editFields::Point positionLps{millimetres};
 inline constexpr editFields::Number brushRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
+inline constexpr editFields::Number peelDepth{"mm", 0.0, 60.0, quantum::perMillimetre};
 
 /// A camera, as every edit that needs one writes it.
 template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)

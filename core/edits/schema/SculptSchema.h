@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/document/Piece.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/schema/SchemaParts.h"
 
 #include <algorithm>
@@ -10,7 +17,6 @@ namespace core::editSchema {
 
 inline constexpr editFields::Number drillRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
 inline constexpr editFields::Number drillDepth{"mm", 0.0, 500.0, quantum::perMillimetre};
-inline constexpr editFields::Number peelDepth{"mm", 0.0, 60.0, quantum::perMillimetre};
 inline constexpr editFields::Outline viewOutline{
     editFields::Number{"mm", -2000.0, 2000.0, quantum::perMillimetre}};
 inline constexpr editFields::Number maskSide{"mm", 0.02, 400.0, quantum::perMillimetre};

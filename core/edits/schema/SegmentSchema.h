@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/schema/SchemaParts.h"
 
 namespace core::editSchema {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
 
 #include <QString>
 

@@ -2,6 +2,7 @@
 #include "core/session/names/RowName.h"
 
 #include "core/edits/engine/SculptEdits.h"
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/session/names/ChangeName.h"
 #include "core/session/names/ChunkName.h"
 #include "core/session/names/SurfaceName.h"
@@ -454,11 +455,11 @@ public:
 QString rowName(const Edit& edit, const EditStatistics& statistics, const ChangeFacts& facts,
     const Document& document, const History& history, const std::optional<SketchedSeeds>& sketched)
 {
-    return std::visit(RowNames{.statistics = statistics,
-                          .facts = facts,
-                          .document = document,
-                          .history = history,
-                          .sketched = sketched},
+    return visitEdit(RowNames{.statistics = statistics,
+                         .facts = facts,
+                         .document = document,
+                         .history = history,
+                         .sketched = sketched},
         edit);
 }
 

@@ -1,6 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/names/SurfaceName.h"
 
+#include "core/edits/kinds/surface/ApplyTemplate.h"
+#include "core/edits/kinds/surface/AttractSurface.h"
+#include "core/edits/kinds/surface/ChangeMarks.h"
+#include "core/edits/kinds/surface/DropSurface.h"
+#include "core/edits/kinds/surface/FollowMask.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/MarkSurface.h"
+#include "core/edits/kinds/surface/PlaneScrape.h"
+#include "core/edits/kinds/surface/PointDrag.h"
+#include "core/edits/kinds/surface/SmoothSurface.h"
+#include "core/edits/kinds/surface/SpherePush.h"
+#include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/edits/kinds/surface/WriteBack.h"
 #include "core/session/past/RowWords.h"
 
 namespace core {

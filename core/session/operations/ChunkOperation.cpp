@@ -2,6 +2,7 @@
 #include "core/session/operations/ChunkOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/chunks/Chunks.h"
 
 #include <utility>
 
@@ -74,7 +75,7 @@ void DivideOperation::commit(SessionState& state)
 {
     m_done = true;
     const RowId newest = state.divisionRow();
-    if (newest == 0 || !(std::get<Chunks>(state.history.row(newest).edit) == m_edit))
+    if (newest == 0 || !(state.history.row(newest).edit.get<Chunks>() == m_edit))
         state.commit(m_edit, {}, {});
 }
 

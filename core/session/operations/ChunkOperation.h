@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/edits/engine/ChunkVoxels.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/state/Operation.h"
 

@@ -2,6 +2,10 @@
 #include "core/session/operations/EditOperation.h"
 
 #include "core/edits/EditTask.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/session/operations/ChunkOperation.h"
 #include "core/session/operations/DocumentOperation.h"
 #include "core/session/operations/RevertOperation.h"
@@ -19,13 +23,13 @@ std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
     case EditTask::Surface:
         return std::make_unique<SurfaceOperation>(edit, SurfaceOperation::Kind::Whole, again);
     case EditTask::Chunks:
-        if (const auto* chunks = std::get_if<Chunks>(&edit))
+        if (const auto* chunks = edit.as<Chunks>())
             return std::make_unique<DivideOperation>(*chunks, again);
-        return std::make_unique<ToggleChunks>(std::get<ChunkToggle>(edit), again);
+        return std::make_unique<ToggleChunks>(edit.get<ChunkToggle>(), again);
     case EditTask::History:
-        if (const auto* revert = std::get_if<RevertRows>(&edit))
+        if (const auto* revert = edit.as<RevertRows>())
             return std::make_unique<RevertOperation>(*revert, again);
-        return std::make_unique<ReviseOperation>(std::get<ReviseStroke>(edit), again);
+        return std::make_unique<ReviseOperation>(edit.get<ReviseStroke>(), again);
     case EditTask::Engine:
         break;
     }

@@ -2,6 +2,7 @@
 #include "core/session/operations/RevertOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/growth/SeedWord.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/past/GuardedLabels.h"
@@ -74,16 +75,15 @@ struct Claim {
     [[nodiscard]] bool isHurtBy(const Edit& later) const
     {
         // What took back only rows after this one cancels with them.
-        const auto* revert = std::get_if<RevertRows>(&later);
-        return std::holds_alternative<ReviseStroke>(later)
-            || (revert && returning != 0 && revert->rows.front() < row);
+        const auto* revert = later.as<RevertRows>();
+        return later.is<ReviseStroke>() || (revert && returning != 0 && revert->rows.front() < row);
     }
 };
 
 /// Every row that "undo only" takes back or brings back, itself or by rows that it took back.
 void addDecided(const History& history, RowId revert, std::set<RowId>& decided)
 {
-    const auto* edit = std::get_if<RevertRows>(&history.row(revert).edit);
+    const auto* edit = history.row(revert).edit.as<RevertRows>();
     if (!edit)
         return;
     for (const RowId taken : edit->rows) {
@@ -97,16 +97,16 @@ void addDecided(const History& history, RowId revert, std::set<RowId>& decided)
 void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
     const std::vector<BrickKey>& written, std::vector<Claim>& claims)
 {
-    const auto* revert = std::get_if<RevertRows>(&state.history.row(row).edit);
+    const auto* revert = state.history.row(row).edit.as<RevertRows>();
     if (!revert)
         return;
     for (const RowId id : revert->rows) {
         const Edit& edit = state.history.row(id).edit;
-        if (!std::holds_alternative<RevertRows>(edit))
+        if (!edit.is<RevertRows>())
             claims.push_back({RowReach(edit, state.document, written), taken, id});
-        if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
+        if (const auto* revise = edit.as<ReviseStroke>()) {
             for (const SculptEdit& form : formsOf(state.history, revise->row))
-                claims.push_back({RowReach(plainEdit(form), state.document, {}), taken, id});
+                claims.push_back({RowReach(form.plain(), state.document, {}), taken, id});
         }
         claimWhatReturns(state, id, taken, written, claims);
     }
@@ -117,9 +117,9 @@ void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
 void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims)
 {
     const Edit& edit = state.history.row(row).edit;
-    const auto* revise = std::get_if<ReviseStroke>(&edit);
+    const auto* revise = edit.as<ReviseStroke>();
     for (const SculptEdit& form : formsOf(state.history, revise ? revise->row : row))
-        claims.push_back({RowReach(plainEdit(form), state.document, {}), row, 0});
+        claims.push_back({RowReach(form.plain(), state.document, {}), row, 0});
 }
 
 /// A revision folds in the cuts, and carved segments, that lie wherever its own stroke reaches,
@@ -128,11 +128,11 @@ void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims
 bool foldedIn(const SessionState& state, const Edit& taken, const std::vector<BrickKey>& written,
     const Edit& later)
 {
-    const auto* revise = std::get_if<ReviseStroke>(&later);
-    if (!revise || !(sculptEdit(taken) || std::holds_alternative<SegmentToLayer>(taken)))
+    const auto* revise = later.as<ReviseStroke>();
+    if (!revise || !(sculptEdit(taken) || taken.is<SegmentToLayer>()))
         return false;
     for (const SculptEdit& form : formsOf(state.history, revise->row)) {
-        const RowReach reach(plainEdit(form), state.document, {});
+        const RowReach reach(form.plain(), state.document, {});
         if (std::any_of(written.begin(), written.end(),
                 [&reach](const BrickKey& key) { return reach.covers(key); }))
             return true;
@@ -179,8 +179,7 @@ void RevertOperation::start(SessionState& state)
 
 bool RevertOperation::isNeeded(RowId row, const Edit& edit) const
 {
-    return isTakenBack(row) || std::holds_alternative<RevertRows>(edit)
-        || std::holds_alternative<ReviseStroke>(edit);
+    return isTakenBack(row) || edit.is<RevertRows>() || edit.is<ReviseStroke>();
 }
 
 RowTrace RevertOperation::traceOf(const SessionState& state, RowId row) const
@@ -290,7 +289,7 @@ Result<void> RevertOperation::checkReach(const SessionState& state) const
                     return entangled(row, history.row(claim.row));
             }
         }
-        if (std::holds_alternative<RevertRows>(row.edit))
+        if (row.edit.is<RevertRows>())
             continue;
         const RowReach reach(row.edit, state.document,
             differences == m_differences.end() ? std::vector<BrickKey>()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/history/RevertRows.h"
 #include "core/session/past/GrowthTrace.h"
 #include "core/session/past/RowReach.h"
 #include "core/session/state/Operation.h"

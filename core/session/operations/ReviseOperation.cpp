@@ -3,6 +3,7 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/engine/SparedSegments.h"
+#include "core/edits/kinds/parts/SparedSegments.h"
 #include "core/sculpt/MaskFrame.h"
 #include "core/session/past/GuardedLabels.h"
 #include "core/session/past/RowReach.h"
@@ -31,7 +32,7 @@ std::vector<StandingStroke> before(const std::vector<StandingStroke>& strokes, R
 
 bool spares(const StandingStroke& stroke)
 {
-    const Edit edit = plainEdit(stroke.form);
+    const Edit edit = stroke.form.plain();
     const SparedSegments* spared = sparedBy(edit);
     return spared && *spared;
 }
@@ -94,7 +95,7 @@ Result<void> ReviseOperation::findStrokes(const SessionState& state)
         return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.layer"),
             QStringLiteral("there is no sculpt layer %1").arg(layer));
     // Its ranges are those of the cut that is revised.
-    if (const Result<Edit> known = editFromJson(editToJson(plainEdit(*after))); !known)
+    if (const Result<Edit> known = editFromJson(editToJson(after->plain())); !known)
         return tl::unexpected(known.error());
     if (const Result<WholeCut> cut = cutAlone(*after, state.document, std::uint8_t(layer)); !cut)
         return tl::unexpected(cut.error());
@@ -232,7 +233,7 @@ void ReviseOperation::chooseBricks(SessionState& state)
     const auto misses = [&](const StandingStroke& stroke) {
         if (stroke.row == m_edit.row)
             return false;
-        const RowReach reach(plainEdit(stroke.form), state.document, {});
+        const RowReach reach(stroke.form.plain(), state.document, {});
         return std::none_of(m_folded.begin(), m_folded.end(),
             [&reach](const auto& brick) { return reach.covers(brick.first); });
     };

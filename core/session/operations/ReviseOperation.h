@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/questions/PastCoverage.h"
 #include "core/session/state/Operation.h"

@@ -3,6 +3,8 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/SurfacePath.h"
 
 #include <utility>
 
@@ -34,9 +36,8 @@ void SurfaceOperation::start(SessionState& state)
     }
     if (!readsLabels(m_edit))
         return work(state);
-    const int label = std::holds_alternative<LaySurface>(m_edit)
-        ? std::get<LaySurface>(m_edit).segment
-        : state.document.surface->segment;
+    const int label = m_edit.is<LaySurface>() ? m_edit.get<LaySurface>().segment
+                                              : state.document.surface->segment;
     m_reader.emplace(state.surface.geometry().size, state.document.segment(label)->plane);
     readOn(state);
 }
@@ -69,7 +70,7 @@ void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
         if (m_again != 0)
             state.complete(m_again, std::move(result));
         else if (!result.changes.empty()
-            || (std::holds_alternative<WriteBack>(m_edit) && state.document.surface->isApart()))
+            || (m_edit.is<WriteBack>() && state.document.surface->isApart()))
             state.commit(m_edit, std::move(result), {});
     } else if (result.error) {
         giveUp(state, *result.error);
@@ -78,7 +79,7 @@ void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
 
 void SurfaceOperation::work(SessionState& state)
 {
-    if (std::holds_alternative<WriteBack>(m_edit))
+    if (m_edit.is<WriteBack>())
         m_read.past = surfacePast(state.history, state.surface);
     m_work = std::make_shared<SurfaceWork>(
         state.surface, *surfaceEditOf(m_edit), state.document, std::move(m_read));

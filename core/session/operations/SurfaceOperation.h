@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/SurfaceEdit.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/state/Operation.h"
@@ -29,7 +30,7 @@ public:
     [[nodiscard]] bool done() const override { return m_done; }
     [[nodiscard]] bool foresee(Document& document) const override;
 
-    [[nodiscard]] bool isTemplate() const { return std::holds_alternative<ApplyTemplate>(m_edit); }
+    [[nodiscard]] bool isTemplate() const { return m_edit.is<ApplyTemplate>(); }
     [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] bool standsOpen() const override { return isTemplate() && open(); }
     void extendPath(

@@ -6,6 +6,17 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SparedSegments.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/past/GrownSteps.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/past/SeedStrokes.h"
@@ -19,29 +30,29 @@ namespace {
 /// The samples of a stroke of drill or laser; null for other edits.
 std::vector<PenSample>* samplesOf(Edit& edit)
 {
-    if (auto* drill = std::get_if<DrillStroke>(&edit))
+    if (auto* drill = edit.as<DrillStroke>())
         return &drill->samples;
-    auto* laser = std::get_if<LaserStroke>(&edit);
+    auto* laser = edit.as<LaserStroke>();
     return laser ? &laser->samples : nullptr;
 }
 
 /// How far a growth goes; null for other edits.
 std::optional<int>* stepsOf(Edit& edit)
 {
-    if (auto* grow = std::get_if<GrowSteps>(&edit))
+    if (auto* grow = edit.as<GrowSteps>())
         return &grow->steps;
-    auto* change = std::get_if<ChangeInterval>(&edit);
+    auto* change = edit.as<ChangeInterval>();
     return change ? &change->steps : nullptr;
 }
 
 /// The way of a brush; null for other edits.
 BrushPath* pathOf(Edit& edit)
 {
-    if (auto* paint = std::get_if<PaintStroke>(&edit))
+    if (auto* paint = edit.as<PaintStroke>())
         return &paint->path;
-    if (auto* barrier = std::get_if<BarrierStroke>(&edit))
+    if (auto* barrier = edit.as<BarrierStroke>())
         return &barrier->path;
-    auto* brush = std::get_if<BrushStroke>(&edit);
+    auto* brush = edit.as<BrushStroke>();
     return brush ? &brush->path : nullptr;
 }
 
@@ -70,9 +81,9 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
         return edit;
     if (const auto* shrink = std::get_if<ShrinkGrowth>(&*edit))
         m_firstGeneration = shrink->generation;
-    if (const auto* drill = std::get_if<DrillStroke>(&m_edit))
+    if (const auto* drill = m_edit.as<DrillStroke>())
         m_path.emplace(*drill, std::get<DrillCut>(*edit));
-    if (const auto* laser = std::get_if<LaserStroke>(&m_edit))
+    if (const auto* laser = m_edit.as<LaserStroke>())
         m_path.emplace(*laser, std::get<LaserCut>(*edit));
     return edit;
 }
@@ -101,7 +112,7 @@ void VoxelOperation::start(SessionState& state)
     // Samples of a stroke that had to wait in line are all in the edit by now.
     if (samples && !samples->empty())
         m_waiting.push_front(DrillPath{m_path->add(*samples)});
-    if (const auto* peel = std::get_if<PeelCut>(&m_edit))
+    if (const auto* peel = m_edit.as<PeelCut>())
         m_waiting.push_front(peelDepth(*peel));
     if (const BrushPath* path = pathOf(m_edit))
         m_waiting.push_front(CapsulePath{capsules(*path, state.document.volumes.front().geometry)});
@@ -167,7 +178,7 @@ void VoxelOperation::extendPath(
 
 void VoxelOperation::setPeelDepth(SessionState& state, double depthMm)
 {
-    auto* peel = std::get_if<PeelCut>(&m_edit);
+    auto* peel = m_edit.as<PeelCut>();
     if (!peel || !open() || peel->depthMm == depthMm)
         return;
     peel->depthMm = depthMm;
@@ -178,7 +189,7 @@ void VoxelOperation::setPeelDepth(SessionState& state, double depthMm)
 
 void VoxelOperation::setShrinkSteps(SessionState& state, int steps)
 {
-    auto* shrink = std::get_if<ShrinkSteps>(&m_edit);
+    auto* shrink = m_edit.as<ShrinkSteps>();
     if (!shrink || !open())
         return;
     shrink->steps = steps;
@@ -190,7 +201,7 @@ void VoxelOperation::setShrinkSteps(SessionState& state, int steps)
 /// @pre a ShrinkSteps that has begun
 ShrinkTo VoxelOperation::shrinkTo() const
 {
-    const int steps = *std::get<ShrinkSteps>(m_edit).steps;
+    const int steps = *m_edit.get<ShrinkSteps>().steps;
     return {.keep = m_firstGeneration - std::min(std::uint32_t(steps), m_firstGeneration)};
 }
 
@@ -204,7 +215,7 @@ void VoxelOperation::extendGrowth(SessionState& state, EngineExtension extension
 
 void VoxelOperation::setInterval(SessionState& state, double lower, double upper)
 {
-    auto* change = std::get_if<ChangeInterval>(&m_edit);
+    auto* change = m_edit.as<ChangeInterval>();
     if (!change || !open())
         return;
     change->criteria.lower = lower;
@@ -301,7 +312,7 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
         state.require(SwapBricks{imagesBefore(result.changes)});
     if (movesGeneration())
         state.tell(DocumentChange::What::Growth);
-    if (std::holds_alternative<SeedStroke>(m_edit))
+    if (m_edit.is<SeedStroke>())
         state.lastSketched = m_sketched;
     const bool changed = !result.changes.empty()
         || (changedPart(m_edit) && !takesVoxelsOrNothing(m_edit))

@@ -2,12 +2,15 @@
 #pragma once
 
 #include "core/edits/engine/DrillPathSampler.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/session/past/SketchedSeeds.h"
 #include "core/session/state/Operation.h"
 
 #include <deque>
 
 namespace core {
+
+struct PenSample;
 
 /// An edit of voxels, which may change the document with them: one engine transaction, one row if
 /// it changed anything.
@@ -34,21 +37,18 @@ public:
     [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] bool isGrowth() const
     {
-        return std::holds_alternative<GrowSteps>(m_edit)
-            || std::holds_alternative<ChangeInterval>(m_edit)
-            || std::holds_alternative<ResumeGrowth>(m_edit);
+        return m_edit.is<GrowSteps>() || m_edit.is<ChangeInterval>() || m_edit.is<ResumeGrowth>();
     }
     [[nodiscard]] bool movesGeneration() const
     {
-        return isGrowth() || std::holds_alternative<ShrinkSteps>(m_edit)
-            || std::holds_alternative<ShrinkAt>(m_edit) || std::holds_alternative<PlugLeak>(m_edit);
+        return isGrowth() || m_edit.is<ShrinkSteps>() || m_edit.is<ShrinkAt>()
+            || m_edit.is<PlugLeak>();
     }
     /// Shown before it is decided on: whatever comes next takes it back.
-    [[nodiscard]] bool isPreview() const { return std::holds_alternative<GrowFromSeeds>(m_edit); }
+    [[nodiscard]] bool isPreview() const { return m_edit.is<GrowFromSeeds>(); }
     [[nodiscard]] bool standsOpen() const override
     {
-        return isGrowth() || isPreview() || std::holds_alternative<PeelCut>(m_edit)
-            || std::holds_alternative<ShrinkSteps>(m_edit);
+        return isGrowth() || isPreview() || m_edit.is<PeelCut>() || m_edit.is<ShrinkSteps>();
     }
     [[nodiscard]] Ending usualEnding() const override
     {

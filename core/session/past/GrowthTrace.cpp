@@ -3,6 +3,8 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/SculptEdits.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
 
 #include <algorithm>
 
@@ -49,17 +51,16 @@ std::vector<ChangedWords> changedWords(
 
 bool GrowthTrace::isOf(const Edit& edit)
 {
-    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+    if (const auto* grow = edit.as<GrowSteps>())
         return !grow->criteria.passage;
-    const auto* interval = std::get_if<ChangeInterval>(&edit);
+    const auto* interval = edit.as<ChangeInterval>();
     return interval && !interval->criteria.passage;
 }
 
 bool GrowthTrace::mayNeed(const Edit& edit)
 {
-    return !changesDocumentOnly(edit) && !sculptEdit(edit)
-        && !std::holds_alternative<SegmentToLayer>(edit)
-        && !std::holds_alternative<MergeLayers>(edit) && !std::holds_alternative<RemoveLayer>(edit);
+    return !changesDocumentOnly(edit) && !isSculptEdit(edit) && !edit.is<SegmentToLayer>()
+        && !edit.is<MergeLayers>() && !edit.is<RemoveLayer>();
 }
 
 void GrowthTrace::note(RowId row, const std::vector<ChangedWords>& words, const Document& document)

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/document/Document.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/history/History.h"
 
 #include <cstdint>

@@ -3,6 +3,13 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/engine/growth/GrowLimits.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowGuard.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>
@@ -17,9 +24,9 @@ std::bitset<256> segmentsWithSeeds(const History& history)
     std::bitset<256> growing;
     for (const RowId id : history.standing()) {
         const Edit& edit = history.row(id).edit;
-        if (const auto* seeds = std::get_if<SeedStroke>(&edit))
+        if (const auto* seeds = edit.as<SeedStroke>())
             growing.set(std::size_t(seeds->segment));
-        const auto* paint = std::get_if<PaintStroke>(&edit);
+        const auto* paint = edit.as<PaintStroke>();
         if (paint && paint->seeds && !paint->erase)
             growing.set(std::size_t(paint->segment));
     }
@@ -52,9 +59,9 @@ struct Rules {
 
 std::optional<Rules> rulesOf(const Edit& edit)
 {
-    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+    if (const auto* grow = edit.as<GrowSteps>())
         return Rules{grow->criteria, grow->guard};
-    if (const auto* change = std::get_if<ChangeInterval>(&edit))
+    if (const auto* change = edit.as<ChangeInterval>())
         return Rules{change->criteria, change->guard};
     return std::nullopt;
 }
@@ -85,8 +92,8 @@ bool bringsNewCriteria(const Edit& edit, const History& history)
 
 Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Document& document)
 {
-    const auto* resume = std::get_if<ResumeGrowth>(&edit);
-    auto* change = std::get_if<ChangeInterval>(&edit);
+    const auto* resume = edit.as<ResumeGrowth>();
+    auto* change = edit.as<ChangeInterval>();
     if (!resume && !change)
         return {};
     if (resume || change->asBefore) {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/document/Document.h"
 #include "core/history/History.h"
 
 #include <optional>
 
 namespace core {
+
+struct GrowCriteria;
 
 /// The criteria of the last growth that stands, changes of its interval included; none: nothing has
 /// grown.

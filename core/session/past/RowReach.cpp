@@ -2,8 +2,10 @@
 #include "core/session/past/RowReach.h"
 
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/SculptEdits.h"
 #include "core/edits/engine/SparedSegments.h"
 #include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
 #include "core/sculpt/Radiation.h"
 
@@ -301,7 +303,7 @@ RowReach::RowReach(const Edit& edit, const Document& document, const std::vector
     std::optional<std::uint8_t> labelsRead;
     if (spared && *spared)
         labelsRead = sparedLabels(*spared, document).plane;
-    m_reach = std::visit(
+    m_reach = visitEdit(
         Kinds{.document = document, .written = written, .trace = trace, .labelsRead = labelsRead},
         edit);
 }

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
+#include "core/sculpt/MaskFrame.h"
 
 #include <bitset>
 #include <cstdint>

@@ -2,6 +2,10 @@
 #include "core/session/past/SeedStrokes.h"
 
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
 
 #include <utility>
 
@@ -14,9 +18,9 @@ bool asksForStrokes(const Edit& edit)
     const auto asks = [](const GrowCriteria& criteria) {
         return criteria.sigmas && criteria.perStroke.value_or(false);
     };
-    if (const auto* grow = std::get_if<GrowSteps>(&edit))
+    if (const auto* grow = edit.as<GrowSteps>())
         return asks(grow->criteria);
-    const auto* change = std::get_if<ChangeInterval>(&edit);
+    const auto* change = edit.as<ChangeInterval>();
     return change && asks(change->criteria);
 }
 
@@ -27,7 +31,7 @@ std::vector<SeedGroup> seedStrokes(const History& history, const Document& docum
     std::vector<SeedGroup> strokes;
     const VolumeGeometry& geometry = document.volumes.front().geometry;
     for (const RowId id : history.standing()) {
-        const auto* stroke = std::get_if<SeedStroke>(&history.row(id).edit);
+        const auto* stroke = history.row(id).edit.as<SeedStroke>();
         // The seeds of a segment that was deleted went with it.
         const Segment* segment = stroke ? document.segment(stroke->segment) : nullptr;
         if (!segment || segment->plane != plane || stroke->pointsLps.empty())

@@ -2,6 +2,7 @@
 #include "core/session/past/SegmentLayers.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
 
 #include <algorithm>
 
@@ -19,7 +20,7 @@ std::map<int, int> layersOfSegments(const History& history, const Document& docu
     for (const RowId id : history.pathTo(history.position())) {
         const Edit& edit = history.row(id).edit;
         static_cast<void>(applyToDocument(edit, then));
-        const auto* made = std::get_if<LayerToSegment>(&edit);
+        const auto* made = edit.as<LayerToSegment>();
         if (made && stands(id))
             layers[made->target.segment.value_or(then.lastLabelGiven())] = made->layer;
     }

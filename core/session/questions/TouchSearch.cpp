@@ -72,7 +72,7 @@ void TouchSearch::start(SessionState& state)
     m_rows = history.pathTo(history.position());
     for (const RowId row : history.standing()) {
         const Edit& edit = history.row(row).edit;
-        if (!changesDocumentOnly(edit) && !std::holds_alternative<RevertRows>(edit))
+        if (!changesDocumentOnly(edit) && !edit.is<RevertRows>())
             m_standing.push_back(row);
     }
     loadNext(state);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/state/ChunkWorker.h"
 
+#include "core/edits/engine/ChunkVoxels.h"
+#include "core/edits/kinds/chunks/Chunks.h"
+
 #include <algorithm>
 #include <array>
 #include <mutex>

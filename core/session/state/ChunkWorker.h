@@ -5,7 +5,7 @@
 #include "core/base/TaskThread.h"
 #include "core/chunks/ChunkMap.h"
 #include "core/chunks/ChunkStage.h"
-#include "core/edits/engine/ChunkVoxels.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
 

@@ -2,6 +2,7 @@
 #include "core/session/state/SessionState.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/chunks/Chunks.h"
 #include "core/session/names/RowName.h"
 
 #include <QJsonDocument>
@@ -46,7 +47,7 @@ RowId SessionState::append(const Edit& edit, const ChangeFacts& facts,
 {
     HistoryRow row;
     row.name = rowName(edit, statistics, facts, document, history,
-        std::holds_alternative<SeedStroke>(edit) ? lastSketched : std::nullopt);
+        edit.is<SeedStroke>() ? lastSketched : std::nullopt);
     if (!remark.isEmpty())
         row.name += QStringLiteral(", ") + remark;
     if (generation)
@@ -55,7 +56,7 @@ RowId SessionState::append(const Edit& edit, const ChangeFacts& facts,
     row.statistics = statistics;
     if (const Segment* refined = surfaceBefore ? document.segment(surfaceBefore->segment) : nullptr)
         row.statistics.surfaceMaskChanged =
-            !std::holds_alternative<WriteBack>(edit) && changesSegment(facts, *refined);
+            !edit.is<WriteBack>() && changesSegment(facts, *refined);
     applyRow(edit, row.statistics, document);
     placeSegments();
     muteLayers();
@@ -185,7 +186,7 @@ RowId SessionState::divisionRow() const
     if (!document.chunks)
         return 0;
     for (RowId id = history.position(); id != 0; id = history.row(id).parent) {
-        if (std::holds_alternative<Chunks>(history.row(id).edit))
+        if (history.row(id).edit.is<Chunks>())
             return id;
     }
     return 0;
@@ -194,7 +195,7 @@ RowId SessionState::divisionRow() const
 void SessionState::wantChunks()
 {
     if (const RowId row = divisionRow(); row != 0)
-        chunks->want(row, std::get<Chunks>(history.row(row).edit));
+        chunks->want(row, history.row(row).edit.get<Chunks>());
 }
 
 /// What the edits on the way there made of the first one.

@@ -101,15 +101,14 @@ SurfacePast surfacePast(const History& history, const SurfaceState& surface)
     SurfacePast past;
     for (RowId id = history.position(); id != 0; id = history.row(id).parent) {
         const Edit& edit = history.row(id).edit;
-        if (std::holds_alternative<LaySurface>(edit))
+        if (edit.is<LaySurface>())
             break;
-        if (std::holds_alternative<WriteBack>(edit))
+        if (edit.is<WriteBack>())
             past.rows.push_back({.what = SurfacePast::What::WrittenBack, .step = nullptr});
         else if (std::shared_ptr<const SurfaceStep> step = surface.step(id))
-            past.rows.push_back(
-                {.what = std::holds_alternative<FollowMask>(edit) ? SurfacePast::What::Followed
-                                                                  : SurfacePast::What::Deformed,
-                    .step = std::move(step)});
+            past.rows.push_back({.what = edit.is<FollowMask>() ? SurfacePast::What::Followed
+                                                               : SurfacePast::What::Deformed,
+                .step = std::move(step)});
     }
     return past;
 }

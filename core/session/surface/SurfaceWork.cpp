@@ -117,13 +117,12 @@ struct Tools {
 
 bool readsLabels(const Edit& edit)
 {
-    return std::holds_alternative<LaySurface>(edit) || std::holds_alternative<FollowMask>(edit)
-        || std::holds_alternative<WriteBack>(edit);
+    return edit.is<LaySurface>() || edit.is<FollowMask>() || edit.is<WriteBack>();
 }
 
 std::optional<VoxelBox> greyBoxOf(const Edit& edit, const SurfaceState& surface)
 {
-    const auto* attract = std::get_if<AttractSurface>(&edit);
+    const auto* attract = edit.as<AttractSurface>();
     if (!attract)
         return std::nullopt;
     // A path may come anywhere on the surface, and is not known while the pen is down.

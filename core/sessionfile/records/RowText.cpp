@@ -2,6 +2,9 @@
 #include "core/sessionfile/records/RowText.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
 
 #include <QCryptographicHash>
 #include <QJsonDocument>
@@ -74,13 +77,13 @@ Result<HistoryRow> RowText::row() const
     if (!known)
         return tl::unexpected(known.error());
     // Sessions of schema 3 and before do not say so: they grew by the other rule.
-    if (auto* grow = std::get_if<GrowSteps>(&*known); grow && !parsed(edit).contains(tellsHeld))
+    if (auto* grow = known->as<GrowSteps>(); grow && !parsed(edit).contains(tellsHeld))
         grow->tellsHeld = false;
     // Rows from before there was a choice took samples for the corners of the path.
     if (!parsed(edit).contains(QStringLiteral("byTime"))) {
-        if (auto* drill = std::get_if<DrillStroke>(&*known))
+        if (auto* drill = known->as<DrillStroke>())
             drill->byTime = false;
-        else if (auto* laser = std::get_if<LaserStroke>(&*known))
+        else if (auto* laser = known->as<LaserStroke>())
             laser->byTime = false;
     }
     HistoryRow row;

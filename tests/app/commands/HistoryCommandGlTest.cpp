@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/pieces/ChangePiece.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionKeyframes.h"
 #include "core/sessionfile/SessionFile.h"
@@ -8,6 +13,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QDateTime>
@@ -121,12 +127,12 @@ private Q_SLOTS:
         QJsonArray steps = toJson({test::addSegment("A"), test::drillAt(-6)}); // rows 1, 2
         steps.append(move("undo"));
         for (const QJsonValue& step : toJson({test::drillAt(5), test::seedInBrain(1),
-                 test::growBrain(2), RevertRows{{3}}})) // rows 3 … 6, behind 1
+                 test::growBrain(2), test::revertRows({3})})) // rows 3 … 6, behind 1
             steps.append(step);
         const Outcome first = run(recipe("r.json", {{key("edits"), steps}}), "a.burin");
         QVERIFY2(first.status == 0, qPrintable(first.complaint));
         QCOMPARE(history("a.burin")[key("position")].toInt(), 6);
-        const QJsonArray seeds = toJson({RevertRows{{4}}});
+        const QJsonArray seeds = toJson({test::revertRows({4})});
         const Outcome refused =
             run(recipe("s.json", {{key("edits"), seeds}}), "a.burin", {key("--append")});
         QCOMPARE(refused.status, 1);
@@ -271,7 +277,7 @@ private Q_SLOTS:
     /// Pieces are part of what is seen: one that was moved beside the head is in the picture.
     void picturesShowPieces()
     {
-        const DrillStroke drill = test::drillAt(0);
+        const DrillStroke drill = test::drillAt(0).get<DrillStroke>();
         const auto pictureAt = [this](const char* name, const std::vector<Edit>& edits) {
             if (run(recipe("p.json", {{key("edits"), toJson(edits)}}), name).status != 0)
                 qFatal("not carried out");

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/session/EditSession.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/records/SessionUse.h"
@@ -8,6 +12,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/workspace/InitialDisplay.h"
 
@@ -112,7 +117,7 @@ private Q_SLOTS:
         for (int voxel = 1; voxel < 512; ++voxel)
             nrrd += ' ' + QByteArray::number(voxel);
         const QString study = write("far.nrrd", nrrd);
-        const QString file = recipe({{key("edits"), toJson({AddSegment{key("A"), 1, {}}})}});
+        const QString file = recipe({{key("edits"), toJson({test::newSegment(key("A"), 1)})}});
         const Outcome outcome =
             burin({key("run"), file, key("--study"), study, key("--session"), path("a.burin")});
         QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
@@ -151,13 +156,13 @@ private Q_SLOTS:
     void aCutWithoutSurfaceStartsOnTheOneThatTheWindowShows()
     {
         PeelCut peel;
-        peel.view = test::drillAt(0).view;
+        peel.view = test::frontView();
         peel.polygonMm = {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}};
         ScissorsCut scissors;
         scissors.view = peel.view;
         scissors.polygonMm = peel.polygonMm;
         scissors.depthMm = 6.0;
-        const DrillStroke drill = test::drillAt(0);
+        const DrillStroke drill = test::drillAt(0).get<DrillStroke>();
         LaserStroke laser;
         laser.view = drill.view;
         laser.mask = drill.mask;

@@ -1,5 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/schema/EditDocumentation.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/support/program/TestProgram.h"
@@ -53,7 +67,7 @@ private Q_SLOTS:
         const Result<Edit> add = editFromJson(parse("{'edit':'addSegment','name':'Skull','color':'#"
                                                     "E0c068','code':['SCT','89546000','Skull']}"));
         QVERIFY(add);
-        const auto& segment = std::get<AddSegment>(*add);
+        const auto& segment = add->get<AddSegment>();
         QCOMPARE(segment.name, QStringLiteral("Skull"));
         QCOMPARE(segment.rgb, 0xE0C068u);
         QCOMPARE(segment.code.value, QStringLiteral("89546000"));
@@ -61,19 +75,19 @@ private Q_SLOTS:
         const Result<Edit> seed =
             editFromJson(parse("{'edit':'seed','segment':2,'pointsLps':[[1,2.5,-3],[4,5,6]]}"));
         QVERIFY(seed);
-        QCOMPARE(std::get<SeedStroke>(*seed).segment, 2);
-        QCOMPARE(std::get<SeedStroke>(*seed).pointsLps.at(0).y, 2.5);
+        QCOMPARE(seed->get<SeedStroke>().segment, 2);
+        QCOMPARE(seed->get<SeedStroke>().pointsLps.at(0).y, 2.5);
 
         const Result<Edit> grow = editFromJson(parse(
             "{'edit':'grow','lower':-10.5,'upper':300,'connectivity':6,'steps':'toClosure'}"));
         QVERIFY(grow);
-        QCOMPARE(std::get<GrowSteps>(*grow).criteria.lower, -10.5);
-        QVERIFY(!std::get<GrowSteps>(*grow).steps);
-        QVERIFY(!std::get<GrowSteps>(*grow).criteria.overwriteUnlocked);
+        QCOMPARE(grow->get<GrowSteps>().criteria.lower, -10.5);
+        QVERIFY(!grow->get<GrowSteps>().steps);
+        QVERIFY(!grow->get<GrowSteps>().criteria.overwriteUnlocked);
 
         const Result<Edit> drill = editFromJson(parse(drillText));
         QVERIFY(drill);
-        const auto& stroke = std::get<DrillStroke>(*drill);
+        const auto& stroke = drill->get<DrillStroke>();
         QCOMPARE(stroke.view.eyeLps.y, -400.0);
         QCOMPARE(stroke.mask.radiusMm, 8.0);
         QCOMPARE(stroke.surfaceThreshold, 250.0);
@@ -85,8 +99,8 @@ private Q_SLOTS:
         const Result<Edit> change =
             editFromJson(parse("{'edit':'changeSegment','segment':1,'name':'Bone'}"));
         QVERIFY(change);
-        QCOMPARE(*std::get<ChangeSegment>(*change).name, QStringLiteral("Bone"));
-        QVERIFY(!std::get<ChangeSegment>(*change).rgb);
+        QCOMPARE(*change->get<ChangeSegment>().name, QStringLiteral("Bone"));
+        QVERIFY(!change->get<ChangeSegment>().rgb);
     }
 
     void readsWhatPassesBetweenLayersAndSegments()
@@ -94,14 +108,14 @@ private Q_SLOTS:
         const Result<Edit> carved = editFromJson(
             parse("{'edit':'layerToSegment','layer':1,'name':'Skull cap','color':'#e0c068'}"));
         QVERIFY(carved);
-        QVERIFY(!std::get<LayerToSegment>(*carved).target.segment);
-        QCOMPARE(std::get<LayerToSegment>(*carved).target.name, QStringLiteral("Skull cap"));
+        QVERIFY(!carved->get<LayerToSegment>().target.segment);
+        QCOMPARE(carved->get<LayerToSegment>().target.name, QStringLiteral("Skull cap"));
         const Result<Edit> seen =
             editFromJson(parse("{'edit':'segmentSeen','segment':2,'lower':300,"
                                "'hidden':[[0,0,1,3.0001]]}"));
         QVERIFY(seen);
-        QCOMPARE(*std::get<SegmentSeen>(*seen).target.segment, 2);
-        QCOMPARE(std::get<SegmentSeen>(quantised(*seen)).hidden->at(0).offsetMm, 3.0);
+        QCOMPARE(*seen->get<SegmentSeen>().target.segment, 2);
+        QCOMPARE(quantised(*seen).get<SegmentSeen>().hidden->at(0).offsetMm, 3.0);
         for (const Edit& edit : {*carved, *seen})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong : {"{'edit':'layerToSegment','layer':1}",
@@ -117,14 +131,14 @@ private Q_SLOTS:
     {
         const Result<Edit> plain = editFromJson(parse("{'edit':'growFromSeeds'}"));
         QVERIFY(plain);
-        const auto& all = std::get<GrowFromSeeds>(*plain);
+        const auto& all = plain->get<GrowFromSeeds>();
         QVERIFY(!all.segments && !all.box && !all.lengthCost && !all.overwriteUnlocked);
         QCOMPARE(all.connectivity, 6);
         const Result<Edit> full = editFromJson(
             parse("{'edit':'growFromSeeds','segments':[1,3],'box':[[0,-1,2],[10.00001,20,30]],"
                   "'connectivity':26,'lengthCost':0.5,'overwriteUnlocked':true}"));
         QVERIFY(full);
-        const auto& some = std::get<GrowFromSeeds>(*full);
+        const auto& some = full->get<GrowFromSeeds>();
         QCOMPARE(*some.segments, (std::vector<int>{1, 3}));
         QCOMPARE(*some.lengthCost, 0.5);
         QVERIFY(some.overwriteUnlocked);
@@ -143,26 +157,26 @@ private Q_SLOTS:
     {
         const Result<Edit> plain = editFromJson(parse("{'edit':'chunks','segment':2}"));
         QVERIFY(plain);
-        QCOMPARE(std::get<Chunks>(*plain).marginMm, 10.0);
-        QVERIFY(!std::get<Chunks>(*plain).owners);
+        QCOMPARE(plain->get<Chunks>().marginMm, 10.0);
+        QVERIFY(!plain->get<Chunks>().owners);
         const Result<Edit> named =
             editFromJson(parse("{'edit':'chunks','segment':2,'marginMm':3.0001,"
                                "'owners':[{'label':1,'voxels':'AAEC'},{'label':2,'voxels':''}]}"));
         QVERIFY(named);
-        QCOMPARE(std::get<Chunks>(quantised(*named)).marginMm, 3.0);
-        QCOMPARE(std::get<Chunks>(*named).owners->front().voxels, QByteArray("\0\1\2", 3));
+        QCOMPARE(quantised(*named).get<Chunks>().marginMm, 3.0);
+        QCOMPARE(named->get<Chunks>().owners->front().voxels, QByteArray("\0\1\2", 3));
         const Result<Edit> clicked =
             editFromJson(parse("{'edit':'chunkToggle','segment':2,'chunks':40,"
                                "'pointsLps':[[1,2,3],[4,5,6]]}"));
         QVERIFY(clicked);
-        QVERIFY(std::get<ChunkToggle>(*clicked).mode == ChunkToggle::Mode::Toggle);
-        QVERIFY(!std::get<ChunkToggle>(*clicked).bricks);
+        QVERIFY(clicked->get<ChunkToggle>().mode == ChunkToggle::Mode::Toggle);
+        QVERIFY(!clicked->get<ChunkToggle>().bricks);
         const Result<Edit> forced = editFromJson(
             parse("{'edit':'chunkToggle','segment':2,'chunks':40,'mode':'remove',"
                   "'pointsLps':[[1,2,3]],'overwriteUnlocked':true,'bricks':[0,7,90000]}"));
         QVERIFY(forced);
-        QVERIFY(std::get<ChunkToggle>(*forced).mode == ChunkToggle::Mode::Remove);
-        QCOMPARE(*std::get<ChunkToggle>(*forced).bricks, (std::vector<std::int64_t>{0, 7, 90000}));
+        QVERIFY(forced->get<ChunkToggle>().mode == ChunkToggle::Mode::Remove);
+        QCOMPARE(*forced->get<ChunkToggle>().bricks, (std::vector<std::int64_t>{0, 7, 90000}));
         for (const Edit& edit : {*plain, quantised(*named), *clicked, *forced})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong : {"{'edit':'chunks'}", "{'edit':'chunks','segment':0}",
@@ -192,7 +206,7 @@ private Q_SLOTS:
             parse("{'edit':'paint','segment':2,'radiusMm':6,'shape':'disc','normalLps':[0,0,1],"
                   "'pointsLps':[[1,2.5,-3],[4,5,6]],'lower':-10,'overwriteUnlocked':true}"));
         QVERIFY(paint);
-        const auto& stroke = std::get<PaintStroke>(*paint);
+        const auto& stroke = paint->get<PaintStroke>();
         QCOMPARE(stroke.segment, 2);
         QVERIFY(stroke.path.shape == BrushPath::Shape::Disc);
         QCOMPARE(stroke.path.normalLps->z, 1.0);
@@ -204,9 +218,9 @@ private Q_SLOTS:
         const Result<Edit> brush = editFromJson(
             parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'restore':true}"));
         QVERIFY(brush);
-        QVERIFY(std::get<BrushStroke>(*brush).restore);
-        QVERIFY(std::get<BrushStroke>(*brush).path.shape == BrushPath::Shape::Ball);
-        QCOMPARE(std::get<BrushStroke>(*brush).layer, 1);
+        QVERIFY(brush->get<BrushStroke>().restore);
+        QVERIFY(brush->get<BrushStroke>().path.shape == BrushPath::Shape::Ball);
+        QCOMPARE(brush->get<BrushStroke>().layer, 1);
 
         const Result<Edit> cube = editFromJson(
             parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'shape':'cube'}"));
@@ -215,7 +229,7 @@ private Q_SLOTS:
         const Result<Edit> lifted = editFromJson(
             parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0],[9,0,0]],'lifts':[1]}"));
         QVERIFY(lifted);
-        QCOMPARE(std::get<BrushStroke>(*lifted).path.lifts, std::vector<std::int64_t>{1});
+        QCOMPARE(lifted->get<BrushStroke>().path.lifts, std::vector<std::int64_t>{1});
         QVERIFY(!editFromJson(
             parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'lifts':[2,2]}")));
         QVERIFY(!editFromJson(parse("{'edit':'brush','radiusMm':4,'pointsLps':[]}")));
@@ -328,7 +342,7 @@ private Q_SLOTS:
 
     void aStrokeMayBeginWithoutSamples()
     {
-        DrillStroke stroke = std::get<DrillStroke>(*editFromJson(parse(drillText)));
+        DrillStroke stroke = editFromJson(parse(drillText))->get<DrillStroke>();
         stroke.samples.clear();
         QVERIFY(checkFieldsAtBegin(stroke));
         QVERIFY(!checkFields(stroke));
@@ -370,8 +384,8 @@ private Q_SLOTS:
                 {QStringLiteral("surface"), drill.value(QStringLiteral("surface"))},
                 {QStringLiteral("depthMm"), 5}};
             const auto outlineOf = [](const Edit& edit) {
-                const auto* peel = std::get_if<PeelCut>(&edit);
-                return peel ? peel->polygonMm : std::get<ScissorsCut>(edit).polygonMm;
+                const auto* peel = edit.as<PeelCut>();
+                return peel ? peel->polygonMm : edit.get<ScissorsCut>().polygonMm;
             };
             QVERIFY(!editFromJson(cut));
             cut.insert(QStringLiteral("mask"), parse("{'polygonMm':[[0,0],[9,0],[0,9]]}"));

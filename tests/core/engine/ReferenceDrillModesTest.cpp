@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
@@ -52,7 +53,7 @@ struct Bench {
     void open() { (void)engine.openVolume(size, codes.values); }
     EngineResult drill()
     {
-        const auto exact = std::get<DrillStroke>(quantised(stroke));
+        const auto exact = quantised(stroke).get<DrillStroke>();
         const DrillCut cut = test::drillCutOf(exact, document);
         submitWhole(engine, cut, {DrillPath{test::drillSamplesOf(exact, cut)}});
         return test::lastResult(engine);

@@ -3,6 +3,7 @@
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/HiddenSides.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineConformance.h"
@@ -77,7 +78,7 @@ struct Bench {
     }
     EngineResult laser()
     {
-        const auto exact = std::get<LaserStroke>(quantised(stroke));
+        const auto exact = quantised(stroke).get<LaserStroke>();
         const LaserCut cut = *laserCut(exact, document);
         submitWhole(engine, cut, {DrillPath{laserPath(exact, cut)}});
         return test::lastResult(engine);
@@ -298,7 +299,7 @@ private Q_SLOTS:
                 Bench bench(size, glm::dvec3(1.0), codes);
                 bench.stroke.mode = mode;
                 bench.stroke.samples = {{-9, -4, 0.6, 0}, {8, 3, 1.0, 0.4}, {-2, 9, 0.8, 0.9}};
-                const auto exact = std::get<LaserStroke>(quantised(bench.stroke));
+                const auto exact = quantised(bench.stroke).get<LaserStroke>();
                 const LaserCut cut = *laserCut(exact, bench.document);
                 std::vector<DrillSample> path = laserPath(exact, cut);
                 if (round > 0)
@@ -347,7 +348,7 @@ private Q_SLOTS:
             R"("hidden":[[0,0,1,12.5],[0.6,-0.8,0,-3]]})";
         const auto edit = editFromJson(QJsonDocument::fromJson(text).object());
         QVERIFY(edit);
-        const auto& laser = std::get<LaserStroke>(*edit);
+        const auto& laser = edit->get<LaserStroke>();
         QCOMPARE(laser.depthMm, 6.0);
         QCOMPARE(laser.hidden->size(), std::size_t(2));
         QCOMPARE(laser.hidden->at(1).offsetMm, -3.0);

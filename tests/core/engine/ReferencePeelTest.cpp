@@ -2,6 +2,8 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
@@ -284,12 +286,12 @@ private Q_SLOTS:
         const auto peel = read("{'edit':'peel',VIEW,'polygonMm':[[0,0],[9,0],[0,9]],'depthMm':3,"
                                "'surface':{'threshold':250}}");
         QVERIFY(peel);
-        QCOMPARE(std::get<PeelCut>(*peel).jumpMm, 4.0);
+        QCOMPARE(peel->get<PeelCut>().jumpMm, 4.0);
         QCOMPARE(editToJson(*editFromJson(editToJson(*peel))), editToJson(*peel));
         const auto scissors = read("{'edit':'scissors',VIEW,'polygonMm':[[0,0],[9,0],[0,9]],"
                                    "'surface':{'threshold':250}}");
         QVERIFY(scissors);
-        QVERIFY(!std::get<ScissorsCut>(*scissors).depthMm);
+        QVERIFY(!scissors->get<ScissorsCut>().depthMm);
         for (const char* wrong :
             {"{'edit':'peel',VIEW,'polygonMm':[[0,0],[9,0]],'depthMm':3,'surface':{'threshold':1}}",
                 "{'edit':'peel',VIEW,'depthMm':3,'surface':{'threshold':1}}",

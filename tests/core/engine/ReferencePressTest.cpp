@@ -3,6 +3,7 @@
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SculptEdits.h"
+#include "core/edits/engine/SculptVisit.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
@@ -75,7 +76,7 @@ struct Bench {
 
     EngineResult carryOut(const SculptEdit& edit)
     {
-        std::visit([this](const auto& known) { submit(known); }, edit);
+        visitSculpt([this](const auto& known) { submit(known); }, edit);
         return test::lastResult(engine);
     }
 
@@ -273,7 +274,7 @@ private Q_SLOTS:
         bench.threshold = threshold * test::tissueCode;
         SculptEdit edit = bench.edit(tool);
         const auto set = [&](bool restore) {
-            std::visit(
+            visitSculpt(
                 [&](auto& known) {
                     known.restore = restore;
                     if constexpr (requires { known.depthMm; })
@@ -321,7 +322,7 @@ private Q_SLOTS:
             SculptEdit edit = bench.edit(tool);
             (void)bench.carryOut(edit);
             QCOMPARE(bench.carved().back(), 11);
-            std::visit(
+            visitSculpt(
                 [](auto& known) {
                     known.restore = true;
                     if constexpr (requires { known.depthMm; })

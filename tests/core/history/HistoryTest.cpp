@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/history/History.h"
+#include "core/edits/kinds/history/RevertRows.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

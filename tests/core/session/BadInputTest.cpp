@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
@@ -74,45 +75,45 @@ std::vector<std::pair<QByteArray, Edit>> strokesAt(const VolumeGeometry& geometr
 
 OrthographicView* viewOf(Edit& edit)
 {
-    if (auto* drill = std::get_if<DrillStroke>(&edit))
+    if (auto* drill = edit.as<DrillStroke>())
         return &drill->view;
-    if (auto* laser = std::get_if<LaserStroke>(&edit))
+    if (auto* laser = edit.as<LaserStroke>())
         return &laser->view;
-    if (auto* peel = std::get_if<PeelCut>(&edit))
+    if (auto* peel = edit.as<PeelCut>())
         return &peel->view;
-    auto* scissors = std::get_if<ScissorsCut>(&edit);
+    auto* scissors = edit.as<ScissorsCut>();
     return scissors ? &scissors->view : nullptr;
 }
 
 std::vector<PenSample>* samplesOf(Edit& edit)
 {
-    if (auto* drill = std::get_if<DrillStroke>(&edit))
+    if (auto* drill = edit.as<DrillStroke>())
         return &drill->samples;
-    auto* laser = std::get_if<LaserStroke>(&edit);
+    auto* laser = edit.as<LaserStroke>();
     return laser ? &laser->samples : nullptr;
 }
 
 BrushPath* pathOf(Edit& edit)
 {
-    if (auto* brush = std::get_if<BrushStroke>(&edit))
+    if (auto* brush = edit.as<BrushStroke>())
         return &brush->path;
-    auto* paint = std::get_if<PaintStroke>(&edit);
+    auto* paint = edit.as<PaintStroke>();
     return paint ? &paint->path : nullptr;
 }
 
 MaskShape* maskOf(Edit& edit)
 {
-    if (auto* drill = std::get_if<DrillStroke>(&edit))
+    if (auto* drill = edit.as<DrillStroke>())
         return &drill->mask;
-    auto* laser = std::get_if<LaserStroke>(&edit);
+    auto* laser = edit.as<LaserStroke>();
     return laser ? &laser->mask : nullptr;
 }
 
 std::vector<glm::dvec2>* outlineOf(Edit& edit)
 {
-    if (auto* peel = std::get_if<PeelCut>(&edit))
+    if (auto* peel = edit.as<PeelCut>())
         return &peel->polygonMm;
-    auto* scissors = std::get_if<ScissorsCut>(&edit);
+    auto* scissors = edit.as<ScissorsCut>();
     return scissors ? &scissors->polygonMm : nullptr;
 }
 
@@ -186,7 +187,7 @@ std::vector<Trouble> troubles()
         {"all of it hidden", End::Nothing,
             [](Edit& edit) {
                 const HiddenSides all = {{{{0.0, 0.0, 1.0}, -1000.0}}};
-                return std::visit(
+                return visitEdit(
                     [&all](auto& known) {
                         if constexpr (requires { known.hidden; }) {
                             known.hidden = all;
@@ -291,9 +292,9 @@ private Q_SLOTS:
                 stroke.mode = rate ? DrillMode::Rate : DrillMode::Limit;
             };
             if (laser)
-                prepare(std::get<LaserStroke>(edit));
+                prepare(edit.get<LaserStroke>());
             else
-                prepare(std::get<DrillStroke>(edit));
+                prepare(edit.get<DrillStroke>());
             auto session = EditSession::create(engine, volume, {});
             QVERIFY(session);
             QVERIFY((*session)->begin(edit));

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/chunks/Chunks.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/chunks/ChunkMap.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionChunks.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -12,6 +16,7 @@
 #include "tests/reference/RefusingEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/TestVolumes.h"
 #include "tests/support/series/SessionFiles.h"
 
@@ -161,7 +166,7 @@ private Q_SLOTS:
         QCOMPARE(bench.session->document().chunks->segment, 1);
         QVERIFY(bench.session->stateHash() != before);
         QCOMPARE(told, 1);
-        const auto& divided = std::get<Chunks>(bench.rows().back().edit);
+        const auto& divided = bench.rows().back().edit.get<Chunks>();
         QCOMPARE(divided.owners->size(), std::size_t(2));
         QCOMPARE(divided.owners->back().label, 2);
 
@@ -206,7 +211,7 @@ private Q_SLOTS:
         QCOMPARE(bench.tried(bench.lobes.mask({{1}, {3}})), QString());
         QVERIFY(bench.tried(Chunks{.segment = 7}).contains(QLatin1Char('7')));
         QVERIFY(bench.tried(click({inFirst}, 10)).contains(QStringLiteral("nothing is divided")));
-        QCOMPARE(bench.tried(AddSegment{.name = QStringLiteral("Empty"), .rgb = 1}), QString());
+        QCOMPARE(bench.tried(test::newSegment(QStringLiteral("Empty"), 1)), QString());
         QVERIFY(bench.tried(Chunks{.segment = 3}).contains(QStringLiteral("no voxels")));
         QVERIFY(!bench.tried(Chunks{.segment = 1, .marginMm = -1.0}).isEmpty());
         Chunks damaged{.segment = 1};
@@ -224,11 +229,11 @@ private Q_SLOTS:
         QVERIFY(!bench.tried(click({inFirst}, 0)).isEmpty());
         QCOMPARE(bench.tried(click({{45, 33, 29}}, 10)), QString()); // beside the box
         QCOMPARE(bench.rows().size(), std::size_t(3));
-        QCOMPARE(bench.tried(ChangeSegment{.segment = 1, .locked = true}), QString());
+        QCOMPARE(bench.tried(test::lockSegment(1)), QString());
         QVERIFY(bench.tried(click({inFirst}, 10)).contains(QStringLiteral("S1")));
         QCOMPARE(bench.rows().size(), std::size_t(4));
 
-        QCOMPARE(bench.tried(ChangeSegment{.segment = 1, .locked = false}), QString());
+        QCOMPARE(bench.tried(test::lockSegment(1, false)), QString());
         QCOMPARE(bench.tried(RemoveSegment{.segment = 1}), QString());
         QVERIFY(!bench.session->document().chunks);
         ChunkToggle toTheOther = click({inFirst}, 10);
@@ -438,17 +443,18 @@ private Q_SLOTS:
         QCOMPARE(bench.tried(click({inOrgan}, 8)), QString());
         // In bricks above the organ's.
         QCOMPARE(bench.tried(click({{14, 8, 12}}, 1000)), QString());
-        QVERIFY(bench.tried(RevertRows{{2}}).contains(QStringLiteral("no voxel, only what is")));
-        const auto& chunk = std::get<ChunkToggle>(bench.rows().back().edit);
+        QVERIFY(
+            bench.tried(test::revertRows({2})).contains(QStringLiteral("no voxel, only what is")));
+        const auto& chunk = bench.rows().back().edit.get<ChunkToggle>();
         QVERIFY(!chunk.bricks->empty() && chunk.bricks->size() <= 8);
-        QCOMPARE(bench.tried(RevertRows{{3}}), QString());
+        QCOMPARE(bench.tried(test::revertRows({3})), QString());
         std::vector<std::uint8_t> expected = bench.labels();
         for (std::size_t at = 0; at < before.size(); ++at) {
             if (bench.lobes.truth[at] == 3)
                 QCOMPARE(expected[at], before[at]);
         }
         QCOMPARE(bench.tried(click({inOrgan}, 8)), QString());
-        QVERIFY(bench.tried(RevertRows{{5}}).contains(QStringLiteral("the same place")));
+        QVERIFY(bench.tried(test::revertRows({5})).contains(QStringLiteral("the same place")));
     }
 
     /// A recipe says what was clicked, and comes to the same.

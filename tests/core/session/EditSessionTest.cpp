@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/session/SessionDisplay.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/DelayedEngine.h"
@@ -196,7 +203,7 @@ private Q_SLOTS:
         Bench bench;
         bench.run(test::addSegment("A"));
         const QByteArray before = bench.session->stateHash();
-        DrillStroke stroke = test::drillAt(0);
+        DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
         const std::vector<PenSample> samples = std::exchange(stroke.samples, {});
         QVERIFY(bench.session->begin(stroke));
         bench.session->extendDrill(samples);
@@ -215,7 +222,7 @@ private Q_SLOTS:
         Bench bench;
         bench.run(test::addSegment("A"));
         bench.run(ChangeSegment{.segment = 1, .name = QStringLiteral("A")});
-        DrillStroke beside = test::drillAt(0);
+        DrillStroke beside = test::drillAt(0).get<DrillStroke>();
         for (PenSample& sample : beside.samples)
             sample.xMm += 500;
         bench.run(beside);
@@ -231,7 +238,7 @@ private Q_SLOTS:
     void aStrokeInPiecesEqualsTheWhole()
     {
         QFETCH(bool, delayed);
-        DrillStroke stroke = test::drillAt(-8);
+        DrillStroke stroke = test::drillAt(-8).get<DrillStroke>();
         for (int i = 0; i < 20; ++i)
             stroke.samples.push_back({.xMm = -5 + i * 0.517,
                 .yMm = i * 0.311 - 2,
@@ -253,8 +260,7 @@ private Q_SLOTS:
         QVERIFY(pieces.session->settle());
         QCOMPARE(pieces.session->stateHash(), whole.session->stateHash());
         QCOMPARE(pieces.lastRow().name, whole.lastRow().name);
-        QCOMPARE(
-            std::get<DrillStroke>(pieces.lastRow().edit).samples.size(), stroke.samples.size());
+        QCOMPARE(pieces.lastRow().edit.get<DrillStroke>().samples.size(), stroke.samples.size());
     }
 
     void aRunningGrowthIsClosedByWhateverComes_data()
@@ -288,7 +294,7 @@ private Q_SLOTS:
         QVERIFY(bench.session->settle());
         QVERIFY(!bench.session->transactionOpen());
         const HistoryRow& grown = bench.session->history().row(3);
-        QCOMPARE(std::get<GrowSteps>(grown.edit).steps, std::optional<int>(2));
+        QCOMPARE(grown.edit.get<GrowSteps>().steps, std::optional<int>(2));
         QCOMPARE(grown.growthGeneration, 3u);
         if (what == 1)
             QCOMPARE(bench.session->stateHash(), seeded);
@@ -315,13 +321,13 @@ private Q_SLOTS:
         bench.session->extendGrowth({.steps = 1});
         bench.session->end(Ending::Commit);
         QVERIFY(bench.session->settle());
-        QCOMPARE(std::get<GrowSteps>(bench.lastRow().edit).steps, std::optional<int>(3));
+        QCOMPARE(bench.lastRow().edit.get<GrowSteps>().steps, std::optional<int>(3));
         QCOMPARE(bench.lastRow().growthGeneration, 5u);
         QVERIFY(bench.session->begin(test::growBrain()));
         bench.session->extendGrowth({});
         bench.session->end(Ending::Commit);
         QVERIFY(bench.session->settle());
-        QVERIFY(!std::get<GrowSteps>(bench.lastRow().edit).steps);
+        QVERIFY(!bench.lastRow().edit.get<GrowSteps>().steps);
     }
 
     void aGrowthIsScrubbed()
@@ -342,7 +348,7 @@ private Q_SLOTS:
         session.end(Ending::Commit);
         QVERIFY(session.settle());
         QCOMPARE(session.stateHash(), whole.session->stateHash());
-        QCOMPARE(std::get<ShrinkSteps>(scrubbed.lastRow().edit).steps, std::optional<int>(2));
+        QCOMPARE(scrubbed.lastRow().edit.get<ShrinkSteps>().steps, std::optional<int>(2));
         QCOMPARE(scrubbed.lastRow().growthGeneration, whole.lastRow().growthGeneration);
         QCOMPARE(scrubbed.lastRow().name, whole.lastRow().name);
         QVERIFY(session.undo());
@@ -396,10 +402,10 @@ private Q_SLOTS:
         const std::int64_t locked = bench.voxels(1);
         QVERIFY(locked > 10);
         QCOMPARE(bench.session->apply(test::seedInBrain(1)).error().code, ErrorCode::SegmentLocked);
-        SeedStroke beside = test::seedInBrain(2);
+        SeedStroke beside = test::seedInBrain(2).get<SeedStroke>();
         beside.pointsLps = {beside.pointsLps.back() + glm::dvec3(6, 0, 0)};
         bench.run(beside);
-        GrowSteps grow = test::growBrain();
+        GrowSteps grow = test::growBrain().get<GrowSteps>();
         grow.criteria.overwriteUnlocked = true;
         bench.run(grow);
         QCOMPARE(bench.voxels(1), locked);
@@ -452,13 +458,13 @@ private Q_SLOTS:
         const QByteArray before = bench.session->stateHash();
         QCOMPARE(
             bench.session->apply(test::seedInBrain(2)).error().code, ErrorCode::UnknownSegment);
-        SeedStroke outside = test::seedInBrain(1);
+        SeedStroke outside = test::seedInBrain(1).get<SeedStroke>();
         outside.pointsLps.push_back({1000, 0, 0});
         QCOMPARE(bench.session->apply(outside).error().code, ErrorCode::SeedOutsideVolume);
-        GrowSteps crossed = test::growBrain();
+        GrowSteps crossed = test::growBrain().get<GrowSteps>();
         crossed.criteria.lower = 200;
         QCOMPARE(bench.session->apply(crossed).error().code, ErrorCode::InvalidField);
-        DrillStroke empty = test::drillAt(0);
+        DrillStroke empty = test::drillAt(0).get<DrillStroke>();
         empty.samples.clear();
         QCOMPARE(bench.session->apply(empty).error().code, ErrorCode::InvalidField);
         QVERIFY(!bench.session->begin(test::seedInBrain(1)));

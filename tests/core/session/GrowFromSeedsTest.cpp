@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/growth/GrowBox.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -24,7 +27,7 @@ struct Bench {
         session = *EditSession::create(engine, test::smallStudy(), {});
         for (const Edit& edit : {Edit(test::addSegment("Brain")), Edit(test::addSegment("Bone")),
                  Edit(test::addSegment("Air")), Edit(test::seedInBrain(1)),
-                 Edit(test::seedInBone(2)), Edit(SeedStroke{3, {at({39.0, 35.0, 33.0})}})})
+                 Edit(test::seedInBone(2)), Edit(test::seedAt(3, {at({39.0, 35.0, 33.0})}))})
             run(edit);
     }
     [[nodiscard]] static glm::dvec3 at(const glm::dvec3& voxel)
@@ -128,9 +131,7 @@ private Q_SLOTS:
         QVERIFY(bench.session->begin(everywhere()));
         QCOMPARE(int(bench.seenAt(middle)), 1);
         // A stroke lands on what was there before, not on what was only shown.
-        PaintStroke stroke{.segment = 3};
-        stroke.path.pointsLps = {Bench::at(glm::dvec3(middle))};
-        bench.run(stroke);
+        bench.run(test::paintAt(3, {Bench::at(glm::dvec3(middle))}));
         QVERIFY(!bench.session->previewOpen());
         QCOMPARE(int(bench.seenAt(corner)), 0);
         QCOMPARE(int(bench.seenAt(middle)), 3);
@@ -174,7 +175,7 @@ private Q_SLOTS:
         QCOMPARE(bench.session->apply(edit).error().code, ErrorCode::InvalidField);
         edit.segments = {2, 9};
         QCOMPARE(bench.session->apply(edit).error().code, ErrorCode::UnknownSegment);
-        bench.run(ChangeSegment{.segment = 2, .locked = true});
+        bench.run(test::lockSegment(2));
         edit.segments = {1, 2};
         QCOMPARE(bench.session->apply(edit).error().code, ErrorCode::SegmentLocked);
         edit.segments.reset();

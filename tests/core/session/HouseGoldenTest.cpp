@@ -55,10 +55,10 @@ private Q_SLOTS:
             QVERIFY(recipe);
             for (const RecipeStep& step : recipe->steps) {
                 if (const auto* edit = std::get_if<Edit>(&step))
-                    kinds.insert(edit->index());
+                    kinds.insert(edit->kind());
             }
         }
-        QCOMPARE(kinds.size(), std::variant_size_v<EditVariant>);
+        QCOMPARE(kinds.size(), AllEdits::count);
     }
 
     void recipesComeToTheSame_data() { everyName(); }

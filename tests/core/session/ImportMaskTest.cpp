@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
@@ -10,6 +11,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QFile>
@@ -129,7 +131,7 @@ private Q_SLOTS:
     void intoASegment()
     {
         Bench bench;
-        QCOMPARE(bench.tried(AddSegment{.name = QStringLiteral("All"), .rgb = 1}), QString());
+        QCOMPARE(bench.tried(test::newSegment(QStringLiteral("All"), 1)), QString());
         QCOMPARE(bench.tried(as(twoBoxes(), 1)), QString());
         QCOMPARE(bench.session->history().rows().back().name,
             QStringLiteral("Import 2 segments of organs.seg.nrrd as 'All', 0.648 mL"));
@@ -157,7 +159,7 @@ private Q_SLOTS:
         QCOMPARE(bench.tried(again), QString());
         QCOMPARE(bench.rows(), std::size_t(1)); // no voxel was free: no segment came of it
         QCOMPARE(bench.segments().size(), std::size_t(2));
-        QCOMPARE(bench.tried(ChangeSegment{.segment = 1, .locked = true}), QString());
+        QCOMPARE(bench.tried(test::lockSegment(1)), QString());
         again.overwriteUnlocked = true;
         QCOMPARE(bench.tried(again), QString());
         QCOMPARE(bench.count(1), std::int64_t(13 * 6 * 4)); // locked
@@ -251,7 +253,7 @@ private Q_SLOTS:
         QVERIFY(recipe);
         const Result<QStringList> notes = readMasks(*recipe, volume);
         QVERIFY(notes);
-        const auto& mask = std::get<ImportMask>(std::get<Edit>(recipe->steps.front()));
+        const auto& mask = std::get<Edit>(recipe->steps.front()).get<ImportMask>();
         QCOMPARE(mask.segments->size(), std::size_t(2));
         QVERIFY(checkAgainst(initialDocument(volume), Edit(mask)));
         write(R"({"edits": [{"edit": "importMask", "file": "gone.nrrd"}]})");

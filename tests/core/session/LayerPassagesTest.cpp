@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -57,7 +68,7 @@ struct Bench {
 
 DrillStroke drillInto(int layer, double xMm = 0)
 {
-    DrillStroke stroke = test::drillAt(xMm);
+    DrillStroke stroke = test::drillAt(xMm).get<DrillStroke>();
     stroke.layer = layer;
     return stroke;
 }
@@ -129,7 +140,7 @@ private Q_SLOTS:
         Bench bold(before);
         bold.run(LayerToSegment{.layer = 1, .target = {.segment = 2}, .overwriteUnlocked = true});
         Bench locked(before);
-        locked.run(ChangeSegment{.segment = 1, .locked = true});
+        locked.run(test::lockSegment(1));
         locked.run(LayerToSegment{.layer = 1, .target = {.segment = 2}, .overwriteUnlocked = true});
         QVERIFY(shy.labels() == locked.labels());
         QVERIFY(shy.labels() != bold.labels());
@@ -232,14 +243,14 @@ private Q_SLOTS:
         const SegmentSeen seen{.target = toNew, .lower = 500.0};
         for (const Edit& reader : {Edit(LayerToSegment{.layer = 1, .target = toNew}), Edit(seen)}) {
             Bench bench({drillInto(1), reader});
-            QVERIFY(!bench.tried(RevertRows{{1}}).isEmpty());
+            QVERIFY(!bench.tried(test::revertRows({1})).isEmpty());
         }
         Bench grown({test::addSegment("Brain"), test::seedInBrain(1), test::growBrain(2),
             SegmentToLayer{.segment = 1, .layer = 1}});
-        QVERIFY(!grown.tried(RevertRows{{3}}).isEmpty());
+        QVERIFY(!grown.tried(test::revertRows({3})).isEmpty());
         const std::vector<std::uint8_t> empty(grown.coverage(1).size(), 0);
         QVERIFY(grown.coverage(1) != empty);
-        grown.run(RevertRows{{4}});
+        grown.run(test::revertRows({4}));
         QVERIFY(grown.coverage(1) == empty);
     }
 
@@ -265,7 +276,7 @@ private Q_SLOTS:
         // Another layer is no hindrance, nor is what was taken back.
         QVERIFY(Bench(with(SegmentToLayer{.segment = 1, .layer = 2})).tried(wider).isEmpty());
         Bench back(with(SegmentToLayer{.segment = 1, .layer = 1}));
-        back.run(RevertRows{{6}});
+        back.run(test::revertRows({6}));
         QCOMPARE(back.tried(wider), QString());
     }
 };

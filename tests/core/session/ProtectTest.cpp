@@ -1,8 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
@@ -56,13 +65,13 @@ struct Bench {
 
 Edit protect(int segment, bool on = true)
 {
-    return ChangeSegment{.segment = segment, .uncarvable = on};
+    return test::protectSegment(segment, on);
 }
 
 /// A ball in the shell of bone that the drill goes through.
 PaintStroke paintIn(int segment, double radiusMm = 3.0)
 {
-    const DrillStroke drill = test::drillAt(0);
+    const DrillStroke drill = test::drillAt(0).get<DrillStroke>();
     PaintStroke paint{.segment = segment};
     paint.path.radiusMm = radiusMm;
     const glm::dvec3 towards = glm::normalize(drill.view.targetLps - drill.view.eyeLps);
@@ -74,7 +83,7 @@ PaintStroke paintIn(int segment, double radiusMm = 3.0)
 
 DrillStroke deepDrill(double depthMm = 9.0)
 {
-    DrillStroke drill = test::drillAt(0);
+    DrillStroke drill = test::drillAt(0).get<DrillStroke>();
     drill.mask.radiusMm = 7.0;
     drill.depthMm = depthMm;
     drill.throughGaps = true;
@@ -138,13 +147,13 @@ private Q_SLOTS:
     void theEditNamesWhatItSpares()
     {
         Bench bench({vessel, paintIn(1), protect(1), deepDrill()});
-        const auto drill = std::get<DrillStroke>(bench.session->history().rows().back().edit);
+        const auto drill = bench.session->history().rows().back().edit.get<DrillStroke>();
         QCOMPARE(*drill.spared, std::vector<int>{1});
         const Bench again({vessel, paintIn(1), drill});
         QVERIFY(again.coverage().values == bench.coverage().values);
         bench.run(protect(1, false));
         bench.run(deepDrill());
-        const auto open = std::get<DrillStroke>(bench.session->history().rows().back().edit);
+        const auto open = bench.session->history().rows().back().edit.get<DrillStroke>();
         QVERIFY(!open.spared);
         QVERIFY(bench.coverage().values != again.coverage().values);
         DrillStroke unknown = deepDrill();
@@ -181,13 +190,13 @@ private Q_SLOTS:
     void aCutHoldsTheLabelsThatItRead()
     {
         Bench bench({vessel, paintIn(1), protect(1), deepDrill()});
-        QCOMPARE(bench.refusal(RevertRows{{2}}), ErrorCode::StepsEntangled);
-        bench.run(RevertRows{{4}});
-        bench.run(RevertRows{{2}});
+        QCOMPARE(bench.refusal(test::revertRows({2})), ErrorCode::StepsEntangled);
+        bench.run(test::revertRows({4}));
+        bench.run(test::revertRows({2}));
         // "Undo only" of the cut again: what it read must be there.
-        QCOMPARE(bench.refusal(RevertRows{{5}}), ErrorCode::StepsEntangled);
+        QCOMPARE(bench.refusal(test::revertRows({5})), ErrorCode::StepsEntangled);
         Bench open({vessel, paintIn(1), deepDrill()});
-        open.run(RevertRows{{2}}); // that one has read nothing of it
+        open.run(test::revertRows({2})); // that one has read nothing of it
     }
 
     /// A revision finds the labels as they were at its row, whatever has become of them since.
@@ -216,9 +225,9 @@ private Q_SLOTS:
         DrillStroke restore = deepDrill();
         restore.restore = true;
         Bench bench({deepDrill(), restore, vessel, paintIn(1), protect(1)});
-        QCOMPARE(bench.refusal(RevertRows{{2}}), ErrorCode::SegmentProtected);
+        QCOMPARE(bench.refusal(test::revertRows({2})), ErrorCode::SegmentProtected);
         bench.run(protect(1, false));
-        bench.run(RevertRows{{2}});
+        bench.run(test::revertRows({2}));
 
         Bench deeper({deepDrill(2.0), vessel, paintIn(1), protect(1)});
         QCOMPARE(

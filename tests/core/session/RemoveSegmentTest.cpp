@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/growth/SeedWord.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -6,6 +8,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
@@ -60,7 +63,7 @@ struct Bench {
 /// In the air, where nothing has grown.
 Edit seedInCorner(int segment, const glm::dvec3& voxel)
 {
-    return SeedStroke{segment, {test::smallStudy().volume.geometry.toWorld(voxel)}};
+    return test::seedAt(segment, {test::smallStudy().volume.geometry.toWorld(voxel)});
 }
 
 /// Brain (1) and bone (2), both grown, with seeds of both pending.
@@ -132,7 +135,7 @@ private Q_SLOTS:
         for (const Edit& edit : twoGrown())
             bench.run(edit);
         bench.run(RemoveSegment{.segment = 1});
-        bench.run(GrowSteps{.criteria = {.lower = -1100, .upper = 3000}, .steps = {}});
+        bench.run(test::growBetween(-1100, 3000));
         QCOMPARE(bench.voxels(1), 0);
         QCOMPARE(bench.words(1), 0);
         QVERIFY(bench.voxels(2) > 1000);
@@ -230,11 +233,13 @@ private Q_SLOTS:
                 done = bench.session->settle();
             return done ? ErrorCode::Internal : done.error().code;
         };
-        QVERIFY(refusal(RevertRows{{6}}) == ErrorCode::StepsEntangled); // growth
-        QVERIFY(refusal(RevertRows{{7}}) == ErrorCode::StepsEntangled); // seeds of the one deleted
-        QVERIFY(refusal(RevertRows{{10}}) == ErrorCode::StepsEntangled); // the deletion itself
+        QVERIFY(refusal(test::revertRows({6})) == ErrorCode::StepsEntangled); // growth
+        QVERIFY(refusal(test::revertRows({7}))
+            == ErrorCode::StepsEntangled); // seeds of the one deleted
+        QVERIFY(
+            refusal(test::revertRows({10})) == ErrorCode::StepsEntangled); // the deletion itself
         QCOMPARE(bench.session->stateHash(), before);
-        bench.run(RevertRows{{9}}); // a cut has nothing to do with it
+        bench.run(test::revertRows({9})); // a cut has nothing to do with it
         QVERIFY(bench.session->stateHash() != before);
     }
 };

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -222,10 +228,11 @@ private Q_SLOTS:
             block.codes.insert(
                 block.codes.end(), std::size_t(size.x), std::uint16_t(isBone ? 2024 : 24));
         }
-        DrillStroke behind = test::drillAt(0);
+        const Edit before = test::drillAt(0);
+        DrillStroke behind = before.get<DrillStroke>();
         behind.view.eyeLps.y += 400;
         for (const auto& [first, second] :
-            {std::pair(test::drillAt(0), behind), std::pair(behind, test::drillAt(0))}) {
+            {std::pair<Edit, Edit>(before, behind), std::pair<Edit, Edit>(behind, before)}) {
             Bench bench(block, {first, second});
             QVERIFY(bench.session->history().rows().at(1).statistics.voxelsChanged > 100);
             bench.run(RevertRows{{1}});
@@ -243,17 +250,17 @@ private Q_SLOTS:
     /// A growth asks its members' neighbours, no one else.
     void aGrowthElsewhereDoesNotHoldWhatWasPainted()
     {
-        const glm::dvec3 middle = test::seedInBrain(1).pointsLps.front();
+        const glm::dvec3 middle = test::pointsInBrain().front();
         const glm::dvec3 other = middle + glm::dvec3(secondBallMm, 0, 0);
         const auto painted = [](const glm::dvec3& at) {
             PaintStroke paint{.segment = 1};
             paint.path = {.radiusMm = 4, .pointsLps = {at}};
             return paint;
         };
-        const SeedStroke seed{.segment = 2, .pointsLps = {other}};
-        GrowSteps visible = test::growBrain(4);
+        const Edit seed = test::seedAt(2, {other});
+        GrowSteps visible = test::growBrain(4).get<GrowSteps>();
         visible.criteria.onlyVisible = true;
-        for (const GrowSteps& grow : {test::growBrain(4), visible}) {
+        for (const Edit& grow : {test::growBrain(4), Edit(visible)}) {
             const std::vector<Edit> rest{seed, grow};
             const std::vector<Edit> segments{test::addSegment("A"), test::addSegment("B")};
             const auto with = [&](const std::vector<Edit>& first) {
@@ -274,7 +281,7 @@ private Q_SLOTS:
             Bench cutClose(twoBalls(), with({test::drillAt(secondBallMm)}));
             const bool refused =
                 cutClose.refusal(RevertRows{{3}}).contains(QStringLiteral("wrote or read"));
-            QCOMPARE(refused, grow.criteria.onlyVisible);
+            QCOMPARE(refused, grow.get<GrowSteps>().criteria.onlyVisible);
             // Seeds that wait anywhere would have grown.
             Bench waiting(twoBalls(), with({test::seedInBrain(1)}));
             QVERIFY(waiting.refusal(RevertRows{{3}}).contains(QStringLiteral("wrote or read")));
@@ -285,10 +292,10 @@ private Q_SLOTS:
     {
         Bench bench(test::smallStudy(),
             {test::addSegment("Brain"), test::seedInBrain(1), test::growBrain(3), test::drillAt(0),
-                ChangeSegment{.segment = 1, .locked = true}});
+                test::lockSegment(1)});
         QCOMPARE(bench.refusal(RevertRows{{2, 3}}), QStringLiteral("locked: Brain"));
         bench.run(RevertRows{{4}}); // the drill has nothing to do with it
-        bench.run(ChangeSegment{.segment = 1, .locked = false});
+        bench.run(test::lockSegment(1, false));
         bench.run(RevertRows{{2, 3}});
         QCOMPARE(bench.session->document().segment(1)->voxels, 0);
     }

@@ -2,6 +2,14 @@
 #include "core/brick/BrickGrid.h"
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/EditSession.h"
@@ -91,7 +99,7 @@ QByteArray hashOf(const std::vector<Edit>& edits)
 
 DrillStroke drill(double xMm, double radiusMm = 5.0, double depthMm = 5.0, int layer = 1)
 {
-    DrillStroke stroke = test::drillAt(xMm);
+    DrillStroke stroke = test::drillAt(xMm).get<DrillStroke>();
     stroke.mask.radiusMm = radiusMm;
     stroke.depthMm = depthMm;
     stroke.layer = layer;
@@ -213,7 +221,7 @@ private Q_SLOTS:
         QTest::newRow("soft edge")
             << Edit(drill(0)) << Edit(soft) << ReviseStroke{.row = 2, .softnessMm = 3.0}
             << QStringLiteral("soft edge 0.0 → 3.0 mm, ");
-        const glm::dvec3 middle = test::drillAt(0).view.targetLps;
+        const glm::dvec3 middle = test::frontView().targetLps;
         BrushStroke brush;
         brush.path.radiusMm = 4.0;
         brush.path.pointsLps = {middle, middle + glm::dvec3(9.0, 3.0, -2.0)};
@@ -223,9 +231,9 @@ private Q_SLOTS:
                                << ReviseStroke{.row = 2, .radiusMm = 6.5}
                                << QStringLiteral("radius 4.0 → 6.5 mm, ");
         PeelCut peel;
-        peel.view = test::drillAt(0).view;
+        peel.view = test::frontView();
         peel.polygonMm = {{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}};
-        peel.surfaceThreshold = test::drillAt(0).surfaceThreshold;
+        peel.surfaceThreshold = test::drillAt(0).get<DrillStroke>().surfaceThreshold;
         PeelCut thick = peel;
         thick.depthMm = 7.0;
         QTest::newRow("peel") << Edit(peel) << Edit(thick) << ReviseStroke{.row = 2, .depthMm = 7.0}
@@ -274,7 +282,7 @@ private Q_SLOTS:
     void whatACutHasNotIsRefused()
     {
         BrushStroke brush;
-        brush.path.pointsLps = {test::drillAt(0).view.targetLps};
+        brush.path.pointsLps = {test::frontView().targetLps};
         DrillStroke square = drill(0);
         square.mask.kind = MaskShape::Kind::Square;
         PeelCut peel;
@@ -421,7 +429,7 @@ private Q_SLOTS:
         auto session = EditSession::open(engine, test::smallStudy(), file);
         QVERIFY(session);
         QCOMPARE((*session)->stateHash(), hash);
-        const auto& edit = std::get<ReviseStroke>((*session)->history().row(3).edit);
+        const auto& edit = (*session)->history().row(3).edit.get<ReviseStroke>();
         QCOMPARE(edit.row, std::int64_t(1));
         QCOMPARE(edit.radiusMm.value_or(0.0), 2.5);
         QVERIFY(!edit.depthMm && !edit.removed);
@@ -467,14 +475,14 @@ private Q_SLOTS:
                 const bool applied = bool(bench.attempt(edit));
                 const RowId now = bench.session->history().position();
                 if (applied && now != position) {
-                    if (const auto* stroke = std::get_if<DrillStroke>(&edit))
-                        truth.draw(now, std::get<DrillStroke>(quantised(*stroke)), before);
-                    if (const auto* revert = std::get_if<RevertRows>(&edit))
+                    if (const auto* stroke = edit.as<DrillStroke>())
+                        truth.draw(now, quantised(*stroke).get<DrillStroke>(), before);
+                    if (const auto* revert = edit.as<RevertRows>())
                         truth.setStanding(revert->rows.front(), false);
-                    if (const auto* revise = std::get_if<ReviseStroke>(&edit)) {
+                    if (const auto* revise = edit.as<ReviseStroke>()) {
                         const Edit& drawn = bench.session->history().row(revise->row).edit;
-                        truth.setStroke(revise->row,
-                            std::get<DrillStroke>(*revised(*sculptEdit(drawn), *revise)));
+                        truth.setStroke(
+                            revise->row, revised(*sculptEdit(drawn), *revise)->get<DrillStroke>());
                         truth.setStanding(revise->row, !revise->removed);
                         ++revisions;
                     }

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/layers/MoveLayer.h"
+#include "core/edits/kinds/pieces/ChangePiece.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/pieces/RemovePiece.h"
+#include "core/edits/kinds/pieces/SendPiecesHome.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/views/Bookmarks.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
@@ -50,7 +60,7 @@ struct Bench {
 
 DrillStroke drillInto(int layer)
 {
-    DrillStroke stroke = test::drillAt(0);
+    DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
     stroke.layer = layer;
     return stroke;
 }
@@ -107,7 +117,7 @@ private Q_SLOTS:
         QVERIFY(bench.lastName().startsWith(QStringLiteral("Drill 5.0 mm")));
         AddBookmark bookmark;
         bookmark.name = QStringLiteral("Orbit from the left");
-        bookmark.view = test::drillAt(0).view;
+        bookmark.view = test::frontView();
         bench.run(bookmark);
         QCOMPARE(bench.lastName(), QStringLiteral("Bookmark 'Orbit from the left'"));
         bench.run(RemoveBookmark{.bookmark = 1});
@@ -236,12 +246,12 @@ private Q_SLOTS:
     {
         Bench bench({second, drillInto(1), drillInto(2)});
         const QByteArray before = bench.session->stateHash();
-        QVERIFY(bench.session->apply(RevertRows{{2}}));
+        QVERIFY(bench.session->apply(test::revertRows({2})));
         const Result<void> done = bench.session->settle();
         QVERIFY(!done);
         QCOMPARE(done.error().code, ErrorCode::StepsEntangled);
         QCOMPARE(bench.session->stateHash(), before);
-        bench.run(RevertRows{{3}}); // the later one can
+        bench.run(test::revertRows({3})); // the later one can
         QCOMPARE(bench.session->stateHash(), Bench({second, drillInto(1)}).session->stateHash());
     }
 };

@@ -8,6 +8,7 @@
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/series/SessionFiles.h"
 
@@ -357,7 +358,7 @@ private Q_SLOTS:
             QVERIFY(session);
             for (int i = 0; i < 60; ++i)
                 QVERIFY((*session)->apply(
-                    ChangeSegment{.segment = 1, .name = QStringLiteral("Brain, look %1").arg(i)}));
+                    test::renameSegment(1, QStringLiteral("Brain, look %1").arg(i))));
             QVERIFY((*session)->apply(test::drillAt(4)));
             QVERIFY((*session)->settle());
             (*session)->keyframes().add((*session)->history().position(), QByteArray(20000, 'p'));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionDisplay.h"
 #include "core/session/SessionKeyframes.h"
@@ -317,7 +318,7 @@ private Q_SLOTS:
         QCOMPARE(session.file(), m_target);
         QCOMPARE(session.whyReadOnly(), QStringLiteral("open in another window"));
         QCOMPARE(session.history().rows().size(), rows);
-        DrillStroke stroke = test::drillAt(0);
+        DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
         QCOMPARE(session.apply(stroke).error().code, ErrorCode::SessionReadOnly);
         stroke.samples.clear();
         QCOMPARE(session.begin(stroke).error().code, ErrorCode::SessionReadOnly);

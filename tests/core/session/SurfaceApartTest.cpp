@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/surface/ChangeMarks.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/WriteBack.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
@@ -56,7 +62,7 @@ namespace {
 PaintStroke paintIn(int segment)
 {
     return {.segment = segment,
-        .path = {.radiusMm = 2.5, .pointsLps = test::seedInBrain(1).pointsLps},
+        .path = {.radiusMm = 2.5, .pointsLps = test::pointsInBrain()},
         .overwriteUnlocked = true};
 }
 
@@ -105,8 +111,8 @@ void SurfaceApartTest::partsNot_data()
     QTest::newRow("growth of another segment")
         << std::vector<Edit>{Edit(test::seedInBone(2)), Edit(test::growBone(3))};
     QTest::newRow("marks") << std::vector<Edit>{Edit(ChangeMarks{.way = ChangeMarks::Way::Invert})};
-    QTest::newRow("growth to where nothing is left to take") << std::vector<Edit>{
-        Edit(GrowSteps{.criteria = {.lower = 3000, .upper = 3001}, .steps = 1})};
+    QTest::newRow("growth to where nothing is left to take")
+        << std::vector<Edit>{Edit(test::growBetween(3000, 3001, 1))};
     QTest::newRow("drill") << std::vector<Edit>{Edit(test::drillAt(0.0))};
 }
 

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/surface/DropSurface.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/SpherePush.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionSurface.h"
@@ -9,6 +15,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/scenes/TestVolumes.h"
 
@@ -60,12 +67,10 @@ Mask shellOf(const Mask& mask, const glm::ivec3& extent)
 }
 
 /// Grows into every value, and takes from other segments.
-GrowSteps growth(int connectivity)
+Edit growth(int connectivity)
 {
-    GrowSteps grow;
-    grow.criteria = {.lower = -2000, .upper = 4000, .connectivity = connectivity};
-    grow.criteria.overwriteUnlocked = true;
-    return grow;
+    return test::growBy(
+        {.lower = -2000, .upper = 4000, .connectivity = connectivity, .overwriteUnlocked = true});
 }
 
 /// A session whose segment 1 is a ball with a bulge, inside a surface; 2 and 3 are empty.
@@ -80,8 +85,7 @@ struct Bench {
                                          .pointsLps = {at(middle + glm::dvec3(7, 0, 0)),
                                              at(middle + glm::dvec3(9, 0, 0)),
                                              at(middle + glm::dvec3(11, 2, 0))}}}),
-                 Edit(SeedStroke{.segment = 2, .pointsLps = {at(middle)}}),
-                 Edit(SeedStroke{.segment = 3, .pointsLps = {at({0, 0, 0})}})})
+                 Edit(test::seedAt(2, {at(middle)})), Edit(test::seedAt(3, {at({0, 0, 0})}))})
             run(edit);
         inside = maskOf(
             *voxelsOf(*session->surface().mesh(), session->document().volumes.front().geometry, {}),
@@ -246,7 +250,7 @@ void SurfaceBarrierTest::whatIsLockedStays()
     bench.run(growth(26));
     const Mask inside = bench.heldBy(2);
     const Mask outside = bench.heldBy(3);
-    bench.run(ChangeSegment{.segment = 3, .locked = true});
+    bench.run(test::lockSegment(3));
     bench.run(SurfaceBarrier{});
     // Its members are walls themselves: none of them grows, and none is grown over.
     QVERIFY(bench.heldBy(3) == outside);

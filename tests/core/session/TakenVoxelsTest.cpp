@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
@@ -51,7 +57,7 @@ constexpr int grown = 2;
 
 GrowSteps takingAll()
 {
-    GrowSteps grow = test::growBrain();
+    GrowSteps grow = test::growBrain().get<GrowSteps>();
     grow.criteria.overwriteUnlocked = true;
     return grow;
 }
@@ -66,11 +72,10 @@ void TakenVoxelsTest::init()
     m_engine = std::make_unique<reference::ReferenceEngine>();
     m_session = *EditSession::create(
         *m_engine, test::smallStudy(), {.file = m_folder->filePath(QStringLiteral("a.burin"))});
-    const SeedStroke seed = test::seedInBrain(grown);
+    const Edit seed = test::seedInBrain(grown);
     run(test::addSegment("Painted"));
     run(test::addSegment("Grown"));
-    run(PaintStroke{.segment = painted,
-        .path = {.radiusMm = 3.0, .pointsLps = {seed.pointsLps.back() + glm::dvec3(5.0, 0, 0)}}});
+    run(test::paintAt(painted, {test::pointsInBrain().back() + glm::dvec3(5.0, 0, 0)}, 3.0));
     m_before = labels();
     m_painted = voxels(painted);
     QVERIFY(m_painted > 50);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/AuditReport.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionKeyframes.h"
 #include "core/session/SessionStorage.h"
@@ -7,6 +8,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QCryptographicHash>
@@ -68,8 +70,8 @@ private Q_SLOTS:
         };
         apply(test::addSegment("A")); // 1
         apply(test::drillAt(-6)); // 2: taken back by 4
-        apply(ChangeSegment{.segment = 1, .name = QStringLiteral("Z")}); // 3
-        apply(RevertRows{{2}}); // 4
+        apply(test::renameSegment(1, QStringLiteral("Z"))); // 3
+        apply(test::revertRows({2})); // 4
         apply(test::drillAt(0)); // 5: an old future, with 6
         apply(test::addSegment("B")); // 6
         QVERIFY(session->goTo(4));
@@ -111,8 +113,8 @@ private Q_SLOTS:
             const auto session = *EditSession::create(engine, test::smallStudy(), {.file = path});
             for (const Edit& edit : std::initializer_list<Edit>{test::drillAt(-2), test::drillAt(1),
                      ReviseStroke{.row = 1, .radiusMm = 6.0},
-                     ReviseStroke{.row = 1, .removed = true}, RevertRows{{4}}, RevertRows{{5}},
-                     RevertRows{{6}}}) {
+                     ReviseStroke{.row = 1, .removed = true}, test::revertRows({4}),
+                     test::revertRows({5}), test::revertRows({6})}) {
                 QVERIFY(session->apply(edit));
                 QVERIFY(session->settle());
             }

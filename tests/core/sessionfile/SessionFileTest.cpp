@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/SessionFile.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionKeyframes.h"
 #include "core/session/SessionStorage.h"
@@ -143,10 +144,10 @@ private Q_SLOTS:
         QVERIFY(session->settle());
         const QByteArray hash = session->stateHash();
         // What a crash would leave behind at this moment, with a stroke under the pen.
-        DrillStroke stroke = test::drillAt(0);
+        DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
         stroke.samples.clear();
         QVERIFY(session->begin(stroke));
-        session->extendDrill(test::drillAt(0).samples);
+        session->extendDrill(test::drillAt(0).get<DrillStroke>().samples);
         const QString copy = m_folder->filePath(QStringLiteral("copy.burin"));
         for (const char* suffix : {"", "-wal"})
             QVERIFY(QFile::copy(m_path + QLatin1String(suffix), copy + QLatin1String(suffix)));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/growth/SeedWord.h"
 #include "tests/support/cases/EngineConformance.h"
 #include "tests/support/cases/growth/CutPromises.h"
@@ -67,11 +69,11 @@ core::Document RealCutGlTest::grow(const test::RealGrowth& real)
         qFatal("the study is not opened");
     core::Document document = core::initialDocument(real.study.volume);
     for (const core::Edit& edit : real.edits) {
-        if (std::holds_alternative<core::AddSegment>(edit))
+        if (edit.is<core::AddSegment>())
             (void)core::applyToDocument(edit, document);
-        else if (const auto* seeds = std::get_if<core::SeedStroke>(&edit))
+        else if (const auto* seeds = edit.as<core::SeedStroke>())
             apply(*core::seedPlacement(*seeds, document));
-        else if (const auto* grown = std::get_if<core::GrowSteps>(&edit)) {
+        else if (const auto* grown = edit.as<core::GrowSteps>()) {
             core::submitWhole(engine, *core::growBurst(*grown, document), {core::GrowAdvance{}});
             m_generation = test::lastResult(engine).generation;
         }

@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"

@@ -3,6 +3,13 @@
 
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 
 #include <algorithm>
 #include <cmath>

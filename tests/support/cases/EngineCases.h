@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
 #include "tests/support/cases/EngineConformance.h"
 
 #include <vector>

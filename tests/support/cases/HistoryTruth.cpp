@@ -5,6 +5,38 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/SculptVisit.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/MoveLayer.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/pieces/ChangePiece.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/pieces/PastePiece.h"
+#include "core/edits/kinds/pieces/RemovePiece.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/MoveSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/views/Bookmarks.h"
+#include "core/edits/kinds/views/Measurements.h"
 #include "core/growth/SeedWord.h"
 #include "core/sessionfile/records/StateHash.h"
 #include "tests/reference/MaskPlane.h"
@@ -76,14 +108,11 @@ std::map<BrickKey, std::vector<std::uint8_t>> withoutLabel(
 /// Whether it writes labels or seed words.
 bool changesLabels(const Edit& edit)
 {
-    return std::holds_alternative<SeedStroke>(edit) || std::holds_alternative<GrowSteps>(edit)
-        || std::holds_alternative<ChangeInterval>(edit) || std::holds_alternative<ShrinkSteps>(edit)
-        || std::holds_alternative<ShrinkAt>(edit) || std::holds_alternative<PlugLeak>(edit)
-        || std::holds_alternative<BarrierStroke>(edit)
-        || std::holds_alternative<GrowFromSeeds>(edit) || std::holds_alternative<PaintStroke>(edit)
-        || std::holds_alternative<RemoveSegment>(edit)
-        || std::holds_alternative<LayerToSegment>(edit) || std::holds_alternative<SegmentSeen>(edit)
-        || std::holds_alternative<ImportMask>(edit);
+    return edit.is<SeedStroke>() || edit.is<GrowSteps>() || edit.is<ChangeInterval>()
+        || edit.is<ShrinkSteps>() || edit.is<ShrinkAt>() || edit.is<PlugLeak>()
+        || edit.is<BarrierStroke>() || edit.is<GrowFromSeeds>() || edit.is<PaintStroke>()
+        || edit.is<RemoveSegment>() || edit.is<LayerToSegment>() || edit.is<SegmentSeen>()
+        || edit.is<ImportMask>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -164,7 +193,7 @@ std::set<RowId> HistoryTruth::standing(RowId row) const
     std::set<RowId> rows;
     for (const RowId id : path(row)) {
         rows.insert(id);
-        if (const auto* revert = std::get_if<RevertRows>(&m_rows.at(id).edit)) {
+        if (const auto* revert = m_rows.at(id).edit.as<RevertRows>()) {
             for (const RowId taken : revert->rows)
                 toggle(taken, false, rows);
         }
@@ -178,7 +207,7 @@ void HistoryTruth::toggle(RowId row, bool stands, std::set<RowId>& rows) const
         rows.insert(row);
     else
         rows.erase(row);
-    if (const auto* revert = std::get_if<RevertRows>(&m_rows.at(row).edit)) {
+    if (const auto* revert = m_rows.at(row).edit.as<RevertRows>()) {
         for (const RowId taken : revert->rows)
             toggle(taken, !stands, rows);
     }
@@ -191,15 +220,13 @@ void HistoryTruth::add(const HistoryRow& row)
     const Edit& edit = row.edit;
     if (changesDocumentOnly(edit)) {
         changeDocument(edit, next.document);
-    } else if (std::holds_alternative<DrillStroke>(edit)
-        || std::holds_alternative<BrushStroke>(edit) || std::holds_alternative<PeelCut>(edit)
-        || std::holds_alternative<ScissorsCut>(edit) || std::holds_alternative<LaserStroke>(edit)
-        || std::holds_alternative<RevertRows>(edit) || std::holds_alternative<ReviseStroke>(edit)
-        || std::holds_alternative<SegmentToLayer>(edit) || std::holds_alternative<MergeLayers>(edit)
-        || std::holds_alternative<RemoveLayer>(edit)) {
+    } else if (edit.is<DrillStroke>() || edit.is<BrushStroke>() || edit.is<PeelCut>()
+        || edit.is<ScissorsCut>() || edit.is<LaserStroke>() || edit.is<RevertRows>()
+        || edit.is<ReviseStroke>() || edit.is<SegmentToLayer>() || edit.is<MergeLayers>()
+        || edit.is<RemoveLayer>()) {
         // Everything anew: what stands is grown again, and all cuts are laid over each other.
         const Bricks carved = carvedUntil(row.id);
-        if (std::holds_alternative<RevertRows>(edit)) {
+        if (edit.is<RevertRows>()) {
             const Bricks again = regrown(row.id);
             std::erase_if(next.bricks, [](const auto& each) { return isOf(each.first, false); });
             next.bricks.insert(again.begin(), again.end());
@@ -242,29 +269,29 @@ HistoryTruth::Bricks HistoryTruth::grown(
 {
     // Locks and the counter are those of when it was done.
     const Document& document = m_states.at(parent).document;
-    if (const auto* seed = std::get_if<SeedStroke>(&edit))
+    if (const auto* seed = edit.as<SeedStroke>())
         return after(before, *seedPlacement(*seed, document), {}, nullptr);
-    if (const auto* remove = std::get_if<RemoveSegment>(&edit))
+    if (const auto* remove = edit.as<RemoveSegment>())
         return withoutLabel(before, remove->segment);
-    if (const auto* paint = std::get_if<PaintStroke>(&edit))
+    if (const auto* paint = edit.as<PaintStroke>())
         return after(before, *paintLabel(*paint, document),
             {CapsulePath{capsules(paint->path, m_study.volume.geometry)}}, nullptr);
-    if (const auto* carved = std::get_if<LayerToSegment>(&edit))
+    if (const auto* carved = edit.as<LayerToSegment>())
         return after(before, *labelCarved(*carved, document), {}, nullptr);
-    if (const auto* seen = std::get_if<SegmentSeen>(&edit))
+    if (const auto* seen = edit.as<SegmentSeen>())
         return after(before, *labelSeen(*seen, document), {}, nullptr, &document);
-    if (const auto* mask = std::get_if<ImportMask>(&edit))
+    if (const auto* mask = edit.as<ImportMask>())
         return after(before, *labelListed(*mask, document), {}, nullptr);
-    if (const auto* barrier = std::get_if<BarrierStroke>(&edit))
+    if (const auto* barrier = edit.as<BarrierStroke>())
         return after(before, *paintBarrier(*barrier, document),
             {CapsulePath{capsules(barrier->path, m_study.volume.geometry)}}, nullptr);
-    if (const auto* shrink = std::get_if<ShrinkSteps>(&edit))
+    if (const auto* shrink = edit.as<ShrinkSteps>())
         return after(before, *shrinkGrowth(*shrink, document), {}, generation);
-    if (const auto* through = std::get_if<ShrinkAt>(&edit))
+    if (const auto* through = edit.as<ShrinkAt>())
         return after(before, *cutGrowth(*through, document), {}, generation);
-    if (const auto* plug = std::get_if<PlugLeak>(&edit))
+    if (const auto* plug = edit.as<PlugLeak>())
         return after(before, *cutGrowth(*plug, document), {}, generation);
-    if (const auto* spread = std::get_if<GrowFromSeeds>(&edit))
+    if (const auto* spread = edit.as<GrowFromSeeds>())
         return after(before, *spreadLabels(*spread, document), {}, nullptr);
     const auto advance = [](std::optional<int> steps) {
         std::vector<EngineExtension> extensions;
@@ -272,10 +299,10 @@ HistoryTruth::Bricks HistoryTruth::grown(
             extensions.push_back(GrowAdvance{.steps = steps.value_or(GrowAdvance::toClosure)});
         return extensions;
     };
-    if (const auto* change = std::get_if<ChangeInterval>(&edit))
+    if (const auto* change = edit.as<ChangeInterval>())
         return after(
             before, *growBurst(*change, document), advance(change->steps), generation, &document);
-    const auto& grow = std::get<GrowSteps>(edit);
+    const auto& grow = edit.get<GrowSteps>();
     return after(before, *growBurst(grow, document), advance(grow.steps), generation, &document);
 }
 
@@ -289,24 +316,24 @@ SculptEdit HistoryTruth::formAfter(const Edit& drawn, const ReviseStroke& revise
         form.throughGaps = revise.throughGaps.value_or(form.throughGaps);
         return SculptEdit(form);
     };
-    if (const auto* drill = std::get_if<DrillStroke>(&drawn))
+    if (const auto* drill = drawn.as<DrillStroke>())
         return pressed(*drill);
-    if (const auto* laser = std::get_if<LaserStroke>(&drawn))
+    if (const auto* laser = drawn.as<LaserStroke>())
         return pressed(*laser);
-    if (const auto* brush = std::get_if<BrushStroke>(&drawn)) {
+    if (const auto* brush = drawn.as<BrushStroke>()) {
         BrushStroke form = *brush;
         form.path.radiusMm = revise.radiusMm.value_or(form.path.radiusMm);
         form.layer = revise.layer.value_or(form.layer);
         return form;
     }
-    if (const auto* peel = std::get_if<PeelCut>(&drawn)) {
+    if (const auto* peel = drawn.as<PeelCut>()) {
         PeelCut form = *peel;
         form.depthMm = revise.depthMm.value_or(form.depthMm);
         form.layer = revise.layer.value_or(form.layer);
         form.throughGaps = revise.throughGaps.value_or(form.throughGaps);
         return form;
     }
-    ScissorsCut form = std::get<ScissorsCut>(drawn);
+    ScissorsCut form = drawn.get<ScissorsCut>();
     if (revise.depthMm)
         form.depthMm = revise.depthMm;
     form.layer = revise.layer.value_or(form.layer);
@@ -318,17 +345,17 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
     std::vector<Stroke> strokes;
     for (const RowId id : standing(row)) {
         const Edit& edit = m_rows.at(id).edit;
-        if (const auto* drill = std::get_if<DrillStroke>(&edit))
+        if (const auto* drill = edit.as<DrillStroke>())
             strokes.push_back({.row = id, .form = *drill});
-        if (const auto* brush = std::get_if<BrushStroke>(&edit))
+        if (const auto* brush = edit.as<BrushStroke>())
             strokes.push_back({.row = id, .form = *brush});
-        if (const auto* peel = std::get_if<PeelCut>(&edit))
+        if (const auto* peel = edit.as<PeelCut>())
             strokes.push_back({.row = id, .form = *peel});
-        if (const auto* scissors = std::get_if<ScissorsCut>(&edit))
+        if (const auto* scissors = edit.as<ScissorsCut>())
             strokes.push_back({.row = id, .form = *scissors});
-        if (const auto* laser = std::get_if<LaserStroke>(&edit))
+        if (const auto* laser = edit.as<LaserStroke>())
             strokes.push_back({.row = id, .form = *laser});
-        const auto* revise = std::get_if<ReviseStroke>(&edit);
+        const auto* revise = edit.as<ReviseStroke>();
         for (Stroke& stroke : strokes) {
             if (!revise || stroke.row != revise->row)
                 continue;
@@ -347,9 +374,9 @@ HistoryTruth::Bricks HistoryTruth::carvedUntil(RowId row)
         }
         if (stroke->removed)
             continue;
-        const int layer = std::visit([](const auto& form) { return form.layer; }, stroke->form);
+        const int layer = visitSculpt([](const auto& form) { return form.layer; }, stroke->form);
         const bool restore =
-            std::visit([](const auto& form) { return form.restore; }, stroke->form);
+            visitSculpt([](const auto& form) { return form.restore; }, stroke->form);
         for (const auto& [brick, bytes] : cutOf(*stroke)) {
             std::vector<std::uint8_t>& held = carved[{Field::Coverage, std::uint8_t(layer), brick}];
             held.resize(bytes.size(), 0);
@@ -374,8 +401,8 @@ void HistoryTruth::writeLayer(const Edit& edit, RowId at, Bricks& carved) const
         }
         return found;
     };
-    const auto* merge = std::get_if<MergeLayers>(&edit);
-    const auto* remove = std::get_if<RemoveLayer>(&edit);
+    const auto* merge = edit.as<MergeLayers>();
+    const auto* remove = edit.as<RemoveLayer>();
     if (merge || remove) {
         const int from = merge ? merge->from : remove->layer;
         for (const auto& [key, bytes] : layer(from)) {
@@ -389,7 +416,7 @@ void HistoryTruth::writeLayer(const Edit& edit, RowId at, Bricks& carved) const
                 held[i] = std::max(held[i], bytes[i]);
         }
     }
-    if (const auto* segment = std::get_if<SegmentToLayer>(&edit)) {
+    if (const auto* segment = edit.as<SegmentToLayer>()) {
         for (const auto& [key, bytes] : m_states.at(at).bricks) {
             for (std::size_t i = 0; key.field == Field::Labels && i < bytes.size(); ++i) {
                 if (bytes[i] != segment->segment)
@@ -406,11 +433,7 @@ void HistoryTruth::writeLayer(const Edit& edit, RowId at, Bricks& carved) const
 HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
 {
     const QByteArray key = QByteArray::number(qlonglong(stroke.row))
-        + std::visit(
-            [](const auto& form) {
-                return QJsonDocument(editToJson(form)).toJson(QJsonDocument::Compact);
-            },
-            stroke.form);
+        + QJsonDocument(editToJson(stroke.form.plain())).toJson(QJsonDocument::Compact);
     if (const auto known = m_cuts.find(key); known != m_cuts.end())
         return known->second;
     const State& before = m_states.at(m_rows.at(stroke.row).parent);
@@ -418,32 +441,32 @@ HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
     std::erase_if(coverage, [](const auto& each) { return each.first.field == Field::SeedWords; });
     EngineEdit edit;
     std::vector<EngineExtension> paths;
-    if (const auto* drill = std::get_if<DrillStroke>(&stroke.form)) {
+    if (const auto* drill = stroke.form.as<DrillStroke>()) {
         DrillCut alone = *drillCut(*drill, before.document);
         alone.layer = truthLayer;
         alone.laying = Laying::Carve;
         paths.push_back(DrillPath{drillPath(*drill, alone)});
         edit = alone;
-    } else if (const auto* brush = std::get_if<BrushStroke>(&stroke.form)) {
+    } else if (const auto* brush = stroke.form.as<BrushStroke>()) {
         CapsuleCut alone = *capsuleCut(*brush, before.document);
         alone.layer = truthLayer;
         alone.restore = false;
         paths.push_back(CapsulePath{capsules(brush->path, m_study.volume.geometry)});
         edit = alone;
-    } else if (const auto* laser = std::get_if<LaserStroke>(&stroke.form)) {
+    } else if (const auto* laser = stroke.form.as<LaserStroke>()) {
         LaserCut alone = *laserCut(*laser, before.document);
         alone.layer = truthLayer;
         alone.laying = Laying::Carve;
         paths.push_back(DrillPath{laserPath(*laser, alone)});
         edit = alone;
-    } else if (const auto* peel = std::get_if<PeelCut>(&stroke.form)) {
+    } else if (const auto* peel = stroke.form.as<PeelCut>()) {
         MaskPeel alone = *maskPeel(*peel, before.document);
         alone.layer = truthLayer;
         alone.laying = Laying::Carve;
         paths.push_back(peelDepth(*peel));
         edit = alone;
     } else {
-        MaskScissors alone = *maskScissors(std::get<ScissorsCut>(stroke.form), before.document);
+        MaskScissors alone = *maskScissors(stroke.form.get<ScissorsCut>(), before.document);
         alone.layer = truthLayer;
         alone.laying = Laying::Carve;
         edit = alone;
@@ -552,25 +575,25 @@ void changePieces(const Edit& edit, Document& document)
     int last = document.greatestRemovedPiece;
     for (const Piece& piece : pieces)
         last = std::max(last, piece.id);
-    if (const auto* cut = std::get_if<CutPiece>(&edit)) {
+    if (const auto* cut = edit.as<CutPiece>()) {
         pieces.push_back(
             {.id = last + 1, .name = cut->name, .layer = cut->layer, .pivotLps = cut->pivotLps});
-    } else if (const auto* paste = std::get_if<PastePiece>(&edit)) {
+    } else if (const auto* paste = edit.as<PastePiece>()) {
         pieces.push_back({.id = last + 1,
             .name = paste->name,
             .segment = paste->segment,
             .pivotLps = paste->pivotLps,
             .pose = paste->pose});
-    } else if (const auto* change = std::get_if<ChangePiece>(&edit)) {
+    } else if (const auto* change = edit.as<ChangePiece>()) {
         Piece& piece = *with(pieces, &Piece::id, change->piece);
         take(piece.name, change->name);
         take(piece.pose.offsetMm, change->offsetMm);
         take(piece.pose.rotationDegrees, change->rotationDegrees);
         take(piece.pose.zoom, change->zoom);
-    } else if (std::holds_alternative<SendPiecesHome>(edit)) {
+    } else if (edit.is<SendPiecesHome>()) {
         for (Piece& piece : pieces)
             piece.pose = PiecePose{};
-    } else if (const auto* gone = std::get_if<RemovePiece>(&edit)) {
+    } else if (const auto* gone = edit.as<RemovePiece>()) {
         pieces.erase(with(pieces, &Piece::id, gone->piece));
         release(gone->piece, document);
         document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, gone->piece);
@@ -583,7 +606,7 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
 {
     std::vector<Segment>& segments = document.segments;
     std::vector<SculptLayer>& layers = document.layers;
-    if (const auto* add = std::get_if<AddSegment>(&edit)) {
+    if (const auto* add = edit.as<AddSegment>()) {
         int label = document.greatestRemovedLabel;
         for (const Segment& segment : segments)
             label = std::max(label, int(segment.label));
@@ -591,16 +614,16 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
             .name = add->name,
             .rgb = add->rgb,
             .code = add->code});
-    } else if (const auto* change = std::get_if<ChangeSegment>(&edit)) {
+    } else if (const auto* change = edit.as<ChangeSegment>()) {
         Segment& segment = *with(segments, &Segment::label, change->segment);
         take(segment.name, change->name);
         take(segment.rgb, change->rgb);
         take(segment.code, change->code);
         take(segment.locked, change->locked);
         take(segment.uncarvable, change->uncarvable);
-    } else if (const auto* moved = std::get_if<MoveSegment>(&edit)) {
+    } else if (const auto* moved = edit.as<MoveSegment>()) {
         move(segments, &Segment::label, moved->segment, moved->place);
-    } else if (const auto* remove = std::get_if<RemoveSegment>(&edit)) {
+    } else if (const auto* remove = edit.as<RemoveSegment>()) {
         segments.erase(with(segments, &Segment::label, remove->segment));
         document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, remove->segment);
         std::vector<Piece> left;
@@ -613,32 +636,32 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
             }
         }
         document.pieces = left;
-    } else if (const auto* layer = std::get_if<AddLayer>(&edit)) {
+    } else if (const auto* layer = edit.as<AddLayer>()) {
         int id = document.greatestRemovedLayer;
         for (const SculptLayer& each : layers)
             id = std::max<int>(id, each.id);
         layers.push_back({.id = std::uint8_t(id + 1), .name = layer->name});
-    } else if (const auto* other = std::get_if<ChangeLayer>(&edit)) {
+    } else if (const auto* other = edit.as<ChangeLayer>()) {
         SculptLayer& target = *with(layers, &SculptLayer::id, other->layer);
         take(target.name, other->name);
         take(target.muted, other->muted);
         take(target.solo, other->solo);
-    } else if (const auto* order = std::get_if<MoveLayer>(&edit)) {
+    } else if (const auto* order = edit.as<MoveLayer>()) {
         move(layers, &SculptLayer::id, order->layer, order->place);
-    } else if (const auto* gone = std::get_if<RemoveLayer>(&edit)) {
+    } else if (const auto* gone = edit.as<RemoveLayer>()) {
         removeLayer(gone->layer, document);
-    } else if (const auto* merge = std::get_if<MergeLayers>(&edit)) {
+    } else if (const auto* merge = edit.as<MergeLayers>()) {
         removeLayer(merge->from, document);
-    } else if (const auto* carved = std::get_if<LayerToSegment>(&edit)) {
+    } else if (const auto* carved = edit.as<LayerToSegment>()) {
         addTarget(carved->target, document);
-    } else if (const auto* seen = std::get_if<SegmentSeen>(&edit)) {
+    } else if (const auto* seen = edit.as<SegmentSeen>()) {
         addTarget(seen->target, document);
-    } else if (const auto* mask = std::get_if<ImportMask>(&edit); mask && !mask->as) {
+    } else if (const auto* mask = edit.as<ImportMask>(); mask && !mask->as) {
         for (const ImportedSegment& segment : *mask->segments) {
             addTarget({.segment = {}, .name = segment.name, .rgb = segment.rgb}, document);
             document.segments.back().code = segment.code;
         }
-    } else if (const auto* view = std::get_if<AddBookmark>(&edit)) {
+    } else if (const auto* view = edit.as<AddBookmark>()) {
         int id = document.greatestRemovedBookmark;
         for (const CameraBookmark& bookmark : document.bookmarks)
             id = std::max(id, bookmark.id);
@@ -646,7 +669,7 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
             .name = view->name,
             .view = view->view,
             .crosshairLps = view->crosshairLps});
-    } else if (const auto* measured = std::get_if<AddMeasurement>(&edit)) {
+    } else if (const auto* measured = edit.as<AddMeasurement>()) {
         int id = document.greatestRemovedMeasurement;
         for (const Measurement& measurement : document.measurements)
             id = std::max(id, measurement.id);
@@ -654,12 +677,12 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
             .fromLps = measured->fromLps,
             .toLps = measured->toLps,
             .piece = measured->piece.value_or(0)});
-    } else if (const auto* length = std::get_if<RemoveMeasurement>(&edit)) {
+    } else if (const auto* length = edit.as<RemoveMeasurement>()) {
         document.measurements.erase(
             with(document.measurements, &Measurement::id, length->measurement));
         document.greatestRemovedMeasurement =
             std::max(document.greatestRemovedMeasurement, length->measurement);
-    } else if (const auto* forgotten = std::get_if<RemoveBookmark>(&edit)) {
+    } else if (const auto* forgotten = edit.as<RemoveBookmark>()) {
         document.bookmarks.erase(
             with(document.bookmarks, &CameraBookmark::id, forgotten->bookmark));
         document.greatestRemovedBookmark =

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/document/Document.h"
 #include "core/edits/engine/SculptEdits.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
 #include "core/volume/Volume.h"

@@ -3,10 +3,50 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/MoveLayer.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/pieces/ChangePiece.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/pieces/PastePiece.h"
+#include "core/edits/kinds/pieces/RemovePiece.h"
+#include "core/edits/kinds/pieces/SendPiecesHome.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/MoveSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/views/Bookmarks.h"
+#include "core/edits/kinds/views/Measurements.h"
 #include "core/session/EditSession.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/HistoryTruth.h"
 #include "tests/support/scenes/GoldenSessions.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QJsonDocument>
@@ -220,8 +260,7 @@ private:
         const std::vector<RowId> rows = m_truth.standingAt(m_session->history().position());
         const int dice = document.segments.empty() ? 0 : between(0, 99);
         if (dice < 5 && document.segments.size() < 6)
-            return AddSegment{
-                .name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu, .code = {}};
+            return test::newSegment(randomName(), std::uint32_t(m_random()) & 0xFFFFFFu);
         if (dice < 15)
             return randomChange(document);
         if (dice < 17)
@@ -396,7 +435,7 @@ private:
     }
     GrowSteps randomGrowth()
     {
-        GrowSteps grow = chance(50) ? growBrain() : growBone();
+        GrowSteps grow = (chance(50) ? growBrain() : growBone()).get<GrowSteps>();
         if (chance(20)) { // what may leak through the tube between the two small balls
             grow.criteria.lower = 250;
             grow.criteria.upper = 350;
@@ -474,7 +513,7 @@ private:
     }
     DrillStroke randomDrill()
     {
-        DrillStroke stroke = drillAt(between(-120, 120) / 10.0);
+        DrillStroke stroke = drillAt(between(-120, 120) / 10.0).get<DrillStroke>();
         const glm::dvec3 middle = stroke.view.targetLps;
         if (chance(40)) // from another side
             stroke.view.eyeLps = middle + glm::dvec3{between(-200, 200), between(50, 200), 30};

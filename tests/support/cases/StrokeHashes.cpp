@@ -1,7 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/StrokeHashes.h"
 
+#include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/SurfaceEdit.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/surface/SurfacePath.h"
 #include "core/session/EditSession.h"
 
 #include <QTemporaryDir>
@@ -51,12 +65,12 @@ QByteArray settledHash(EditSession& session)
 /// As the pen tells a stroke and the panel a growth; nothing for edits that are made at once.
 bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending ending)
 {
-    const auto* drill = std::get_if<core::DrillStroke>(&edit);
-    const auto* laser = std::get_if<core::LaserStroke>(&edit);
+    const auto* drill = edit.as<core::DrillStroke>();
+    const auto* laser = edit.as<core::LaserStroke>();
     if (drill || laser) {
         core::Edit stroke = edit;
-        std::vector<core::PenSample>& told = drill ? std::get<core::DrillStroke>(stroke).samples
-                                                   : std::get<core::LaserStroke>(stroke).samples;
+        std::vector<core::PenSample>& told = drill ? stroke.get<core::DrillStroke>().samples
+                                                   : stroke.get<core::LaserStroke>().samples;
         const std::vector<core::PenSample> samples = std::exchange(told, {});
         require(session.begin(stroke), "begin");
         for (std::size_t first = 0; first < samples.size(); first += 2) {
@@ -65,15 +79,14 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
                 {samples.begin() + std::ptrdiff_t(first), samples.begin() + std::ptrdiff_t(last)});
             session.poll();
         }
-    } else if (std::holds_alternative<core::PaintStroke>(edit)
-        || std::holds_alternative<core::BarrierStroke>(edit)
-        || std::holds_alternative<core::BrushStroke>(edit)) {
+    } else if (edit.is<core::PaintStroke>() || edit.is<core::BarrierStroke>()
+        || edit.is<core::BrushStroke>()) {
         core::Edit first = edit;
-        auto* paint = std::get_if<core::PaintStroke>(&first);
-        auto* barrier = std::get_if<core::BarrierStroke>(&first);
+        auto* paint = first.as<core::PaintStroke>();
+        auto* barrier = first.as<core::BarrierStroke>();
         core::BrushPath& path = paint ? paint->path
             : barrier                 ? barrier->path
-                                      : std::get<core::BrushStroke>(first).path;
+                                      : first.get<core::BrushStroke>().path;
         const core::BrushPath whole = path;
         const std::vector<glm::dvec3>& points = whole.pointsLps;
         path.pointsLps.resize(1);
@@ -93,7 +106,7 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
             session.extendPath({surface->pointsLps[next]});
             session.poll();
         }
-    } else if (const auto* peel = std::get_if<core::PeelCut>(&edit)) {
+    } else if (const auto* peel = edit.as<core::PeelCut>()) {
         core::PeelCut first = *peel;
         first.depthMm = std::min(2.0 * peel->depthMm + 1.0, 60.0);
         require(session.begin(first), "begin");
@@ -101,7 +114,7 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
             session.setPeelDepth(depthMm);
             session.poll();
         }
-    } else if (const auto* change = std::get_if<core::ChangeInterval>(&edit)) {
+    } else if (const auto* change = edit.as<core::ChangeInterval>()) {
         // As a slider is dragged.
         core::ChangeInterval first = *change;
         first.criteria.upper += 200.0;
@@ -113,17 +126,17 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         session.poll();
         session.setInterval(change->criteria.lower, change->criteria.upper);
         session.extendGrowth({.steps = change->steps.value_or(core::GrowAdvance::toClosure)});
-    } else if (const auto* resume = std::get_if<core::ResumeGrowth>(&edit)) {
+    } else if (const auto* resume = edit.as<core::ResumeGrowth>()) {
         require(session.begin(*resume), "begin");
         session.extendGrowth({.steps = resume->steps.value_or(core::GrowAdvance::toClosure)});
-    } else if (std::holds_alternative<core::GrowFromSeeds>(edit)) {
+    } else if (edit.is<core::GrowFromSeeds>()) {
         require(session.begin(edit), "begin");
         // Whatever else is done takes a preview back, and the next goes on from what it found.
         session.closeGrowth();
         session.poll();
         require(session.begin(edit), "begin again");
         session.poll();
-    } else if (const auto* grow = std::get_if<core::GrowSteps>(&edit)) {
+    } else if (const auto* grow = edit.as<core::GrowSteps>()) {
         require(session.begin(*grow), "begin");
         const int steps = grow->steps.value_or(core::GrowAdvance::toClosure);
         if (steps > 1) {

@@ -2,13 +2,31 @@
 #include "tests/support/cases/SurfaceCases.h"
 
 #include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/surface/ApplyTemplate.h"
+#include "core/edits/kinds/surface/AttractSurface.h"
+#include "core/edits/kinds/surface/ChangeMarks.h"
+#include "core/edits/kinds/surface/DropSurface.h"
+#include "core/edits/kinds/surface/FollowMask.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/MarkSurface.h"
+#include "core/edits/kinds/surface/PlaneScrape.h"
+#include "core/edits/kinds/surface/PointDrag.h"
+#include "core/edits/kinds/surface/SmoothSurface.h"
+#include "core/edits/kinds/surface/SpherePush.h"
+#include "core/edits/kinds/surface/SurfaceBarrier.h"
+#include "core/edits/kinds/surface/WriteBack.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <algorithm>
 
 namespace test {
 
-core::ImportMask ballMask(const glm::ivec3& size, double radius)
+core::Edit ballMask(const glm::ivec3& size, double radius)
 {
     core::VoxelRuns runs;
     const glm::dvec3 middle = (glm::dvec3(size) - 1.0) / 2.0;
@@ -60,10 +78,9 @@ std::vector<StrokeCase> surfaceCases()
     const core::Edit shape =
         core::ApplyTemplate{.contoursLps = {{at({7, -4, 0}), at({11, 0, 0}), at({7, 4, 0})}}};
     const core::Edit write = core::WriteBack{};
-    const core::Edit paint = core::PaintStroke{
-        .segment = 1, .path = {.radiusMm = 3.0 * voxelMm, .pointsLps = {at({0, 10, 0})}}};
-    const core::Edit locked = core::ChangeSegment{.segment = 2, .locked = true};
-    core::ImportMask beside = ballMask(geometry.size, 12.0);
+    const core::Edit paint = test::paintAt(1, {at({0, 10, 0})}, 3.0 * voxelMm);
+    const core::Edit locked = test::lockSegment(2);
+    const core::Edit beside = ballMask(geometry.size, 12.0);
 
     std::vector<StrokeCase> cases;
     const auto add = [&](const char* name, std::vector<core::Edit> before, core::Edit edit) {
@@ -116,10 +133,9 @@ std::vector<StrokeCase> surfaceCases()
     add("delete the segment of a surface", {ball, lay, push}, core::RemoveSegment{.segment = 1});
     const core::Edit shut = core::SurfaceBarrier{};
     const core::Edit opened = core::SurfaceBarrier{.erase = true};
-    const core::Edit seeds = core::SeedStroke{.segment = 1, .pointsLps = {at({0, 0, 0})}};
-    const core::Edit grow = core::GrowSteps{
-        .criteria = {.lower = -2000, .upper = 4000, .connectivity = 26, .overwriteUnlocked = true},
-        .steps = {}};
+    const core::Edit seeds = test::seedAt(1, {at({0, 0, 0})});
+    const core::Edit grow = test::growBy(
+        {.lower = -2000, .upper = 4000, .connectivity = 26, .overwriteUnlocked = true});
     add("barrier around the surface", {ball, lay, push}, shut);
     add("barrier around the surface again", {ball, lay, push, shut}, shut);
     add("barrier around the surface through what has grown", {ball, beside, seeds, grow, lay, push},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/Edit.h"
 #include "tests/support/cases/StrokeCases.h"
 
 namespace test {
@@ -10,6 +11,6 @@ namespace test {
 
 /// A ball of voxels as a mask that comes in: the segment "Ball", label 1 in an empty session.
 /// @param radius in voxels around the middle of the volume
-[[nodiscard]] core::ImportMask ballMask(const glm::ivec3& size, double radius);
+[[nodiscard]] core::Edit ballMask(const glm::ivec3& size, double radius);
 
 } // namespace test

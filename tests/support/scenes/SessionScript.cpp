@@ -2,9 +2,13 @@
 #include "tests/support/scenes/SessionScript.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QJsonArray>
@@ -24,7 +28,7 @@ using core::RowId;
 /// At 120 Hz: some seconds of a pen, enough for a transaction of a hundred kilobytes.
 core::DrillStroke longDrill(Random& random)
 {
-    core::DrillStroke stroke = drillAt(-8.0 + 16.0 * randomUnit(random));
+    core::DrillStroke stroke = drillAt(-8.0 + 16.0 * randomUnit(random)).get<core::DrillStroke>();
     const core::PenSample first = stroke.samples.front();
     const int samples = randomInt(random, 400, 1600);
     const double turn = 0.002 + 0.01 * randomUnit(random);
@@ -51,8 +55,8 @@ core::Edit randomEdit(const core::History& history, Random& random)
     if (lot < 65)
         return segment == 1 ? seedInBrain(1) : seedInBone(2);
     if (lot < 75)
-        return core::ChangeSegment{
-            .segment = segment, .name = QStringLiteral("Name %1").arg(randomInt(random, 1, 1000))};
+        return test::renameSegment(
+            segment, QStringLiteral("Name %1").arg(randomInt(random, 1, 1000)));
     if (lot < 80)
         return core::MoveSegment{.segment = segment, .place = randomInt(random, 1, 2)};
     if (lot < 83)
@@ -60,7 +64,7 @@ core::Edit randomEdit(const core::History& history, Random& random)
     // Mostly the newest rows can be taken back on their own.
     const auto last = RowId(history.rows().size());
     const int back = std::min(randomInt(random, 0, 6), int(last) - 1);
-    return core::RevertRows{{std::max<RowId>(last - back, 1)}};
+    return test::revertRows({std::max<RowId>(last - back, 1)});
 }
 
 core::RecipeStep randomStep(const core::History& history, Random& random)

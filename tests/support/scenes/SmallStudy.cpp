@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/scenes/SmallStudy.h"
 
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "tests/support/scenes/PlainEdits.h"
+
 namespace test {
 
 namespace {
@@ -39,38 +42,53 @@ core::LoadedVolume smallStudy()
     return loaded;
 }
 
-core::AddSegment addSegment(const char* name)
+std::vector<glm::dvec3> pointsInBrain()
 {
-    return {.name = QLatin1String(name), .rgb = 0xE0C068, .code = {}};
+    return {middle, middle + glm::dvec3(2, 0, 0)};
 }
 
-core::SeedStroke seedInBrain(int segment)
+std::vector<glm::dvec3> pointsInBone()
 {
-    return {.segment = segment, .pointsLps = {middle, middle + glm::dvec3(2, 0, 0)}};
+    return {middle + glm::dvec3(0, -13, 0)};
 }
 
-core::SeedStroke seedInBone(int segment)
+core::OrthographicView frontView()
 {
-    return {.segment = segment, .pointsLps = {middle + glm::dvec3(0, -13, 0)}};
-}
-
-core::GrowSteps growBrain(std::optional<int> steps)
-{
-    return {.criteria = {.lower = 0, .upper = 100}, .steps = steps};
-}
-
-core::GrowSteps growBone(std::optional<int> steps)
-{
-    return {.criteria = {.lower = 500, .upper = 2000}, .steps = steps};
-}
-
-core::DrillStroke drillAt(double xMm)
-{
-    core::DrillStroke stroke;
-    stroke.view = {.eyeLps = middle - glm::dvec3(0, 200, 0),
+    return {.eyeLps = middle - glm::dvec3(0, 200, 0),
         .targetLps = middle,
         .up = {0, 0, 1},
         .heightMm = 80};
+}
+
+core::Edit addSegment(const char* name)
+{
+    return newSegment(QLatin1String(name), 0xE0C068);
+}
+
+core::Edit seedInBrain(int segment)
+{
+    return seedAt(segment, pointsInBrain());
+}
+
+core::Edit seedInBone(int segment)
+{
+    return seedAt(segment, pointsInBone());
+}
+
+core::Edit growBrain(std::optional<int> steps)
+{
+    return growBetween(0, 100, steps);
+}
+
+core::Edit growBone(std::optional<int> steps)
+{
+    return growBetween(500, 2000, steps);
+}
+
+core::Edit drillAt(double xMm)
+{
+    core::DrillStroke stroke;
+    stroke.view = frontView();
     stroke.mask.radiusMm = 4;
     stroke.depthMm = 5;
     stroke.surfaceThreshold = 500;
@@ -82,8 +100,8 @@ core::DrillStroke drillAt(double xMm)
 std::vector<core::Edit> manyEdits()
 {
     return {addSegment("Brain"), addSegment("Skull"), seedInBrain(1), growBrain(3), drillAt(-6),
-        core::ChangeSegment{.segment = 2, .name = QStringLiteral("Bone")}, growBrain(), drillAt(5),
-        seedInBone(2), growBone(), core::RevertRows{{8}}};
+        renameSegment(2, QStringLiteral("Bone")), growBrain(), drillAt(5), seedInBone(2),
+        growBone(), revertRows({8})};
 }
 
 } // namespace test

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/document/OrthographicView.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/volume/Volume.h"
 
+#include <glm/glm.hpp>
+
+#include <optional>
 #include <vector>
 
 namespace test {
@@ -12,14 +16,20 @@ namespace test {
 /// of "bone" (1000 HU) with "brain" (40 HU) inside, air (−1000 HU) around; value = code − 1024.
 [[nodiscard]] core::LoadedVolume smallStudy();
 
+/// Two places in the brain, and one in the bone.
+[[nodiscard]] std::vector<glm::dvec3> pointsInBrain();
+[[nodiscard]] std::vector<glm::dvec3> pointsInBone();
+/// Onto the middle of the brain.
+[[nodiscard]] core::OrthographicView frontView();
+
 /// Edits that suit it.
-[[nodiscard]] core::AddSegment addSegment(const char* name);
-[[nodiscard]] core::SeedStroke seedInBrain(int segment);
-[[nodiscard]] core::SeedStroke seedInBone(int segment);
-[[nodiscard]] core::GrowSteps growBrain(std::optional<int> steps = {});
-[[nodiscard]] core::GrowSteps growBone(std::optional<int> steps = {});
+[[nodiscard]] core::Edit addSegment(const char* name);
+[[nodiscard]] core::Edit seedInBrain(int segment);
+[[nodiscard]] core::Edit seedInBone(int segment);
+[[nodiscard]] core::Edit growBrain(std::optional<int> steps = {});
+[[nodiscard]] core::Edit growBone(std::optional<int> steps = {});
 /// From the front into the bone, at @p xMm right of the middle.
-[[nodiscard]] core::DrillStroke drillAt(double xMm);
+[[nodiscard]] core::Edit drillAt(double xMm);
 
 /// A history of strokes, growths and changes, on segments 1 and 2.
 [[nodiscard]] std::vector<core::Edit> manyEdits();

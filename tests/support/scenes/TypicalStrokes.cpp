@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/scenes/TypicalStrokes.h"
 
+#include "core/edits/kinds/segments/PaintStroke.h"
+
 #include <cmath>
 
 namespace test {
 
-core::PaintStroke typicalPaintStroke(
+core::Edit typicalPaintStroke(
     int segment, const glm::dvec3& middleLps, core::BrushPath::Shape shape)
 {
     constexpr int dabs = 60;

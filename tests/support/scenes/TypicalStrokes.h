@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/parts/BrushPath.h"
 
 namespace test {
 
 /// What a radiologist paints in one go: sixty dabs of an 8 mm ball or disc, 3 mm apart, in three
 /// bends across about 60 × 40 mm of an axial slice.
-[[nodiscard]] core::PaintStroke typicalPaintStroke(
+[[nodiscard]] core::Edit typicalPaintStroke(
     int segment, const glm::dvec3& middleLps, core::BrushPath::Shape shape);
 
 } // namespace test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/frame/PanelColumn.h"
 #include "ui/frame/PanelSection.h"
 #include "ui/panels/ClippingPanel.h"
@@ -150,10 +151,10 @@ private Q_SLOTS:
         PanelsFixture fixture(QSize(1280, 720));
         core::EditSession& session = *fixture.workspace.session();
         for (const char* name : {"Left ventricle with its papillary muscles", "Skull"})
-            QVERIFY(session.apply(core::AddSegment{.name = QLatin1String(name), .rgb = 0x4a9bff}));
+            QVERIFY(session.apply(test::newSegment(QLatin1String(name), 0x4a9bff)));
         for (int place = 1; place < 4; ++place)
-            QVERIFY(session.apply(core::ChangeSegment{
-                .segment = 1, .name = QStringLiteral("Left ventricle, version %1").arg(place)}));
+            QVERIFY(session.apply(
+                test::renameSegment(1, QStringLiteral("Left ventricle, version %1").arg(place))));
         QVERIFY(session.settle());
         QCoreApplication::sendPostedEvents();
         QCOMPARE(fixture.window.size(), QSize(1280, 720));
@@ -174,7 +175,7 @@ private Q_SLOTS:
         PanelsFixture fixture(QSize(1280, 720));
         for (const char* name : {"One", "Two", "Three", "Four", "Five"})
             QVERIFY(fixture.workspace.session()->apply(
-                core::AddSegment{.name = QLatin1String(name), .rgb = 0x4a9bff}));
+                test::newSegment(QLatin1String(name), 0x4a9bff)));
         QVERIFY(fixture.workspace.session()->settle());
         fixture.trigger("view.dvr");
         QCoreApplication::sendPostedEvents();

@@ -5,6 +5,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/series/SessionFiles.h"
 #include "ui/frame/SessionOffers.h"
@@ -60,8 +61,7 @@ private:
             const auto session =
                 *core::EditSession::create(engine, volume, {.file = path(QStringLiteral("work"))});
             for (int i = 0; i < steps; ++i)
-                QVERIFY(session->apply(
-                    core::AddSegment{.name = QString::number(i), .rgb = 0, .code = {}}));
+                QVERIFY(session->apply(test::newSegment(QString::number(i), 0)));
             QVERIFY(session->settle());
             if (crashed) {
                 QVERIFY(QFile::copy(path(QStringLiteral("work")), file));

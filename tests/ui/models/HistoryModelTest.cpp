@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/HistoryModel.h"
 
+#include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/sessionfile/HistoryListing.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 #include <QAbstractItemModelTester>
 #include <QRandomGenerator>
@@ -15,13 +17,9 @@ using ui::HistoryModel;
 
 namespace {
 
-core::GrowSteps growSteps(int steps)
+core::Edit growSteps(int steps)
 {
-    core::GrowSteps grow;
-    grow.criteria.lower = 0.0;
-    grow.criteria.upper = 20.0;
-    grow.steps = steps;
-    return grow;
+    return test::growBetween(0.0, 20.0, steps);
 }
 
 QStringList names(const HistoryModel& model)
@@ -129,7 +127,7 @@ private Q_SLOTS:
         QCOMPARE(model.rowCount(), 1); // the study as opened
         QCOMPARE(model.currentRow(), 0);
 
-        fixture.apply(core::AddSegment{QStringLiteral("Ventricle, left"), 0x4a9bff, {}});
+        fixture.apply(test::newSegment(QStringLiteral("Ventricle, left"), 0x4a9bff));
         fixture.apply(WorkspaceFixture::middleSeed(1));
         fixture.apply(growSteps(2));
         QCOMPARE(model.rowCount(), 4);
@@ -160,7 +158,7 @@ private Q_SLOTS:
         HistoryModel model(fixture.workspace);
         QAbstractItemModelTester tester(
             &model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-        fixture.apply(core::AddSegment{QStringLiteral("A"), 1, {}});
+        fixture.apply(test::newSegment(QStringLiteral("A"), 1));
         fixture.apply(WorkspaceFixture::middleSeed(1));
         fixture.apply(growSteps(1));
         QVERIFY(!model.summary().contains(QStringLiteral("branch")));
@@ -226,7 +224,7 @@ private Q_SLOTS:
         };
         // 0 ─ 1 ─ 2 ─ 3          a branch at the very beginning: 8
         //      └─ 4 ─ 5 ─ 6      and one of a branch: 7, behind 5
-        fixture.apply(core::AddSegment{QStringLiteral("A"), 1, {}});
+        fixture.apply(test::newSegment(QStringLiteral("A"), 1));
         fixture.apply(renamed(2));
         fixture.apply(renamed(3));
         goTo(1);
@@ -235,7 +233,7 @@ private Q_SLOTS:
         goTo(5);
         fixture.apply(renamed(7));
         goTo(0);
-        fixture.apply(core::AddSegment{QStringLiteral("B"), 1, {}});
+        fixture.apply(test::newSegment(QStringLiteral("B"), 1));
         goTo(3);
 
         const auto listed = [&] {
@@ -276,7 +274,7 @@ private Q_SLOTS:
         QAbstractItemModelTester testMixed(&mixed, mode);
         core::EditSession& session = fixture.session();
         const core::History& history = session.history();
-        fixture.apply(core::AddSegment{QStringLiteral("A"), 1, {}});
+        fixture.apply(test::newSegment(QStringLiteral("A"), 1));
         QRandomGenerator random(20260);
         for (int step = 0; step < steps; ++step) {
             const int what = random.bounded(10);
@@ -309,7 +307,7 @@ private Q_SLOTS:
         HistoryModel model(fixture.workspace);
         QAbstractItemModelTester tester(
             &model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-        fixture.apply(core::AddSegment{QStringLiteral("A"), 1, {}});
+        fixture.apply(test::newSegment(QStringLiteral("A"), 1));
         QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
         fixture.workspace.setSession(nullptr);
         QCOMPARE(reset.count(), 1);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/SegmentListModel.h"
 
+#include "core/edits/kinds/segments/MoveSegment.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/workspace/SegmentActions.h"
 
 #include <QAbstractItemModelTester>
@@ -119,10 +121,7 @@ private Q_SLOTS:
         SegmentListModel model(fixture.workspace);
         QVERIFY(ui::addSegment(fixture.workspace));
         fixture.apply(WorkspaceFixture::middleSeed(1));
-        core::GrowSteps grow;
-        grow.criteria.lower = 0.0;
-        grow.criteria.upper = 20.0;
-        fixture.apply(grow);
+        fixture.apply(test::growBetween(0.0, 20.0));
         const auto voxels = test::smallHead::voxelsOf(test::smallHead::ventricleHu);
         QVERIFY(voxels > 100);
         QCOMPARE(fixture.session().document().segments[0].voxels, voxels);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/settings/GrowSettings.h"
@@ -43,7 +47,10 @@ public:
         settings.upper = upper;
         workspace.setGrowSettings(settings);
     }
-    [[nodiscard]] core::GrowCriteria criteria() const { return panel.growEdit().criteria; }
+    [[nodiscard]] core::GrowCriteria criteria() const
+    {
+        return ui::criteriaOf(workspace.growSettings());
+    }
     /// Grows from the middle to closure. @return how many voxels the segment has
     [[nodiscard]] std::int64_t grown()
     {
@@ -154,7 +161,7 @@ private Q_SLOTS:
         const QString one = text.text();
         QVERIFY2(one.count(QStringLiteral("…")) == 1 && !one.contains(QLatin1Char(':')),
             qPrintable(one));
-        fixture.apply(core::SeedStroke{1, {{9.0, 0.0, 0.0}}});
+        fixture.apply(test::seedAt(1, {{9.0, 0.0, 0.0}}));
         fixture.settle();
         const QString values = one.chopped(3); // without " HU"
         QCOMPARE(text.text(), QStringLiteral("2 strokes: %1, 40.0 … 40.0 HU").arg(values));
@@ -168,7 +175,7 @@ private Q_SLOTS:
 
         // Strokes of another segment are none of its, and painted seeds are told apart.
         fixture.apply(test::addSegment("Other"));
-        fixture.apply(core::SeedStroke{2, {{0.0, 14.0, 0.0}}});
+        fixture.apply(test::seedAt(2, {{0.0, 14.0, 0.0}}));
         fixture.settle();
         QVERIFY2(text.text().startsWith(QStringLiteral("2 strokes: ")), qPrintable(text.text()));
         core::PaintStroke paint{.segment = 1, .path = {}, .seeds = true};
@@ -228,7 +235,7 @@ private Q_SLOTS:
     void aBoxHoldsTheSeeds()
     {
         CriteriaPanel fixture;
-        fixture.apply(core::SeedStroke{1, {{-17.0, 0.0, 0.0}, {0.0, 16.0, 0.0}}});
+        fixture.apply(test::seedAt(1, {{-17.0, 0.0, 0.0}, {0.0, 16.0, 0.0}}));
         fixture.part<QCheckBox>("growBoxed").click();
         const auto box = fixture.criteria().box;
         QVERIFY(box);

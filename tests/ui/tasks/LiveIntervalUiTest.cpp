@@ -2,9 +2,12 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tasks/LiveInterval.h"
 
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/widgets/HistogramRange.h"
 #include "ui/widgets/HistogramRangePlot.h"
@@ -83,7 +86,7 @@ public:
         const core::History& history = session().history();
         return history.position() == 0
             ? nullptr
-            : std::get_if<core::ChangeInterval>(&history.row(history.position()).edit);
+            : history.row(history.position()).edit.as<core::ChangeInterval>();
     }
     [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] std::vector<std::uint8_t> labels() { return *session().questions().labels(0); }
@@ -99,12 +102,9 @@ constexpr glm::ivec3 inBrain{head::side / 2 + 9, head::side / 2, head::side / 2}
 std::vector<std::uint8_t> fromScratch(double lower, double upper)
 {
     WorkspaceFixture fixture;
-    fixture.apply(core::AddSegment{.name = QStringLiteral("A"), .rgb = 1, .code = {}});
+    fixture.apply(test::newSegment(QStringLiteral("A"), 1));
     fixture.apply(WorkspaceFixture::middleSeed(1));
-    core::GrowSteps growth;
-    growth.criteria.lower = lower;
-    growth.criteria.upper = upper;
-    fixture.apply(growth);
+    fixture.apply(test::growBetween(lower, upper));
     return *fixture.session().questions().labels(0);
 }
 
@@ -201,7 +201,7 @@ private Q_SLOTS:
         // Other steps leave bounds alone that were moved without their growth.
         fixture.panel.findChild<QCheckBox*>(QStringLiteral("growLive"))->click();
         fixture.drag(fixture.range.upper(), 100.0);
-        fixture.apply(core::AddSegment{.name = QStringLiteral("B"), .rgb = 1, .code = {}});
+        fixture.apply(test::newSegment(QStringLiteral("B"), 1));
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QVERIFY(fixture.range.upper() > 90.0);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/SeedStroke.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/frame/PanelSection.h"
 #include "ui/panels/ClippingPanel.h"
 #include "ui/tools/growth/SeedTool.h"
@@ -80,7 +82,7 @@ public:
             qFatal("not settled");
         for (std::size_t i = before; i < workspace.session()->history().rows().size(); ++i) {
             const auto* stroke =
-                std::get_if<core::SeedStroke>(&workspace.session()->history().rows()[i].edit);
+                workspace.session()->history().rows()[i].edit.as<core::SeedStroke>();
             for (std::size_t k = 0; stroke && k < stroke->pointsLps.size(); ++k)
                 found.push_back(glm::ivec3(glm::round(geometry().toIndex(stroke->pointsLps[k]))));
         }
@@ -237,7 +239,7 @@ private Q_SLOTS:
     {
         ClippingFixture fixture;
         core::EditSession& session = *fixture.workspace.session();
-        QVERIFY(session.apply(core::AddSegment{.name = QStringLiteral("First")}));
+        QVERIFY(session.apply(test::newSegment(QStringLiteral("First"))));
         QVERIFY(session.settle());
         const auto trigger = [&fixture](const char* id) {
             QAction& action = fixture.window.actionTable()[QLatin1String(id)];
@@ -285,7 +287,7 @@ private Q_SLOTS:
         QCOMPARE(segments(), std::size_t(1));
         QVERIFY(fixture.workspace.clip() == once);
         fixture.part<QToolButton>("clipReset").click();
-        QVERIFY(session.apply(core::AddSegment{.name = QStringLiteral("Second")}));
+        QVERIFY(session.apply(test::newSegment(QStringLiteral("Second"))));
         QVERIFY(session.settle());
         trigger("edit.undo");
         QCOMPARE(segments(), std::size_t(1));

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -115,9 +118,9 @@ public:
         if (!session().settle() || rows() == 0)
             return {};
         const core::Edit& edit = session().history().rows().back().edit;
-        if (const auto* stroke = std::get_if<core::LaserStroke>(&edit))
+        if (const auto* stroke = edit.as<core::LaserStroke>())
             return stroke->mask;
-        return std::get<core::DrillStroke>(edit).mask;
+        return edit.get<core::DrillStroke>().mask;
     }
     core::MaskShape press()
     {

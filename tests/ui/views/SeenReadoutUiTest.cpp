@@ -2,6 +2,9 @@
 #include "ui/views/SeenReadout.h"
 
 #include "core/document/Piece.h"
+#include "core/edits/kinds/pieces/ChangePiece.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/dialogs/study/OpenStudyDialog.h"
 #include "ui/frame/MessageBar.h"
@@ -117,7 +118,7 @@ void MainWindowUiTest::undoSaysWhatItUndoes()
     QAction& redo = fixture.window.actionTable()[QStringLiteral("edit.redo")];
     QVERIFY(!undo.isEnabled());
     core::EditSession& session = *fixture.workspace.session();
-    QVERIFY(session.apply(core::AddSegment{.name = QStringLiteral("Skull"), .rgb = 0xffffff}));
+    QVERIFY(session.apply(test::newSegment(QStringLiteral("Skull"), 0xffffff)));
     QVERIFY(session.settle());
     QVERIFY(undo.isEnabled());
     QVERIFY2(undo.text().contains(session.history().rows().front().name), qPrintable(undo.text()));

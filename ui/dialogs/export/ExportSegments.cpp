@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export/ExportSegments.h"
 
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/export/common/ExportChoices.h"
 #include "core/session/EditSession.h"
 #include "ui/base/StudyTexts.h"
@@ -37,9 +42,9 @@ public:
 /// Of a growth; null for other edits.
 const std::optional<int>* askedSteps(const core::Edit& edit)
 {
-    if (const auto* grow = std::get_if<core::GrowSteps>(&edit))
+    if (const auto* grow = edit.as<core::GrowSteps>())
         return &grow->steps;
-    const auto* change = std::get_if<core::ChangeInterval>(&edit);
+    const auto* change = edit.as<core::ChangeInterval>();
     return change ? &change->steps : nullptr;
 }
 
@@ -64,11 +69,10 @@ std::bitset<256> growingLabels(core::EditSession& session)
     std::bitset<256> pending;
     for (const core::RowId id : history.standing()) {
         const core::Edit& edit = history.row(id).edit;
-        if (const auto* seed = std::get_if<core::SeedStroke>(&edit)) {
+        if (const auto* seed = edit.as<core::SeedStroke>()) {
             seeded.set(std::size_t(seed->segment));
             pending.set(std::size_t(seed->segment));
-        } else if (const auto* paint = std::get_if<core::PaintStroke>(&edit);
-                   paint && paint->seeds) {
+        } else if (const auto* paint = edit.as<core::PaintStroke>(); paint && paint->seeds) {
             seeded.set(std::size_t(paint->segment));
             pending.set(std::size_t(paint->segment));
         } else if (const std::optional<int>* asked = askedSteps(edit)) {
@@ -76,7 +80,7 @@ std::bitset<256> growingLabels(core::EditSession& session)
             // A row without a number of steps ran to closure; so did one that stopped early.
             const int steps = history.row(id).statistics.generations;
             grown = !*asked || steps < **asked;
-        } else if (std::holds_alternative<core::ShrinkSteps>(edit)) {
+        } else if (edit.is<core::ShrinkSteps>()) {
             grown = false;
         }
     }

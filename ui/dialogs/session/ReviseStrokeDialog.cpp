@@ -2,7 +2,10 @@
 #include "ui/dialogs/session/ReviseStrokeDialog.h"
 
 #include "core/document/Document.h"
-#include "core/edits/schema/EditSchema.h"
+#include "core/edits/engine/SculptVisit.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/schema/HistorySchema.h"
+#include "core/history/StandingStrokes.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -33,7 +36,7 @@ double lengthOf(const std::vector<glm::dvec2>& outline)
 
 const std::vector<glm::dvec2>* outlineOf(const core::SculptEdit& edit)
 {
-    return std::visit(
+    return core::visitSculpt(
         [](const auto& known) -> const std::vector<glm::dvec2>* {
             using E = std::decay_t<decltype(known)>;
             if constexpr (std::is_same_v<E, core::BrushStroke>)
@@ -108,8 +111,7 @@ ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
     Now now = core::parametersOf(stroke.form);
     if (now.factor)
         now.factor = factorOf(stroke.form, drawn);
-    const bool pressed = std::holds_alternative<core::DrillStroke>(drawn)
-        || std::holds_alternative<core::LaserStroke>(drawn);
+    const bool pressed = drawn.is<core::DrillStroke>() || drawn.is<core::LaserStroke>();
     setWindowTitle(tr("Change stroke"));
     m_throughGaps->setObjectName(QStringLiteral("throughGaps"));
     m_throughGaps->setChecked(now.throughGaps.value_or(false));
@@ -127,7 +129,7 @@ ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
     note->setProperty("role", QStringLiteral("secondary"));
     note->setWordWrap(true);
     auto* form = new QFormLayout;
-    const bool peeled = std::holds_alternative<core::PeelCut>(drawn);
+    const bool peeled = drawn.is<core::PeelCut>();
     for (const Kind& kind : {Kind{"radius", tr("Radius"), &Now::radiusMm, &Edit::radiusMm,
                                  core::editSchema::drillRadius},
              Kind{"side", tr("Side"), &Now::sideMm, &Edit::sideMm, maskSide},

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/history/StandingStrokes.h"
+#include "core/document/Document.h"
+#include "core/edits/engine/SculptEdits.h"
+#include "core/history/History.h"
 
 #include <QDialog>
 
@@ -14,7 +16,7 @@ class QDoubleSpinBox;
 class QFormLayout;
 
 namespace core {
-struct Document;
+struct StandingStroke;
 }
 
 namespace ui {

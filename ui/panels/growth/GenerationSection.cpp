@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GenerationSection.h"
 
+#include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/growth/GenerationBar.h"

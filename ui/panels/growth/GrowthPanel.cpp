@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GrowthPanel.h"
 
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/past/RecentGrowth.h"
 #include "ui/base/CountText.h"
 #include "ui/base/Icons.h"
@@ -484,11 +487,11 @@ QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
         return text.arg(
             countText(generation), millilitreText(row->statistics.voxelsChanged, voxelMm3));
     };
-    if (row && std::holds_alternative<core::GrowSteps>(row->edit))
+    if (row && row->edit.is<core::GrowSteps>())
         return told(tr("Generation %1 · added %2"));
-    if (row && std::holds_alternative<core::ShrinkSteps>(row->edit))
+    if (row && row->edit.is<core::ShrinkSteps>())
         return told(tr("Generation %1 · taken back %2"));
-    if (row && std::holds_alternative<core::ChangeInterval>(row->edit))
+    if (row && row->edit.is<core::ChangeInterval>())
         return told(tr("Generation %1 · changed by %2"));
     return tr("Generation %1").arg(countText(generation));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/LeakSection.h"
 
+#include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/EditSession.h"
 #include "core/session/StepFindings.h"
 #include "ui/base/CountText.h"

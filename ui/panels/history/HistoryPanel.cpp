@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/history/HistoryPanel.h"
 
+#include "core/edits/kinds/history/RevertRows.h"
 #include "ui/base/Theme.h"
 #include "ui/models/HistoryModel.h"
 #include "ui/panels/history/HistoryDelegate.h"

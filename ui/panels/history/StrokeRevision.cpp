@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/history/StrokeRevision.h"
 
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/StepFindings.h"
 #include "ui/base/RevisionText.h"
@@ -118,7 +119,7 @@ void StrokeRevision::redrill(const std::vector<core::RowId>& rows)
         remove(row);
     }
     for (const core::SculptEdit& stroke : strokes)
-        apply(core::plainEdit(stroke));
+        apply(stroke.plain());
 }
 
 } // namespace ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/lists/LayersPanel.h"
 
+#include "core/edits/kinds/layers/MoveLayer.h"
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
 #include "ui/models/LayerListModel.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/lists/SegmentsPanel.h"
 
+#include "core/edits/kinds/segments/MoveSegment.h"
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDialog.h"

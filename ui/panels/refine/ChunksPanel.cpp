@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/ChunksPanel.h"
 
+#include "core/edits/kinds/chunks/Chunks.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/RefineActions.h"
 
+#include "core/edits/kinds/surface/LaySurface.h"
 #include "ui/base/Actions.h"
 #include "ui/workspace/Refinement.h"
 #include "ui/workspace/Workspace.h"

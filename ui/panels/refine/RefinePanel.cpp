@@ -233,7 +233,7 @@ QString RefinePanel::asLaidText() const
         return {};
     const core::History& history = session->history();
     core::RowId id = history.position();
-    while (id != 0 && !std::holds_alternative<core::LaySurface>(history.row(id).edit))
+    while (id != 0 && !history.row(id).edit.is<core::LaySurface>())
         id = history.row(id).parent;
     return id == 0 ? QString() : history.row(id).name;
 }

@@ -2,6 +2,7 @@
 #include "ui/tools/aim/DrillMask.h"
 
 #include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
 #include "ui/tools/aim/CursorLabel.h"
 
 #include <QPainter>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/geometry/ViewContext.h"
 #include "ui/workspace/Workspace.h"

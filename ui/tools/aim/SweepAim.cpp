@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/aim/SweepAim.h"
 
+#include "core/edits/kinds/parts/HiddenSides.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/common/BrushTool.h"
 
+#include "core/edits/kinds/parts/BrushPath.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/SeenSurface.h"

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/parts/BrushPath.h"
 #include "ui/input/Tool.h"
 #include "ui/workspace/Workspace.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
 #include "ui/input/Tool.h"
 #include "ui/tools/aim/SurfacePreview.h"
 #include "ui/tools/common/CurveSketch.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/BarrierTool.h"
 
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/parts/BrushPath.h"
 #include "ui/tools/common/BrushOptions.h"
 
 namespace ui {

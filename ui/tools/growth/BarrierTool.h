@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/parts/BrushPath.h"
 #include "ui/tools/common/BrushTool.h"
 
 namespace ui {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/PaintTool.h"
 
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "ui/tools/common/BrushOptions.h"
 #include "ui/workspace/SegmentActions.h"
 
@@ -90,8 +93,8 @@ bool takesPartInGrowth(const core::History& history, int segment)
     const std::vector<core::RowId> rows = history.standing();
     return std::any_of(rows.begin(), rows.end(), [&](core::RowId row) {
         const core::Edit& edit = history.row(row).edit;
-        const auto* seeds = std::get_if<core::SeedStroke>(&edit);
-        const auto* paint = std::get_if<core::PaintStroke>(&edit);
+        const auto* seeds = edit.as<core::SeedStroke>();
+        const auto* paint = edit.as<core::PaintStroke>();
         return (seeds && seeds->segment == segment)
             || (paint && paint->seeds && paint->segment == segment);
     });

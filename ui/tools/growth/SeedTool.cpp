@@ -9,6 +9,7 @@
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
+#include "core/edits/kinds/growth/SeedStroke.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/SeenVoxels.h"
 

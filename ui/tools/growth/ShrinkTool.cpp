@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/ShrinkTool.h"
 
+#include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/SketchedVoxels.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "ui/input/Tool.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/refine/RefineTool.h"
 
+#include "core/edits/kinds/surface/AttractSurface.h"
+#include "core/edits/kinds/surface/MarkSurface.h"
+#include "core/edits/kinds/surface/PlaneScrape.h"
+#include "core/edits/kinds/surface/PointDrag.h"
+#include "core/edits/kinds/surface/SmoothSurface.h"
+#include "core/edits/kinds/surface/SpherePush.h"
+#include "core/edits/kinds/surface/SurfacePath.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/refine/RefineOptions.h"
 

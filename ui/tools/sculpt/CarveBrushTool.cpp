@@ -2,6 +2,8 @@
 #include "ui/tools/sculpt/CarveBrushTool.h"
 
 #include "core/edits/engine/HiddenSides.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/BrushOptions.h"
 #include "ui/workspace/LayerActions.h"

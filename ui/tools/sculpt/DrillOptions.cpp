@@ -2,6 +2,7 @@
 #include "ui/tools/sculpt/DrillOptions.h"
 
 #include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/DrillMask.h"
 #include "ui/tools/aim/DrillSurface.h"

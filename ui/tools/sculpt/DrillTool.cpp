@@ -3,6 +3,7 @@
 
 #include "core/edits/engine/HiddenSides.h"
 #include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/DrillMask.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
 #include "ui/input/Tool.h"
 #include "ui/tools/aim/SurfacePreview.h"
 #include "ui/tools/aim/SweepAim.h"

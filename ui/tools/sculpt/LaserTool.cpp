@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/LaserTool.h"
 
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "ui/tools/sculpt/DrillOptions.h"
 
 namespace ui {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/sculpt/MaskShape.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QString>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/PeelTool.h"
 
+#include "core/edits/kinds/sculpt/PeelCut.h"
 #include "ui/base/DisplayJson.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Workspace.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/ScissorsTool.h"
 
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "ui/base/DisplayJson.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Workspace.h"

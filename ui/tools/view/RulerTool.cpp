@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/view/RulerTool.h"
 
+#include "core/edits/kinds/views/Measurements.h"
 #include "ui/overlays/MeasurementLines.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/SeenVoxels.h"

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/edits/kinds/Edits.h"
 #include "core/growth/GrowthCommands.h"
 #include "core/volume/Volume.h"
 
 namespace core {
+
+struct GrowBox;
+struct GrowCriteria;
 
 /// How many codes two values may lie apart that differ by at most @p bound, by search; −1 if that
 /// is below 0.

@@ -3,6 +3,15 @@
 
 #include "core/edits/engine/growth/GrowLimits.h"
 #include "core/edits/engine/growth/ToleranceEdits.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowGuard.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/schema/EditFields.h"
 #include "core/growth/SeedWord.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/EngineEdits.h"
 
+#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>

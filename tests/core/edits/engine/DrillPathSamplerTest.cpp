@@ -2,6 +2,8 @@
 #include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -19,7 +21,7 @@ namespace {
 
 DrillStroke strokeIn(DrillMode mode)
 {
-    DrillStroke stroke = test::drillAt(0);
+    DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
     stroke.mode = mode;
     stroke.samples.clear(); // by time, unless it says otherwise
     return stroke;

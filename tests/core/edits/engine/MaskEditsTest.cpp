@@ -3,8 +3,10 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "tests/reference/LayerWrites.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 #include <QTest>
 
@@ -69,7 +71,7 @@ private Q_SLOTS:
             }
             Document document = emptyDocument();
             for (int label = 1; label < 5; ++label)
-                QVERIFY(applyToDocument(AddSegment{.name = QStringLiteral("Old")}, document));
+                QVERIFY(applyToDocument(test::newSegment(QStringLiteral("Old")), document));
             const Result<LabelListed> listed = labelListed(edit, document);
             QVERIFY(listed);
             QVERIFY(isSound(*listed, BrickGrid{size}.brickCount()));
@@ -90,7 +92,7 @@ private Q_SLOTS:
         edit.segments = {segmentOf(QStringLiteral("A"), randomPlaces(random)),
             segmentOf(QStringLiteral("B"), randomPlaces(random))};
         Document document = emptyDocument();
-        QVERIFY(applyToDocument(AddSegment{.name = QStringLiteral("Old")}, document));
+        QVERIFY(applyToDocument(test::newSegment(QStringLiteral("Old")), document));
         const auto labels = [&](const std::optional<SegmentWord>& as) {
             edit.as = as;
             std::vector<int> result;
@@ -110,7 +112,7 @@ private Q_SLOTS:
         edit.as.reset();
         edit.overwriteUnlocked = true;
         QVERIFY(importTargets(edit, document)->targets.front().overwritable.test(1));
-        QVERIFY(applyToDocument(ChangeSegment{.segment = 1, .locked = true}, document));
+        QVERIFY(applyToDocument(test::lockSegment(1), document));
         QVERIFY(importTargets(edit, document)->targets.front().overwritable.none());
         QCOMPARE(labels(SegmentWord{.number = 1, .name = {}}), std::vector<int>());
         // Room for 255 labels, those deleted included.
@@ -155,8 +157,7 @@ private Q_SLOTS:
         const Result<Edit> again = editFromJson(editToJson(edit));
         QVERIFY(again);
         QCOMPARE(editToJson(*again), editToJson(edit));
-        QCOMPARE(
-            std::get<ImportMask>(*again).segments->front().voxels, edit.segments->front().voxels);
+        QCOMPARE(again->get<ImportMask>().segments->front().voxels, edit.segments->front().voxels);
     }
 };
 

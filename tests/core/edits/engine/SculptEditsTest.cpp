@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/SculptEdits.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>
@@ -19,7 +24,7 @@ private Q_SLOTS:
         QVERIFY(!parametersOf(stroke).radiusMm);
         Result<SculptEdit> now = revised(stroke, {.row = 1, .sideMm = 6.0});
         QVERIFY(now);
-        QCOMPARE(std::get<DrillStroke>(*now).mask.widthMm, 6.0);
+        QCOMPARE(now->get<DrillStroke>().mask.widthMm, 6.0);
         QVERIFY(!revised(stroke, {.row = 1, .widthMm = 6.0}));
         QVERIFY(!revised(stroke, {.row = 1, .factor = 2.0}));
 
@@ -28,8 +33,8 @@ private Q_SLOTS:
             stroke.mask.kind = kind;
             now = revised(stroke, {.row = 1, .widthMm = 7.0, .heightMm = 5.0});
             QVERIFY(now);
-            QCOMPARE(std::get<DrillStroke>(*now).mask.widthMm, 7.0);
-            QCOMPARE(std::get<DrillStroke>(*now).mask.heightMm, 5.0);
+            QCOMPARE(now->get<DrillStroke>().mask.widthMm, 7.0);
+            QCOMPARE(now->get<DrillStroke>().mask.heightMm, 5.0);
             QVERIFY(!revised(stroke, {.row = 1, .radiusMm = 6.0}));
         }
 
@@ -38,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(parametersOf(laser).factor, std::optional<double>(1.0));
         now = revised(laser, {.row = 1, .factor = 1.5});
         QVERIFY(now);
-        QCOMPARE(std::get<LaserStroke>(*now).mask.polygonMm->at(1), glm::dvec2(6, 0));
+        QCOMPARE(now->get<LaserStroke>().mask.polygonMm->at(1), glm::dvec2(6, 0));
         QVERIFY(!revised(laser, {.row = 1, .radiusMm = 6.0}));
     }
 
@@ -51,10 +56,10 @@ private Q_SLOTS:
                  SculptEdit(ScissorsCut{.polygonMm = outline})}) {
             const Result<SculptEdit> now = revised(cut, {.row = 1, .factor = 2.0});
             QVERIFY(now);
-            if (const auto* peel = std::get_if<PeelCut>(&*now))
+            if (const auto* peel = now->as<PeelCut>())
                 QCOMPARE(peel->polygonMm, twice);
             else
-                QCOMPARE(std::get<ScissorsCut>(*now).polygonMm, twice);
+                QCOMPARE(now->get<ScissorsCut>().polygonMm, twice);
         }
     }
 };

@@ -3,6 +3,8 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
@@ -122,7 +124,7 @@ private Q_SLOTS:
         const Result<Edit> edit = editFromJson(json);
         QVERIFY2(edit, edit ? "" : qPrintable(edit.error().arguments.join(u' ')));
         QCOMPARE(editToJson(*edit)[QLatin1String("mask")], json[QLatin1String("mask")]);
-        QVERIFY(drillCut(std::get<DrillStroke>(*edit), initialDocument(test::smallStudy().volume)));
+        QVERIFY(drillCut(edit->get<DrillStroke>(), initialDocument(test::smallStudy().volume)));
     }
 
     void isRefused_data()
@@ -158,7 +160,7 @@ private Q_SLOTS:
     void tinyOnesAreRefused()
     {
         const Document document = initialDocument(test::smallStudy().volume);
-        DrillStroke stroke = test::drillAt(0);
+        DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
         stroke.mask.polygonMm = {{{0, 0}, {0.2, 0}, {0.1, 0.1}}};
         const Result<DrillCut> cut = drillCut(stroke, document);
         QVERIFY(!cut);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/schema/EditQuantise.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/schema/EditSchema.h"
 #include "tests/support/program/TestProgram.h"
 
@@ -88,7 +91,7 @@ private Q_SLOTS:
     {
         RandomEdits random(1);
         const DrillStroke before = random.drill();
-        const auto after = std::get<DrillStroke>(quantised(before));
+        const auto after = quantised(before).get<DrillStroke>();
         QVERIFY(onGrid(after.view.eyeLps.x, 1024) && onGrid(after.view.targetLps.z, 1024));
         QVERIFY(onGrid(after.view.up.y, 1048576));
         QVERIFY(onGrid(after.mask.radiusMm, 1024) && onGrid(after.depthMm, 1024));
@@ -119,10 +122,10 @@ private Q_SLOTS:
     {
         RandomEdits random(3);
         for (int round = 0; round < m_rounds; ++round) {
-            const auto stroke = std::get<DrillStroke>(quantised(random.drill()));
+            const auto stroke = quantised(random.drill()).get<DrillStroke>();
             const Result<Edit> read = editFromJson(QJsonDocument::fromJson(text(stroke)).object());
             QVERIFY(read);
-            const auto& again = std::get<DrillStroke>(*read);
+            const auto& again = read->get<DrillStroke>();
             QVERIFY(sameBits(again.view.up.x, stroke.view.up.x));
             QVERIFY(sameBits(again.surfaceThreshold, stroke.surfaceThreshold));
             for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
@@ -130,12 +133,12 @@ private Q_SLOTS:
                 QVERIFY(sameBits(again.samples[i].pressure, stroke.samples[i].pressure));
                 QVERIFY(sameBits(again.samples[i].tSeconds, stroke.samples[i].tSeconds));
             }
-            const auto grow = std::get<GrowSteps>(quantised(random.grow()));
+            const auto grow = quantised(random.grow()).get<GrowSteps>();
             const Result<Edit> readGrow =
                 editFromJson(QJsonDocument::fromJson(text(grow)).object());
             QVERIFY(readGrow);
-            QVERIFY(sameBits(std::get<GrowSteps>(*readGrow).criteria.lower, grow.criteria.lower));
-            QVERIFY(sameBits(std::get<GrowSteps>(*readGrow).criteria.upper, grow.criteria.upper));
+            QVERIFY(sameBits(readGrow->get<GrowSteps>().criteria.lower, grow.criteria.lower));
+            QVERIFY(sameBits(readGrow->get<GrowSteps>().criteria.upper, grow.criteria.upper));
         }
     }
 
@@ -180,7 +183,7 @@ private Q_SLOTS:
     {
         RandomEdits random(4);
         const DrillStroke stroke = random.drill();
-        DrillStroke pieced = std::get<DrillStroke>(quantised(stroke));
+        DrillStroke pieced = quantised(stroke).get<DrillStroke>();
         pieced.samples = quantised(stroke.samples);
         QCOMPARE(text(pieced), text(quantised(stroke)));
     }

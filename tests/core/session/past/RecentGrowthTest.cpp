@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/RecentGrowth.h"
 
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -131,7 +137,8 @@ private Q_SLOTS:
         bench.run(wall);
         bench.run(ResumeGrowth{});
         QCOMPARE(bench.voxels(1), slices(31));
-        QVERIFY(!bench.session->apply(RevertRows{{RowId(before + 1)}}) || !bench.session->settle());
+        QVERIFY(!bench.session->apply(test::revertRows({RowId(before + 1)}))
+            || !bench.session->settle());
     }
 
     void whatChangesNothingAtAllLeavesNoRow()
@@ -161,7 +168,7 @@ private Q_SLOTS:
         two.run(Bench::seed(2, 39)); // too bright: it waits, but it competes
         two.run(Bench::grow(60.0, 6));
         two.run(Bench::interval(62.0, 2));
-        const auto& change = std::get<ChangeInterval>(two.session->history().rows().back().edit);
+        const auto& change = two.session->history().rows().back().edit.get<ChangeInterval>();
         QVERIFY(change.fromSeeds.value_or(false));
         QCOMPARE(change.steps.value_or(-1), 8);
         QVERIFY(one.voxels(1) > 0);

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/RowReach.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 #include <QTest>
 
@@ -188,7 +193,7 @@ private Q_SLOTS:
             return made;
         }();
         const VolumeGeometry& geometry = document.volumes.front().geometry;
-        const SeedStroke seed{1, {geometry.toWorld(glm::dvec3(20, 3, 17))}};
+        const Edit seed = test::seedAt(1, {geometry.toWorld(glm::dvec3(20, 3, 17))});
         const RowReach reach(seed, document, {});
         const BrickGrid grid{geometry.size};
         for (int brick = 0; brick < grid.brickCount(); ++brick) {
@@ -196,7 +201,7 @@ private Q_SLOTS:
                 brick == grid.brickOf({20, 3, 17}));
             QVERIFY(!reach.covers({Field::Coverage, 1, std::uint32_t(brick)}));
         }
-        const RowReach growth(GrowSteps{}, document, {});
+        const RowReach growth(test::growBetween(0.0, 0.0), document, {});
         QVERIFY(growth.covers({Field::SeedWords, 0, 3}));
         QVERIFY(growth.covers({Field::Labels, 0, 3}));
         QVERIFY(!growth.covers({Field::Labels, 1, 3}));
@@ -206,7 +211,7 @@ private Q_SLOTS:
         QVERIFY(removal.covers({Field::Labels, 0, 3}));
         QVERIFY(!removal.covers({Field::Coverage, 1, 3}));
         const BrickKey written{Field::Labels, 0, 2};
-        const RowReach revert(RevertRows{{1}}, document, {written});
+        const RowReach revert(test::revertRows({1}), document, {written});
         QVERIFY(revert.covers(written));
         QVERIFY(!revert.covers({Field::Labels, 0, 3}));
     }

@@ -2,6 +2,11 @@
 #include "core/session/past/SeedStrokes.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/recipe/RecipeElsewhere.h"
 #include "core/session/EditSession.h"
 #include "core/sessionfile/HistoryListing.h"
@@ -9,6 +14,7 @@
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/series/SessionFiles.h"
 
@@ -44,9 +50,9 @@ SeedStroke seeds(const std::vector<int>& places, int segment = 1)
     return stroke;
 }
 
-GrowSteps grow(std::optional<bool> perStroke, double sigmas = 2.0)
+Edit grow(std::optional<bool> perStroke, std::optional<double> sigmas = 2.0)
 {
-    return {.criteria = {.lower = 0.0, .upper = 2000.0, .sigmas = sigmas, .perStroke = perStroke}};
+    return test::growBy({.lower = 0.0, .upper = 2000.0, .sigmas = sigmas, .perStroke = perStroke});
 }
 
 /// A session with segments 1 and 2.
@@ -136,10 +142,8 @@ private Q_SLOTS:
         told.run(seeds({10})).run(seeds({50})).run(grow(false));
         QCOMPARE(told.hash(), old.hash());
         // Without sigmas it says nothing.
-        GrowSteps plain = grow(true);
-        plain.criteria.sigmas.reset();
         Bench whole;
-        whole.run(seeds({10})).run(seeds({50})).run(plain);
+        whole.run(seeds({10})).run(seeds({50})).run(grow(true, std::nullopt));
         QCOMPARE(whole.grown(1), 1280);
     }
 
@@ -156,7 +160,7 @@ private Q_SLOTS:
 
         never.run(grow(true));
         QCOMPARE(never.grown(1), 0);
-        reverted.run(RevertRows{{reverted.row()}});
+        reverted.run(test::revertRows({reverted.row()}));
         QCOMPARE(reverted.strokes().size(), std::size_t(2));
         reverted.run(grow(true));
         QCOMPARE(reverted.hash(), never.hash());
@@ -174,7 +178,7 @@ private Q_SLOTS:
         const RowId stroke = bench.row();
         bench.run(grow(true));
         const QByteArray hash = bench.hash();
-        Result<void> result = bench.session->apply(RevertRows{{stroke}});
+        Result<void> result = bench.session->apply(test::revertRows({stroke}));
         if (result)
             result = bench.session->settle();
         QVERIFY(!result && result.error().code == ErrorCode::StepsEntangled);
@@ -213,8 +217,8 @@ private Q_SLOTS:
         narrower.criteria.upper = 500.0;
         bench.run(narrower);
         const Edit& row = bench.session->history().row(bench.row()).edit;
-        QCOMPARE(std::get<ChangeInterval>(row).criteria.perStroke, std::optional(true));
-        QVERIFY(std::get<ChangeInterval>(row).fromSeeds.value_or(false));
+        QCOMPARE(row.get<ChangeInterval>().criteria.perStroke, std::optional(true));
+        QVERIFY(row.get<ChangeInterval>().fromSeeds.value_or(false));
         QCOMPARE(bench.grown(0), 1280);
         QCOMPARE(bench.grown(2), 0);
     }
@@ -277,7 +281,7 @@ private Q_SLOTS:
         bench.run(seeds({12}));
         bench.walk(bench.session->undo());
         bench.run(seeds({10})).run(seeds({50})).run(seeds({10, 50, 30}));
-        bench.run(RevertRows{{bench.row()}}).run(grow(true));
+        bench.run(test::revertRows({bench.row()})).run(grow(true));
         QCOMPARE(bench.grown(1), 0);
         Bench again(Bench::Begin::Bare);
         std::map<RowId, RowId> numbers;

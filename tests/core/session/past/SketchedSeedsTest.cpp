@@ -2,11 +2,14 @@
 #include "core/session/past/SketchedSeeds.h"
 #include "core/session/StepFindings.h"
 
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -44,7 +47,7 @@ public:
     }
     [[nodiscard]] glm::dvec3 place(int x) const { return m_geometry.toWorld({x, 3, 2}); }
     /// Each seed and its neighbours.
-    void grow() { run(GrowSteps{.criteria = {.lower = 0.0, .upper = 10.0}, .steps = 1}); }
+    void grow() { run(test::growBetween(0.0, 10.0, 1)); }
     [[nodiscard]] std::size_t rows() const { return session->history().rows().size(); }
     [[nodiscard]] QString lastName() const { return session->history().rows().back().name; }
     [[nodiscard]] QString why() const

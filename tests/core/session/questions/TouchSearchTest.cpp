@@ -5,6 +5,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -71,7 +72,7 @@ private Q_SLOTS:
             const RowId row = bench.lastTouching({.segment = 1});
             QCOMPARE(row, expected);
             if (row != 0)
-                bench.run(RevertRows{{row}});
+                bench.run(test::revertRows({row}));
         }
         QCOMPARE(bench.session->document().segment(1)->voxels, 0);
     }

@@ -2,6 +2,14 @@
 #include "core/session/surface/SurfaceWriteBack.h"
 #include "core/brick/LabelRuns.h"
 #include "core/brick/VoxelRunSets.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/surface/FollowMask.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/MarkSurface.h"
+#include "core/edits/kinds/surface/SpherePush.h"
+#include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/edits/kinds/surface/WriteBack.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionSurface.h"
@@ -67,7 +75,7 @@ const SpherePush otherPush{.path = ball(4.0, {{-11, 0, 0}, {-9, 0, 1}})};
 
 ImportMask imported(const Mask& mask)
 {
-    ImportMask import = test::ballMask(size, 1.0);
+    ImportMask import = test::ballMask(size, 1.0).get<ImportMask>();
     import.segments->front().voxels = packedRuns(runsOf(mask));
     return import;
 }

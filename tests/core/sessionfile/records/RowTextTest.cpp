@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/records/RowText.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>
@@ -48,8 +50,8 @@ private Q_SLOTS:
         QCOMPARE(back->id, row.id);
         QCOMPARE(back->parent, row.parent);
         QCOMPARE(back->name, row.name);
-        QCOMPARE(std::get<GrowSteps>(back->edit).steps, std::optional<int>(3));
-        QCOMPARE(std::get<GrowSteps>(back->edit).tellsHeld, tellsHeld);
+        QCOMPARE(back->edit.get<GrowSteps>().steps, std::optional<int>(3));
+        QCOMPARE(back->edit.get<GrowSteps>().tellsHeld, tellsHeld);
         QCOMPARE(back->statistics.voxelsChanged, row.statistics.voxelsChanged);
         QCOMPARE(back->statistics.generations, 3);
         QCOMPARE(back->growthGeneration, 4u);
@@ -69,7 +71,7 @@ private Q_SLOTS:
         text.edit = compact(edit);
         const Result<HistoryRow> back = text.row();
         QVERIFY(back);
-        QVERIFY(!std::get<GrowSteps>(back->edit).tellsHeld);
+        QVERIFY(!back->edit.get<GrowSteps>().tellsHeld);
     }
 
     /// The first drills took every sample for a corner of the path, and their rows do not say so.
@@ -78,14 +80,14 @@ private Q_SLOTS:
         HistoryRow row = grownRow(growth(true));
         row.edit = DrillStroke{.view = {.targetLps = {0, 0, 9}}, .samples = {{.pressure = 1.0}}};
         RowText text = RowText::of(row);
-        QVERIFY(std::get<DrillStroke>(text.row()->edit).byTime);
+        QVERIFY(text.row()->edit.get<DrillStroke>().byTime);
         QJsonObject edit = parsed(text.edit);
         QVERIFY(edit.value(QStringLiteral("byTime")).toBool());
         edit.remove(QStringLiteral("byTime"));
         text.edit = compact(edit);
         const Result<HistoryRow> back = text.row();
         QVERIFY(back);
-        QVERIFY(!std::get<DrillStroke>(back->edit).byTime);
+        QVERIFY(!back->edit.get<DrillStroke>().byTime);
     }
 
     void anUnknownEditIsRefused()

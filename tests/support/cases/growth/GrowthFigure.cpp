@@ -2,7 +2,10 @@
 #include "tests/support/cases/growth/GrowthFigure.h"
 
 #include "core/document/Piece.h"
+#include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
 #include "tests/support/cases/growth/RealGrowths.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 #include <algorithm>
 
@@ -29,15 +32,13 @@ QString GrowthFigure::does(const Edit& edit)
 
 QString GrowthFigure::seeds(int label, const std::vector<glm::ivec3>& corners)
 {
-    return does(
-        SeedStroke{.segment = label, .pointsLps = placesOf(geometry(), strokeVoxels(corners))});
+    return does(test::seedAt(label, placesOf(geometry(), strokeVoxels(corners))));
 }
 
 QString GrowthFigure::seeds(
     int label, const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& pathMm)
 {
-    return does(SeedStroke{
-        .segment = label, .pointsLps = placesOf(geometry(), m_stage.seenVoxels(scene, pathMm))});
+    return does(test::seedAt(label, placesOf(geometry(), m_stage.seenVoxels(scene, pathMm))));
 }
 
 QString GrowthFigure::shrinksAt(const std::vector<glm::ivec3>& corners)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edits.h"
+#include "core/edits/kinds/Edit.h"
 #include "tests/support/scenes/FigurePanels.h"
 #include "tests/support/scenes/SculptStage.h"
 

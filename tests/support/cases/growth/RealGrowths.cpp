@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/growth/RealGrowths.h"
 
+#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SharedData.h"
 #include "tests/support/series/OpenedVolume.h"
 
@@ -83,13 +89,13 @@ public:
     explicit Story(RealGrowth& growth)
         : m_growth(growth)
     {
-        growth.edits.emplace_back(AddSegment{.name = QStringLiteral("Segment"), .rgb = 0xE06050});
+        growth.edits.emplace_back(test::newSegment(QStringLiteral("Segment"), 0xE06050));
     }
     void seed(const std::vector<glm::ivec3>& corners)
     {
         const std::vector<glm::ivec3> voxels = strokeVoxels(corners);
         m_growth.seeds.insert(m_growth.seeds.end(), voxels.begin(), voxels.end());
-        m_growth.edits.emplace_back(SeedStroke{.segment = 1, .pointsLps = places(voxels)});
+        m_growth.edits.emplace_back(test::seedAt(1, places(voxels)));
     }
     void grow(const GrowCriteria& criteria)
     {
@@ -226,7 +232,7 @@ std::vector<glm::dvec3> placesOf(
 
 int userActions(const Edit& edit, const VolumeGeometry& geometry)
 {
-    const auto* grow = std::get_if<GrowSteps>(&edit);
+    const auto* grow = edit.as<GrowSteps>();
     if (grow == nullptr)
         return 1;
     const GrowCriteria& criteria = grow->criteria;

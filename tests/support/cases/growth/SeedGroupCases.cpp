@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Statistics of seeds by groups (core::GrowLimits), as those of strokes.
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/EngineCases.h"
 
 #include <algorithm>

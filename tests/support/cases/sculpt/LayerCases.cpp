@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/EngineCases.h"
 
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+
 #include <initializer_list>
 
 namespace test {

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
 
 #include <initializer_list>

@@ -1,4 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/MoveSegment.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
 
 namespace test {
@@ -29,9 +42,9 @@ void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {"growth beside a locked one", volume, {first, seeds, some, second, others, lock}, over});
     cases.push_back({"seeds", volume, {first}, seeds});
     cases.push_back({"seeds beside seeds", volume, {first, second, seeds}, others});
-    core::SeedStroke moved = std::get<core::SeedStroke>(others);
+    core::SeedStroke moved = others.get<core::SeedStroke>();
     moved.segment = 1;
-    moved.takenLps = std::get<core::SeedStroke>(seeds).pointsLps;
+    moved.takenLps = seeds.get<core::SeedStroke>().pointsLps;
     core::SeedStroke taken{1, {}};
     taken.takenLps = {moved.takenLps->front()};
     cases.push_back({"seeds taken away", volume, {first, seeds}, taken});
@@ -53,7 +66,7 @@ void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {first, seeds, some, second, others, all, lock}, core::ShrinkSteps{.steps = 1}});
     cases.push_back({"shrinking of nothing", volume, {first, seeds}, three});
     const core::ShrinkAt here{
-        .pointsLps = std::get<core::SeedStroke>(others).pointsLps, .onlyHere = false};
+        .pointsLps = others.get<core::SeedStroke>().pointsLps, .onlyHere = false};
     core::ShrinkAt onlyHere = here;
     onlyHere.onlyHere = true;
     core::ShrinkAt openCut = here;
@@ -90,7 +103,7 @@ void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     // Two strokes of a segment, each with statistics of its own.
     core::GrowSteps byStroke{
         .criteria = {.lower = 0, .upper = 1000, .sigmas = 0.75, .perStroke = true}, .steps = 4};
-    core::SeedStroke more = std::get<core::SeedStroke>(others);
+    core::SeedStroke more = others.get<core::SeedStroke>();
     more.segment = 1;
     cases.push_back({"growth by strokes", volume, {first, seeds, more}, byStroke});
     cases.push_back({"growth by strokes of two", volume,

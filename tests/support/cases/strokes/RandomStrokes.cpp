@@ -1,6 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/strokes/RandomStrokes.h"
 
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/views/Bookmarks.h"
 #include "tests/support/cases/strokes/StrokeScene.h"
 
 #include <array>

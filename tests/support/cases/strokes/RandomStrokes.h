@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/growth/SeedStroke.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/StrokeCases.h"
 

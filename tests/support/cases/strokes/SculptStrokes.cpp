@@ -1,4 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
 
 namespace test {

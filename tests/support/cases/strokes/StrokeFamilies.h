@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/Edit.h"
 #include "tests/support/cases/strokes/StrokeScene.h"
 
 namespace test {

@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/strokes/StrokeScene.h"
 
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/views/Bookmarks.h"
 #include "tests/support/cases/strokes/RandomStrokes.h"
 
 namespace test {

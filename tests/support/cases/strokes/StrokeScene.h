@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/views/Bookmarks.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/StrokeCases.h"
 

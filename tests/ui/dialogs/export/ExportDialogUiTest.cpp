@@ -3,10 +3,13 @@
 #include "core/session/SessionDisplay.h"
 #include "ui/dialogs/export/ExportDialog.h"
 
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/series/SmallSeries.h"
 #include "ui/base/Theme.h"
 
@@ -55,12 +58,8 @@ public:
         apply(core::AddSegment{text("Empty"), 0xf0b04a, skull});
         seed(1, {2, 2, 2});
         seed(2, {9, 7, 4});
-        core::GrowSteps grow;
         const core::Volume& volume = *workspace.volume();
-        grow.criteria.lower = volume.encoding.value(0) - 1.0;
-        grow.criteria.upper = volume.encoding.value(0) + 1.0;
-        grow.steps = 2;
-        apply(grow);
+        apply(test::growBetween(volume.encoding.value(0) - 1.0, volume.encoding.value(0) + 1.0, 2));
         session().display().setSegmentVisible(2, false);
         // The engine's wake-up, as the program has it.
         QObject::connect(&wakeUp, &QTimer::timeout, [this] { session().poll(); });
@@ -74,7 +73,7 @@ public:
     }
     void seed(int segment, const glm::dvec3& index)
     {
-        apply(core::SeedStroke{segment, {workspace.volume()->geometry.toWorld(index)}});
+        apply(test::seedAt(segment, {workspace.volume()->geometry.toWorld(index)}));
     }
     [[nodiscard]] QString path(const char* name) const { return folder.filePath(text(name)); }
 

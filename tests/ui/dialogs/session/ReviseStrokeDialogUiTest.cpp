@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/session/ReviseStrokeDialog.h"
 
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -24,7 +29,7 @@ namespace {
 
 core::DrillStroke drillWith(const core::MaskShape& mask)
 {
-    core::DrillStroke drill = test::drillAt(0);
+    core::DrillStroke drill = test::drillAt(0).get<core::DrillStroke>();
     drill.mask = mask;
     return drill;
 }
@@ -32,14 +37,14 @@ core::DrillStroke drillWith(const core::MaskShape& mask)
 core::ScissorsCut scissors()
 {
     core::ScissorsCut cut;
-    cut.view = test::drillAt(0).view;
+    cut.view = test::frontView();
     cut.polygonMm = {{-3.0, -3.0}, {3.0, -3.0}, {0.0, 3.0}};
     return cut;
 }
 
 core::LaserStroke laser()
 {
-    const core::DrillStroke drill = test::drillAt(0);
+    const core::DrillStroke drill = test::drillAt(0).get<core::DrillStroke>();
     core::LaserStroke laser;
     laser.view = drill.view;
     laser.mask.polygonMm = {{-3.0, -2.0}, {3.0, -2.0}, {0.0, 2.0}};
@@ -77,7 +82,7 @@ struct Bench {
     }
     [[nodiscard]] core::ReviseStroke last()
     {
-        return std::get<core::ReviseStroke>(session().history().rows().back().edit);
+        return session().history().rows().back().edit.get<core::ReviseStroke>();
     }
 
     test::WindowFixture fixture;

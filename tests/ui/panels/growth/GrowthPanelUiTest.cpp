@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GrowthPanel.h"
 
+#include "core/edits/kinds/growth/GrowSteps.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/base/Actions.h"
 #include "ui/panels/growth/GenerationBar.h"
 #include "ui/panels/growth/GrowthActions.h"
@@ -59,9 +61,8 @@ public:
     [[nodiscard]] const core::GrowSteps* lastGrowth()
     {
         const core::History& history = session().history();
-        return history.position() == 0
-            ? nullptr
-            : std::get_if<core::GrowSteps>(&history.row(history.position()).edit);
+        return history.position() == 0 ? nullptr
+                                       : history.row(history.position()).edit.as<core::GrowSteps>();
     }
     GrowthPanel panel;
 };
@@ -298,7 +299,7 @@ private Q_SLOTS:
     {
         SeededPanel fixture;
         // Two more seeds, in brain: the mean lies between, the spread reaches both.
-        fixture.apply(core::SeedStroke{1, {{8.0, 0.0, 0.0}, {-8.0, 0.0, 0.0}}});
+        fixture.apply(test::seedAt(1, {{8.0, 0.0, 0.0}, {-8.0, 0.0, 0.0}}));
         QTRY_VERIFY(button(fixture.panel, "intervalFromSeeds").isEnabled());
         auto& fromSeeds = static_cast<QToolButton&>(button(fixture.panel, "intervalFromSeeds"));
         for (QAction* action : fromSeeds.menu()->actions()) {
@@ -329,11 +330,11 @@ private Q_SLOTS:
         QVERIFY2(tells("1 seed voxel · 8.0 ± 0.0 HU"), qPrintable(advice->text()));
         QVERIFY(ui::addSegment(fixture.workspace));
         QVERIFY2(tells("1 seed voxel, of another segment"), qPrintable(advice->text()));
-        fixture.apply(core::SeedStroke{2, {{8.0, 0.0, 0.0}, {0.0, 0.0, 28.0}}});
+        fixture.apply(test::seedAt(2, {{8.0, 0.0, 0.0}, {0.0, 0.0, 28.0}}));
         QVERIFY2(tells("2 seed voxels · −480.0 ± 735.4 HU"), qPrintable(advice->text()));
         // As many elsewhere are others.
         QVERIFY(fixture.session().undo());
-        fixture.apply(core::SeedStroke{2, {{8.0, 0.0, 0.0}, {0.0, 8.0, 0.0}}});
+        fixture.apply(test::seedAt(2, {{8.0, 0.0, 0.0}, {0.0, 8.0, 0.0}}));
         QVERIFY2(tells("2 seed voxels · 40.0 ± 0.0 HU"), qPrintable(advice->text()));
     }
 

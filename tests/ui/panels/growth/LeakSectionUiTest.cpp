@@ -2,10 +2,13 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/panels/growth/LeakSection.h"
 
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GenerationBar.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/tasks/LiveInterval.h"
@@ -39,7 +42,7 @@ public:
         panel.show();
         if (!QTest::qWaitForWindowExposed(&panel) || !ui::addSegment(workspace))
             qFatal("no panel");
-        apply(core::SeedStroke{1, {placeOf(phantom().seed)}});
+        apply(test::seedAt(1, {placeOf(phantom().seed)}));
         ui::GrowSettings settings = workspace.growSettings();
         settings.lower = phantom().lowCode;
         settings.upper = phantom().highCode;
@@ -161,7 +164,7 @@ private Q_SLOTS:
         fixture.click("growPlay");
         QVERIFY(fixture.offered());
         QCOMPARE(fixture.rows(), rows + 1);
-        QVERIFY(std::holds_alternative<core::GrowSteps>(fixture.lastEdit()));
+        QVERIFY(fixture.lastEdit().is<core::GrowSteps>());
         QVERIFY(fixture.leaked() > 0);
         QVERIFY(fixture.leaked() * 50 < phantom().leakVoxels);
         auto& text = fixture.part<QLabel>("leakText");
@@ -198,7 +201,7 @@ private Q_SLOTS:
         interval.move(phantom().lowCode - 1.0, phantom().highCode);
         interval.settle();
         fixture.settle();
-        QVERIFY(std::holds_alternative<core::ChangeInterval>(fixture.lastEdit()));
+        QVERIFY(fixture.lastEdit().is<core::ChangeInterval>());
         QVERIFY(fixture.offered());
         QVERIFY(fixture.leaked() * 50 < phantom().leakVoxels);
         QVERIFY(fixture.session().undo());
@@ -217,8 +220,8 @@ private Q_SLOTS:
         // The plug is a step, and what grew elsewhere since another.
         QCOMPARE(fixture.rows(), rows + 2);
         const core::History& history = fixture.session().history();
-        QVERIFY(std::holds_alternative<core::PlugLeak>(history.row(core::RowId(rows + 1)).edit));
-        QVERIFY(std::holds_alternative<core::GrowSteps>(fixture.lastEdit()));
+        QVERIFY(history.row(core::RowId(rows + 1)).edit.is<core::PlugLeak>());
+        QVERIFY(fixture.lastEdit().is<core::GrowSteps>());
         QVERIFY(!fixture.offered());
         QCOMPARE(fixture.leaked(), std::int64_t(0));
         const std::int64_t grown = fixture.session().document().segments[0].voxels;
@@ -243,7 +246,7 @@ private Q_SLOTS:
         QVERIFY(!fixture.offered());
         QVERIFY(!fixture.panel.findChild<ui::GenerationBar*>()->leak());
         QCOMPARE(fixture.rows(), rows + 1);
-        const auto* shrink = std::get_if<core::ShrinkSteps>(&fixture.lastEdit());
+        const auto* shrink = fixture.lastEdit().as<core::ShrinkSteps>();
         QVERIFY(shrink && shrink->steps);
         QVERIFY(*shrink->steps > 0);
         QCOMPARE(fixture.generation(), alarmed - std::uint32_t(*shrink->steps));
@@ -264,7 +267,7 @@ private Q_SLOTS:
         const std::int64_t leaked = fixture.leaked();
         fixture.click("leakAccept");
         QCOMPARE(fixture.rows(), rows + 1);
-        QVERIFY(std::holds_alternative<core::GrowSteps>(fixture.lastEdit()));
+        QVERIFY(fixture.lastEdit().is<core::GrowSteps>());
         QVERIFY(fixture.leaked() > leaked);
         QVERIFY(fixture.session().undo());
         fixture.settle();

@@ -2,8 +2,10 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/panels/growth/SpreadBar.h"
 
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/workspace/SegmentActions.h"
 
 #include <QComboBox>
@@ -33,7 +35,7 @@ public:
     void seedBoth()
     {
         apply(middleSeed(1));
-        apply(core::SeedStroke{2, {{-19.0, -19.0, -28.0}}});
+        apply(test::seedAt(2, {{-19.0, -19.0, -28.0}}));
         // The engine is asked which of them wait.
         (void)QTest::qWaitFor([this] {
             session().poll();
@@ -129,10 +131,7 @@ private Q_SLOTS:
         // Some of the ventricle goes to the other segment; the preview comes back by itself.
         constexpr glm::ivec3 beside{23, 20, 20};
         QCOMPARE(fixture.seenAt(beside), 1);
-        core::PaintStroke stroke{.segment = 2};
-        stroke.path.radiusMm = 1.5;
-        stroke.path.pointsLps = {{3.0, 0.0, 0.0}};
-        fixture.apply(stroke);
+        fixture.apply(test::paintAt(2, {{3.0, 0.0, 0.0}}, 1.5));
         QVERIFY(!fixture.session().previewOpen());
         QTRY_VERIFY(fixture.session().previewOpen());
         QVERIFY(fixture.bar.previewing());

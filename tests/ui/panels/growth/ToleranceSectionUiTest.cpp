@@ -3,6 +3,7 @@
 
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/overlays/Readout.h"
 #include "ui/panels/growth/ToleranceBar.h"
 #include "ui/workspace/SegmentActions.h"
@@ -159,7 +160,7 @@ private Q_SLOTS:
         fixture.settle();
         QCOMPARE(fixture.rows(), rows + 1);
         const core::HistoryRow& grown = fixture.session().history().rows().back();
-        QVERIFY(std::holds_alternative<core::GrowSteps>(grown.edit));
+        QVERIFY(grown.edit.is<core::GrowSteps>());
         QVERIFY(!grown.name.isEmpty());
         QCOMPARE(fixture.voxels(), fixture.bar.members()[std::size_t(tolerance)]);
         QCOMPARE(fixture.workspace.growSettings().lower, 8.0 - tolerance);
@@ -172,7 +173,7 @@ private Q_SLOTS:
             fixture.drag({40, other});
             fixture.settle();
             const auto& edit = fixture.session().history().rows().back().edit;
-            QVERIFY(std::holds_alternative<core::ChangeInterval>(edit));
+            QVERIFY(edit.is<core::ChangeInterval>());
             QCOMPARE(fixture.voxels(), fixture.bar.members()[std::size_t(fixture.bar.tolerance())]);
             fixture.wait();
         }
@@ -226,7 +227,7 @@ private Q_SLOTS:
     {
         Traced fixture;
         // A second seed in the bone: the mean lies between.
-        fixture.apply(core::SeedStroke{1, {{0.0, 14.0, 0.0}}});
+        fixture.apply(test::seedAt(1, {{0.0, 14.0, 0.0}}));
         fixture.wait();
         QCOMPARE(fixture.bar.members()[0], 0);
         QVERIFY(!std::binary_search(fixture.bar.jumps().begin(), fixture.bar.jumps().end(), 32));
@@ -251,7 +252,7 @@ private Q_SLOTS:
     {
         Traced fixture;
         QVERIFY(!fixture.text().contains(QStringLiteral("lock")));
-        fixture.apply(core::SeedStroke{2, {{-19.0, -19.0, -28.0}}});
+        fixture.apply(test::seedAt(2, {{-19.0, -19.0, -28.0}}));
         fixture.wait();
         QVERIFY(fixture.text().contains(QStringLiteral("lock")));
     }

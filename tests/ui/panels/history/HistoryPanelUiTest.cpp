@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/session/StepFindings.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/dialogs/session/ReviseStrokeDialog.h"
 #include "ui/frame/MessageBar.h"
@@ -74,7 +79,7 @@ private Q_SLOTS:
     {
         Panel panel;
         core::EditSession& session = panel.session();
-        core::DrillStroke second = test::drillAt(1);
+        core::DrillStroke second = test::drillAt(1).get<core::DrillStroke>();
         second.mask.radiusMm = 3.0;
         panel.applyAll({test::drillAt(0), second});
         const auto answer = [&panel](const std::function<void(ui::ReviseStrokeDialog&)>& act) {
@@ -92,7 +97,7 @@ private Q_SLOTS:
             radius->setValue(7.5);
             dialog.accept();
         });
-        const auto& edit = std::get<core::ReviseStroke>(session.history().row(3).edit);
+        const auto& edit = session.history().row(3).edit.get<core::ReviseStroke>();
         QCOMPARE(edit.row, std::int64_t(1));
         QCOMPARE(edit.radiusMm.value_or(0.0), 7.5);
         QVERIFY(!edit.depthMm && !edit.layer && !edit.throughGaps && !edit.removed);
@@ -145,7 +150,7 @@ private Q_SLOTS:
     {
         Panel panel;
         core::EditSession& session = panel.session();
-        const core::DrillStroke drill = test::drillAt(0);
+        const core::DrillStroke drill = test::drillAt(0).get<core::DrillStroke>();
         core::PeelCut peel;
         peel.view = drill.view;
         peel.polygonMm = {{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}};
@@ -177,7 +182,7 @@ private Q_SLOTS:
         change(2, {"depth", "factor", "throughGaps"}, "depth", 6.5);
         change(3, {"radius"}, "radius", 7.0);
         const auto revision = [&session](core::RowId row) {
-            return std::get<core::ReviseStroke>(session.history().row(row).edit);
+            return session.history().row(row).edit.get<core::ReviseStroke>();
         };
         QCOMPARE(revision(4).softnessMm.value_or(0.0), 2.0);
         QVERIFY(!revision(4).radiusMm && !revision(4).depthMm && !revision(4).throughGaps);
@@ -304,9 +309,9 @@ private Q_SLOTS:
         Panel panel;
         panel.applyAll({test::addSegment("Brain")});
         for (int step = 2; step <= 30; ++step)
-            panel.applyAll({step % 3 == 0 ? core::Edit(test::drillAt(step - 16))
-                                          : core::Edit(core::ChangeSegment{.segment = 1,
-                                              .name = QStringLiteral("name %1").arg(step)})});
+            panel.applyAll({step % 3 == 0
+                    ? core::Edit(test::drillAt(step - 16))
+                    : core::Edit(test::renameSegment(1, QStringLiteral("name %1").arg(step)))});
         QCOMPARE(panel.session().history().rows().size(), std::size_t(30));
         connect(&panel.fixture.workspace, &ui::Workspace::documentChanged, panel.timeline, [&] {
             const core::RowId position = panel.session().history().position();

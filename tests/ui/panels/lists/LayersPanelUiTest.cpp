@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/lists/LayersPanel.h"
 
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/layers/MoveLayer.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"

@@ -6,6 +6,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/views/ViewGrid.h"
 
@@ -120,7 +121,7 @@ private Q_SLOTS:
     void aLockedOneStays()
     {
         Fixture fixture;
-        fixture.apply(core::ChangeSegment{.segment = 1, .locked = true});
+        fixture.apply(test::lockSegment(1));
         QVERIFY(!fixture.window.actionTable()[QStringLiteral("segments.remove")].isEnabled());
         QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
         const std::size_t rows = fixture.session().history().rows().size();

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/surface/DropSurface.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/SpherePush.h"
+#include "core/edits/kinds/surface/WriteBack.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/refine/ComparePanel.h"
 
 #include <QFile>
@@ -28,7 +34,7 @@ public:
         apply(test::ballMask(glm::ivec3(test::smallHead::side), radius));
         workspace.setActiveSegment(1);
         const core::ImportMask larger =
-            test::ballMask(glm::ivec3(test::smallHead::side), radius + 1.0);
+            test::ballMask(glm::ivec3(test::smallHead::side), radius + 1.0).get<core::ImportMask>();
         truth.assign(workspace.volume()->geometry.voxelCount(), 0);
         // Named: as a temporary of the loop's range it would be gone before the first turn.
         const std::optional<core::VoxelRuns> runs =
@@ -102,8 +108,7 @@ private Q_SLOTS:
         QVERIFY(fixture.text("compareHd95").endsWith(QStringLiteral(" mm")));
         QVERIFY(fixture.panel.summary().startsWith(QStringLiteral("Dice ")));
 
-        fixture.apply(core::PaintStroke{.segment = 1,
-            .path = {.radiusMm = 4.0, .pointsLps = {glm::dvec3(radius + 6.0, 0.0, 0.0)}}});
+        fixture.apply(test::paintAt(1, {glm::dvec3(radius + 6.0, 0.0, 0.0)}, 4.0));
         QTRY_VERIFY(fixture.upToDate() && *fixture.outcome().relativeVolumeError != error);
         QCOMPARE(*fixture.outcome().relativeVolumeError, errorNow());
         QVERIFY(fixture.session().undo());

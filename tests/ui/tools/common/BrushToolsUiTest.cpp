@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/sculpt/CarveBrushTool.h"
 #include "ui/views/ViewGrid.h"
@@ -190,7 +195,7 @@ private Q_SLOTS:
         QVERIFY(fixture.session().settle());
         const std::size_t left = fixture.painted().size();
         QVERIFY(left < painted);
-        QVERIFY(std::get<core::PaintStroke>(fixture.lastEdit()).erase);
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().erase);
 
         const QPoint end = (BrushFixture::middleOf(fixture.slice) + stroke.back().offset).toPoint();
         QTest::mousePress(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, end);
@@ -241,7 +246,7 @@ private Q_SLOTS:
         test::Pen pen(fixture.view);
         draw(fixture, fixture.view, pen);
         lift(fixture, fixture.view, pen);
-        const auto edit = std::get<core::PaintStroke>(fixture.lastEdit());
+        const auto edit = fixture.lastEdit().get<core::PaintStroke>();
         QVERIFY(edit.path.shape == BrushPath::Shape::Ball);
         QVERIFY(edit.path.lifts.empty());
         QVERIFY(edit.path.pointsLps.size() > 4);
@@ -296,7 +301,7 @@ private Q_SLOTS:
         draw(fixture, fixture.slice, eraser);
         lift(fixture, fixture.slice, eraser);
         QVERIFY(fixture.carved().empty());
-        QVERIFY(std::get<core::BrushStroke>(fixture.lastEdit()).restore);
+        QVERIFY(fixture.lastEdit().get<core::BrushStroke>().restore);
     }
 
     /// Over the edge of what is seen the brush is lifted; off it nothing happens.
@@ -311,7 +316,7 @@ private Q_SLOTS:
                 {{30.0 * perMm, -30.0 * perMm}, 1020}, {{30.0 * perMm, 0.0}, 1030},
                 {{8.0 * perMm, 0.0}, 1040}});
         lift(fixture, fixture.view, pen);
-        const auto edit = std::get<core::PaintStroke>(fixture.lastEdit());
+        const auto edit = fixture.lastEdit().get<core::PaintStroke>();
         QVERIFY(!edit.path.lifts.empty());
         for (const glm::dvec3& point : edit.path.pointsLps)
             QVERIFY(glm::length(point) < 18.0);
@@ -334,10 +339,8 @@ private Q_SLOTS:
         BrushFixture fixture(Brush::Paint);
         int failures = 0;
         connect(&fixture.workspace, &ui::Workspace::failed, this, [&failures] { ++failures; });
-        QVERIFY(fixture.session().apply(
-            core::AddSegment{.name = QStringLiteral("Liver"), .rgb = 0x804020, .code = {}}));
-        QVERIFY(fixture.session().apply(
-            core::ChangeSegment{.segment = 1, .name = {}, .rgb = {}, .code = {}, .locked = true}));
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Liver"), 0x804020)));
+        QVERIFY(fixture.session().apply(test::lockSegment(1)));
         QVERIFY(fixture.session().settle());
         fixture.workspace.setActiveSegment(1);
         QCOMPARE(fixture.paint.target(), QStringLiteral("Liver is locked"));
@@ -364,8 +367,7 @@ private Q_SLOTS:
     void paintTakesPartInGrowth()
     {
         BrushFixture fixture(Brush::Paint);
-        QVERIFY(fixture.session().apply(
-            core::AddSegment{.name = QStringLiteral("Brain"), .rgb = 0x804020, .code = {}}));
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Brain"), 0x804020)));
         QVERIFY(!ui::takesPartInGrowth(fixture.session().history(), 1));
         QVERIFY(fixture.session().apply(test::WorkspaceFixture::middleSeed(1)));
         QVERIFY(fixture.session().settle());
@@ -375,7 +377,7 @@ private Q_SLOTS:
         test::Pen pen(fixture.slice);
         draw(fixture, fixture.slice, pen);
         lift(fixture, fixture.slice, pen);
-        QVERIFY(std::get<core::PaintStroke>(fixture.lastEdit()).seeds);
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().seeds);
     }
 
     void aStrokeEndsWithItsSession()
@@ -436,7 +438,7 @@ private Q_SLOTS:
         test::Pen pen(fixture.slice);
         draw(fixture, fixture.slice, pen);
         lift(fixture, fixture.slice, pen);
-        const auto& edit = std::get<core::PaintStroke>(fixture.lastEdit());
+        const auto& edit = fixture.lastEdit().get<core::PaintStroke>();
         QCOMPARE(*edit.lower, 20.0);
         QCOMPARE(*edit.upper, 100.0);
         QVERIFY(edit.overwriteUnlocked);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -104,7 +107,7 @@ private Q_SLOTS:
         QVERIFY(fixture.session().settle());
         QVERIFY(!fixture.peel.isOpen());
         QCOMPARE(fixture.rows(), std::size_t(1));
-        const auto& edit = std::get<core::PeelCut>(fixture.session().history().rows().back().edit);
+        const auto& edit = fixture.session().history().rows().back().edit.get<core::PeelCut>();
         QCOMPARE(edit.depthMm, 2.0);
         QVERIFY(!edit.restore);
         QVERIFY(edit.polygonMm.size() > 30);
@@ -190,7 +193,7 @@ private Q_SLOTS:
         fixture.draw(60.0, test::Pen::End::Eraser);
         fixture.peel.confirm();
         QVERIFY(fixture.session().settle());
-        QVERIFY(std::get<core::PeelCut>(fixture.session().history().rows().back().edit).restore);
+        QVERIFY(fixture.session().history().rows().back().edit.get<core::PeelCut>().restore);
         QVERIFY(fixture.carvedVoxels() < carved / 2);
     }
 
@@ -202,8 +205,7 @@ private Q_SLOTS:
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.rows(), std::size_t(1));
         const std::int64_t through = fixture.carvedVoxels();
-        QVERIFY(
-            !std::get<core::ScissorsCut>(fixture.session().history().rows().back().edit).depthMm);
+        QVERIFY(!fixture.session().history().rows().back().edit.get<core::ScissorsCut>().depthMm);
         QVERIFY(fixture.session().undo());
         QVERIFY(fixture.session().settle());
 
@@ -213,8 +215,7 @@ private Q_SLOTS:
         options->findChild<QDoubleSpinBox*>(QStringLiteral("scissorsDepth"))->setValue(3.0);
         fixture.draw(30.0);
         QVERIFY(fixture.session().settle());
-        const auto& cut =
-            std::get<core::ScissorsCut>(fixture.session().history().rows().back().edit);
+        const auto& cut = fixture.session().history().rows().back().edit.get<core::ScissorsCut>();
         QCOMPARE(cut.depthMm.value_or(0.0), 3.0);
         QVERIFY(fixture.carvedVoxels() > 0 && fixture.carvedVoxels() < through / 2);
     }

@@ -2,12 +2,15 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/growth/BarrierTool.h"
 
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/parts/BrushPath.h"
 #include "core/growth/SeedWord.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QtTest>
@@ -38,8 +41,8 @@ public:
         workspace.setBrushSettings(Brush::Barrier, {.radiusMm = radiusMm});
         workspace.setActiveTool(&tool);
         view.lookFrom({0.0, -1.0, 0.0});
-        apply(core::AddSegment{.name = QStringLiteral("Segment"), .rgb = 1, .code = {}});
-        apply(core::SeedStroke{1, {seedLps}});
+        apply(test::newSegment(QStringLiteral("Segment"), 1));
+        apply(test::seedAt(1, {seedLps}));
     }
     [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     void apply(const core::Edit& edit)
@@ -48,13 +51,7 @@ public:
             qFatal("an edit was refused");
     }
     /// To closure, between two values.
-    void grow(double lower, double upper)
-    {
-        core::GrowSteps growth;
-        growth.criteria.lower = lower;
-        growth.criteria.upper = upper;
-        apply(growth);
-    }
+    void grow(double lower, double upper) { apply(test::growBetween(lower, upper)); }
     /// A straight stroke; offsets from the view's middle, mm.
     void draw(ui::ImageView& where, const QPointF& fromMm, const QPointF& toMm,
         test::Pen::End end = test::Pen::End::Tip)
@@ -78,7 +75,7 @@ public:
     [[nodiscard]] const core::BarrierStroke* lastBarrier()
     {
         const core::History& history = session().history();
-        return std::get_if<core::BarrierStroke>(&history.row(history.position()).edit);
+        return history.row(history.position()).edit.as<core::BarrierStroke>();
     }
     [[nodiscard]] std::int64_t voxels() { return session().document().segments[0].voxels; }
     /// Of voxels that the segment holds, the least distance to a path; then of voxels in a range of

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/SeedTool.h"
 
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/tools/aim/PickQuestion.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/PendingSeeds.h"
@@ -55,7 +58,7 @@ public:
     }
     [[nodiscard]] std::vector<glm::ivec3> seeds(core::RowId row)
     {
-        const auto& stroke = std::get<core::SeedStroke>(session().history().row(row).edit);
+        const auto& stroke = session().history().row(row).edit.get<core::SeedStroke>();
         std::vector<glm::ivec3> voxels;
         for (const glm::dvec3& point : stroke.pointsLps) {
             const glm::dvec3 index = workspace.volume()->geometry.toIndex(point);
@@ -88,8 +91,8 @@ private Q_SLOTS:
         QCOMPARE(document.segments.size(), std::size_t(1));
         QCOMPARE(fixture.workspace.activeSegment(), 1);
         QCOMPARE(fixture.session().history().position(), core::RowId(2));
-        QVERIFY(std::holds_alternative<core::AddSegment>(fixture.session().history().row(1).edit));
-        QVERIFY(std::holds_alternative<core::SeedStroke>(fixture.session().history().row(2).edit));
+        QVERIFY(fixture.session().history().row(1).edit.is<core::AddSegment>());
+        QVERIFY(fixture.session().history().row(2).edit.is<core::SeedStroke>());
         // One undo takes back the seeds only.
         QVERIFY(fixture.session().undo());
         QVERIFY(fixture.session().settle());
@@ -185,12 +188,12 @@ private Q_SLOTS:
     {
         SeedFixture fixture;
         for (const char* name : {"A", "B"})
-            QVERIFY(fixture.session().apply(core::AddSegment{QLatin1String(name), 1, {}}));
+            QVERIFY(fixture.session().apply(test::newSegment(QLatin1String(name), 1)));
         QVERIFY(fixture.session().settle());
         fixture.workspace.setActiveSegment(2);
         fixture.sketch(fixture.window.views().coronal(), {0, 0}, {5, 5});
         const auto& edit = fixture.session().history().row(3).edit;
-        QCOMPARE(std::get<core::SeedStroke>(edit).segment, 2);
+        QCOMPARE(edit.get<core::SeedStroke>().segment, 2);
         QCOMPARE(fixture.session().document().segments.size(), std::size_t(2));
     }
 
@@ -205,7 +208,7 @@ private Q_SLOTS:
         fixture.stroke(view, Qt::ControlModifier, {0, 6}, {40, 6});
         QVERIFY2(fixture.session().history().rows().size() == 3,
             said.isEmpty() ? "nothing said" : qPrintable(said.last()[0].toString()));
-        const auto& stroke = std::get<core::SeedStroke>(fixture.session().history().row(3).edit);
+        const auto& stroke = fixture.session().history().row(3).edit.get<core::SeedStroke>();
         QVERIFY(stroke.pointsLps.empty());
         QVERIFY(stroke.takenLps && !stroke.takenLps->empty());
         const std::size_t left = fixture.workspace.seeds().seeds().size();
@@ -272,8 +275,7 @@ private Q_SLOTS:
         SeedFixture fixture;
         ui::SliceView& view = fixture.window.views().axial();
         fixture.sketch(view, {-10, 6}, {10, 6});
-        QVERIFY(fixture.session().apply(
-            core::GrowSteps{.criteria = {.lower = -2000, .upper = 3000}, .steps = 1}));
+        QVERIFY(fixture.session().apply(test::growBetween(-2000, 3000, 1)));
         QVERIFY(fixture.session().settle());
         const auto rows = fixture.session().history().rows().size();
         QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
@@ -288,9 +290,8 @@ private Q_SLOTS:
         SeedFixture fixture;
         ui::SliceView& view = fixture.window.views().axial();
         fixture.sketch(view, {-10, 6}, {10, 6});
-        QVERIFY(fixture.session().apply(
-            core::GrowSteps{.criteria = {.lower = -2000, .upper = 3000}, .steps = 1}));
-        QVERIFY(fixture.session().apply(core::AddSegment{QStringLiteral("Other"), 1, {}}));
+        QVERIFY(fixture.session().apply(test::growBetween(-2000, 3000, 1)));
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Other"), 1)));
         QVERIFY(fixture.session().settle());
         fixture.workspace.setActiveSegment(2);
         const auto rows = fixture.session().history().rows().size();

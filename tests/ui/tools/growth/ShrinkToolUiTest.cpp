@@ -2,11 +2,13 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/growth/ShrinkTool.h"
 
+#include "core/edits/kinds/growth/ShrinkAt.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/tools/growth/ShrinkForesight.h"
 #include "ui/views/ViewGrid.h"
@@ -40,8 +42,8 @@ public:
         display.surfaceThreshold = phantom().lowCode;
         workspace.setVolumeDisplay(display);
         workspace.setActiveTool(&tool);
-        apply(core::AddSegment{.name = QStringLiteral("Vessel"), .rgb = 1, .code = {}});
-        apply(core::SeedStroke{1, {placeOf(phantom().seed)}});
+        apply(test::newSegment(QStringLiteral("Vessel"), 1));
+        apply(test::seedAt(1, {placeOf(phantom().seed)}));
         grow();
         workspace.setCrosshairLps(placeOf(phantom().click));
         view.lookFrom({0.0, 1.0, 0.0}); // the leak is on the vessel's back
@@ -58,10 +60,7 @@ public:
     }
     void grow(int wider = 0)
     {
-        core::GrowSteps growth;
-        growth.criteria.lower = phantom().lowCode - wider;
-        growth.criteria.upper = phantom().highCode + wider;
-        apply(growth);
+        apply(test::growBetween(phantom().lowCode - wider, phantom().highCode + wider));
     }
     /// Over a voxel of the leak, as it is seen in a view.
     void sketch(ui::ImageView& where, const QPointF& offset = {})
@@ -87,7 +86,7 @@ public:
     [[nodiscard]] const core::ShrinkAt* lastShrink()
     {
         const core::History& history = session().history();
-        return std::get_if<core::ShrinkAt>(&history.row(history.position()).edit);
+        return history.row(history.position()).edit.as<core::ShrinkAt>();
     }
     [[nodiscard]] std::vector<std::uint8_t> labels() { return *session().questions().labels(0); }
     struct Held {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/Chunks.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/reference/RefusingEngine.h"
 #include "tests/support/cases/SurfaceCases.h"
@@ -8,6 +10,7 @@
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/refine/ChunksPanel.h"
 #include "ui/tools/refine/ChunkTool.h"
 #include "ui/views/ViewGrid.h"
@@ -36,7 +39,7 @@ constexpr int few = 5; // ventricle, brain within and without, bone, air
 constexpr glm::dvec3 inVentricle(0.0, 0.0, 0.0);
 constexpr glm::dvec3 inBone(14.0, 0.0, 0.0);
 
-core::ImportMask ball()
+core::Edit ball()
 {
     return test::ballMask(glm::ivec3(test::smallHead::side), radius);
 }
@@ -102,7 +105,7 @@ public:
     [[nodiscard]] core::RowId position() { return session().history().position(); }
     [[nodiscard]] const core::ChunkToggle* lastClick()
     {
-        return std::get_if<core::ChunkToggle>(&session().history().row(position()).edit);
+        return session().history().row(position()).edit.as<core::ChunkToggle>();
     }
     [[nodiscard]] std::int64_t voxels() { return session().document().segment(1)->voxels; }
     template <class View> [[nodiscard]] static QPointF at(View& where, const glm::dvec3& lps)
@@ -161,8 +164,7 @@ private Q_SLOTS:
         fixture.settle();
         fixture.await();
         const core::RowId divided = fixture.position();
-        const auto* edit =
-            std::get_if<core::Chunks>(&fixture.session().history().row(divided).edit);
+        const auto* edit = fixture.session().history().row(divided).edit.as<core::Chunks>();
         QVERIFY(edit && edit->segment == 1);
         QCOMPARE(edit->marginMm, marginMm);
         QVERIFY(fixture.find<QCheckBox>("chunksShown")->isChecked());
@@ -201,7 +203,7 @@ private Q_SLOTS:
     void whatHasNoVoxelsIsNotDivided()
     {
         ChunkFixture fixture;
-        fixture.apply(core::AddSegment{.name = QStringLiteral("Empty"), .rgb = 0x20A0C0});
+        fixture.apply(test::newSegment(QStringLiteral("Empty"), 0x20A0C0));
         fixture.workspace.setActiveSegment(2);
         QVERIFY(!fixture.find<QPushButton>("divide")->isEnabled());
         QVERIFY(fixture.find<QLabel>("chunksWhose")

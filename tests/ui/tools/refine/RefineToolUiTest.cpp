@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/surface/ApplyTemplate.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/MarkSurface.h"
+#include "core/edits/kinds/surface/SpherePush.h"
+#include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "core/session/SessionSurface.h"
 #include "tests/support/cases/SurfaceCases.h"
@@ -7,6 +14,7 @@
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/base/Actions.h"
 #include "ui/panels/refine/RefineActions.h"
 #include "ui/panels/refine/RefinePanel.h"
@@ -247,13 +255,11 @@ private Q_SLOTS:
     void whatIsPaintedSinceIsTold()
     {
         RefineFixture fixture;
-        fixture.apply(
-            core::AddSegment{.name = QStringLiteral("Other"), .rgb = 0x4080ff, .code = {}});
+        fixture.apply(test::newSegment(QStringLiteral("Other"), 0x4080ff));
         fixture.lay();
         const auto differs = [&] { return fixture.session().document().surface->differs; };
         const auto painted = [](int segment, double x) {
-            return core::PaintStroke{.segment = segment,
-                .path = {.radiusMm = 3.0, .pointsLps = {glm::dvec3(x, 0.0, 0.0)}}};
+            return test::paintAt(segment, {glm::dvec3(x, 0.0, 0.0)}, 3.0);
         };
         fixture.apply(painted(2, -16.0));
         QVERIFY(!differs());
@@ -290,19 +296,17 @@ private Q_SLOTS:
         QVERIFY(!shut->toolTip().isEmpty() && !open->toolTip().isEmpty());
         QVERIFY2(fixture.panel.minimumSizeHint().width() <= 280,
             qPrintable(QString::number(fixture.panel.minimumSizeHint().width())));
-        fixture.apply(core::AddSegment{.name = QStringLiteral("Within"), .rgb = 1, .code = {}});
-        fixture.apply(core::SeedStroke{.segment = 2, .pointsLps = {glm::dvec3(0.0)}});
+        fixture.apply(test::newSegment(QStringLiteral("Within"), 1));
+        fixture.apply(test::seedAt(2, {glm::dvec3(0.0)}));
         const std::int64_t held = fixture.voxels();
 
         shut->click();
         fixture.settle();
-        QVERIFY(std::holds_alternative<core::SurfaceBarrier>(fixture.lastRow().edit));
+        QVERIFY(fixture.lastRow().edit.is<core::SurfaceBarrier>());
         QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Barrier around surface, ")));
         QCOMPARE(fixture.voxels(), held);
-        core::GrowSteps grow;
-        grow.criteria = {.lower = -3000, .upper = 3000, .connectivity = 26};
-        grow.criteria.overwriteUnlocked = true;
-        fixture.apply(grow);
+        fixture.apply(test::growBy(
+            {.lower = -3000, .upper = 3000, .connectivity = 26, .overwriteUnlocked = true}));
         const auto within = [&fixture] { return fixture.session().document().segment(2)->voxels; };
         const std::int64_t enclosed = within();
         QVERIFY(std::abs(double(enclosed - held)) < 0.01 * double(held)); // it was only laid
@@ -381,7 +385,7 @@ private Q_SLOTS:
         fixture.set(Mode::Sphere, 6.0);
         const QPointF middle = fixture.at(fixture.view, glm::dvec3(0.0));
         draw(fixture, fixture.view, {middle});
-        const auto* push = std::get_if<core::SpherePush>(&fixture.lastRow().edit);
+        const auto* push = fixture.lastRow().edit.as<core::SpherePush>();
         QVERIFY(push);
         // Half its radius outside of what is seen from the front.
         QVERIFY(std::abs(push->path.pointsLps.front().y + radius + 3.0) < 0.6);
@@ -455,8 +459,7 @@ private Q_SLOTS:
         QTRY_VERIFY(found());
         const int before = list->count();
         // The segment grows under what is green.
-        fixture.apply(core::PaintStroke{.segment = 1,
-            .path = {.radiusMm = 7.0, .pointsLps = {glm::dvec3(radius + 1.0, 0.0, 0.0)}}});
+        fixture.apply(test::paintAt(1, {glm::dvec3(radius + 1.0, 0.0, 0.0)}, 7.0));
         const std::size_t green = fixture.marked(SurfaceMark::Green);
         fixture.panel.findChild<QPushButton*>(QStringLiteral("followMask"))->click();
         QTRY_VERIFY(found());
@@ -537,7 +540,7 @@ private Q_SLOTS:
         fixture.refinement().changeMarks(core::ChangeMarks::Way::Grow);
         fixture.settle();
         QVERIFY(!fixture.refinement().isPreviewing());
-        QVERIFY(std::holds_alternative<core::ChangeMarks>(fixture.lastRow().edit));
+        QVERIFY(fixture.lastRow().edit.is<core::ChangeMarks>());
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QCOMPARE(fixture.session().stateHash(), before);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/DrillOptions.h"
 
+#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/panels/history/HistoryPanel.h"
 #include "ui/tools/common/PenMenu.h"
@@ -195,7 +197,7 @@ private Q_SLOTS:
         fixture.window.showPanels(true);
         core::EditSession& session = *fixture.workspace.session();
         for (const char* name : {"A segment with a name as long as names are", "Another one"})
-            QVERIFY(session.apply(core::AddSegment{.name = QLatin1String(name), .rgb = 1}));
+            QVERIFY(session.apply(test::newSegment(QLatin1String(name), 1)));
         QVERIFY(session.undo());
         QVERIFY(session.settle());
         ui::DrillTool tool(fixture.workspace);

@@ -3,6 +3,8 @@
 #include "ui/tools/sculpt/DrillTool.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -113,8 +115,7 @@ private Q_SLOTS:
         draw(fixture, pen);
         pen.release(fixture.middle() + stroke.back().offset, 70041);
         QVERIFY(fixture.session().settle());
-        const auto& edit =
-            std::get<core::DrillStroke>(fixture.session().history().rows().back().edit);
+        const auto& edit = fixture.session().history().rows().back().edit.get<core::DrillStroke>();
         QVERIFY(std::abs(edit.surfaceThreshold - 120.63) < 0.01);
 
         const auto at = [&](std::vector<gpu::TransferFunction::Point> points) {
@@ -186,8 +187,7 @@ private Q_SLOTS:
         draw(fixture, eraser);
         eraser.release(fixture.middle() + stroke.back().offset, 70041);
         QVERIFY(fixture.session().settle());
-        QVERIFY(
-            std::get<core::DrillStroke>(fixture.session().history().rows().back().edit).restore);
+        QVERIFY(fixture.session().history().rows().back().edit.get<core::DrillStroke>().restore);
         QVERIFY(fixture.carvedVoxels() < carved);
     }
 
@@ -269,7 +269,7 @@ private Q_SLOTS:
         pen.hold({}, 0.0); // later the hand may move
         pen.release(fixture.middle() + stroke.back().offset, 70041);
         QVERIFY(fixture.session().settle());
-        const auto edit = std::get<core::DrillStroke>(fixture.session().history().row(1).edit);
+        const auto edit = fixture.session().history().row(1).edit.get<core::DrillStroke>();
         if (turned == 999.0) {
             QVERIFY(edit.mask.polygonMm);
             glm::dvec2 reach(0.0);
@@ -336,7 +336,7 @@ private Q_SLOTS:
         pen.move(fixture.middle() + QPointF(10, 0), 1.0, 20);
         pen.release(fixture.middle() + QPointF(10, 0), 30);
         QVERIFY(fixture.session().settle());
-        const auto& edit = std::get<core::DrillStroke>(fixture.session().history().row(1).edit);
+        const auto& edit = fixture.session().history().row(1).edit.get<core::DrillStroke>();
         QVERIFY(glm::length(edit.view.eyeLps - scene.eyeLps) < 1e-3);
         const double mmPerPixel = scene.heightMm / fixture.view.height();
         QVERIFY(std::abs(edit.samples.back().xMm - 10.0 * mmPerPixel) < 1e-3);
@@ -351,7 +351,7 @@ private Q_SLOTS:
         QTest::mouseRelease(
             &fixture.view, Qt::LeftButton, {}, fixture.middle().toPoint() + QPoint(12, 5));
         QVERIFY(fixture.session().settle());
-        const auto& edit = std::get<core::DrillStroke>(fixture.session().history().row(1).edit);
+        const auto& edit = fixture.session().history().row(1).edit.get<core::DrillStroke>();
         for (const core::PenSample& sample : edit.samples)
             QCOMPARE(sample.pressure, 1.0);
         QVERIFY(fixture.workspace.windowLevel() == window);

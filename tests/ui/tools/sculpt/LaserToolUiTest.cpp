@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/LaserTool.h"
 
+#include "core/edits/EditJson.h"
 #include "core/edits/engine/HiddenSides.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -15,6 +19,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
+#include <QJsonArray>
 #include <QWheelEvent>
 #include <QtTest>
 
@@ -58,7 +63,7 @@ public:
 
 const core::DrillStroke& lastDrill(PressFixture& fixture)
 {
-    return std::get<core::DrillStroke>(fixture.session().history().rows().back().edit);
+    return fixture.session().history().rows().back().edit.get<core::DrillStroke>();
 }
 
 std::unique_ptr<ui::Tool> toolNamed(const QByteArray& name, ui::Workspace& workspace)
@@ -97,7 +102,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.rows(), std::size_t(1));
         const auto& row = fixture.session().history().rows().back();
         QVERIFY(row.name.startsWith(QStringLiteral("Laser 15.0 mm, ")));
-        const auto& laser = std::get<core::LaserStroke>(row.edit);
+        const auto& laser = row.edit.get<core::LaserStroke>();
         QCOMPARE(laser.depthMm, 15.0);
         QCOMPARE(laser.mask.radiusMm, 3.0);
         QVERIFY(laser.byTime && !laser.restore && !laser.hidden);
@@ -282,13 +287,8 @@ private Q_SLOTS:
         QCOMPARE(fixture.rows(), std::size_t(1));
         const core::HiddenSides expected =
             core::hiddenSides(clip, fixture.workspace.volume()->geometry);
-        const std::size_t sides = std::visit(
-            [](const auto& edit) {
-                if constexpr (requires { edit.hidden; })
-                    return edit.hidden ? edit.hidden->size() : std::size_t(0);
-                return std::size_t(0);
-            },
-            fixture.session().history().rows().back().edit);
+        const QJsonObject edit = core::editToJson(fixture.session().history().rows().back().edit);
+        const auto sides = std::size_t(edit[QStringLiteral("hidden")].toArray().size());
         QCOMPARE(sides, expected->size());
         reference::DenseFields fields = fixture.engine.fields();
         const reference::DenseArray<std::uint8_t> cut = fields.coverage(1);

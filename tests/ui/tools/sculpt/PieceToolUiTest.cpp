@@ -2,11 +2,15 @@
 #include "core/session/SessionDisplay.h"
 #include "ui/tools/sculpt/PieceTool.h"
 
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/frame/PanelSection.h"
 #include "ui/models/PieceListModel.h"
 #include "ui/panels/lists/PiecesPanel.h"
@@ -280,8 +284,8 @@ private Q_SLOTS:
         pen.press(at, 1.0, 5000);
         pen.release(at, 5010);
         fixture.settle();
-        const auto* stroke = std::get_if<core::SeedStroke>(
-            &fixture.workspace.session()->history().rows().back().edit);
+        const auto* stroke =
+            fixture.workspace.session()->history().rows().back().edit.as<core::SeedStroke>();
         QVERIFY(stroke && stroke->pointsLps.size() == 1);
         const glm::dvec3 seed = stroke->pointsLps.front();
         QVERIFY2(std::abs(seed.x - middle.x - 4.0) < 1.0 && std::abs(seed.z - middle.z) < 1.2,
@@ -303,12 +307,8 @@ private Q_SLOTS:
     void aSegmentIsPasted()
     {
         PieceFixture fixture;
-        fixture.apply(core::AddSegment{.name = QStringLiteral("Tooth"), .rgb = 0x40C080});
-        core::PaintStroke paint;
-        paint.segment = 1;
-        paint.path.radiusMm = 5.0;
-        paint.path.pointsLps = {{4, 0, -6}};
-        fixture.apply(paint);
+        fixture.apply(test::newSegment(QStringLiteral("Tooth"), 0x40C080));
+        fixture.apply(test::paintAt(1, {{4, 0, -6}}, 5.0));
         fixture.workspace.pieces().paste(1);
         fixture.settle();
         QCOMPARE(fixture.document().pieces.size(), std::size_t(1));

@@ -4,6 +4,10 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/past/RowReach.h"
@@ -176,7 +180,7 @@ private Q_SLOTS:
             QVERIFY2(json.contains(QLatin1String(name)), name);
         const Result<Edit> read = editFromJson(json);
         QVERIFY(read);
-        QCOMPARE(std::get<GrowSteps>(*read).criteria, std::get<GrowSteps>(edit).criteria);
+        QCOMPARE(read->get<GrowSteps>().criteria, edit.get<GrowSteps>().criteria);
         for (const auto& [field, value] :
             {std::pair{"majority", QJsonValue(28)}, std::pair{"majority", QJsonValue(0)},
                 std::pair{"sigmas", QJsonValue(0)}, std::pair{"passage", QJsonValue(-0.5)},
@@ -248,7 +252,7 @@ private Q_SLOTS:
             change.criteria.passage = width;
             Edit edit = change;
             QVERIFY(nameWhatGrowthReads(edit, History(), document));
-            const Result<GrowBurst> burst = growBurst(std::get<ChangeInterval>(edit), document);
+            const Result<GrowBurst> burst = growBurst(edit.get<ChangeInterval>(), document);
             QVERIFY(burst);
             QVERIFY(burst->opening == opens);
         }

@@ -2,8 +2,14 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/recipe/Recipe.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -27,7 +33,7 @@ Document smallDocument()
     volume.encoding = {.rescaleSlope = 0.25, .rescaleIntercept = -1024};
     Document document = initialDocument(volume);
     for (int i = 0; i < 3; ++i)
-        static_cast<void>(applyToDocument(AddSegment{.name = QStringLiteral("S")}, document));
+        static_cast<void>(applyToDocument(test::newSegment(QStringLiteral("S")), document));
     return document;
 }
 
@@ -129,8 +135,7 @@ private Q_SLOTS:
         const Document document = smallDocument();
         std::vector<Result<SeedPlacement>> placements;
         for (const RecipeStep& step : recipe->steps)
-            placements.push_back(
-                seedPlacement(std::get<SeedStroke>(std::get<Edit>(step)), document));
+            placements.push_back(seedPlacement(std::get<Edit>(step).get<SeedStroke>(), document));
         const glm::ivec3 first(3, 4, 5);
         const glm::ivec3 second(3, 4, 6);
         QVERIFY(placements[0] && placements[1] && placements[2]);
@@ -228,11 +233,11 @@ private Q_SLOTS:
     {
         Document document = initialDocument({});
         for (int label = 1; label <= 255; ++label) {
-            QVERIFY(applyToDocument(AddSegment{.name = QStringLiteral("S")}, document));
+            QVERIFY(applyToDocument(test::newSegment(QStringLiteral("S")), document));
             QCOMPARE(int(document.segments.back().label), label);
         }
         const Result<bool> tooMany =
-            applyToDocument(AddSegment{.name = QStringLiteral("S")}, document);
+            applyToDocument(test::newSegment(QStringLiteral("S")), document);
         QVERIFY(!tooMany);
         QCOMPARE(document.segments.size(), std::size_t(255));
     }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 #include <QTest>
 
@@ -20,7 +23,7 @@ Document smallDocument()
     volume.encoding = {.rescaleSlope = 0.25, .rescaleIntercept = -1024};
     Document document = initialDocument(volume);
     for (int i = 0; i < 3; ++i)
-        static_cast<void>(applyToDocument(AddSegment{.name = QStringLiteral("S")}, document));
+        static_cast<void>(applyToDocument(test::newSegment(QStringLiteral("S")), document));
     return document;
 }
 

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+
+namespace core {
+
+// Edits are plain data: what the user did, in the patient's millimetres and modality units, with no
+// pointer and nothing left to be read elsewhere. Recipe, session file and replay share this form.
+// Numbers that decide voxels are rounded once by quantised() (EditQuantise.h).
+
+struct AddBookmark;
+struct AddLayer;
+struct AddMeasurement;
+struct AddSegment;
+struct ApplyTemplate;
+struct AttractSurface;
+struct BarrierStroke;
+struct BrushStroke;
+struct ChangeInterval;
+struct ChangeLayer;
+struct ChangeMarks;
+struct ChangePiece;
+struct ChangeSegment;
+struct Chunks;
+struct ChunkToggle;
+struct CutPiece;
+struct DrillStroke;
+struct DropSurface;
+struct FollowMask;
+struct GrowFromSeeds;
+struct GrowSteps;
+struct ImportMask;
+struct LaserStroke;
+struct LayerToSegment;
+struct LaySurface;
+struct MarkSurface;
+struct MergeLayers;
+struct MoveLayer;
+struct MoveSegment;
+struct PaintStroke;
+struct PastePiece;
+struct PeelCut;
+struct PlaneScrape;
+struct PlugLeak;
+struct PointDrag;
+struct RemoveBookmark;
+struct RemoveLayer;
+struct RemoveMeasurement;
+struct RemovePiece;
+struct RemoveSegment;
+struct ResumeGrowth;
+struct RevertRows;
+struct ReviseStroke;
+struct ScissorsCut;
+struct SeedStroke;
+struct SegmentSeen;
+struct SegmentToLayer;
+struct SendPiecesHome;
+struct ShrinkAt;
+struct ShrinkSteps;
+struct SmoothSurface;
+struct SpherePush;
+struct SurfaceBarrier;
+struct WriteBack;
+
+template <class... Es> struct EditKinds {
+    static constexpr std::size_t count = sizeof...(Es);
+};
+/// Every kind of edit there is. Nothing that is kept depends on their order.
+using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer,
+    ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
+    RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, RemoveLayer,
+    MergeLayers, LayerToSegment, SegmentToLayer, SegmentSeen, CutPiece, PastePiece, ChangePiece,
+    SendPiecesHome, RemovePiece, LaserStroke, AddMeasurement, RemoveMeasurement, ShrinkSteps,
+    ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, ImportMask,
+    LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
+    PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, Chunks, ChunkToggle,
+    SurfaceBarrier>;
+
+template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
+{
+    std::size_t place = 0;
+    static_cast<void>(((std::is_same_v<E, Es> || (++place, false)) || ...));
+    return place;
+}
+/// The place of a kind in that list; beyond its end: it is none.
+template <class E> inline constexpr std::size_t editPlace = placeAmong<E>(AllEdits());
+template <class E>
+concept isEdit = (editPlace<E> < AllEdits::count);
+
+struct EditVariant; ///< a std::variant of all kinds (AnyEdit.h)
+
+/// Any one edit, a value. Who holds one, copies one or hands it on needs no more than this header;
+/// who makes or reads a kind includes the header of that kind; who asks all kinds alike, AnyEdit.h.
+class Edit {
+public:
+    Edit(); ///< an AddSegment
+    template <isEdit E>
+    Edit(E edit)
+        : Edit(editPlace<E>, &edit)
+    {
+    }
+    Edit(const Edit& other);
+    /// @p other holds nothing then: it can be given another edit, and that is all.
+    Edit(Edit&& other) noexcept;
+    Edit& operator=(const Edit& other);
+    Edit& operator=(Edit&& other) noexcept;
+    ~Edit();
+
+    template <isEdit E> [[nodiscard]] bool is() const { return find(editPlace<E>) != nullptr; }
+    /// Null: it is of another kind.
+    template <isEdit E> [[nodiscard]] const E* as() const
+    {
+        return static_cast<const E*>(find(editPlace<E>));
+    }
+    template <isEdit E> [[nodiscard]] E* as()
+    {
+        return static_cast<E*>(const_cast<void*>(find(editPlace<E>)));
+    }
+    /// Throws std::bad_variant_access where it is of another kind.
+    template <isEdit E> [[nodiscard]] const E& get() const
+    {
+        return *static_cast<const E*>(demand(editPlace<E>));
+    }
+    template <isEdit E> [[nodiscard]] E& get()
+    {
+        return *static_cast<E*>(const_cast<void*>(demand(editPlace<E>)));
+    }
+
+    /// Its place in AllEdits.
+    [[nodiscard]] std::size_t kind() const;
+    /// For visitEdit() (AnyEdit.h).
+    [[nodiscard]] const EditVariant& any() const { return *m_edit; }
+    [[nodiscard]] EditVariant& any() { return *m_edit; }
+
+private:
+    /// Moves from an edit of the kind at @p place.
+    Edit(std::size_t place, void* edit);
+    [[nodiscard]] const void* find(std::size_t place) const;
+    [[nodiscard]] const void* demand(std::size_t place) const;
+
+    std::unique_ptr<EditVariant> m_edit; ///< null only after it was moved from
+};
+
+} // namespace core

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace core {
+
+/// Chunks of the newest division become a segment's, or are taken from it.
+struct ChunkToggle {
+    enum class Mode {
+        Toggle, ///< one that the segment has more than half of goes, any other one comes
+        Add,
+        Remove,
+    };
+    int segment = 0; ///< label
+    int chunks = 0; ///< into how many the whole is divided
+    Mode mode = Mode::Toggle;
+    std::vector<glm::dvec3> pointsLps{}; ///< each stands for the chunk that it lies in
+    bool overwriteUnlocked = false;
+    /// That the chunks lie in, ascending: whoever carries it out adds them
+    /// (session/past/RowReach.h).
+    std::optional<std::vector<std::int64_t>> bricks{};
+};
+
+} // namespace core

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/growth/GrowBox.h"
+
+#include <optional>
+#include <vector>
+
+namespace core {
+
+/// Every voxel of a box goes to the segment that is nearest, by a way on which values change
+/// little; seeds are the voxels that segments hold, and those that are sketched.
+struct GrowFromSeeds {
+    std::optional<std::vector<int>> segments{}; ///< labels that compete; none: all not locked
+    std::optional<GrowBox> box{}; ///< none: around the seeds with a margin of a twentieth
+    int connectivity = 6; ///< 6, 18 or 26
+    /// Modality units: what a millimetre of the way costs; none: a thousandth of the volume's
+    /// range.
+    std::optional<double> lengthCost{};
+    bool overwriteUnlocked = false; ///< segments that do not compete
+};
+
+} // namespace core

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace core {
+
+/// Changes a cut of the history out of order, or takes it out; what later strokes cut stays
+/// (session/operations/ReviseOperation.h). Absent fields are as in that row, whatever revised it
+/// before; which of them a cut has, StrokeParameters says (SculptEdits.h).
+struct ReviseStroke {
+    std::int64_t row = 0; ///< RowId
+    std::optional<double> radiusMm{};
+    std::optional<double> sideMm{}; ///< of a square mask
+    std::optional<double> widthMm{}; ///< of an ellipse, a rectangle or a rounded one
+    std::optional<double> heightMm{};
+    std::optional<double> factor{}; ///< of a drawn outline: so many times as large
+    std::optional<double> depthMm{};
+    std::optional<double> softnessMm{};
+    std::optional<int> layer{};
+    std::optional<bool> throughGaps{};
+    bool removed = false;
+};
+
+} // namespace core

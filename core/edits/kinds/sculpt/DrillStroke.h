@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/OrthographicView.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/SparedSegments.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/sculpt/DrillCut.h"
+
+#include <vector>
+
+namespace core {
+
+struct DrillStroke {
+    int layer = 1;
+    OrthographicView view{};
+    MaskShape mask{};
+    DrillMode mode = DrillMode::Limit;
+    double depthMm = 8.0; ///< at full pressure; in mode Rate a second
+    double floorMm = 30.0; ///< mode Rate: no deeper
+    int pressureExponent = 2;
+    double surfaceThreshold = 0.0; ///< modality units: what is seen
+    bool throughGaps = false;
+    /// Parts of the surface that lie so much farther back than the depth are left alone, since they
+    /// are seen through a gap; 0: all are cut.
+    double guardMm = 0.0;
+    bool restore = false; ///< fills again what was carved, from the surface towards the viewer
+    /// Resampled by time, so that the device's report rate does not matter. Mode Rate always is.
+    bool byTime = true;
+    std::vector<PenSample> samples{};
+    HiddenSides hidden{};
+    SparedSegments spared{};
+};
+
+} // namespace core

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/OrthographicView.h"
+#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/SparedSegments.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace core {
+
+/// Cuts out what lies under a closed curve, along the view.
+struct ScissorsCut {
+    int layer = 1;
+    OrthographicView view{};
+    std::vector<glm::dvec2> polygonMm{}; ///< closed by itself; in the view plane, from the target
+    std::optional<double> depthMm{}; ///< below the surface; none: through everything
+    bool firstLayerOnly = false; ///< only to the first gap in the material
+    double surfaceThreshold = 0.0; ///< modality units: what is seen
+    bool restore = false;
+    HiddenSides hidden{};
+    SparedSegments spared{};
+};
+
+} // namespace core

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/Document.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+
+namespace core {
+
+/// Rename, recolour, code or lock a segment, or protect it from sculpting; absent fields stay.
+struct ChangeSegment {
+    int segment = 0; ///< label
+    std::optional<QString> name{};
+    std::optional<std::uint32_t> rgb{};
+    std::optional<CodedConcept> code{};
+    std::optional<bool> locked{};
+    std::optional<bool> uncarvable{};
+};
+
+} // namespace core

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace core {
+
+// Edits of the surface that is being refined (seed B §4; core/refine). There is one at a time, of
+// one segment; its voxels change by WriteBack alone.
+
+/// Lay a surface around what a segment holds, all yellow; the one that was there goes.
+struct LaySurface {
+    int segment = 0; ///< label
+    /// About so many; 0: as many as it takes for the surface to enclose what the segment holds
+    /// (core/refine/fit/MeasuredFit.h).
+    int vertices = 0;
+};
+
+} // namespace core

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace core {
+
+/// Where a tool of the surface went: the middle of the ball in which it works, from point to point.
+struct SurfacePath {
+    double radiusMm = 8.0;
+    std::vector<glm::dvec3> pointsLps{};
+};
+
+} // namespace core

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace core {
+
+/// The segment follows the surface to where it was moved since they last agreed: where a voxel's
+/// centre has come inside the segment gets it, where it has come outside the segment loses it. All
+/// other voxels stay as they are, whether or not the surface encloses them: one that nobody moved
+/// changes none. What exactly that means, also at the rim of what was moved and where the mask was
+/// changed meanwhile, stands in core/session/surface/SurfaceWriteBack.h.
+struct WriteBack {
+    bool overwriteUnlocked = false;
+};
+
+} // namespace core
