@@ -116,6 +116,10 @@ bool FrameScheduler::work(bool editing)
         const core::Error error = errorBeingHandled();
         // Where there is no memory to say so either, the next request begins anew.
         static_cast<void>(core::guarded([&] { giveUp(error); }));
+        // The edits look for it in the thread's next turn, and tell it.
+        if (error.code == core::ErrorCode::ContextLost && !std::exchange(m_contextLost, true)
+            && m_wake)
+            m_wake();
         return false;
     }
 }
@@ -124,9 +128,9 @@ bool FrameScheduler::work(bool editing)
 void FrameScheduler::giveUp(const core::Error& why)
 {
     m_flying.reset();
-    m_deliveries.clear();
+    const std::map<ViewId, Delivery> undelivered = std::exchange(m_deliveries, {});
     for (auto& [id, view] : m_views) {
-        if (view.stage == Stage::Done)
+        if (view.stage == Stage::Done && !undelivered.contains(id))
             continue;
         view.stage = Stage::Done;
         view.tiles.reset();
@@ -501,6 +505,7 @@ bool FrameScheduler::deliver()
             ++it;
             continue;
         }
+        requireContext(); // else what lies there is no picture
         Frame frame = std::move(it->second.frame);
         const auto view = m_views.find(it->first);
         it = m_deliveries.erase(it);

@@ -131,6 +131,7 @@ private:
     /// Milliseconds per megapixel: of slices, then by render mode; without cubics and with.
     std::array<std::array<double, 1 + renderModes>, 2> m_cost;
     std::optional<Flying> m_flying;
+    bool m_contextLost = false; ///< and the edits know
     std::chrono::steady_clock::time_point m_landed; ///< when a tile was last done
     std::uint64_t m_turn = 0;
     Counters m_counters;

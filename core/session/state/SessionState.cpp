@@ -298,6 +298,7 @@ bool SessionState::noteResult(const EngineResult& result)
     const bool known = !required.empty();
     if (result.error && !m_lost) {
         if (result.error->code == ErrorCode::EngineLost
+            || result.error->code == ErrorCode::ContextLost
             || (known && required.mapped().tries >= mostTries)) {
             lose(*result.error);
         } else if (known) {
@@ -324,6 +325,8 @@ void SessionState::lose(const Error& why)
                           {why.arguments.value(0)
                               + QStringLiteral("; close the study and open it again: every step so "
                                                "far is in its session")}};
+    if (why.code == ErrorCode::ContextLost)
+        m_lost = why;
     m_required.clear();
     m_afterRequired = {};
     fail(*m_lost);
