@@ -19,7 +19,7 @@ class GlContext;
 class GpuEngine {
 public:
     /// Starts the thread with its own headless EGL context (first hardware device, else surfaceless
-    /// Mesa). Errors: GraphicsUnavailable with the driver's reason, OutOfMemory.
+    /// Mesa). Errors: GraphicsUnavailable with the driver's reason, OutOfMemory, ContextLost.
     static core::Result<std::unique_ptr<GpuEngine>> create();
     /// The same with a context of the caller's making that is current nowhere.
     static core::Result<std::unique_ptr<GpuEngine>> create(std::unique_ptr<GlContext> context);
