@@ -30,7 +30,8 @@ public:
     /// Replace everything by a volume with empty fields. Waits until it is there.
     /// @param codes x fastest, then y, then z; size.x · size.y · size.z of them
     /// Errors: InvalidGeometry (another number of codes, or none), OutOfMemory, ContextLost.
-    virtual Result<void> openVolume(const glm::ivec3& size, std::span<const std::uint16_t> codes) = 0;
+    virtual Result<void> openVolume(
+        const glm::ivec3& size, std::span<const std::uint16_t> codes) = 0;
 
     virtual Ticket submit(EngineCommand command) = 0;
     /// Results that are ready, oldest first; possibly none.
@@ -45,6 +46,7 @@ public:
 };
 
 /// Begin, tell everything, commit: an edit in one go. Returns the ticket that bears the result.
-Ticket submitWhole(EditEngine& engine, EngineEdit edit, std::vector<EngineExtension> extensions = {});
+Ticket submitWhole(
+    EditEngine& engine, EngineEdit edit, std::vector<EngineExtension> extensions = {});
 
 } // namespace core

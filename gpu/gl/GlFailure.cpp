@@ -110,6 +110,7 @@ void requireMemory(const char* label)
     if (takeErrors() == GL_OUT_OF_MEMORY)
         throw GlFailure(error(core::ErrorCode::OutOfMemory,
             QStringLiteral("the graphics driver has no more for “%1”").arg(QLatin1String(label))));
+    throwIfLost(false);
 }
 
 void requireNoError()
