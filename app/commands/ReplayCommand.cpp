@@ -6,7 +6,7 @@
 #include "app/steps/ExportFiles.h"
 #include "app/steps/JsonLine.h"
 #include "app/steps/SessionProblems.h"
-#include "core/session/EditSession.h"
+#include "app/steps/SteadySession.h"
 #include "core/sessionfile/HistoryListing.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"
@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -71,6 +72,15 @@ Result<void> replay(const core::HistoryRow& row, const std::map<core::RowId, cor
         return disagrees(recorded, row,
             QStringLiteral("recorded %1, replayed %2")
                 .arg(QString::fromLatin1(row.stateHash), QString::fromLatin1(hash)));
+    return {};
+}
+
+/// One line for a row that was carried out and agrees.
+void printAgreement(
+    const core::HistoryRow& row, const Recorded& recorded, const core::EditSession& session)
+{
+    const QByteArray hash = session.history().rows().back().stateHash;
+    const bool finished = !row.stateHash.isEmpty();
     const QString lost = recorded.lostDifference(row.id);
     QJsonObject line{
         {QStringLiteral("row"), qint64(row.id)},
@@ -81,7 +91,6 @@ Result<void> replay(const core::HistoryRow& row, const std::map<core::RowId, cor
     if (!lost.isEmpty())
         line[QStringLiteral("problem")] = lost;
     printJsonLine(line);
-    return {};
 }
 
 struct Task {
@@ -111,25 +120,48 @@ int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& 
             !fits)
             return tellFailure(fits.error());
     }
-    const Result<std::unique_ptr<gpu::GpuEngine>> engine = gpu::GpuEngine::create();
-    if (!engine)
-        return tellFailure(engine.error());
-    const Result<std::unique_ptr<core::EditSession>> session =
-        core::EditSession::create((*engine)->edits(), std::move(volume), {});
-    if (!session)
-        return tellFailure(session.error());
-    const std::vector<core::RowId> rows = rowsOf(recorded.contents, task);
+    SteadySession steady;
+    if (const Result<void> started = steady.start(); !started)
+        return tellFailure(started.error());
+    const auto rowOf = [&recorded](core::RowId id) -> const core::HistoryRow& {
+        return recorded.contents.rows[std::size_t(id - 1)];
+    };
     // On a path rows are numbered anew; here is what became of each.
     std::map<core::RowId, core::RowId> replayed{{0, 0}};
+    std::optional<core::LoadedVolume> study = std::move(volume);
+    // It is kept in no file: what was done of it is done again.
+    const auto begin = [&](gpu::GpuEngine& engine) -> Result<SteadySession::Session> {
+        if (!study) {
+            Result<core::LoadedVolume> read = readStudy();
+            if (!read)
+                return tl::unexpected(read.error());
+            study = *std::move(read);
+        }
+        auto begun =
+            core::EditSession::create(engine.edits(), *std::exchange(study, std::nullopt), {});
+        for (const auto& [id, number] : replayed) {
+            if (!begun || id == 0)
+                continue;
+            if (const Result<void> done = replay(rowOf(id), replayed, recorded, **begun); !done)
+                return tl::unexpected(done.error());
+        }
+        return begun;
+    };
+    if (const Result<void> begun = steady.open(begin, begin); !begun)
+        return tellFailure(begun.error());
+    const std::vector<core::RowId> rows = rowsOf(recorded.contents, task);
     int unfinished = 0;
     int damaged = 0;
     for (const core::RowId id : rows) {
         if (progress.cancelled())
             return tellFailure({core::ErrorCode::Cancelled, {}});
-        const core::HistoryRow& row = recorded.contents.rows[std::size_t(id - 1)];
-        if (const Result<void> done = replay(row, replayed, recorded, **session); !done)
+        const core::HistoryRow& row = rowOf(id);
+        const Result<void> done =
+            steady.carryOut([&] { return replay(row, replayed, recorded, steady.session()); });
+        if (!done)
             return tellFailure(done.error());
-        replayed[id] = (*session)->history().position();
+        printAgreement(row, recorded, steady.session());
+        replayed[id] = steady.session().history().position();
         unfinished += row.stateHash.isEmpty() ? 1 : 0;
         damaged += recorded.lostDifference(id).isEmpty() ? 0 : 1;
     }
@@ -140,7 +172,7 @@ int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& 
         std::fprintf(stderr, "; %d were not finished when the session was left", unfinished);
     std::fprintf(stderr, "\n");
     if (const Result<void> exported =
-            exportFiles(task.exports, **session, task.force, readStudy, progress);
+            exportFiles(task.exports, steady, task.force, readStudy, progress);
         !exported)
         return tellFailure(exported.error());
     const bool lost = !task.to && recorded.contents.damage;

@@ -7,11 +7,13 @@
 #include "app/steps/RunKeyframes.h"
 #include "app/steps/RunSteps.h"
 #include "app/steps/SessionPlan.h"
+#include "app/steps/SteadySession.h"
 #include "core/base/Guarded.h"
 #include "core/base/files/FileInUse.h"
 #include "core/base/files/ReadableFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
@@ -34,6 +36,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 namespace app {
 
@@ -178,7 +181,7 @@ Result<Continued> goOn(core::EditEngine& engine, core::LoadedVolume loaded,
         if (session)
             return Continued{*plan, *std::move(session)};
         withdraw(*plan, file);
-        if (plan->redo.empty())
+        if (plan->redo.empty() || session.error().code == core::ErrorCode::ContextLost)
             return tl::unexpected(session.error());
     }
     return core::failure(core::ErrorCode::SessionDamaged, file);
@@ -322,44 +325,66 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
             return tellFailure(fit.error(), recipeIfAtFault(fit.error(), recipe));
     }
 
-    const Result<std::unique_ptr<gpu::GpuEngine>> engine = gpu::GpuEngine::create();
-    if (!engine)
-        return tellFailure(engine.error());
-    (*engine)->setVolumeGeometry(loaded->volume.geometry, loaded->volume.encoding);
+    SteadySession steady;
+    if (const Result<void> started = steady.start(); !started)
+        return tellFailure(started.error());
     SessionPlan plan;
-    std::unique_ptr<core::EditSession> session;
-    if (goesOn) {
-        Result<Continued> continued =
-            goOn((*engine)->edits(), *std::move(loaded), arguments, *goesOn);
+    const core::SessionSource source = core::SessionSource::of(loaded->volume);
+    const auto readStudy = [&source](const QString& session) {
+        return core::loadSessionStudy(session, source);
+    };
+    QString openFile = place; ///< of the session, closed or open
+    const auto setOrigin = [author = arguments.value("author")](core::EditSession& session) {
+        session.setOrigin([author] { return core::presentOrigin(author); });
+    };
+    bool isFirst = true;
+    const auto first = [&](gpu::GpuEngine& engine) -> Result<SteadySession::Session> {
+        if (!std::exchange(isFirst, false)) {
+            loaded = load(arguments, goesOn, told.progress(), repair);
+            if (!loaded)
+                return tl::unexpected(loaded.error());
+            if (!goesOn)
+                core::removeSession(place);
+        }
+        engine.setVolumeGeometry(loaded->volume.geometry, loaded->volume.encoding);
+        if (!goesOn)
+            return begin(engine.edits(), *std::move(loaded), place, arguments.has("with-images"));
+        Result<Continued> continued = goOn(engine.edits(), *std::move(loaded), arguments, *goesOn);
         if (!continued)
-            return tellFailure(continued.error());
+            return tl::unexpected(continued.error());
         plan = std::move(continued->plan);
-        session = std::move(continued->session);
-    } else {
-        auto begun =
-            begin((*engine)->edits(), *std::move(loaded), place, arguments.has("with-images"));
-        if (!begun)
-            return tellFailure(ofTarget(begun.error(), place, file));
-        session = *std::move(begun);
-    }
+        return std::move(continued->session);
+    };
+    const auto again = [&](gpu::GpuEngine& engine) -> Result<SteadySession::Session> {
+        Result<core::LoadedVolume> study = readStudy(openFile);
+        if (!study)
+            return tl::unexpected(study.error());
+        engine.setVolumeGeometry(study->volume.geometry, study->volume.encoding);
+        auto opened = core::EditSession::open(engine.edits(), *std::move(study), openFile);
+        if (opened)
+            setOrigin(**opened);
+        return opened;
+    };
+    if (const Result<void> opened = steady.open(first, again); !opened)
+        return tellFailure(goesOn ? opened.error() : ofTarget(opened.error(), place, file));
+    openFile = steady.session().file();
     told.setClosing([replaces, place, file] {
         closeSessions();
         if (replaces)
             keepUnfinished(place, file);
     });
     const auto leaving = qScopeGuard([&told] { told.setClosing({}); });
-    session->setOrigin(
-        [author = arguments.value("author")] { return core::presentOrigin(author); });
-    const std::size_t rowsBefore = session->history().rows().size();
-    Result<void> done = goesOn ? fits(session->document()) : Result<void>();
+    setOrigin(steady.session());
+    const std::size_t rowsBefore = steady.rowCount();
+    Result<void> done = goesOn ? fits(steady.session().document()) : Result<void>();
     if (done) {
         if (plan.damage)
             tellFailure(*plan.damage);
         done = core::guarded([&] {
-            RunKeyframes keyframes((*engine)->frames(), *session);
+            RunKeyframes keyframes(steady);
             return elsewhere
-                ? carryOutElsewhere(*elsewhere, leftOut, *session, keyframes, told.progress())
-                : carryOut(recipe, *session, keyframes, told.progress());
+                ? carryOutElsewhere(*elsewhere, leftOut, steady, keyframes, told.progress())
+                : carryOut(recipe, steady, keyframes, told.progress());
         });
     }
     if (!done) {
@@ -367,8 +392,8 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
         const core::Error error = ofTarget(done.error(), place, file);
         const int status = tellFailure(error, recipeIfAtFault(error, recipe));
         // A line that was printed is a promise: what it tells of stays.
-        const bool promised = session->history().rows().size() > rowsBefore;
-        session.reset();
+        const bool promised = steady.rowCount() > rowsBefore;
+        steady.close();
         if (!goesOn && !promised) {
             core::removeSession(place);
         } else if (replaces) {
@@ -380,29 +405,29 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
     if (replaces) {
         // From here on it is the session of that name.
         told.setClosing(closeSessions);
-        if (const Result<void> placed = session->storage().rename(file); !placed) {
+        const Result<void> placed =
+            steady.carryOut([&] { return steady.session().storage().rename(file); });
+        if (!placed) {
             const int status = tellFailure(placed.error());
             std::fprintf(stderr, "%s: the new session is in %s\n", qUtf8Printable(file),
-                qUtf8Printable(session->file()));
+                qUtf8Printable(openFile));
             return status;
         }
+        openFile = file;
     }
     // The session is whole by now and stays, whatever becomes of the exports.
     const std::vector<core::RecipeExport> exports =
         elsewhere ? elsewhere->exports() : recipe.exports;
-    const auto readStudy = [&session] {
-        return core::loadSessionStudy(
-            session->file(), core::SessionSource::of(session->document().volumes.front()));
-    };
-    const Result<void> exported = core::guarded(
-        [&] { return exportFiles(exports, *session, force, readStudy, told.progress()); });
+    const Result<void> exported = core::guarded([&] {
+        return exportFiles(
+            exports, steady, force, [&] { return readStudy(openFile); }, told.progress());
+    });
     if (!exported)
         return tellFailure(exported.error());
     told.setClosing({});
-    const QString whole = session->file();
-    session.reset();
-    if (const QString why = whyNotOneFile(whole); !why.isEmpty())
-        return tellFailure({core::ErrorCode::FileUnwritable, {whole, why}});
+    steady.close();
+    if (const QString why = whyNotOneFile(openFile); !why.isEmpty())
+        return tellFailure({core::ErrorCode::FileUnwritable, {openFile, why}});
     // The steps stand, but not where they were meant to.
     return goesOn && goesOn->positionLost ? 1 : 0;
 }

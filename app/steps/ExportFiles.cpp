@@ -2,6 +2,7 @@
 #include "app/steps/ExportFiles.h"
 
 #include "app/steps/JsonLine.h"
+#include "app/steps/SteadySession.h"
 #include "core/export/CarvedVolume.h"
 #include "core/export/common/ExportChoices.h"
 #include "core/session/past/SegmentLayers.h"
@@ -22,10 +23,10 @@ namespace {
 /// Writes one after the other; what more than one of them needs is read once.
 class Exports {
 public:
-    Exports(core::EditSession& session, bool force, const ReadStudy& readStudy,
+    Exports(SteadySession& session, bool force, const ReadStudy& readStudy,
         const core::Progress& progress)
-        : m_session(session)
-        , m_volume(session.document().volumes.front())
+        : m_steady(session)
+        , m_volume(session.session().document().volumes.front())
         , m_force(force)
         , m_readStudy(readStudy)
         , m_progress(progress)
@@ -49,7 +50,8 @@ private:
     Result<core::ExportReport> segments(const core::RecipeExport& target)
     {
         if (m_labels.empty()) {
-            Result<std::vector<std::uint8_t>> labels = m_session.questions().labels(0);
+            Result<std::vector<std::uint8_t>> labels =
+                read([](core::EditSession& session) { return session.questions().labels(0); });
             if (!labels)
                 return tl::unexpected(labels.error());
             m_labels = *std::move(labels);
@@ -62,7 +64,7 @@ private:
         request.seg = target.seg;
         request.deidentifier = deidentifier(target);
         request.planes = {{.plane = 0, .labels = m_labels}};
-        for (const core::ExportChoice& choice : core::exportChoices(m_session.document(), {})) {
+        for (const core::ExportChoice& choice : core::exportChoices(document(), {})) {
             if (choice.chosen)
                 request.segments.push_back(choice.segment);
         }
@@ -117,17 +119,16 @@ private:
     /// Of the layers that the segments were made of.
     Result<void> addCoverages(core::ExportRequest& request)
     {
-        const core::Document& document = m_session.document();
-        for (const auto& [label, id] : core::layersOfSegments(m_session.history(), document)) {
+        const auto layers = core::layersOfSegments(m_steady.session().history(), document());
+        for (const auto& [label, id] : layers) {
             if (!m_coverages.contains(id)) {
-                Result<std::vector<std::uint8_t>> bytes =
-                    m_session.questions().coverage(std::uint8_t(id));
+                Result<std::vector<std::uint8_t>> bytes = coverageOf(id);
                 if (!bytes)
                     return tl::unexpected(bytes.error());
                 m_coverages[id] = *std::move(bytes);
             }
             request.coverages.push_back({.label = std::uint8_t(label),
-                .layer = document.layer(id)->name,
+                .layer = document().layer(id)->name,
                 .coverage = m_coverages[id]});
         }
         return {};
@@ -135,26 +136,28 @@ private:
 
     Result<core::ExportReport> coverage(const core::RecipeExport& target)
     {
-        const core::SculptLayer* layer = m_session.document().layer(target.layer);
+        const core::SculptLayer* layer = document().layer(target.layer);
         if (!layer)
             return core::failure(core::ErrorCode::InvalidField, QStringLiteral("export.layer"),
                 QStringLiteral("there is no sculpt layer %1").arg(target.layer));
-        const Result<std::vector<std::uint8_t>> bytes = m_session.questions().coverage(layer->id);
+        const QString name = layer->name;
+        const Result<std::vector<std::uint8_t>> bytes = coverageOf(layer->id);
         if (!bytes)
             return tl::unexpected(bytes.error());
         return core::exportCoverage(m_volume,
-            {.file = target.file, .force = m_force, .layer = layer->name, .coverage = *bytes},
-            m_progress);
+            {.file = target.file, .force = m_force, .layer = name, .coverage = *bytes}, m_progress);
     }
 
     Result<core::ExportReport> carvedVolume(const core::RecipeExport& target)
     {
         std::vector<std::uint8_t> carved(m_volume.geometry.voxelCount(), 0);
-        for (const core::SculptLayer& layer : m_session.document().layers) {
-            if (!m_session.document().carves(layer))
-                continue;
-            const Result<std::vector<std::uint8_t>> bytes =
-                m_session.questions().coverage(layer.id);
+        std::vector<int> carving;
+        for (const core::SculptLayer& layer : document().layers) {
+            if (document().carves(layer))
+                carving.push_back(layer.id);
+        }
+        for (const int layer : carving) {
+            const Result<std::vector<std::uint8_t>> bytes = coverageOf(layer);
             if (!bytes)
                 return tl::unexpected(bytes.error());
             std::transform(carved.begin(), carved.end(), bytes->begin(), carved.begin(),
@@ -172,8 +175,34 @@ private:
             m_progress);
     }
 
-    core::EditSession& m_session;
-    const core::Volume& m_volume;
+    /// What the engine holds of the session, be it another engine in the end.
+    template <class Question> Result<std::vector<std::uint8_t>> read(const Question& question)
+    {
+        std::vector<std::uint8_t> answer;
+        const Result<void> done = m_steady.carryOut([&]() -> Result<void> {
+            Result<std::vector<std::uint8_t>> bytes = question(m_steady.session());
+            if (!bytes)
+                return tl::unexpected(bytes.error());
+            answer = *std::move(bytes);
+            return {};
+        });
+        if (!done)
+            return tl::unexpected(done.error());
+        return answer;
+    }
+
+    Result<std::vector<std::uint8_t>> coverageOf(int layer)
+    {
+        return read([layer](core::EditSession& session) {
+            return session.questions().coverage(std::uint8_t(layer));
+        });
+    }
+
+    /// Until something is read.
+    [[nodiscard]] const core::Document& document() const { return m_steady.session().document(); }
+
+    SteadySession& m_steady;
+    core::Volume m_volume;
     bool m_force = false;
     const ReadStudy& m_readStudy;
     const core::Progress& m_progress;
@@ -186,7 +215,7 @@ private:
 
 } // namespace
 
-Result<void> exportFiles(const std::vector<core::RecipeExport>& targets, core::EditSession& session,
+Result<void> exportFiles(const std::vector<core::RecipeExport>& targets, SteadySession& session,
     bool force, const ReadStudy& readStudy, const core::Progress& progress)
 {
     Exports exports(session, force, readStudy, progress);

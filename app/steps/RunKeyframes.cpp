@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/steps/RunKeyframes.h"
 
-#include "core/session/EditSession.h"
+#include "app/steps/SteadySession.h"
 #include "core/session/SessionKeyframes.h"
+#include "gpu/engine/GpuEngine.h"
 #include "gpu/frame/FrameSource.h"
 #include "ui/workspace/InitialDisplay.h"
 #include "ui/workspace/OpeningView.h"
@@ -20,12 +21,13 @@ constexpr std::chrono::seconds longest{30};
 
 } // namespace
 
-RunKeyframes::RunKeyframes(gpu::FrameSource& frames, core::EditSession& session)
-    : m_frames(frames)
+RunKeyframes::RunKeyframes(SteadySession& session)
+    : m_frames(session.engine().frames())
     , m_session(session)
-    , m_rows(session.history().rows().size())
+    , m_rows(session.rowCount())
 {
-    m_rule.begin(m_rows, session.history().position(), !session.keyframes().rows().empty(),
+    core::EditSession& open = session.session();
+    m_rule.begin(m_rows, open.history().position(), !open.keyframes().rows().empty(),
         ui::steadyMilliseconds());
     m_frames.setListener([this](const gpu::Frame& frame) { take(frame); });
 }
@@ -37,7 +39,7 @@ RunKeyframes::~RunKeyframes()
 
 void RunKeyframes::follow()
 {
-    const std::size_t rows = m_session.history().rows().size();
+    const std::size_t rows = m_session.rowCount();
     const bool committed = rows > m_rows;
     m_rows = rows;
     if (committed && m_rule.dueAfterStep(rows, ui::steadyMilliseconds()))
@@ -46,7 +48,7 @@ void RunKeyframes::follow()
 
 void RunKeyframes::close()
 {
-    if (m_rule.dueAtEnd(m_session.history().position()))
+    if (m_rule.dueAtEnd(m_session.session().history().position()))
         keep();
 }
 
@@ -66,7 +68,8 @@ void RunKeyframes::take(const gpu::Frame& frame)
 
 void RunKeyframes::keep()
 {
-    const core::Document& document = m_session.document();
+    core::EditSession& session = m_session.session();
+    const core::Document& document = session.document();
     const core::Volume& volume = document.volumes.front();
     ui::Camera camera = ui::openingCamera(volume.geometry);
     camera.heightMm = ui::fittingHeightMm(camera, volume.geometry, size);
@@ -86,13 +89,13 @@ void RunKeyframes::keep()
     }
     // Else every later step would be drawn too.
     m_frames.forget(view);
-    const core::RowId row = m_session.history().position();
+    const core::RowId row = session.history().position();
     m_rule.kept(row, m_rows, ui::steadyMilliseconds());
     if (!picture)
         return;
     const QImage image(
         picture->data(), size.width(), size.height(), 4 * size.width(), QImage::Format_RGBX8888);
-    m_session.keyframes().add(row, ui::keyframePng(image));
+    session.keyframes().add(row, ui::keyframePng(image));
 }
 
 } // namespace app

@@ -9,9 +9,6 @@
 #include <mutex>
 #include <vector>
 
-namespace core {
-class EditSession;
-}
 namespace gpu {
 class FrameSource;
 struct Frame;
@@ -19,12 +16,14 @@ struct Frame;
 
 namespace app {
 
+class SteadySession;
+
 /// Pictures of a session that is made without a window, by the window's rule
 /// (ui/settings/KeyframeRule): the 3D view as it opens on a study.
 class RunKeyframes {
 public:
-    /// Both are lent. The engine knows the volume's geometry.
-    RunKeyframes(gpu::FrameSource& frames, core::EditSession& session);
+    /// It is lent, and open. The engine knows the volume's geometry.
+    explicit RunKeyframes(SteadySession& session);
     ~RunKeyframes();
 
     /// After every step; waits for the picture if one is due. @pre the session is settled
@@ -37,7 +36,7 @@ private:
     void keep();
 
     gpu::FrameSource& m_frames;
-    core::EditSession& m_session;
+    SteadySession& m_session;
     ui::KeyframeRule m_rule;
     std::size_t m_rows = 0; ///< of the history, as last seen
     std::mutex m_mutex;

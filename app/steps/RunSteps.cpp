@@ -3,8 +3,11 @@
 
 #include "app/steps/JsonLine.h"
 #include "app/steps/RunKeyframes.h"
+#include "app/steps/SteadySession.h"
 #include "core/edits/EditJson.h"
-#include "core/session/EditSession.h"
+#include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/session/StepFindings.h"
 #include "ui/base/RevisionText.h"
 
@@ -92,40 +95,71 @@ Result<void> walk(const core::HistoryMove& move, core::EditSession& session)
     return {};
 }
 
+/// Where a session stands.
+struct Place {
+    std::size_t rows = 0;
+    core::RowId position = 0;
+
+    [[nodiscard]] static Place of(const core::EditSession& session)
+    {
+        return {session.history().rows().size(), session.history().position()};
+    }
+};
+
+/// Whether a step was done before the context was lost that it was begun in.
+bool isDone(const core::RecipeStep& step, const core::EditSession& session, const Place& before)
+{
+    const Place now = Place::of(session);
+    if (std::holds_alternative<core::Edit>(step))
+        return now.rows > before.rows;
+    // A walk to a row may have come half the way, and arrives there when it is begun again.
+    return std::get<core::HistoryMove>(step).kind != core::HistoryMove::Kind::GoTo
+        && now.position != before.position;
+}
+
+Result<void> attempt(const core::RecipeStep& step, core::EditSession& session, const Place& before)
+{
+    if (isDone(step, session, before))
+        return {};
+    const auto* edit = std::get_if<core::Edit>(&step);
+    const Result<void> begun =
+        edit ? session.apply(*edit) : walk(std::get<core::HistoryMove>(step), session);
+    return begun ? session.settle() : begun;
+}
+
 /// What a line tells of is on disk before the line is out.
-Result<void> carryOutOne(const core::RecipeStep& step, core::EditSession& session,
+Result<void> carryOutOne(const core::RecipeStep& step, SteadySession& steady,
     RunKeyframes& keyframes, const core::Progress& progress)
 {
     if (progress.cancelled())
         return core::failure(core::ErrorCode::Cancelled);
-    const std::size_t rowsBefore = session.history().rows().size();
-    const auto* edit = std::get_if<core::Edit>(&step);
-    const Result<void> begun =
-        edit ? session.apply(*edit) : walk(std::get<core::HistoryMove>(step), session);
-    if (!begun)
-        return begun;
-    if (const Result<void> settled = session.settle(); !settled)
-        return settled;
-    if (edit)
-        printEdit(*edit, session, session.history().rows().size() > rowsBefore);
+    const Place before = Place::of(steady.session());
+    const Result<void> done =
+        steady.carryOut([&] { return attempt(step, steady.session(), before); });
+    if (!done)
+        return done;
+    const core::EditSession& session = steady.session();
+    if (const auto* edit = std::get_if<core::Edit>(&step))
+        printEdit(*edit, session, session.history().rows().size() > before.rows);
     else
         printMove(step, session);
     keyframes.follow();
     return {};
 }
 
-/// What the disk says is no matter of an entry, nor is an end that somebody asked for.
+/// What the disk or the graphics driver says is no matter of an entry, nor is an end that somebody
+/// asked for.
 tl::unexpected<core::Error> at(int entry, const core::Error& error)
 {
-    const bool ofEntry =
-        error.code != core::ErrorCode::FileUnwritable && error.code != core::ErrorCode::Cancelled;
+    const bool ofEntry = error.code != core::ErrorCode::FileUnwritable
+        && error.code != core::ErrorCode::Cancelled && error.code != core::ErrorCode::ContextLost;
     return tl::unexpected<core::Error>(ofEntry ? core::atEdit(error, entry) : error);
 }
 
 } // namespace
 
-Result<void> carryOut(const core::Recipe& recipe, core::EditSession& session,
-    RunKeyframes& keyframes, const core::Progress& progress)
+Result<void> carryOut(const core::Recipe& recipe, SteadySession& session, RunKeyframes& keyframes,
+    const core::Progress& progress)
 {
     for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
         const Result<void> done = carryOutOne(recipe.steps[i], session, keyframes, progress);
@@ -137,11 +171,11 @@ Result<void> carryOut(const core::Recipe& recipe, core::EditSession& session,
 }
 
 Result<void> carryOutElsewhere(core::RecipeElsewhere& recipe,
-    const std::vector<core::RecipeElsewhere::LeftOut>& toldBefore, core::EditSession& session,
+    const std::vector<core::RecipeElsewhere::LeftOut>& toldBefore, SteadySession& session,
     RunKeyframes& keyframes, const core::Progress& progress)
 {
     for (std::size_t i = 0; i < recipe.recorded().steps.size(); ++i) {
-        const core::Document before = session.document();
+        const core::Document before = session.session().document();
         const tl::expected<core::Edit, core::RecipeElsewhere::LeftOut> edit =
             recipe.here(i, before);
         if (!edit) {
@@ -158,7 +192,7 @@ Result<void> carryOutElsewhere(core::RecipeElsewhere& recipe,
             carryOutOne(core::RecipeStep(*edit), session, keyframes, progress);
         if (!done)
             return at(int(i) + 1, done.error());
-        recipe.carriedOut(i, before, session.document());
+        recipe.carriedOut(i, before, session.session().document());
     }
     keyframes.close();
     return {};

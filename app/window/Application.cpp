@@ -3,6 +3,7 @@
 
 #include "app/steps/SessionFiles.h"
 #include "app/window/DemonstrationStudy.h"
+#include "app/window/LostContext.h"
 #include "core/base/Guarded.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/session/SessionStorage.h"
@@ -191,6 +192,8 @@ void Application::makeWindow()
     connect(&window, &ui::MainWindow::demonstrationAsked, this, &Application::openDemonstration);
     connect(&window.opener(), &ui::StudyOpener::loaded, this, &Application::openStudy);
     connect(&window.opener(), &ui::StudyOpener::sessionLoaded, this, &Application::openSession);
+    new LostContext(
+        window, [this] { return makeRoom(); }, this);
     window.offerSessionsIn(sessionFolder());
 }
 
@@ -331,6 +334,8 @@ core::Result<void> Application::take(SessionOpening& opening, const QString& fil
 {
     if (!opening.session && opening.plan && !opening.plan->redo.empty()) {
         withdraw(*opening.plan, file);
+        if (opening.session.error().code == core::ErrorCode::ContextLost)
+            return tl::unexpected(opening.session.error());
         m_notRedone.insert(file);
         m_window->opener().openSession(file);
         return core::failure(core::ErrorCode::Cancelled);

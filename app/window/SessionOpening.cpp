@@ -20,6 +20,12 @@ std::shared_ptr<SessionOpening> SessionOpening::make(
     opening->file = wish.file;
     opening->contents = wish.contents;
     opening->notFromStudy = loaded.notFromStudy;
+    if (engine.isContextLost()) {
+        if (const core::Result<void> renewed = engine.renew(); !renewed) {
+            opening->session = tl::unexpected(renewed.error());
+            return opening;
+        }
+    }
     if (!opening->contents && QFileInfo::exists(wish.file)) {
         auto contents = core::checkSession(wish.file);
         if (!contents) {

@@ -32,8 +32,9 @@ struct SessionOpening {
         std::function<void()> wakeUp; ///< of the session
     };
 
-    /// The engine takes the volume in, and the file is begun or gone on with. Blocks for as long;
-    /// any thread, one call at a time, while no session uses the engine.
+    /// The engine, made anew where its context is lost, takes the volume in, and the file is begun
+    /// or gone on with. Blocks for as long; any thread, one call at a time, while no session uses
+    /// the engine.
     [[nodiscard]] static std::shared_ptr<SessionOpening> make(
         gpu::GpuEngine& engine, core::LoadedVolume loaded, const Wish& wish);
 
@@ -42,7 +43,8 @@ struct SessionOpening {
     SessionOpening& operator=(const SessionOpening&) = delete;
     ~SessionOpening();
 
-    /// Errors: of planFor(), openPlanned(), core::checkSession() and EditSession::create().
+    /// Errors: of planFor(), openPlanned(), core::checkSession(), EditSession::create() and
+    /// GpuEngine::renew().
     core::Result<std::unique_ptr<core::EditSession>> session = nullptr;
     QString file; ///< of the session
     std::shared_ptr<const core::SessionContents> contents; ///< of the file there was; null: none

@@ -47,6 +47,7 @@ enum class ErrorCode {
     GraphicsUnavailable,
     OutOfMemory,
     EngineLost, ///< its voxels are not the session's any more; argument 0: why
+    ContextLost, ///< the graphics driver gave its context up, and all in it; argument 0: why
     Cancelled,
     Internal,
     // Other machines (PACS): argument 0 is the node, as PacsNode::name() has it.

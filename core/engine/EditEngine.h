@@ -18,7 +18,9 @@ namespace core {
 /// holds them to equal results, to the bit.
 ///
 /// A result with an error is of a command that has changed nothing: of an edit, as a whole. After
-/// EngineLost every command is refused until a volume is opened.
+/// EngineLost every command is refused until a volume is opened; after ContextLost for ever, and so
+/// is any volume: another engine has to be made. That it came to this is told at once, by a result
+/// that bears ticket 0, whether or not anything was asked.
 ///
 /// All members are called from one thread, the session's.
 class EditEngine {
@@ -27,8 +29,9 @@ public:
 
     /// Replace everything by a volume with empty fields. Waits until it is there.
     /// @param codes x fastest, then y, then z; size.x · size.y · size.z of them
-    /// Errors: InvalidGeometry (another number of codes, or none), OutOfMemory.
-    virtual Result<void> openVolume(const glm::ivec3& size, std::span<const std::uint16_t> codes) = 0;
+    /// Errors: InvalidGeometry (another number of codes, or none), OutOfMemory, ContextLost.
+    virtual Result<void> openVolume(
+        const glm::ivec3& size, std::span<const std::uint16_t> codes) = 0;
 
     virtual Ticket submit(EngineCommand command) = 0;
     /// Results that are ready, oldest first; possibly none.
@@ -43,6 +46,7 @@ public:
 };
 
 /// Begin, tell everything, commit: an edit in one go. Returns the ticket that bears the result.
-Ticket submitWhole(EditEngine& engine, EngineEdit edit, std::vector<EngineExtension> extensions = {});
+Ticket submitWhole(
+    EditEngine& engine, EngineEdit edit, std::vector<EngineExtension> extensions = {});
 
 } // namespace core

@@ -72,6 +72,9 @@ void EditTransaction::abandon(const core::Error& why)
     if (m_work)
         m_work->abandon();
     m_work.reset();
+    // Then there is nothing to put back, nor anywhere to put it.
+    if (why.code == core::ErrorCode::ContextLost)
+        throw ContextLost(why);
     constexpr int tries = 3;
     for (int i = 0; i < tries; ++i) {
         try {

@@ -3,6 +3,7 @@
 
 #include "core/growth/SeedWord.h"
 #include "gpu/fields/BrickImages.h"
+#include "gpu/gl/GlFailure.h"
 
 #include <algorithm>
 #include <chrono>
@@ -126,6 +127,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::TraceTolerance& comma
     while (!m_trace->done() && (command.toTheEnd || millisecondsSince(start) < sliceMilliseconds)) {
         const Clock::time_point before = Clock::now();
         m_trace->advance(m_tracedAtOnce);
+        requireNoError(); // in a lost context it would go on for ever
         const double milliseconds = millisecondsSince(before);
         if (milliseconds > sliceMilliseconds)
             m_tracedAtOnce = std::max(m_tracedAtOnce / 2, leastTraced);

@@ -41,6 +41,10 @@ core::Result<void> GpuEditEngine::openVolume(
     finish();
     core::Result<void> opened;
     m_thread.run([&] {
+        if (contextLost()) {
+            opened = tl::unexpected(*m_lost);
+            return;
+        }
         close();
         m_lost.reset();
         try {
@@ -56,6 +60,8 @@ core::Result<void> GpuEditEngine::openVolume(
             opened = tl::unexpected(errorBeingHandled());
             close();
             m_textures.close();
+            if (opened.error().code == core::ErrorCode::ContextLost)
+                lose(opened.error());
         }
         publishProgress();
     });
@@ -73,10 +79,17 @@ void GpuEditEngine::close()
 /// What the GPU holds is not what the session says: nothing more is read from it or written.
 void GpuEditEngine::lose(const core::Error& why)
 {
+    if (contextLost())
+        return;
     qCCritical(core::log, "What was open is lost on the graphics processor: %s",
         qUtf8Printable(why.arguments.join(QStringLiteral(": "))));
     close();
     m_lost = core::Error{core::ErrorCode::EngineLost, why.arguments};
+    if (why.code != core::ErrorCode::ContextLost)
+        return;
+    m_warmUp.reset();
+    m_lost = why;
+    deliver({.error = why}); // nobody may be asking
 }
 
 core::Ticket GpuEditEngine::submit(core::EngineCommand command)
@@ -182,9 +195,10 @@ void GpuEditEngine::followUpLater(const core::Error& why)
 {
     constexpr int patience = 20;
     constexpr std::chrono::milliseconds pause{100};
-    if (!m_fields)
+    const bool forGood = why.code == core::ErrorCode::ContextLost;
+    if (!m_fields && !forGood)
         return;
-    if (++m_followUpsFailed > patience) {
+    if (forGood || ++m_followUpsFailed > patience) {
         m_followUpsFailed = 0;
         lose(why);
         publishProgress();
@@ -198,6 +212,8 @@ void GpuEditEngine::abandon(const core::Error& why)
 {
     try {
         m_transaction->abandon(why);
+    } catch (const ContextLost& lost) {
+        lose(lost.error());
     } catch (const FieldsLost&) {
         lose(why);
     }

@@ -22,7 +22,8 @@ namespace gpu {
 ///
 /// Where the GPU refuses memory or a command, what was asked is refused and every brick put back
 /// (gl/GlFailure.h): no result without an error is of an edit that failed. Where even that fails,
-/// every command is refused until a volume is opened.
+/// every command is refused until a volume is opened. A context that is lost is told once by a
+/// result of no command, and everything is refused from then on.
 ///
 /// The EditEngine members belong to the session's thread, the EditWorker members to the engine's.
 class GpuEditEngine final : public core::EditEngine, public EditWorker {
@@ -58,6 +59,10 @@ private:
     static constexpr std::size_t mostTraced = 4096;
     void close();
     void lose(const core::Error& why);
+    [[nodiscard]] bool contextLost() const
+    {
+        return m_lost && m_lost->code == core::ErrorCode::ContextLost;
+    }
     void abandon(const core::Error& why);
     bool workUnguarded();
     void followUpLater(const core::Error& why);

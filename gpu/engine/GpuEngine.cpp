@@ -119,9 +119,42 @@ core::Result<std::unique_ptr<GpuEngine>> GpuEngine::create(std::unique_ptr<GlCon
 GpuEngine::GpuEngine(std::unique_ptr<Implementation> implementation)
     : m_implementation(std::move(implementation))
 {
+    m_frames.setSource(&m_implementation->m_onThread->frames);
 }
 
-GpuEngine::~GpuEngine() = default;
+GpuEngine::~GpuEngine()
+{
+    m_frames.setSource(nullptr);
+}
+
+bool GpuEngine::isContextLost()
+{
+    bool lost = false;
+    m_implementation->m_thread.run([&lost] {
+        try {
+            requireNoError();
+        } catch (const ContextLost&) {
+            lost = true;
+        } catch (const GlFailure&) {
+            // Of no matter here: every slice looks at its own end.
+        }
+    });
+    return lost;
+}
+
+core::Result<void> GpuEngine::renew()
+{
+    return core::guarded([this]() -> core::Result<void> {
+        auto made = create();
+        if (!made)
+            return tl::unexpected(made.error());
+        // Only one of the two hands on to it.
+        (*made)->m_frames.setSource(nullptr);
+        m_frames.setSource(&(*made)->m_implementation->m_onThread->frames);
+        m_implementation.swap((*made)->m_implementation);
+        return {};
+    });
+}
 
 core::EditEngine& GpuEngine::edits()
 {
@@ -130,7 +163,7 @@ core::EditEngine& GpuEngine::edits()
 
 FrameSource& GpuEngine::frames()
 {
-    return m_implementation->m_onThread->frames;
+    return m_frames;
 }
 
 void GpuEngine::setVolumeGeometry(

@@ -14,6 +14,7 @@
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/growth/SeedWord.h"
+#include "gpu/gl/GlFailure.h"
 
 #include <array>
 #include <bit>
@@ -108,8 +109,10 @@ void KernelWarmUp::run(const core::EngineEdit& edit,
         if (!(*transaction)->extend(extension))
             break;
     }
-    while ((*transaction)->hasStepsLeft())
+    while ((*transaction)->hasStepsLeft()) {
         (*transaction)->advance(GrowthKernel::ringsPerBatch);
+        requireNoError(); // in a lost context it would go on for ever
+    }
     core::EngineResult result;
     if (ending == core::Ending::Commit)
         (*transaction)->commit(result);
@@ -197,8 +200,10 @@ void KernelWarmUp::runTolerance()
     // What has grown stands on its seed.
     auto kernel = ToleranceKernel::begin(
         m_programs.tolerance, *m_fields, {.plane = 0, .label = label, .connectivity = 6});
-    while (kernel && !(*kernel)->done())
+    while (kernel && !(*kernel)->done()) {
         (*kernel)->advance(std::size_t(m_fields->grid().brickCount()));
+        requireNoError();
+    }
     m_fields->dropTolerance();
 }
 

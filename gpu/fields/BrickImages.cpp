@@ -149,6 +149,8 @@ void putBackImages(VoxelFields& fields, const std::vector<core::BrickImage>& ima
                 writeImages(fields, some);
                 requireNoError();
                 return true;
+            } catch (const ContextLost&) {
+                throw;
             } catch (const std::exception&) {
                 // Whatever of it was written is written again.
             }

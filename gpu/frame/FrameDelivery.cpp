@@ -2,6 +2,7 @@
 #include "gpu/frame/FrameDelivery.h"
 
 #include "gpu/fields/textures/VolumeTextures.h"
+#include "gpu/gl/GlFailure.h"
 
 #include <cstring>
 #include <memory>
@@ -52,6 +53,15 @@ void FrameDelivery::awaitFirst()
         m_sent.begin()->second.fence.wait();
 }
 
+std::set<ViewId> FrameDelivery::takeViews()
+{
+    std::set<ViewId> views;
+    for (const auto& [view, sent] : m_sent)
+        views.insert(view);
+    m_sent.clear();
+    return views;
+}
+
 int FrameDelivery::deliver(const std::map<ViewId, ViewProgress>& views)
 {
     int handed = 0;
@@ -60,6 +70,7 @@ int FrameDelivery::deliver(const std::map<ViewId, ViewProgress>& views)
             ++it;
             continue;
         }
+        requireContext(); // else what lies there is no picture
         Frame frame = std::move(it->second.frame);
         const auto view = views.find(it->first);
         it = m_sent.erase(it);

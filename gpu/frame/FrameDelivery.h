@@ -6,6 +6,7 @@
 #include "gpu/gl/Fence.h"
 
 #include <map>
+#include <set>
 
 namespace gpu {
 
@@ -28,7 +29,8 @@ public:
     [[nodiscard]] bool empty() const { return m_sent.empty(); }
     [[nodiscard]] bool contains(ViewId view) const { return m_sent.contains(view); }
     void forget(ViewId view) { m_sent.erase(view); }
-    void clear() { m_sent.clear(); }
+    /// Nothing is on its way any more. @return whose pictures were
+    [[nodiscard]] std::set<ViewId> takeViews();
 
 private:
     struct Sent {

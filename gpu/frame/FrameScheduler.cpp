@@ -85,6 +85,10 @@ bool FrameScheduler::work(bool editing)
         const core::Error error = errorBeingHandled();
         // Where there is no memory to say so either, the next request begins anew.
         static_cast<void>(core::guarded([&] { giveUp(error); }));
+        // The edits look for it in the thread's next turn, and tell it.
+        if (error.code == core::ErrorCode::ContextLost && !std::exchange(m_contextLost, true)
+            && m_wake)
+            m_wake();
         return false;
     }
 }
@@ -93,9 +97,9 @@ bool FrameScheduler::work(bool editing)
 void FrameScheduler::giveUp(const core::Error& why)
 {
     m_flying.reset();
-    m_delivery.clear();
+    const std::set<ViewId> undelivered = m_delivery.takeViews();
     for (auto& [id, view] : m_views) {
-        if (view.stage == ViewProgress::Stage::Done)
+        if (view.stage == ViewProgress::Stage::Done && !undelivered.contains(id))
             continue;
         view.giveUp();
         m_mail.hand({.view = id, .scene = view.request.scene, .failure = why});

@@ -99,6 +99,7 @@ private:
     std::map<ViewId, ViewProgress> m_views;
     TileCosts m_costs;
     std::optional<Flying> m_flying;
+    bool m_contextLost = false; ///< and the edits know
     std::chrono::steady_clock::time_point m_landed; ///< when a tile was last done
     std::uint64_t m_turn = 0;
     Counters m_counters;

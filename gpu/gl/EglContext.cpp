@@ -82,6 +82,21 @@ QString whatThereIs(EGLDisplay display, EGLConfig config)
     return told;
 }
 
+/// @param robust out of bounds nothing is harmed, and a reset is told as a lost context
+EGLContext makeContext(
+    EGLDisplay display, EGLConfig config, const EglContextOptions& options, bool robust)
+{
+    // The names of OpenGL; those of EGL_EXT_create_context_robustness itself are for OpenGL ES.
+    const EGLint flags = (options.debug ? EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR : 0)
+        | (robust ? EGL_CONTEXT_OPENGL_ROBUST_ACCESS_BIT_KHR : 0);
+    const std::array<EGLint, 11> attributes{EGL_CONTEXT_MAJOR_VERSION_KHR, 4,
+        EGL_CONTEXT_MINOR_VERSION_KHR, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR, EGL_CONTEXT_FLAGS_KHR, flags,
+        robust ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR : EGL_NONE,
+        EGL_LOSE_CONTEXT_ON_RESET_KHR, EGL_NONE};
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+}
+
 /// @return why not, empty when it worked
 QString createOn(EGLDisplay display, const EglContextOptions& options, EGLContext& context)
 {
@@ -92,10 +107,6 @@ QString createOn(EGLDisplay display, const EglContextOptions& options, EGLContex
         return QStringLiteral("EGL_KHR_surfaceless_context is missing");
     if (!eglBindAPI(EGL_OPENGL_API))
         return QStringLiteral("no desktop OpenGL");
-    const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION_KHR, 4,
-        EGL_CONTEXT_MINOR_VERSION_KHR, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
-        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR, EGL_CONTEXT_FLAGS_KHR,
-        options.debug ? EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR : 0, EGL_NONE};
     EGLConfig config = nullptr;
     if (!hasWord(extensions, "EGL_KHR_no_config_context")) {
         const std::array<EGLint, 3> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
@@ -103,7 +114,10 @@ QString createOn(EGLDisplay display, const EglContextOptions& options, EGLContex
         if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count == 0)
             return QStringLiteral("no framebuffer configuration");
     }
-    context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+    if (hasWord(extensions, "EGL_EXT_create_context_robustness"))
+        context = makeContext(display, config, options, true);
+    if (context == EGL_NO_CONTEXT)
+        context = makeContext(display, config, options, false);
     return context == EGL_NO_CONTEXT ? whatThereIs(display, config) : QString();
 }
 

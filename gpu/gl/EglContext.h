@@ -13,7 +13,8 @@ struct EglContextOptions {
 };
 
 /// A context without a window: the first hardware device of EGL_EXT_platform_device that gives
-/// OpenGL 4.5 core, else Mesa's surfaceless platform (llvmpipe).
+/// OpenGL 4.5 core, else Mesa's surfaceless platform (llvmpipe). Where the driver grants it, with
+/// robust access, and told when the graphics processor is reset (ContextLost in gl/GlFailure.h).
 class EglContext : public GlContext {
 public:
     /// Errors: GraphicsUnavailable("EGL", reason). Any thread; not yet current.

@@ -12,19 +12,59 @@ namespace {
 /// A lost context reports itself for ever.
 constexpr int mostErrors = 64;
 
-/// The first of the errors since the last look, GL_NO_ERROR if there is none.
-GLenum takeErrors()
+/// Why this thread's context is lost; null: it is not. A driver may tell of it only once, and a
+/// thread keeps its context from start to end.
+thread_local const char* whyLost = nullptr;
+
+const char* reasonOf(GLenum resetStatus)
 {
-    const GLenum first = glGetError();
-    GLenum next = first;
-    for (int i = 0; i < mostErrors && next != GL_NO_ERROR; ++i)
-        next = glGetError();
-    return first;
+    switch (resetStatus) {
+    case GL_GUILTY_CONTEXT_RESET:
+        return "the graphics processor was reset in the middle of it";
+    case GL_INNOCENT_CONTEXT_RESET:
+        return "the graphics processor was reset because of another program";
+    case GL_UNKNOWN_CONTEXT_RESET:
+        return "the graphics processor was reset";
+    default:
+        return "its OpenGL context was lost";
+    }
 }
 
 core::Error error(core::ErrorCode code, const QString& text)
 {
     return {code, {text}};
+}
+
+/// @param told by an error
+void throwIfLost(bool told)
+{
+    if (whyLost == nullptr) {
+        // Without robust access a driver says nothing here; then errors may tell.
+        const GLenum status = glGetGraphicsResetStatus();
+        if (told || status != GL_NO_ERROR)
+            whyLost = reasonOf(status);
+    }
+    if (whyLost != nullptr)
+        throw ContextLost(error(core::ErrorCode::ContextLost, QLatin1String(whyLost)));
+}
+
+/// The first of the errors since the last look, GL_NO_ERROR if there is none. Throws ContextLost
+/// where one of them, or a look before, says so.
+GLenum takeErrors()
+{
+    if (whyLost != nullptr)
+        throwIfLost(true);
+    const GLenum first = glGetError();
+    GLenum next = first;
+    bool lost = false;
+    for (int i = 0; i < mostErrors && next != GL_NO_ERROR; ++i) {
+        lost = lost || next == GL_CONTEXT_LOST;
+        next = glGetError();
+    }
+    // Whatever fails may be what comes of it.
+    if (first != GL_NO_ERROR)
+        throwIfLost(lost);
+    return first;
 }
 
 QString megabytes(std::size_t bytes)
@@ -70,13 +110,15 @@ void requireMemory(const char* label)
     if (takeErrors() == GL_OUT_OF_MEMORY)
         throw GlFailure(error(core::ErrorCode::OutOfMemory,
             QStringLiteral("the graphics driver has no more for “%1”").arg(QLatin1String(label))));
+    throwIfLost(false);
 }
 
 void requireNoError()
 {
-    switch (const GLenum code = takeErrors()) {
+    const GLenum code = takeErrors();
+    switch (code) {
     case GL_NO_ERROR:
-        return;
+        return throwIfLost(false); // a driver may say so without an error
     case GL_OUT_OF_MEMORY:
         throw GlFailure(error(
             core::ErrorCode::OutOfMemory, QStringLiteral("the graphics processor has no more")));
@@ -85,6 +127,11 @@ void requireNoError()
             QStringLiteral("the graphics driver refused a command (0x%1)")
                 .arg(code, 4, 16, QLatin1Char('0'))));
     }
+}
+
+void requireContext()
+{
+    throwIfLost(false);
 }
 
 } // namespace gpu

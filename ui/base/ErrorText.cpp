@@ -141,6 +141,10 @@ QString errorText(const core::Error& error)
             "the graphics processor failed (%1); close the study and open it again: "
             "every step so far is in its session")
             .arg(first);
+    case ErrorCode::ContextLost:
+        return QStringLiteral("the graphics driver broke off its work (%1); every step so far is "
+                              "in its session, which opens again where it stood")
+            .arg(first);
     case ErrorCode::Cancelled:
         return QStringLiteral("cancelled");
     case ErrorCode::Internal:

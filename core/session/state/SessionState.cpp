@@ -2,7 +2,10 @@
 #include "core/session/state/SessionState.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/surface/WriteBack.h"
 #include "core/session/names/RowName.h"
 
 #include <QJsonDocument>
@@ -268,6 +271,7 @@ bool SessionState::noteResult(const EngineResult& result)
     const bool known = !required.empty();
     if (result.error && !m_lost) {
         if (result.error->code == ErrorCode::EngineLost
+            || result.error->code == ErrorCode::ContextLost
             || (known && required.mapped().tries >= mostTries)) {
             lose(*result.error);
         } else if (known) {
@@ -294,6 +298,8 @@ void SessionState::lose(const Error& why)
                           {why.arguments.value(0)
                               + QStringLiteral("; close the study and open it again: every step so "
                                                "far is in its session")}};
+    if (why.code == ErrorCode::ContextLost)
+        m_lost = why;
     m_required.clear();
     m_afterRequired = {};
     fail(*m_lost);
