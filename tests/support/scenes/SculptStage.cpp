@@ -10,6 +10,7 @@
 #include <condition_variable>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 namespace test {
 
@@ -164,8 +165,12 @@ std::vector<glm::ivec3> SculptStage::seenVoxels(
     const glm::dvec3 spacing = geometry.spacingMm();
     const double step = std::min({spacing.x, spacing.y, spacing.z}) / 2.0;
     core::EditEngine& engine = m_engine->edits();
-    const core::Ticket ticket =
-        engine.submit(ui::pickQuestion(scene, ui::alongPath(pathMm, step), m_study.volume));
+    core::PickQuestion question =
+        ui::pickQuestion(scene, ui::alongPath(pathMm, step), m_study.volume);
+    const core::Ticket ticket = engine.submit(core::PickVoxels{.rays = std::move(question.rays),
+        .seenBy = question.seenBy,
+        .thresholdCode = question.thresholdCode,
+        .opacityOfCode = std::move(question.opacityOfCode)});
     engine.finish();
     std::vector<glm::ivec3> voxels;
     for (const core::EngineResult& result : engine.collect()) {
