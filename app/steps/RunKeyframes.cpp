@@ -76,6 +76,12 @@ void RunKeyframes::keep()
     gpu::VolumeScene scene = ui::volumeScene(camera, ui::initialVolumeDisplay(volume));
     for (const core::Piece& piece : document.pieces)
         scene.pieces.push_back(ui::scenePiece(piece, document));
+    {
+        // A picture that came too late for the row before is none of this one.
+        const std::lock_guard lock(m_mutex);
+        m_picture.reset();
+        m_answered = false;
+    }
     m_frames.request({.view = view,
         .sizePixels = {size.width(), size.height()},
         .scene = scene,

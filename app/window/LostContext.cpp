@@ -3,11 +3,14 @@
 
 #include "core/repair/SeriesRepair.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionStorage.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/window/MainWindow.h"
 #include "ui/workspace/Workspace.h"
 
+#include <QApplication>
 #include <QFileInfo>
+#include <QTimer>
 
 #include <utility>
 
@@ -15,10 +18,10 @@ namespace app {
 
 namespace {
 
-QString whatIsKept(const core::EditSession& session)
+QString whatIsKept(core::EditSession& session)
 {
     const core::RowId position = session.history().position();
-    if (session.whyNoFile())
+    if (session.storage().whyNoFile())
         return QStringLiteral("Its steps were in memory only");
     if (session.history().rows().empty())
         return QStringLiteral("No step had been done");
@@ -28,7 +31,7 @@ QString whatIsKept(const core::EditSession& session)
               .arg(session.history().row(position).name);
 }
 
-QString sentenceFor(const core::Error& error, const core::EditSession& session)
+QString sentenceFor(const core::Error& error, core::EditSession& session)
 {
     return QStringLiteral("The graphics driver broke off its work (%1), so the study was closed. "
                           "%2; what was under way is not done.")
@@ -63,11 +66,17 @@ void LostContext::note(const core::Error& error)
 void LostContext::close(const core::Error& error)
 {
     const ui::Workspace& workspace = m_window.workspace();
-    // What is being opened closes it.
-    if (workspace.session() && !m_window.opener().busy()) {
+    // A dialog may be waiting for an answer with the session in its hands; what is being opened
+    // closes the session, unless it is called off.
+    if (QApplication::activeModalWidget() || m_window.opener().busy()) {
+        constexpr int soon = 200; // ms
+        QTimer::singleShot(soon, this, [this, error] { close(error); });
+        return;
+    }
+    if (workspace.session()) {
         // By then it may have been saved elsewhere.
         const auto closing = connect(&workspace, &ui::Workspace::sessionClosing, this, [&] {
-            const core::EditSession& session = *workspace.session();
+            core::EditSession& session = *workspace.session();
             const core::Volume& volume = session.document().volumes.front();
             m_offer = {.sentence = sentenceFor(error, session),
                 .session = session.file(),

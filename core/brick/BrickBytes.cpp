@@ -3,6 +3,7 @@
 
 #include "core/brick/ThreadWithoutVoxels.h"
 
+#include <atomic>
 #include <utility>
 
 namespace core {
@@ -27,6 +28,8 @@ std::vector<std::uint8_t>& BrickBytes::write()
         m_bytes = std::make_shared<std::vector<std::uint8_t>>();
     else if (m_bytes.use_count() > 1)
         m_bytes = std::make_shared<std::vector<std::uint8_t>>(*m_bytes);
+    else
+        std::atomic_thread_fence(std::memory_order_acquire); // of whoever let go of it last
     return *m_bytes;
 }
 

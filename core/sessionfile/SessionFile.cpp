@@ -112,8 +112,9 @@ bool SessionFile::isNamedAt(const QString& path)
 
 void SessionFile::addRow(const HistoryRow& row)
 {
-    post({.carryOut = [text = RowText::of(row)](
-                          SessionTables& tables) { return tables.addRow(text); },
+    // Its text may be long, with the voxels of a mask; the writer has the time for it.
+    post({.carryOut = [shared = std::make_shared<const HistoryRow>(row)](
+                          SessionTables& tables) { return tables.addRow(RowText::of(*shared)); },
         .isStep = true});
 }
 

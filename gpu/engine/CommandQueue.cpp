@@ -65,7 +65,8 @@ bool CommandQueue::takeNext(Waiting& next, EditTransaction* open)
     const auto* end = std::get_if<core::EndEdit>(&m_waiting.front().command);
     if (end && end->ending == core::Ending::Commit && open && open->hasStepsLeft())
         return false;
-    m_results.reserve(m_results.size() + 1); // a command that is taken is answered
+    // A command that is taken is answered, also where the engine has to tell a loss before.
+    m_results.reserve(m_results.size() + 2);
     next = std::move(m_waiting.front());
     m_waiting.pop_front();
     m_busy = true;

@@ -43,9 +43,19 @@ GpuEditEngine::Outcome GpuEditEngine::put(const core::LabelGuard& guard,
         return tl::unexpected(checked.error());
     hideTolerance();
     m_foresight.forget();
+    std::vector<core::BrickImage> held;
+    held.reserve(images.size());
     core::EngineResult result;
     result.changes = exchangeImages(*m_fields, now, std::move(images));
-    result.facts = core::factsOf(result.changes, m_fields->grid());
+    try {
+        result.facts = core::factsOf(result.changes, m_fields->grid());
+    } catch (const std::exception&) {
+        // No memory to count in: what is refused has changed nothing.
+        for (const core::BrickChange& change : result.changes)
+            held.push_back({.key = change.key, .bytes = change.before});
+        putBackImages(*m_fields, held);
+        throw;
+    }
     result.statistics = core::statisticsOf(result.facts);
     return result;
 }

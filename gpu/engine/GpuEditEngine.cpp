@@ -87,9 +87,9 @@ void GpuEditEngine::lose(const core::Error& why)
     m_lost = core::Error{core::ErrorCode::EngineLost, why.arguments};
     if (why.code != core::ErrorCode::ContextLost)
         return;
-    m_warmUp.reset();
+    m_idleWork.stop();
     m_lost = why;
-    deliver({.error = why}); // nobody may be asking
+    m_queue.deliver({.error = why}); // nobody may be asking
 }
 
 core::Ticket GpuEditEngine::submit(core::EngineCommand command)

@@ -16,6 +16,8 @@ public:
 
     /// Has kernels run for volumes of such a size, once each.
     void warmUp(const glm::ivec3& volumeSize);
+    /// Nothing is made ready any more.
+    void stop() { m_warmUp.reset(); }
     /// One slice. @param fields null: no volume is open. @param editing a pen may be down
     /// @return whether more is to do
     [[nodiscard]] bool doSome(VoxelFields* fields, bool editing);

@@ -53,15 +53,6 @@ void FrameDelivery::awaitFirst()
         m_sent.begin()->second.fence.wait();
 }
 
-std::set<ViewId> FrameDelivery::takeViews()
-{
-    std::set<ViewId> views;
-    for (const auto& [view, sent] : m_sent)
-        views.insert(view);
-    m_sent.clear();
-    return views;
-}
-
 int FrameDelivery::deliver(const std::map<ViewId, ViewProgress>& views)
 {
     int handed = 0;

@@ -6,7 +6,6 @@
 #include "gpu/gl/Fence.h"
 
 #include <map>
-#include <set>
 
 namespace gpu {
 
@@ -29,8 +28,7 @@ public:
     [[nodiscard]] bool empty() const { return m_sent.empty(); }
     [[nodiscard]] bool contains(ViewId view) const { return m_sent.contains(view); }
     void forget(ViewId view) { m_sent.erase(view); }
-    /// Nothing is on its way any more. @return whose pictures were
-    [[nodiscard]] std::set<ViewId> takeViews();
+    void clear() { m_sent.clear(); }
 
 private:
     struct Sent {

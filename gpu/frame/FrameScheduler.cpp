@@ -97,13 +97,14 @@ bool FrameScheduler::work(bool editing)
 void FrameScheduler::giveUp(const core::Error& why)
 {
     m_flying.reset();
-    const std::set<ViewId> undelivered = m_delivery.takeViews();
     for (auto& [id, view] : m_views) {
-        if (view.stage == ViewProgress::Stage::Done && !undelivered.contains(id))
+        if (view.stage == ViewProgress::Stage::Done && !m_delivery.contains(id))
             continue;
+        m_delivery.forget(id);
         view.giveUp();
         m_mail.hand({.view = id, .scene = view.request.scene, .failure = why});
     }
+    m_delivery.clear();
 }
 
 bool FrameScheduler::workUnguarded(bool editing)

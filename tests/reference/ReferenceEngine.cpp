@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/ReferenceEngine.h"
 
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/growth/SeedWord.h"
 #include "tests/reference/GrowthCut.h"
 #include "tests/reference/LayerWrites.h"
@@ -37,6 +38,7 @@ core::Result<void> ReferenceEngine::openVolume(
 
 core::Ticket ReferenceEngine::submit(core::EngineCommand command)
 {
+    const core::VoxelsAllowed engine; // it has no thread of its own
     const core::Ticket ticket = ++m_lastTicket;
     Outcome outcome = std::visit([this](auto& known) { return carryOut(known); }, command);
     if (outcome && !*outcome)

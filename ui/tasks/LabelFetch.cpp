@@ -9,9 +9,20 @@
 
 namespace ui {
 
+namespace {
+
+core::Error editedMeanwhile()
+{
+    return {core::ErrorCode::Internal,
+        {QStringLiteral("export"), QStringLiteral("the study was edited meanwhile")}};
+}
+
+} // namespace
+
 void LabelFetch::start(
     core::EditSession& session, const std::set<std::uint8_t>& planes, core::Field field)
 {
+    m_assembling.cancel();
     session.closeGrowth();
     const glm::ivec3 size = session.document().volumes.front().geometry.size;
     m_work = std::make_shared<Work>(Work{session, {}});
@@ -34,11 +45,24 @@ void LabelFetch::askNext()
             return;
         ++work.current;
     }
-    std::vector<ExportJob::Plane> planes;
-    for (const auto& reader : work.readers)
-        planes.push_back({reader->plane(), reader->takeLabels()});
-    m_work.reset();
-    Q_EMIT finished(planes);
+    // Putting bricks together is work of its own.
+    m_assembling.replace(
+        this,
+        [readers = std::move(work.readers)] {
+            auto planes = std::make_shared<std::vector<ExportJob::Plane>>();
+            for (const auto& reader : readers)
+                planes->push_back({reader->plane(), reader->takeLabels()});
+            return planes;
+        },
+        [this](const core::Result<std::shared_ptr<std::vector<ExportJob::Plane>>>& planes) {
+            if (!planes)
+                return fail(planes.error());
+            const Work& done = *m_work;
+            if (done.position && done.session.history().position() != *done.position)
+                return fail(editedMeanwhile());
+            m_work.reset();
+            Q_EMIT finished(**planes);
+        });
 }
 
 void LabelFetch::take(const core::Result<void>& portion)
@@ -48,8 +72,7 @@ void LabelFetch::take(const core::Result<void>& portion)
     if (!work.position)
         work.position = position;
     if (*work.position != position)
-        return fail({core::ErrorCode::Internal,
-            {QStringLiteral("export"), QStringLiteral("the study was edited meanwhile")}});
+        return fail(editedMeanwhile());
     if (!portion)
         return fail(portion.error());
     int done = 0;

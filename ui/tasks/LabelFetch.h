@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Background.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/LabelReader.h"
 #include "ui/tasks/ExportJob.h"
@@ -26,7 +27,11 @@ public:
     void start(core::EditSession& session, const std::set<std::uint8_t>& planes,
         core::Field field = core::Field::Labels);
     /// Nothing is told any more.
-    void cancel() { m_work.reset(); }
+    void cancel()
+    {
+        m_assembling.cancel();
+        m_work.reset();
+    }
     [[nodiscard]] bool running() const { return m_work != nullptr; }
 
 Q_SIGNALS:
@@ -46,6 +51,7 @@ private:
     void fail(const core::Error& error);
 
     std::shared_ptr<Work> m_work;
+    core::Background m_assembling; ///< last: what it tells comes back to all of the above
 };
 
 } // namespace ui

@@ -66,7 +66,10 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
         });
     connect(&m_workspace, &Workspace::activeToolChanged, this, [this] { m_pointer.followTool(); });
     // Another study: what the tool showed under the pointer was for the one before.
-    connect(&m_workspace, &Workspace::sessionChanged, this, [this] { m_pointer.takeToolAway(); });
+    connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
+        m_pointer.takeToolAway();
+        m_requested = false; // what draws may be new
+    });
     connect(&m_workspace, &Workspace::cautionAcceptedChanged, this, [this] { update(); });
     qApp->installEventFilter(this); // proximity of a pen is told to the application alone
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "ui/base/Actions.h"
 #include "ui/settings/StudyOpener.h"
 #include "ui/workspace/Workspace.h"
@@ -92,6 +93,7 @@ private:
     void showSession();
     void showPages();
 
+    core::ThreadWithoutVoxels m_here; ///< what changes is handed on here, and not looked at
     Workspace& m_workspace;
     QString m_graphics;
     Actions m_actions;

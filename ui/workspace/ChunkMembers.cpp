@@ -32,11 +32,11 @@ void ChunkMembers::begin(std::shared_ptr<const ChunkLeaves> leaves, int segment)
 {
     ++m_count;
     m_leaves = std::move(leaves);
-    m_segment = segment;
     m_asking = false;
     m_dirty.clear();
     m_own.clear();
-    m_isOwn.clear();
+    m_counting.cancel();
+    m_voxels.reset();
     const core::EditSession* session = m_workspace.session();
     const core::Segment* its = session ? session->document().segment(segment) : nullptr;
     if (!m_leaves || !its) {
@@ -45,7 +45,10 @@ void ChunkMembers::begin(std::shared_ptr<const ChunkLeaves> leaves, int segment)
     }
     m_plane = its->plane;
     m_own.assign(m_leaves->voxels.size(), 0);
-    m_isOwn.assign(m_leaves->ofVoxel->size(), false);
+    m_voxels = std::make_shared<Voxels>(Voxels{.leaves = m_leaves,
+        .segment = segment,
+        .isOwn = std::vector<bool>(m_leaves->ofVoxel->size(), false),
+        .own = m_own});
     look(m_leaves->map->box());
 }
 
@@ -86,25 +89,33 @@ void ChunkMembers::askNext()
         });
 }
 
-void ChunkMembers::take(const std::vector<core::BrickImage>& bricks)
+void ChunkMembers::take(std::vector<core::BrickImage> bricks)
 {
-    m_asking = false;
-    bool changes = false;
-    for (const core::BrickImage& brick : bricks)
-        changes = takeBrick(brick) || changes;
-    askNext();
-    if (changes)
-        Q_EMIT changed();
+    m_counting.start(
+        this,
+        [voxels = m_voxels, bricks = std::move(bricks)] {
+            for (const core::BrickImage& brick : bricks)
+                voxels->take(brick);
+            return voxels->own;
+        },
+        [this](core::Result<std::vector<std::uint32_t>> own) {
+            m_asking = false;
+            const bool changes = own && *own != m_own;
+            if (changes)
+                m_own = *std::move(own);
+            askNext();
+            if (changes)
+                Q_EMIT changed();
+        });
 }
 
-bool ChunkMembers::takeBrick(const core::BrickImage& brick)
+void ChunkMembers::Voxels::take(const core::BrickImage& brick)
 {
-    const core::VoxelBox& box = m_leaves->map->box();
-    const core::BrickGrid grid{m_leaves->map->volumeSize()};
+    const core::VoxelBox& box = leaves->map->box();
+    const core::BrickGrid grid{leaves->map->volumeSize()};
     const core::VoxelBox part = common(grid.boxOf(int(brick.key.brick)), box);
     const glm::ivec3 size = box.maximum - box.minimum;
-    bool changes = false;
-    const std::vector<std::uint8_t>& labels = brick.after.read();
+    const std::vector<std::uint8_t>& labels = brick.bytes.read();
     for (int z = part.minimum.z; z < part.maximum.z; ++z) {
         for (int y = part.minimum.y; y < part.maximum.y; ++y) {
             const glm::ivec3 from(part.minimum.x, y, z);
@@ -114,19 +125,17 @@ bool ChunkMembers::takeBrick(const core::BrickImage& brick)
                 + std::size_t(within.x);
             auto offset = std::size_t(core::BrickGrid::offsetInBrick(from));
             for (int x = from.x; x < part.maximum.x; ++x, ++at, ++offset) {
-                const bool own = !brick.bytes.empty() && brick.bytes.read()[offset] == m_segment;
-                if (m_isOwn[at] == own)
+                const bool isIts = !labels.empty() && labels[offset] == segment;
+                if (isOwn[at] == isIts)
                     continue;
-                m_isOwn[at] = own;
-                const std::uint16_t leaf = (*m_leaves->ofVoxel)[at];
+                isOwn[at] = isIts;
+                const std::uint16_t leaf = (*leaves->ofVoxel)[at];
                 if (leaf == 0)
                     continue;
-                m_own[leaf - 1U] += own ? 1U : ~std::uint32_t(0);
-                changes = true;
+                own[leaf - 1U] += isIts ? 1U : ~std::uint32_t(0);
             }
         }
     }
-    return changes;
 }
 
 } // namespace ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Background.h"
 #include "core/brick/BrickGrid.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/settings/ChunkLeaves.h"
@@ -37,18 +38,27 @@ Q_SIGNALS:
 
 private:
     void askNext();
-    void take(const std::vector<core::BrickImage>& bricks);
-    [[nodiscard]] bool takeBrick(const core::BrickImage& brick);
+    void take(std::vector<core::BrickImage> bricks);
+
+    /// What is counted, beside the window: of the worker's thread while it counts.
+    struct Voxels {
+        std::shared_ptr<const ChunkLeaves> leaves;
+        int segment = 0;
+        std::vector<bool> isOwn; ///< by voxel of the box
+        std::vector<std::uint32_t> own; ///< by leaf
+
+        void take(const core::BrickImage& brick);
+    };
 
     Workspace& m_workspace;
     std::shared_ptr<const ChunkLeaves> m_leaves;
-    int m_segment = 0;
     std::uint8_t m_plane = 0;
     std::set<std::uint32_t> m_dirty; ///< bricks that are not asked about yet
-    std::vector<bool> m_isOwn; ///< by voxel of the box
     std::vector<std::uint32_t> m_own;
     bool m_asking = false;
     int m_count = 0; ///< of begin(): only answers to the present one matter
+    std::shared_ptr<Voxels> m_voxels;
+    core::Background m_counting; ///< last: what it tells comes back to all of the above
 };
 
 } // namespace ui

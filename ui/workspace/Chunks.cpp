@@ -51,6 +51,7 @@ Chunks::Chunks(Workspace& workspace)
         m_background.cancel();
         m_wanted.reset();
         m_leaves.reset();
+        m_members.begin(nullptr, 0);
         m_lit.clear();
         m_dividedAfter = std::numeric_limits<core::RowId>::max();
         if (m_look.shown) {

@@ -45,6 +45,7 @@ Pieces::Pieces(Workspace& workspace)
     , m_workspace(workspace)
 {
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_measuring.cancel();
         m_looks.clear();
         m_held = 0;
         m_active = 0;
@@ -163,38 +164,56 @@ void Pieces::measure(int layer, int segment, std::function<void(const Extent&)> 
         keys.push_back({.field = layer > 0 ? core::Field::Coverage : core::Field::Labels,
             .plane = std::uint8_t(layer),
             .brick = std::uint32_t(brick)});
-    m_workspace.session()->questions().bricks(std::move(keys),
-        [this, geometry, grid, segment, then = std::move(then)](
-            core::Result<std::vector<core::BrickImage>> answer) {
-            constexpr int side = core::BrickGrid::side;
-            const std::vector<core::BrickImage> bricks =
-                std::move(answer).value_or(std::vector<core::BrickImage>());
-            Extent extent;
-            glm::dvec3 low(1e300);
-            glm::dvec3 high(-1e300);
-            for (const core::BrickImage& brick : bricks) {
-                const glm::ivec3 origin = grid.brickPosition(int(brick.key.brick)) * side;
-                for (std::size_t i = 0; i < brick.bytes.size(); ++i) {
-                    const int value = brick.bytes.read()[i];
-                    if (segment > 0 ? value != segment : value < 128)
-                        continue;
-                    const glm::ivec3 local(
-                        int(i) % side, int(i) / side % side, int(i) / (side * side));
-                    const glm::dvec3 at = geometry.toWorld(glm::dvec3(origin + local));
-                    low = glm::min(low, at);
-                    high = glm::max(high, at);
-                    if ((local.x + local.y + local.z) % 3 == 0)
-                        extent.pointsLps.push_back(at);
-                }
-            }
-            if (extent.pointsLps.empty()) {
-                m_workspace.say(tr("There is nothing in it yet"));
-                return;
-            }
-            extent.middleLps = (low + high) / 2.0;
-            extent.sizeLps = high - low;
-            then(extent);
-        });
+    auto take = [this, geometry, segment, then = std::move(then)](
+                    core::Result<std::vector<core::BrickImage>> answer) {
+        if (!answer)
+            return m_workspace.fail(answer.error());
+        m_measuring.start(
+            this,
+            [bricks = *std::move(answer), geometry, segment] {
+                return extentOf(bricks, geometry, segment);
+            },
+            [this, then](const core::Result<Extent>& extent) {
+                if (!extent)
+                    m_workspace.fail(extent.error());
+                else if (extent->pointsLps.empty())
+                    m_workspace.say(tr("There is nothing in it yet"));
+                else if (m_workspace.session())
+                    then(*extent);
+            });
+    };
+    m_workspace.session()->questions().bricks(std::move(keys), std::move(take));
+}
+
+/// @param segment its label; 0: what is carved
+Pieces::Extent Pieces::extentOf(
+    const std::vector<core::BrickImage>& bricks, const core::VolumeGeometry& geometry, int segment)
+{
+    constexpr int side = core::BrickGrid::side;
+    const core::BrickGrid grid{geometry.size};
+    Extent extent;
+    glm::dvec3 low(1e300);
+    glm::dvec3 high(-1e300);
+    for (const core::BrickImage& brick : bricks) {
+        const glm::ivec3 origin = grid.brickPosition(int(brick.key.brick)) * side;
+        const std::vector<std::uint8_t>& values = brick.bytes.read();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const int value = values[i];
+            if (segment > 0 ? value != segment : value < 128)
+                continue;
+            const glm::ivec3 local(int(i) % side, int(i) / side % side, int(i) / (side * side));
+            const glm::dvec3 at = geometry.toWorld(glm::dvec3(origin + local));
+            low = glm::min(low, at);
+            high = glm::max(high, at);
+            if ((local.x + local.y + local.z) % 3 == 0)
+                extent.pointsLps.push_back(at);
+        }
+    }
+    if (!extent.pointsLps.empty()) {
+        extent.middleLps = (low + high) / 2.0;
+        extent.sizeLps = high - low;
+    }
+    return extent;
 }
 
 void Pieces::lift(int layer)

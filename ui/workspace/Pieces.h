@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Background.h"
 #include "core/base/Result.h"
 #include "core/brick/BrickGrid.h"
 #include "core/document/Piece.h"
@@ -82,6 +83,8 @@ private:
     };
     /// Asks the engine; @p then is not called where there is nothing.
     void measure(int layer, int segment, std::function<void(const Extent&)> then);
+    [[nodiscard]] static Extent extentOf(const std::vector<core::BrickImage>& bricks,
+        const core::VolumeGeometry& geometry, int segment);
     void apply(const core::ChangePiece& edit);
     void follow();
 
@@ -90,6 +93,7 @@ private:
     int m_active = 0;
     int m_held = 0;
     core::PiecePose m_heldPose;
+    core::Background m_measuring; ///< last: what it tells comes back to all of the above
 };
 
 } // namespace ui

@@ -44,6 +44,7 @@ public:
     void start(SessionState& state) override;
     void takeChunks(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
+    [[nodiscard]] bool awaitsChunks() const override { return m_awaited.has_value(); }
     [[nodiscard]] bool done() const override { return m_done; }
 
 private:

@@ -215,8 +215,8 @@ void OperationQueue::takeChunks()
 
 void OperationQueue::take(EngineResult&& result)
 {
-    if (m_state.noteResult(result))
-        return;
+    if (m_state.noteResult(result) || result.ticket == 0)
+        return; // 0: told by the engine, asked by nobody
     if (const auto asked = m_answers.find(result.ticket); asked != m_answers.end()) {
         const Answer answer = std::move(asked->second);
         m_answers.erase(asked);
@@ -292,7 +292,8 @@ Result<void> OperationQueue::waitUntilSettled()
     while (!settled()) {
         m_state.engine.finish();
         m_state.side->finish();
-        m_state.chunks->finish();
+        if (m_started && !m_operations.empty() && m_operations.front()->awaitsChunks())
+            m_state.chunks->finish();
         m_state.worker->finish();
         poll();
     }

@@ -232,7 +232,7 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
 void RevertOperation::loadNext(SessionState& state)
 {
     if (!m_toLoad.empty()) {
-        state.worker->load(m_toLoad.back());
+        state.worker->load(m_toLoad.back(), true);
         return;
     }
     if (const Result<void> checked = checkReach(state); !checked)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/operations/ReviseOperation.h"
 
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/engine/SparedSegments.h"
 #include "core/edits/kinds/parts/SparedSegments.h"
@@ -165,6 +166,7 @@ void ReviseOperation::takeDifferences(SessionState& state, Result<RowDifferences
 {
     if (!differences)
         return giveUp(state, differences.error());
+    const VoxelsAllowed folds; // one stroke at a time, still on this thread
     m_past.addDifferences(m_toLoad.back(), std::move(differences->images));
     m_toLoad.pop_back();
     loadNext(state);
@@ -190,6 +192,7 @@ void ReviseOperation::takeResult(SessionState& state, EngineResult&& result)
         return giveUp(
             state, withSegmentName(*std::exchange(m_refused, std::nullopt), state.document));
     }
+    const VoxelsAllowed folds;
     std::exchange(m_then, nullptr)(state, std::move(result));
 }
 
@@ -343,6 +346,7 @@ void ReviseOperation::finish(SessionState& state, EngineResult&& result)
 
 void ReviseOperation::giveUp(SessionState& state, const Error& error)
 {
+    const VoxelsAllowed folds;
     m_then = nullptr;
     m_past.restore(state);
     state.fail(error);

@@ -2,6 +2,7 @@
 #include "core/session/questions/VoxelQuestions.h"
 
 #include "core/base/Guarded.h"
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/questions/QuestionLine.h"
@@ -156,6 +157,7 @@ Result<std::vector<std::uint8_t>> VoxelQuestions::read(std::uint8_t plane, Field
             return tl::unexpected((*taken)->error());
         taken->reset();
     }
+    const VoxelsAllowed whoWaits;
     return reader->takeLabels();
 }
 

@@ -85,24 +85,29 @@ void CommitWorker::move(Changes changes)
     post([this, changes = std::move(changes)] { m_hash.update(*changes); });
 }
 
-void CommitWorker::load(RowId row)
+void CommitWorker::load(RowId row, bool words)
 {
     m_thread.post(
-        [this, row] {
-            report(
-                {.row = row, .deltaBytes = 0, .stateHash = {}, .differences = differencesOf(row)});
+        [this, row, words] {
+            report({.row = row,
+                .deltaBytes = 0,
+                .stateHash = {},
+                .differences = differencesOf(row, words)});
         },
         [this, row](
             const Error& error) { report({.row = row, .differences = tl::unexpected(error)}); });
 }
 
-Result<RowDifferences> CommitWorker::differencesOf(RowId row)
+Result<RowDifferences> CommitWorker::differencesOf(RowId row, bool words)
 {
     Result<std::vector<BrickImage>> images = imagesOf(row);
     if (!images)
         return tl::unexpected(images.error());
-    std::vector<ChangedWords> words = changedWords(*images, m_grid);
-    return RowDifferences{.images = *std::move(images), .words = std::move(words)};
+    RowDifferences differences;
+    if (words)
+        differences.words = changedWords(*images, m_grid);
+    differences.images = *std::move(images);
+    return differences;
 }
 
 Result<std::vector<BrickImage>> CommitWorker::imagesOf(RowId row)

@@ -46,8 +46,9 @@ public:
     void commit(RowId row, std::shared_ptr<const SurfaceStep> step, QByteArray documentJson);
     /// Undo or redo happened.
     void move(Changes changes);
-    /// Asks for the difference of a row that was committed.
-    void load(RowId row);
+    /// Asks for the difference of a row that was committed. @param words also where seed words
+    /// differ, which costs a look at all of them
+    void load(RowId row, bool words = false);
 
     [[nodiscard]] std::vector<Report> collect();
     void finish() { m_thread.finish(); }
@@ -59,7 +60,7 @@ private:
     void attempt(const std::function<void()>& work);
     void complete(RowId row, const QByteArray& documentJson, BrickDelta delta);
     void report(Report report);
-    [[nodiscard]] Result<RowDifferences> differencesOf(RowId row);
+    [[nodiscard]] Result<RowDifferences> differencesOf(RowId row, bool words);
     [[nodiscard]] Result<std::vector<BrickImage>> imagesOf(RowId row);
 
     BrickGrid m_grid;

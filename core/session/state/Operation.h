@@ -17,6 +17,8 @@ public:
     virtual void takeDifferences(SessionState&, Result<RowDifferences>&&) { }
     /// SessionState::chunks has something new.
     virtual void takeChunks(SessionState&) { }
+    /// It cannot go on until takeChunks().
+    [[nodiscard]] virtual bool awaitsChunks() const { return false; }
     [[nodiscard]] virtual bool done() const = 0;
     /// Something in one of the above has thrown @p error: what has begun is taken back, and told.
     /// @return false: it cannot be, the engine may hold what no row tells of

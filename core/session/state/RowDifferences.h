@@ -10,7 +10,7 @@ namespace core {
 /// What a row changed, as it comes from where it is kept.
 struct RowDifferences {
     std::vector<BrickImage> images; ///< XOR, every one with its bytes
-    std::vector<ChangedWords> words; ///< where in them seed words differ
+    std::vector<ChangedWords> words; ///< where in them seed words differ, if that was asked
 };
 
 } // namespace core

@@ -56,7 +56,7 @@ public:
             submitWhole(m_engine, burst(), {GrowAdvance{}});
             break;
         case Kind::Drill: {
-            const DrillStroke stroke = test::drillAt(0);
+            const DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
             const DrillCut cut = test::drillCutOf(stroke, m_document);
             submitWhole(m_engine, cut, {DrillPath{test::drillSamplesOf(stroke, cut)}});
             break;

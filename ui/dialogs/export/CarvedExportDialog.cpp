@@ -73,6 +73,7 @@ CarvedExportDialog::CarvedExportDialog(Workspace& workspace, QWidget* parent)
     connect(m_close, &QPushButton::clicked, this, &CarvedExportDialog::reject);
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
         m_fetch.cancel();
+        disconnect(&m_job, nullptr, this, nullptr); // it would tell of a study that is gone
         QDialog::reject();
     });
     connect(&m_fetch, &LabelFetch::progressed, this, [this](int done, int total) {

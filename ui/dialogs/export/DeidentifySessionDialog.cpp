@@ -83,6 +83,7 @@ DeidentifySessionDialog::DeidentifySessionDialog(Workspace& workspace, QWidget* 
     connect(m_close, &QPushButton::clicked, this, &DeidentifySessionDialog::reject);
     connect(&m_job, &BackgroundJob::ended, this, &DeidentifySessionDialog::showRunning);
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
+        m_waits = false;
         m_job.cancel();
         QDialog::reject();
     });

@@ -117,7 +117,7 @@ void SessionSaver::save(const Choice& choice, std::function<void(bool)> done)
 {
     core::EditSession* session = m_workspace.session();
     if (!session)
-        return;
+        return done ? done(false) : void();
     if (choice.images && !session->storage().holdsImages())
         stage(choice, std::move(done));
     else

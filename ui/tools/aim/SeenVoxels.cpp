@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/aim/SeenVoxels.h"
 
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/engine/PickRays.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/aim/PickQuestion.h"
@@ -209,7 +210,10 @@ void askMembers(Workspace& workspace, const std::shared_ptr<Question>& question)
         [&workspace, question, grid](const core::Result<std::vector<core::BrickImage>>& bricks) {
             if (!bricks)
                 return question->then(tl::unexpected(bricks.error()));
-            keepMembers(question->ways, *bricks, grid);
+            {
+                const core::VoxelsAllowed singleOnes; // those on the ways, some thousand at most
+                keepMembers(question->ways, *bricks, grid);
+            }
             if (question->ways.empty())
                 return question->then(question->seen);
             askCodes(workspace, question);
