@@ -30,6 +30,8 @@ public:
     /// Labels changed there.
     void look(const core::VoxelBox& box);
 
+    /// What own() says is still to change.
+    [[nodiscard]] bool isCounting() const { return m_asking; }
     /// By leaf.
     [[nodiscard]] const std::vector<std::uint32_t>& own() const { return m_own; }
 

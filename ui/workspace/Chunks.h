@@ -57,6 +57,8 @@ public:
     }
     /// They are to be shown, and are being worked out.
     [[nodiscard]] bool isWorking() const;
+    /// Which of them are the segment's own is being counted; what is shown may change.
+    [[nodiscard]] bool isCounting() const { return m_members.isCounting(); }
     /// How far that is; changes without a signal.
     [[nodiscard]] core::ChunkStage stage() const;
     [[nodiscard]] const Look& look() const { return m_look; }

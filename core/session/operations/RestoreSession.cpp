@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/operations/RestoreSession.h"
 
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/refine/mesh/SurfaceDelta.h"
@@ -82,6 +83,7 @@ RowId lastComplete(const History& history, RowId row)
 
 Result<void> restoreSession(SessionState& state)
 {
+    const VoxelsAllowed opens; // whoever opens a session waits for it; a window has it done beside
     SessionFile& file = *state.file;
     const SessionContents& contents = file.contents();
     state.history = History::restored(contents.rows, contents.visited, contents.position);

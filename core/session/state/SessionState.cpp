@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/state/SessionState.h"
 
-#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/chunks/Chunks.h"
@@ -159,7 +158,6 @@ void SessionState::moveTo(RowId position, RowId over, EngineResult&& result)
 
 void SessionState::begin(std::vector<BrickImage> bricks)
 {
-    const VoxelsAllowed opens; // whoever opens a session is waiting for it, beside a window or not
     for (const BrickImage& brick : bricks) {
         if (brick.key.field != Field::Labels)
             continue;

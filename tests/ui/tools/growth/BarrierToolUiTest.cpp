@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/growth/BarrierTool.h"
 
@@ -120,6 +121,7 @@ public:
         for (int brick = 0; brick < grid.brickCount(); ++brick)
             keys.push_back({core::Field::SeedWords, 0, std::uint32_t(brick)});
         std::int64_t count = 0;
+        const core::VoxelsAllowed counts; // a test has the time
         session().questions().bricks(
             std::move(keys), [&count](const core::Result<std::vector<core::BrickImage>>& bricks) {
                 for (const core::BrickImage& brick : *bricks) {

@@ -75,7 +75,10 @@ public:
     {
         QVERIFY(session().settle());
         QCoreApplication::processEvents();
-        QVERIFY(session().settle()); // what was asked about the change
+        const auto counted = [this] { // what was asked about the change
+            return session().settle() && !chunks().isCounting();
+        };
+        QVERIFY(QTest::qWaitFor(counted, 60000));
         QCoreApplication::processEvents();
     }
     /// Chunks are worked out on threads of their own.
@@ -250,10 +253,11 @@ private Q_SLOTS:
             return fixture.find<QProgressBar>("chunksProgress")->isVisibleTo(&fixture.panel);
         };
         divide->click();
-        fixture.session().poll(); // the row
-        fixture.session().poll();
-        QCoreApplication::processEvents();
-        QTRY_COMPARE(failed.size(), 1);
+        const auto told = [&] {
+            fixture.session().poll(); // the row, then what became of it
+            return failed.size() == 1;
+        };
+        QVERIFY(QTest::qWaitFor(told));
         QCOMPARE(failed.last().first().value<core::Error>().code, core::ErrorCode::OutOfMemory);
         QVERIFY(!fixture.chunks().isWorking() && !isWaiting());
         QTRY_COMPARE(fixture.position(), before);
