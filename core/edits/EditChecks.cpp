@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/engine/ChunkVoxels.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/SculptEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
+#include "core/edits/kinds/chunks/ChunkVoxels.h"
+#include "core/edits/sculpt/SculptEdits.h"
 
 namespace core {
 

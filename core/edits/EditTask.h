@@ -3,19 +3,12 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
+#include "core/edits/answers/EditEffects.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/engine/EngineCommands.h"
 
 namespace core {
 
-/// Who carries an edit out.
-enum class EditTask {
-    Document, ///< nobody else: lists and what they say
-    Engine, ///< the engine, and the document with it where it says so (changedPart())
-    Surface, ///< the surface that is refined; writing back goes on to the engine
-    Chunks, ///< the chunks around a segment
-    History, ///< older rows are taken back or changed
-};
 [[nodiscard]] EditTask taskOf(const Edit& edit);
 
 /// Whether it can be begun, and told bit by bit until it ends: what is under the pen, a growth that

@@ -11,8 +11,6 @@ namespace core::applyEdits {
 // Between the sources of applyToDocument() (DocumentEdits.h): what an edit of the surface or of
 // chunks changes in the document. Each returns whether anything is different now.
 
-[[nodiscard]] tl::unexpected<Error> unknownSegment(int label);
-
 /// What works on the surface: there has to be one. @param deforms the segment holds something else
 /// from now on
 [[nodiscard]] Result<bool> changeSurface(Document& document, bool deforms);

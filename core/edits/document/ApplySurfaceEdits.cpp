@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/ApplyEdits.h"
 
+#include "core/edits/answers/ListEdits.h"
 #include "core/edits/kinds/chunks/Chunks.h"
 #include "core/edits/kinds/surface/ChangeMarks.h"
 #include "core/edits/kinds/surface/DropSurface.h"
@@ -11,11 +12,6 @@
 #include "core/edits/kinds/surface/WriteBack.h"
 
 namespace core::applyEdits {
-
-tl::unexpected<Error> unknownSegment(int label)
-{
-    return failure(ErrorCode::UnknownSegment, QString::number(label));
-}
 
 Result<bool> changeSurface(Document& document, bool deforms)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
 
+#include "core/edits/answers/ListEdits.h"
 #include "core/edits/document/ApplyEdits.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
@@ -17,7 +18,6 @@ constexpr int mostPieces = 64; // what one ray can meet (gpu/render)
 constexpr int lastLayer = 254; // 255 is where strokes of the past are tried (PastCoverage)
 
 using applyEdits::apply;
-using applyEdits::unknownSegment;
 
 Result<bool> apply(const AddSegment& edit, Document& document)
 {
@@ -29,33 +29,6 @@ Result<bool> apply(const AddSegment& edit, Document& document)
     document.segments.push_back(
         {.label = std::uint8_t(label), .name = edit.name, .rgb = edit.rgb, .code = edit.code});
     return true;
-}
-
-tl::unexpected<Error> unknownLayer(const char* field, int id)
-{
-    return failure(ErrorCode::InvalidField, QLatin1String(field),
-        QStringLiteral("there is no sculpt layer %1").arg(id));
-}
-
-/// Takes what is given and differs. @return whether there was any
-template <class T> bool assign(T& target, const std::optional<T>& value)
-{
-    if (!value || target == *value)
-        return false;
-    target = *value;
-    return true;
-}
-
-/// Puts a member of a list to a place counted from 1. @return whether it was elsewhere
-template <class T>
-bool move(std::vector<T>& list, typename std::vector<T>::iterator from, int place)
-{
-    const auto to = list.begin() + (std::min<std::ptrdiff_t>(place, std::ssize(list)) - 1);
-    if (from < to)
-        std::rotate(from, from + 1, to + 1);
-    else
-        std::rotate(to, from, from + 1);
-    return from != to;
 }
 
 Result<bool> apply(const ChangeSegment& edit, Document& document)
@@ -77,22 +50,7 @@ Result<bool> apply(const MoveSegment& edit, Document& document)
     if (!segment)
         return unknownSegment(edit.segment);
     std::vector<Segment>& segments = document.segments;
-    return move(segments, segments.begin() + (segment - segments.data()), edit.place);
-}
-
-/// What was measured on them stays, at its true place.
-template <class Which> void removePieces(Document& document, const Which& which)
-{
-    for (const Piece& piece : document.pieces) {
-        if (!which(piece))
-            continue;
-        document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
-        for (Measurement& measurement : document.measurements) {
-            if (measurement.piece == piece.id)
-                measurement.piece = 0;
-        }
-    }
-    std::erase_if(document.pieces, which);
+    return moveTo(segments, segments.begin() + (segment - segments.data()), edit.place);
 }
 
 Result<bool> apply(const RemoveSegment& edit, Document& document)
@@ -136,13 +94,6 @@ Result<bool> apply(const ChangeLayer& edit, Document& document)
     return changed;
 }
 
-void remove(const SculptLayer* layer, Document& document)
-{
-    document.greatestRemovedLayer = std::max<int>(document.greatestRemovedLayer, layer->id);
-    removePieces(document, [id = layer->id](const Piece& piece) { return piece.layer == id; });
-    document.layers.erase(document.layers.begin() + (layer - document.layers.data()));
-}
-
 Result<bool> apply(const RemoveLayer& edit, Document& document)
 {
     const SculptLayer* layer = document.layer(edit.layer);
@@ -151,7 +102,7 @@ Result<bool> apply(const RemoveLayer& edit, Document& document)
     if (document.layers.size() == 1)
         return failure(ErrorCode::InvalidField, QStringLiteral("removeLayer.layer"),
             QStringLiteral("'%1' is the only sculpt layer").arg(layer->name));
-    remove(layer, document);
+    removeLayer(layer, document);
     return true;
 }
 
@@ -172,7 +123,7 @@ Result<bool> apply(const MergeLayers& edit, Document& document)
             QStringLiteral("sculpt layer '%1' %2 and the other is not: what is seen would change")
                 .arg(silent.name, document.whyItDoesNotCarve(silent)));
     }
-    remove(from, document);
+    removeLayer(from, document);
     return true;
 }
 
@@ -221,7 +172,7 @@ Result<bool> apply(const MoveLayer& edit, Document& document)
     if (!layer)
         return unknownLayer("moveLayer.layer", edit.layer);
     std::vector<SculptLayer>& layers = document.layers;
-    return move(layers, layers.begin() + (layer - layers.data()), edit.place);
+    return moveTo(layers, layers.begin() + (layer - layers.data()), edit.place);
 }
 
 Result<bool> apply(const AddBookmark& edit, Document& document)
@@ -277,12 +228,6 @@ Result<bool> apply(const PastePiece& edit, Document& document)
     return append(
         {.name = edit.name, .segment = edit.segment, .pivotLps = edit.pivotLps, .pose = edit.pose},
         "pastePiece", document);
-}
-
-tl::unexpected<Error> unknownPiece(const char* field, int id)
-{
-    return failure(ErrorCode::InvalidField, QLatin1String(field),
-        QStringLiteral("there is no piece %1").arg(id));
 }
 
 Result<bool> apply(const ChangePiece& edit, Document& document)

@@ -3,20 +3,55 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edit.h"
 #include "core/engine/EngineCommands.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace core {
 
+struct BarrierStroke;
 struct BrushPath;
-struct GrowCriteria;
+struct BrushStroke;
+struct ChangeInterval;
+struct DrillStroke;
+struct GrowFromSeeds;
 struct GrowGuard;
+struct GrowSteps;
+struct ImportMask;
+struct LaserStroke;
+struct LayerToSegment;
+struct MergeLayers;
+struct PaintStroke;
+struct PeelCut;
+struct PlugLeak;
+struct RemoveLayer;
+struct RemoveSegment;
+struct ScissorsCut;
+struct SeedStroke;
 struct SegmentChoice;
+struct SegmentSeen;
+struct SegmentToLayer;
+struct ShrinkAt;
+struct ShrinkSteps;
 
 // From an edit in millimetres and modality units to the integers an engine works with. Doubles are
 // used here and nowhere after; the build forbids fused multiply-add, so every machine agrees.
+
+/// A command as any one.
+template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<Command> command)
+{
+    if (!command)
+        return tl::unexpected(command.error());
+    return EngineEdit(*std::move(command));
+}
+
+/// None outside the volume.
+[[nodiscard]] std::optional<glm::ivec3> voxelNearest(
+    const glm::dvec3& point, const VolumeGeometry& geometry);
+/// For messages: "[1, 2, 3]".
+[[nodiscard]] QString pointText(const glm::dvec3& lps);
 
 /// The voxels nearest to a stroke's points, each once, slices first. Errors: SeedOutsideVolume
 /// (names the point and the field).

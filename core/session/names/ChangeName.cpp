@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/names/ChangeName.h"
 
+#include "core/edits/answers/RowWords.h"
 #include "core/edits/kinds/layers/ChangeLayer.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
-#include "core/session/past/RowWords.h"
 
 #include <QStringList>
 

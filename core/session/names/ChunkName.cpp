@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/names/ChunkName.h"
 
+#include "core/edits/answers/RowWords.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/Chunks.h"
-#include "core/session/past/RowWords.h"
 
 #include <QStringList>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/names/RowName.h"
 
-#include "core/edits/engine/SculptEdits.h"
+#include "core/edits/answers/RowWords.h"
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/sculpt/SculptEdits.h"
 #include "core/session/names/ChangeName.h"
 #include "core/session/names/ChunkName.h"
 #include "core/session/names/SurfaceName.h"
 #include "core/session/past/GrownSteps.h"
-#include "core/session/past/RowWords.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/names/SurfaceName.h"
 
+#include "core/edits/answers/RowWords.h"
 #include "core/edits/kinds/surface/ApplyTemplate.h"
 #include "core/edits/kinds/surface/AttractSurface.h"
 #include "core/edits/kinds/surface/ChangeMarks.h"
@@ -14,7 +15,6 @@
 #include "core/edits/kinds/surface/SpherePush.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 #include "core/edits/kinds/surface/WriteBack.h"
-#include "core/session/past/RowWords.h"
 
 namespace core {
 

@@ -2,11 +2,11 @@
 #include "core/session/past/RowReach.h"
 
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/SculptEdits.h"
 #include "core/edits/engine/SparedSegments.h"
-#include "core/edits/engine/ToolMasks.h"
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
+#include "core/edits/sculpt/SculptEdits.h"
 #include "core/sculpt/Radiation.h"
 
 #include <algorithm>

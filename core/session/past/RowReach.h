@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/Document.h"
+#include "core/edits/answers/EditReach.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/sculpt/MaskFrame.h"
 
@@ -13,15 +14,6 @@
 #include <vector>
 
 namespace core {
-
-/// What is known of how a row was carried out, beside its edit.
-struct RowTrace {
-    /// EditStatistics::searchedTo; none: a cut may have looked through the whole volume.
-    std::optional<std::int32_t> searchedTo{};
-    /// Of a growth: where labels may have been asked for, which is wherever seed words stood or
-    /// came, and beside them. None: anywhere.
-    std::optional<std::set<std::uint32_t>> grownBeside{};
-};
 
 /// Which bricks the result of a row depends on, those it wrote included: what "undo only here" must
 /// leave as they were when the row was carried out. Rather too many than too few.

@@ -2,8 +2,8 @@
 #include "core/edits/engine/EngineEdits.h"
 
 #include "core/edits/engine/MaskFrames.h"
-#include "core/edits/engine/ToolMasks.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
 
 namespace core {
 
@@ -18,21 +18,6 @@ Result<void> checkRange(const char* field, double value, double minimum, double 
 }
 
 } // namespace
-
-Result<glm::dmat3> viewAxes(const OrthographicView& view, const QString& field)
-{
-    const glm::dvec3 towards = view.targetLps - view.eyeLps;
-    if (!(glm::length(towards) > 1e-6))
-        return failure(ErrorCode::InvalidField, field,
-            QStringLiteral("eyeLps and targetLps are the same point"));
-    const glm::dvec3 forward = glm::normalize(towards);
-    const glm::dvec3 across = glm::cross(forward, view.up);
-    if (!(glm::length(across) > 1e-6))
-        return failure(ErrorCode::InvalidField, field + QStringLiteral(".up"),
-            QStringLiteral("points along the view direction"));
-    const glm::dvec3 right = glm::normalize(across);
-    return glm::dmat3(right, glm::cross(right, forward), forward);
-}
 
 Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
 {

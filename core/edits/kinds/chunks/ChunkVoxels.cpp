@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/engine/ChunkVoxels.h"
+#include "core/edits/kinds/chunks/ChunkVoxels.h"
 
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/chunks/Chunks.h"

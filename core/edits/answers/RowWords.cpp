@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/past/RowWords.h"
+#include "core/edits/answers/RowWords.h"
 
 namespace core::rowWords {
 

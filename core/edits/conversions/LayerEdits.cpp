@@ -42,26 +42,6 @@ VoxelBound voxelBound(const HiddenSide& side, const VolumeGeometry& geometry)
 
 } // namespace
 
-Result<LabelTarget> labelTarget(
-    const SegmentChoice& choice, bool overwriteUnlocked, const Document& document)
-{
-    LabelTarget target;
-    if (choice.segment) {
-        const Segment* segment = document.segment(*choice.segment);
-        if (!segment)
-            return failure(ErrorCode::UnknownSegment, QString::number(*choice.segment));
-        if (segment->locked)
-            return failure(ErrorCode::SegmentLocked, segment->name);
-        target.plane = segment->plane;
-        target.label = segment->label;
-    } else {
-        target.label = std::uint8_t(document.lastLabelGiven() + 1);
-    }
-    if (overwriteUnlocked)
-        target.overwritable = document.unlockedLabels(target.plane);
-    return target;
-}
-
 Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& document)
 {
     if (!document.layer(edit.layer))

@@ -2,8 +2,8 @@
 #include "core/edits/engine/EngineEdits.h"
 
 #include "core/edits/engine/MaskFrames.h"
-#include "core/edits/engine/ToolMasks.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
 
 #include <algorithm>
 #include <cmath>

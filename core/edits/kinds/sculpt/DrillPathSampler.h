@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/Edit.h"
 #include "core/sculpt/LaserCut.h"
 
 #include <optional>
@@ -9,6 +8,8 @@
 
 namespace core {
 
+struct DrillStroke;
+struct LaserStroke;
 struct PenSample;
 
 /// Makes the samples of a stroke of drill or laser from what the pen reports, piece by piece as it

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/engine/DrillPathSampler.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
 
 #include "core/edits/engine/MaskFrames.h"
-#include "core/edits/engine/ToolMasks.h"
+#include "core/edits/fields/Quantum.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/MaskShape.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
-#include "core/edits/schema/EditQuantise.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
 
 #include <algorithm>
 #include <cmath>

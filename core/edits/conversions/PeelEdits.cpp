@@ -2,9 +2,9 @@
 #include "core/edits/engine/EngineEdits.h"
 
 #include "core/edits/engine/MaskFrames.h"
-#include "core/edits/engine/ToolMasks.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
 
 #include <algorithm>
 

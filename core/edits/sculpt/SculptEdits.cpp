@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/engine/SculptEdits.h"
+#include "core/edits/sculpt/SculptEdits.h"
 
-#include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/SculptVisit.h"
-#include "core/edits/engine/ToolMasks.h"
+#include "core/edits/engine/SparedSegments.h"
 #include "core/edits/kinds/EditKinds.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/layers/MergeLayers.h"
 #include "core/edits/kinds/layers/RemoveLayer.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
+#include "core/edits/sculpt/SculptVisit.h"
 
 #include <type_traits>
 #include <utility>
@@ -240,6 +241,12 @@ const SparedSegments* sparedBy(const Edit& edit)
 SparedSegments* sparedBy(Edit& edit)
 {
     return const_cast<SparedSegments*>(sparedBy(std::as_const(edit)));
+}
+
+void spareProtected(Edit& edit, const Document& document)
+{
+    if (SparedSegments* spared = sparedBy(edit))
+        spareProtected(*spared, document);
 }
 
 StrokeParameters parametersOf(const SculptEdit& edit)

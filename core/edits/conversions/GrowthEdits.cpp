@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/EngineEdits.h"
 
-#include "core/edits/engine/growth/GrowLimits.h"
-#include "core/edits/engine/growth/ToleranceEdits.h"
+#include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowGuard.h"
+#include "core/edits/kinds/growth/GrowLimits.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/PlugLeak.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/growth/ToleranceEdits.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
-#include "core/edits/schema/EditFields.h"
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>
@@ -25,24 +25,6 @@
 namespace core {
 
 namespace {
-
-QString pointText(const glm::dvec3& lps)
-{
-    return QStringLiteral("[%1, %2, %3]").arg(lps.x).arg(lps.y).arg(lps.z);
-}
-
-/// None outside the volume.
-std::optional<glm::ivec3> voxelNearest(const glm::dvec3& point, const VolumeGeometry& geometry)
-{
-    // Cells reach half a voxel around their centres; a border belongs to the cell above it.
-    const glm::dvec3 nearest =
-        glm::floor(glm::dvec3(geometry.worldToIndex() * glm::dvec4(point, 1.0)) + 0.5);
-    const glm::dvec3 size(geometry.size);
-    if (!(glm::all(glm::greaterThanEqual(nearest, glm::dvec3(0.0)))
-            && glm::all(glm::lessThan(nearest, size))))
-        return std::nullopt;
-    return glm::ivec3(nearest);
-}
 
 /// Whether a plane holds segments, all of them locked.
 bool nothingMayChange(const Document& document, int plane)
@@ -76,25 +58,6 @@ Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& do
         .label = segment->label,
         .voxels = *std::move(voxels),
         .taken = *std::move(taken)};
-}
-
-Result<std::vector<glm::ivec3>> seedVoxels(
-    const std::vector<glm::dvec3>& pointsLps, const VolumeGeometry& geometry, const char* field)
-{
-    std::vector<glm::ivec3> voxels;
-    for (const glm::dvec3& point : pointsLps) {
-        const std::optional<glm::ivec3> nearest = voxelNearest(point, geometry);
-        if (!nearest)
-            return failure(ErrorCode::SeedOutsideVolume, pointText(point),
-                QStringLiteral("in field 'seed.%1'").arg(QLatin1String(field)));
-        voxels.push_back(*nearest);
-    }
-    const auto slicesFirst = [](const glm::ivec3& a, const glm::ivec3& b) {
-        return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
-    };
-    std::sort(voxels.begin(), voxels.end(), slicesFirst);
-    voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
-    return voxels;
 }
 
 namespace {

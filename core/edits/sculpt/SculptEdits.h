@@ -5,6 +5,7 @@
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/parts/SparedSegments.h"
+#include "core/edits/kinds/parts/StrokeParameters.h"
 #include "core/engine/EngineCommands.h"
 
 #include <cstdint>
@@ -49,20 +50,9 @@ private:
 /// What an edit that carves spares: its own list. Null: it carves nothing, or restores.
 [[nodiscard]] SparedSegments* sparedBy(Edit& edit);
 [[nodiscard]] const SparedSegments* sparedBy(const Edit& edit);
+/// Adds the segments that are protected to that (core/edits/engine/SparedSegments.h).
+void spareProtected(Edit& edit, const Document& document);
 
-/// What of a cut can be revised, as it is; absent: it has no such thing.
-struct StrokeParameters {
-    int layer = 1;
-    std::optional<double> radiusMm{};
-    std::optional<double> sideMm{};
-    std::optional<double> widthMm{};
-    std::optional<double> heightMm{};
-    std::optional<double> factor{}; ///< of its outline as it is: 1
-    std::optional<double> depthMm{};
-    std::optional<double> softnessMm{};
-    std::optional<bool> throughGaps{};
-    bool operator==(const StrokeParameters&) const = default;
-};
 [[nodiscard]] StrokeParameters parametersOf(const SculptEdit& edit);
 
 /// The edit as @p revision makes it. Errors: InvalidField for what it has not.
