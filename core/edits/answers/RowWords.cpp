@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/answers/RowWords.h"
 
+#include "core/edits/kinds/parts/SegmentChoice.h"
+
 namespace core::rowWords {
 
 QString grouped(std::int64_t count)
@@ -43,6 +45,11 @@ QString pieceName(int id, const Document& document)
 {
     const Piece* piece = document.piece(id);
     return quoted(piece ? piece->name : QString::number(id));
+}
+
+QString targetName(const SegmentChoice& choice, const Document& document)
+{
+    return quoted(choice.segment ? segmentName(*choice.segment, document) : choice.name);
 }
 
 } // namespace core::rowWords

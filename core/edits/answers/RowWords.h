@@ -7,9 +7,13 @@
 
 #include <cstdint>
 
+namespace core {
+struct SegmentChoice;
+}
+
 namespace core::rowWords {
 
-// What names of rows are put together from (RowName.h).
+// What names of rows are put together from (rowName() of an edit).
 
 [[nodiscard]] QString grouped(std::int64_t count); ///< 18204 → "18 204"
 [[nodiscard]] QString counted(std::int64_t count, const char* noun); ///< "1 voxel", "2 voxels"
@@ -20,5 +24,7 @@ namespace core::rowWords {
 /// In quotes, likewise.
 [[nodiscard]] QString layerName(int id, const Document& document);
 [[nodiscard]] QString pieceName(int id, const Document& document);
+/// Of a segment that receives voxels, in quotes.
+[[nodiscard]] QString targetName(const SegmentChoice& choice, const Document& document);
 
 } // namespace core::rowWords

@@ -12,7 +12,6 @@
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/growth/ToleranceEdits.h"
-#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>
@@ -240,17 +239,6 @@ Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document)
 Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document)
 {
     return cutAt({plug.pointLps}, CutGrowth::How::Neck, document, QStringLiteral("plug.pointLps"));
-}
-
-Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document)
-{
-    const Segment* segment = document.segment(edit.segment);
-    if (!segment)
-        return failure(ErrorCode::UnknownSegment, QString::number(edit.segment),
-            QStringLiteral("in field 'removeSegment.segment'"));
-    if (segment->locked)
-        return failure(ErrorCode::SegmentLocked, segment->name);
-    return EraseLabel{.plane = segment->plane, .label = segment->label};
 }
 
 } // namespace core

@@ -13,64 +13,10 @@ namespace core {
 
 namespace {
 
-constexpr int lastLabel = 255;
 constexpr int mostPieces = 64; // what one ray can meet (gpu/render)
 constexpr int lastLayer = 254; // 255 is where strokes of the past are tried (PastCoverage)
 
 using applyEdits::apply;
-
-Result<bool> apply(const AddSegment& edit, Document& document)
-{
-    const int label = document.lastLabelGiven() + 1;
-    if (label > lastLabel)
-        return failure(ErrorCode::InvalidField, QStringLiteral("addSegment"),
-            QStringLiteral("a label plane has room for %1 segments, those deleted included")
-                .arg(lastLabel));
-    document.segments.push_back(
-        {.label = std::uint8_t(label), .name = edit.name, .rgb = edit.rgb, .code = edit.code});
-    return true;
-}
-
-Result<bool> apply(const ChangeSegment& edit, Document& document)
-{
-    Segment* segment = document.segment(edit.segment);
-    if (!segment)
-        return unknownSegment(edit.segment);
-    bool changed = assign(segment->name, edit.name);
-    changed |= assign(segment->rgb, edit.rgb);
-    changed |= assign(segment->code, edit.code);
-    changed |= assign(segment->locked, edit.locked);
-    changed |= assign(segment->uncarvable, edit.uncarvable);
-    return changed;
-}
-
-Result<bool> apply(const MoveSegment& edit, Document& document)
-{
-    const Segment* segment = document.segment(edit.segment);
-    if (!segment)
-        return unknownSegment(edit.segment);
-    std::vector<Segment>& segments = document.segments;
-    return moveTo(segments, segments.begin() + (segment - segments.data()), edit.place);
-}
-
-Result<bool> apply(const RemoveSegment& edit, Document& document)
-{
-    const Segment* segment = document.segment(edit.segment);
-    if (!segment)
-        return unknownSegment(edit.segment);
-    if (segment->locked)
-        return failure(ErrorCode::SegmentLocked, segment->name);
-    document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, edit.segment);
-    removePieces(document, [&](const Piece& piece) { return piece.segment == edit.segment; });
-    if (document.surface && document.surface->segment == edit.segment)
-        document.surface.reset();
-    if (document.chunks && document.chunks->segment == edit.segment) {
-        document.greatestRemovedChunks = document.chunks->id;
-        document.chunks.reset();
-    }
-    document.segments.erase(document.segments.begin() + (segment - document.segments.data()));
-    return true;
-}
 
 Result<bool> apply(const AddLayer& edit, Document& document)
 {
@@ -124,45 +70,6 @@ Result<bool> apply(const MergeLayers& edit, Document& document)
                 .arg(silent.name, document.whyItDoesNotCarve(silent)));
     }
     removeLayer(from, document);
-    return true;
-}
-
-/// Only what takes voxels is carried out at all (takesVoxelsOrNothing()), so a new segment is.
-Result<bool> addNewSegment(const SegmentChoice& choice, Document& document)
-{
-    if (choice.segment)
-        return false;
-    return apply(AddSegment{.name = choice.name, .rgb = choice.rgb, .code = {}}, document);
-}
-
-Result<bool> apply(const LayerToSegment& edit, Document& document)
-{
-    return addNewSegment(edit.target, document);
-}
-
-Result<bool> apply(const SegmentSeen& edit, Document& document)
-{
-    return addNewSegment(edit.target, document);
-}
-
-Result<bool> apply(const ImportMask& edit, Document& document)
-{
-    const Result<ImportTargets> where = importTargets(edit, document);
-    if (!where)
-        return tl::unexpected(where.error());
-    if (!where->isNew)
-        return false;
-    const std::vector<ImportedSegment>& segments = *edit.segments;
-    for (std::size_t i = 0; i < (edit.as ? 1 : segments.size()); ++i) {
-        const bool alone = !edit.as || segments.size() == 1;
-        const Result<bool> added =
-            apply(AddSegment{.name = edit.as ? edit.as->name : segments[i].name,
-                      .rgb = segments[i].rgb,
-                      .code = alone ? segments[i].code : CodedConcept{}},
-                document);
-        if (!added)
-            return added;
-    }
     return true;
 }
 

@@ -19,19 +19,14 @@ struct DrillStroke;
 struct GrowFromSeeds;
 struct GrowGuard;
 struct GrowSteps;
-struct ImportMask;
 struct LaserStroke;
-struct LayerToSegment;
 struct MergeLayers;
-struct PaintStroke;
 struct PeelCut;
 struct PlugLeak;
 struct RemoveLayer;
-struct RemoveSegment;
 struct ScissorsCut;
 struct SeedStroke;
 struct SegmentChoice;
-struct SegmentSeen;
 struct SegmentToLayer;
 struct ShrinkAt;
 struct ShrinkSteps;
@@ -86,9 +81,6 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 [[nodiscard]] Result<SpreadLabels> spreadLabels(
     const GrowFromSeeds& edit, const Document& document);
 
-/// Errors: UnknownSegment, SegmentLocked.
-[[nodiscard]] Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document);
-
 /// A view's axes in LPS: right, up, forward, as matrix columns. Errors: InvalidField (below
 /// @p field: eye and target are one point, or up points along the view).
 [[nodiscard]] Result<glm::dmat3> viewAxes(const OrthographicView& view, const QString& field);
@@ -114,22 +106,6 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 [[nodiscard]] Result<LabelTarget> labelTarget(
     const SegmentChoice& choice, bool overwriteUnlocked, const Document& document);
 
-/// Errors: those of labelTarget(), InvalidField (no such layer).
-[[nodiscard]] Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& document);
-
-/// Errors: those of labelTarget(), InvalidField (lower > upper).
-[[nodiscard]] Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document);
-
-/// Where the segments of a mask go, in whatever volume. Errors: InvalidField (no voxels read, no
-/// room for so many segments), UnknownSegment, SegmentLocked.
-struct ImportTargets {
-    std::vector<LabelTarget> targets; ///< one a segment
-    bool isNew = true; ///< they are made: one by one, or with "as" one
-};
-[[nodiscard]] Result<ImportTargets> importTargets(const ImportMask& edit, const Document& document);
-/// Errors: those of importTargets(), InvalidField (voxels that are none, or of another grid).
-[[nodiscard]] Result<LabelListed> labelListed(const ImportMask& edit, const Document& document);
-
 /// Errors: UnknownSegment.
 [[nodiscard]] Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& document);
 
@@ -149,9 +125,6 @@ struct ImportTargets {
 /// first, and where the path begins anew).
 [[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
     const glm::dvec3* from, const std::vector<glm::dvec3>& points);
-
-/// The path is not in it. Errors: UnknownSegment, SegmentLocked, InvalidField.
-[[nodiscard]] Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document);
 
 /// Likewise. Errors: InvalidField.
 [[nodiscard]] Result<PaintBarrier> paintBarrier(

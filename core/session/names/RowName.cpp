@@ -166,11 +166,6 @@ QString intervalName(
                               : figures.join(QLatin1Char(' ')) + QStringLiteral(" voxels"));
 }
 
-QString targetName(const SegmentChoice& choice, const Document& document)
-{
-    return quoted(choice.segment ? segmentName(*choice.segment, document) : choice.name);
-}
-
 /// "Import 7 segments of liver.dcm, 12.3 mL"
 QString importName(
     const ImportMask& mask, const EditStatistics& statistics, const Document& document)

@@ -1,13 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/brick/BrickGrid.h"
-#include "core/brick/VoxelRuns.h"
-#include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 
+#include "core/brick/BrickGrid.h"
+#include "core/brick/VoxelRuns.h"
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/ImportTargets.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace core {
+
+using namespace rowWords;
 
 namespace {
 
@@ -131,6 +141,46 @@ Result<ImportTargets> importTargets(const ImportMask& edit, const Document& docu
     return result;
 }
 
+Result<void> check(const ImportMask& edit, const Document& document)
+{
+    if (effects(edit).changes) {
+        if (const Result<void> applied = checkApplied(edit, document); !applied)
+            return applied;
+    }
+    return discardValue(labelListed(edit, document));
+}
+
+Result<bool> apply(const ImportMask& edit, Document& document)
+{
+    const Result<ImportTargets> where = importTargets(edit, document);
+    if (!where)
+        return tl::unexpected(where.error());
+    if (!where->isNew)
+        return false;
+    const std::vector<ImportedSegment>& segments = *edit.segments;
+    for (std::size_t i = 0; i < (edit.as ? 1 : segments.size()); ++i) {
+        const bool alone = !edit.as || segments.size() == 1;
+        const Result<bool> added =
+            apply(AddSegment{.name = edit.as ? edit.as->name : segments[i].name,
+                      .rgb = segments[i].rgb,
+                      .code = alone ? segments[i].code : CodedConcept{}},
+                document);
+        if (!added)
+            return added;
+    }
+    return true;
+}
+
+EditEffects effects(const ImportMask& edit)
+{
+    const std::optional<int> named = edit.as ? edit.as->number : std::nullopt;
+    return {.task = EditTask::Engine,
+        .standsOpen = false,
+        .changes = named ? std::nullopt : std::optional(DocumentChange::What::Segments),
+        .takesVoxelsOrNothing = true,
+        .writesTo = named};
+}
+
 Result<LabelListed> labelListed(const ImportMask& edit, const Document& document)
 {
     const Result<ImportTargets> where = importTargets(edit, document);
@@ -151,6 +201,38 @@ Result<LabelListed> labelListed(const ImportMask& edit, const Document& document
     const LabelTarget& target = where->targets.front();
     return LabelListed{
         .plane = target.plane, .overwritable = target.overwritable, .bricks = bricks.take()};
+}
+
+Result<EngineEdit> engineEdit(const ImportMask& edit, const Document& document)
+{
+    return engineEditFrom(labelListed(edit, document));
+}
+
+/// "Import 7 segments of liver.dcm, 12.3 mL"
+QString rowName(const ImportMask& mask, const RowFacts& row)
+{
+    const qsizetype slash = mask.file.lastIndexOf(QLatin1Char('/'));
+    const auto count = std::int64_t(mask.segments ? mask.segments->size() : 0);
+    const double ml = double(row.statistics.voxelsChanged)
+        * row.document.volumes.front().geometry.voxelVolumeMm3() / 1000.0;
+    QString what =
+        QStringLiteral("Import %1 of %2").arg(counted(count, "segment"), mask.file.mid(slash + 1));
+    if (mask.as)
+        what += QStringLiteral(" as ")
+            + quoted(mask.as->number ? segmentName(*mask.as->number, row.document) : mask.as->name);
+    return what + QStringLiteral(", %1 mL").arg(ml, 0, 'f', ml < 1.0 ? 3 : 1);
+}
+
+EditReach reach(const ImportMask& edit, const ReachFacts& row)
+{
+    editReach::Bricks bricks;
+    if (const Result<LabelListed> listed = labelListed(edit, row.document)) {
+        for (const LabelListed::Brick& brick : listed->bricks) {
+            bricks.keys.insert({Field::Labels, listed->plane, brick.brick});
+            bricks.keys.insert({Field::SeedWords, listed->plane, brick.brick});
+        }
+    }
+    return bricks;
 }
 
 } // namespace core
