@@ -14,73 +14,8 @@ namespace core {
 namespace {
 
 constexpr int mostPieces = 64; // what one ray can meet (gpu/render)
-constexpr int lastLayer = 254; // 255 is where strokes of the past are tried (PastCoverage)
 
 using applyEdits::apply;
-
-Result<bool> apply(const AddLayer& edit, Document& document)
-{
-    const int id = document.lastLayerGiven() + 1;
-    if (id > lastLayer)
-        return failure(ErrorCode::InvalidField, QStringLiteral("addLayer"),
-            QStringLiteral("there are at most %1 sculpt layers, those deleted included")
-                .arg(lastLayer));
-    document.layers.push_back({.id = std::uint8_t(id), .name = edit.name});
-    return true;
-}
-
-Result<bool> apply(const ChangeLayer& edit, Document& document)
-{
-    SculptLayer* layer = document.layer(edit.layer);
-    if (!layer)
-        return unknownLayer("changeLayer.layer", edit.layer);
-    bool changed = assign(layer->name, edit.name);
-    changed |= assign(layer->muted, edit.muted);
-    changed |= assign(layer->solo, edit.solo);
-    return changed;
-}
-
-Result<bool> apply(const RemoveLayer& edit, Document& document)
-{
-    const SculptLayer* layer = document.layer(edit.layer);
-    if (!layer)
-        return unknownLayer("removeLayer.layer", edit.layer);
-    if (document.layers.size() == 1)
-        return failure(ErrorCode::InvalidField, QStringLiteral("removeLayer.layer"),
-            QStringLiteral("'%1' is the only sculpt layer").arg(layer->name));
-    removeLayer(layer, document);
-    return true;
-}
-
-Result<bool> apply(const MergeLayers& edit, Document& document)
-{
-    const SculptLayer* from = document.layer(edit.from);
-    if (!from)
-        return unknownLayer("mergeLayers.from", edit.from);
-    const SculptLayer* into = document.layer(edit.into);
-    if (!into)
-        return unknownLayer("mergeLayers.into", edit.into);
-    if (from == into)
-        return failure(ErrorCode::InvalidField, QStringLiteral("mergeLayers.into"),
-            QStringLiteral("a layer cannot be merged into itself"));
-    if (document.carves(*from) != document.carves(*into)) {
-        const SculptLayer& silent = document.carves(*from) ? *into : *from;
-        return failure(ErrorCode::InvalidField, QStringLiteral("mergeLayers.into"),
-            QStringLiteral("sculpt layer '%1' %2 and the other is not: what is seen would change")
-                .arg(silent.name, document.whyItDoesNotCarve(silent)));
-    }
-    removeLayer(from, document);
-    return true;
-}
-
-Result<bool> apply(const MoveLayer& edit, Document& document)
-{
-    const SculptLayer* layer = document.layer(edit.layer);
-    if (!layer)
-        return unknownLayer("moveLayer.layer", edit.layer);
-    std::vector<SculptLayer>& layers = document.layers;
-    return moveTo(layers, layers.begin() + (layer - layers.data()), edit.place);
-}
 
 Result<bool> apply(const AddBookmark& edit, Document& document)
 {

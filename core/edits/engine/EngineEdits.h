@@ -20,14 +20,11 @@ struct GrowFromSeeds;
 struct GrowGuard;
 struct GrowSteps;
 struct LaserStroke;
-struct MergeLayers;
 struct PeelCut;
 struct PlugLeak;
-struct RemoveLayer;
 struct ScissorsCut;
 struct SeedStroke;
 struct SegmentChoice;
-struct SegmentToLayer;
 struct ShrinkAt;
 struct ShrinkSteps;
 
@@ -105,13 +102,6 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 /// SegmentLocked.
 [[nodiscard]] Result<LabelTarget> labelTarget(
     const SegmentChoice& choice, bool overwriteUnlocked, const Document& document);
-
-/// Errors: UnknownSegment.
-[[nodiscard]] Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& document);
-
-/// Expect layers that are there.
-[[nodiscard]] FoldLayer foldLayer(const RemoveLayer& edit);
-[[nodiscard]] FoldLayer foldLayer(const MergeLayers& edit);
 
 /// The frame of a brush; of its points only a disc's first is looked at. Errors: InvalidField,
 /// below @p name (no point, a disc without a direction across its plane).
