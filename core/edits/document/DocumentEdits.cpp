@@ -17,29 +17,6 @@ constexpr int mostPieces = 64; // what one ray can meet (gpu/render)
 
 using applyEdits::apply;
 
-Result<bool> apply(const AddBookmark& edit, Document& document)
-{
-    if (const Result<glm::dmat3> axes = viewAxes(edit.view, QStringLiteral("addBookmark.view"));
-        !axes)
-        return tl::unexpected(axes.error());
-    document.bookmarks.push_back({.id = document.lastBookmarkGiven() + 1,
-        .name = edit.name,
-        .view = edit.view,
-        .crosshairLps = edit.crosshairLps});
-    return true;
-}
-
-Result<bool> apply(const RemoveBookmark& edit, Document& document)
-{
-    const CameraBookmark* bookmark = document.bookmark(edit.bookmark);
-    if (!bookmark)
-        return failure(ErrorCode::InvalidField, QStringLiteral("removeBookmark.bookmark"),
-            QStringLiteral("there is no bookmark %1").arg(edit.bookmark));
-    document.greatestRemovedBookmark = std::max(document.greatestRemovedBookmark, edit.bookmark);
-    document.bookmarks.erase(document.bookmarks.begin() + (bookmark - document.bookmarks.data()));
-    return true;
-}
-
 Result<bool> append(Piece piece, const char* edit, Document& document)
 {
     if (std::ssize(document.pieces) >= mostPieces)
@@ -99,33 +76,6 @@ Result<bool> apply(const RemovePiece& edit, Document& document)
     if (!document.piece(edit.piece))
         return unknownPiece("removePiece.piece", edit.piece);
     removePieces(document, [&edit](const Piece& each) { return each.id == edit.piece; });
-    return true;
-}
-
-Result<bool> apply(const AddMeasurement& edit, Document& document)
-{
-    if (edit.fromLps == edit.toLps)
-        return failure(ErrorCode::InvalidField, QStringLiteral("addMeasurement.toLps"),
-            QStringLiteral("is the same point as fromLps"));
-    if (edit.piece && !document.piece(*edit.piece))
-        return unknownPiece("addMeasurement.piece", *edit.piece);
-    document.measurements.push_back({.id = document.lastMeasurementGiven() + 1,
-        .fromLps = edit.fromLps,
-        .toLps = edit.toLps,
-        .piece = edit.piece.value_or(0)});
-    return true;
-}
-
-Result<bool> apply(const RemoveMeasurement& edit, Document& document)
-{
-    const Measurement* known = document.measurement(edit.measurement);
-    if (!known)
-        return failure(ErrorCode::InvalidField, QStringLiteral("removeMeasurement.measurement"),
-            QStringLiteral("there is no measurement %1").arg(edit.measurement));
-    document.greatestRemovedMeasurement =
-        std::max(document.greatestRemovedMeasurement, edit.measurement);
-    document.measurements.erase(
-        document.measurements.begin() + (known - document.measurements.data()));
     return true;
 }
 
