@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
 
-#include "core/edits/answers/ListEdits.h"
 #include "core/edits/document/ApplyEdits.h"
-#include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
 
 #include <algorithm>
@@ -13,71 +11,7 @@ namespace core {
 
 namespace {
 
-constexpr int mostPieces = 64; // what one ray can meet (gpu/render)
-
 using applyEdits::apply;
-
-Result<bool> append(Piece piece, const char* edit, Document& document)
-{
-    if (std::ssize(document.pieces) >= mostPieces)
-        return failure(ErrorCode::InvalidField, QLatin1String(edit),
-            QStringLiteral("there are at most %1 pieces").arg(mostPieces));
-    piece.id = document.lastPieceGiven() + 1;
-    document.pieces.push_back(std::move(piece));
-    return true;
-}
-
-Result<bool> apply(const CutPiece& edit, Document& document)
-{
-    const SculptLayer* layer = document.layer(edit.layer);
-    if (!layer)
-        return unknownLayer("cutPiece.layer", edit.layer);
-    if (const Piece* other = document.pieceOfLayer(edit.layer))
-        return failure(ErrorCode::InvalidField, QStringLiteral("cutPiece.layer"),
-            QStringLiteral("sculpt layer '%1' is the piece '%2' already")
-                .arg(layer->name, other->name));
-    return append(
-        {.name = edit.name, .layer = edit.layer, .pivotLps = edit.pivotLps}, "cutPiece", document);
-}
-
-Result<bool> apply(const PastePiece& edit, Document& document)
-{
-    if (!document.segment(edit.segment))
-        return unknownSegment(edit.segment);
-    return append(
-        {.name = edit.name, .segment = edit.segment, .pivotLps = edit.pivotLps, .pose = edit.pose},
-        "pastePiece", document);
-}
-
-Result<bool> apply(const ChangePiece& edit, Document& document)
-{
-    Piece* piece = document.piece(edit.piece);
-    if (!piece)
-        return unknownPiece("changePiece.piece", edit.piece);
-    bool changed = assign(piece->name, edit.name);
-    changed |= assign(piece->pose.offsetMm, edit.offsetMm);
-    changed |= assign(piece->pose.rotationDegrees, edit.rotationDegrees);
-    changed |= assign(piece->pose.zoom, edit.zoom);
-    return changed;
-}
-
-Result<bool> apply(const SendPiecesHome&, Document& document)
-{
-    bool changed = false;
-    for (Piece& piece : document.pieces) {
-        changed |= !piece.pose.isHome();
-        piece.pose = {};
-    }
-    return changed;
-}
-
-Result<bool> apply(const RemovePiece& edit, Document& document)
-{
-    if (!document.piece(edit.piece))
-        return unknownPiece("removePiece.piece", edit.piece);
-    removePieces(document, [&edit](const Piece& each) { return each.id == edit.piece; });
-    return true;
-}
 
 /// What changes voxels only, or by the history.
 template <class E>
