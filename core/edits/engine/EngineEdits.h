@@ -13,16 +13,11 @@ namespace core {
 
 struct BarrierStroke;
 struct BrushPath;
-struct BrushStroke;
 struct ChangeInterval;
-struct DrillStroke;
 struct GrowFromSeeds;
 struct GrowGuard;
 struct GrowSteps;
-struct LaserStroke;
-struct PeelCut;
 struct PlugLeak;
-struct ScissorsCut;
 struct SeedStroke;
 struct SegmentChoice;
 struct ShrinkAt;
@@ -82,22 +77,6 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 /// @p field: eye and target are one point, or up points along the view).
 [[nodiscard]] Result<glm::dmat3> viewAxes(const OrthographicView& view, const QString& field);
 
-/// A drill stroke without its path (DrillPathSampler.h); its samples are not looked at. Errors:
-/// InvalidField (also a mask that is too small).
-[[nodiscard]] Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document);
-
-/// A laser stroke without its path, likewise. Errors: InvalidField (also a mask that is too small).
-[[nodiscard]] Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document);
-/// How far from the path a laser can look or cut at most, in whatever direction.
-[[nodiscard]] double laserReachMm(const LaserCut& cut);
-
-/// A peel without its depth, and its depth. Errors: InvalidField (also a curve that is too small).
-[[nodiscard]] Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document);
-[[nodiscard]] PeelDepth peelDepth(const PeelCut& peel);
-
-/// Errors: InvalidField (also a curve that is too small).
-[[nodiscard]] Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& document);
-
 /// The label that receives voxels: of a new segment the next one. Errors: UnknownSegment,
 /// SegmentLocked.
 [[nodiscard]] Result<LabelTarget> labelTarget(
@@ -119,8 +98,5 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 /// Likewise. Errors: InvalidField.
 [[nodiscard]] Result<PaintBarrier> paintBarrier(
     const BarrierStroke& stroke, const Document& document);
-
-/// Likewise. Errors: InvalidField.
-[[nodiscard]] Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document);
 
 } // namespace core

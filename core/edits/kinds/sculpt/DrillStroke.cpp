@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/engine/EngineEdits.h"
-
-#include "core/edits/engine/MaskFrames.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/MaskFrames.h"
+#include "core/edits/kinds/sculpt/CutParts.h"
+#include "core/edits/kinds/sculpt/PressedName.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
+
+#include <algorithm>
 
 namespace core {
 
@@ -17,7 +25,31 @@ Result<void> checkRange(const char* field, double value, double minimum, double 
         QStringLiteral("%1 is outside %2 … %3").arg(value).arg(minimum).arg(maximum));
 }
 
+/// How far a drill's mask lies from the sample at most.
+double drillReachMm(const DrillCut& cut)
+{
+    const glm::ivec2 corner =
+        glm::max(glm::abs(cut.mask.first), glm::abs(cut.mask.first + cut.mask.size));
+    return std::max(double(cut.maskRadius), cut.frame.pitch * glm::length(glm::dvec2(corner)))
+        / 65536.0;
+}
+
 } // namespace
+
+Result<void> check(const DrillStroke& edit, const Document& document)
+{
+    return checkCut(edit, "drill.layer", drillCut(edit, document), document);
+}
+
+Result<bool> apply(const DrillStroke&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const DrillStroke&)
+{
+    return {.task = EditTask::Engine, .standsOpen = true};
+}
 
 Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
 {
@@ -60,6 +92,25 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
         return tl::unexpected(mask.error());
     cut.mask = *std::move(mask);
     return cut;
+}
+
+Result<EngineEdit> engineEdit(const DrillStroke& edit, const Document& document)
+{
+    return engineEditFrom(drillCut(edit, document));
+}
+
+QString rowName(const DrillStroke& edit, const RowFacts& row)
+{
+    return pressedName(edit, {"Drill ", "Restore "}, row.statistics);
+}
+
+EditReach reach(const DrillStroke& edit, const ReachFacts& row)
+{
+    const Result<DrillCut> cut = drillCut(edit, row.document);
+    if (!cut)
+        return reachesNothing();
+    return swept(cut->frame, pathOf(edit.samples), drillReachMm(*cut),
+        labelsReadBy(edit, row.document), row);
 }
 
 } // namespace core

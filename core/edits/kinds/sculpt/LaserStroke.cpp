@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/engine/EngineEdits.h"
-
-#include "core/edits/engine/MaskFrames.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/MaskFrames.h"
+#include "core/edits/kinds/sculpt/CutParts.h"
+#include "core/edits/kinds/sculpt/PressedName.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
+#include "core/sculpt/LaserCut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +42,21 @@ double normalReachMm(double maskReachMm, const VolumeGeometry& geometry)
 }
 
 } // namespace
+
+Result<void> check(const LaserStroke& edit, const Document& document)
+{
+    return checkCut(edit, "laser.layer", laserCut(edit, document), document);
+}
+
+Result<bool> apply(const LaserStroke&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const LaserStroke&)
+{
+    return {.task = EditTask::Engine, .standsOpen = true};
+}
 
 Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document)
 {
@@ -89,6 +111,25 @@ double laserReachMm(const LaserCut& cut)
         cut.frame.pitch * std::sqrt(double(corner.x) * corner.x + double(corner.y) * corner.y);
     return (across + cut.frame.maxDepth + cut.lift + double(cut.normalStep) * LaserCut::normalReach)
         / 65536.0;
+}
+
+Result<EngineEdit> engineEdit(const LaserStroke& edit, const Document& document)
+{
+    return engineEditFrom(laserCut(edit, document));
+}
+
+QString rowName(const LaserStroke& edit, const RowFacts& row)
+{
+    return pressedName(edit, {"Laser ", "Restore laser "}, row.statistics);
+}
+
+EditReach reach(const LaserStroke& edit, const ReachFacts& row)
+{
+    const Result<LaserCut> cut = laserCut(edit, row.document);
+    if (!cut)
+        return reachesNothing();
+    return swept(cut->frame, pathOf(edit.samples), laserReachMm(*cut),
+        labelsReadBy(edit, row.document), row);
 }
 
 } // namespace core
