@@ -11,20 +11,12 @@
 
 namespace core {
 
-struct BarrierStroke;
 struct BrushPath;
-struct ChangeInterval;
-struct GrowFromSeeds;
-struct GrowGuard;
-struct GrowSteps;
-struct PlugLeak;
-struct SeedStroke;
 struct SegmentChoice;
-struct ShrinkAt;
-struct ShrinkSteps;
 
-// From an edit in millimetres and modality units to the integers an engine works with. Doubles are
-// used here and nowhere after; the build forbids fused multiply-add, so every machine agrees.
+// What conversions of several edits share: from millimetres and modality units to the integers an
+// engine works with. Doubles are used here and nowhere after; the build forbids fused multiply-add,
+// so every machine agrees. The conversion of an edit itself stands beside it (DrillStroke.h).
 
 /// A command as any one.
 template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<Command> command)
@@ -44,34 +36,6 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 /// (names the point and the field).
 [[nodiscard]] Result<std::vector<glm::ivec3>> seedVoxels(const std::vector<glm::dvec3>& pointsLps,
     const VolumeGeometry& geometry, const char* field = "pointsLps");
-
-/// Errors: UnknownSegment, SegmentLocked, SeedOutsideVolume, InvalidField (no point at all).
-[[nodiscard]] Result<SeedPlacement> seedPlacement(
-    const SeedStroke& stroke, const Document& document);
-
-/// Errors: InvalidField (connectivity other than 6, 18 and 26, lower > upper, a box outside the
-/// volume).
-[[nodiscard]] Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document);
-
-/// The same of an interval that names all that it reads (RecentGrowth.h). Errors likewise.
-[[nodiscard]] Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document);
-
-/// Errors: SegmentLocked (no segment may change).
-[[nodiscard]] Result<ShrinkGrowth> shrinkGrowth(
-    const ShrinkSteps& shrink, const Document& document);
-
-/// By which a growth is watched; none: it is not. Whole numbers from here on.
-[[nodiscard]] std::optional<GuardRule> guardRule(
-    const GrowGuard& guard, const VolumeGeometry& geometry);
-
-/// Errors: InvalidField (no point, a point outside the volume), SegmentLocked (no segment may
-/// change).
-[[nodiscard]] Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document);
-[[nodiscard]] Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document);
-
-/// Errors: UnknownSegment, SegmentLocked, InvalidField (fewer than two segments, a box outside).
-[[nodiscard]] Result<SpreadLabels> spreadLabels(
-    const GrowFromSeeds& edit, const Document& document);
 
 /// A view's axes in LPS: right, up, forward, as matrix columns. Errors: InvalidField (below
 /// @p field: eye and target are one point, or up points along the view).
@@ -94,9 +58,5 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 /// first, and where the path begins anew).
 [[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
     const glm::dvec3* from, const std::vector<glm::dvec3>& points);
-
-/// Likewise. Errors: InvalidField.
-[[nodiscard]] Result<PaintBarrier> paintBarrier(
-    const BarrierStroke& stroke, const Document& document);
 
 } // namespace core

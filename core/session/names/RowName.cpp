@@ -7,7 +7,6 @@
 #include "core/session/names/ChangeName.h"
 #include "core/session/names/ChunkName.h"
 #include "core/session/names/SurfaceName.h"
-#include "core/session/past/GrownSteps.h"
 
 #include <algorithm>
 #include <array>

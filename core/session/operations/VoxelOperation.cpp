@@ -17,7 +17,6 @@
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/sculpt/SculptEdits.h"
-#include "core/session/past/GrownSteps.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/past/SeedStrokes.h"
 

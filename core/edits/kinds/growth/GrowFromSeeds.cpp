@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/engine/EngineEdits.h"
-
-#include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/GrowthParts.h"
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace core {
+
+using namespace rowWords;
 
 namespace {
 
@@ -43,6 +49,21 @@ std::array<std::uint32_t, 13> lengthCosts(double perMm, const Volume& volume)
 }
 
 } // namespace
+
+Result<void> check(const GrowFromSeeds& edit, const Document& document)
+{
+    return discardValue(spreadLabels(edit, document));
+}
+
+Result<bool> apply(const GrowFromSeeds&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const GrowFromSeeds&)
+{
+    return {.task = EditTask::Engine, .standsOpen = true};
+}
 
 Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& document)
 {
@@ -82,6 +103,22 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
             return wrong("box", QStringLiteral("it lies outside the volume"));
     }
     return spread;
+}
+
+Result<EngineEdit> engineEdit(const GrowFromSeeds& edit, const Document& document)
+{
+    return engineEditFrom(spreadLabels(edit, document));
+}
+
+QString rowName(const GrowFromSeeds&, const RowFacts& row)
+{
+    return QStringLiteral("Grow %1from seeds, +%2")
+        .arg(whatGrew(row.facts, row.document), counted(row.statistics.voxelsChanged, "voxel"));
+}
+
+EditReach reach(const GrowFromSeeds&, const ReachFacts& row)
+{
+    return row.wholeGrowth();
 }
 
 } // namespace core
