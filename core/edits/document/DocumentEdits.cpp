@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
 
-#include "core/edits/document/ApplyEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/kinds/IsOneOf.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,8 +10,6 @@
 namespace core {
 
 namespace {
-
-using applyEdits::apply;
 
 /// What changes voxels only, or by the history.
 template <class E>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -25,5 +27,11 @@ struct ChunkToggle {
     /// (session/past/RowReach.h).
     std::optional<std::vector<std::int64_t>> bricks{};
 };
+
+[[nodiscard]] Result<void> check(const ChunkToggle& edit, const Document& document);
+Result<bool> apply(const ChunkToggle& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ChunkToggle& edit);
+[[nodiscard]] QString rowName(const ChunkToggle& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ChunkToggle& edit, const ReachFacts& row);
 
 } // namespace core
