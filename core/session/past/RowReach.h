@@ -4,13 +4,7 @@
 #include "core/document/Document.h"
 #include "core/edits/answers/EditReach.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/sculpt/MaskFrame.h"
 
-#include <bitset>
-#include <cstdint>
-#include <optional>
-#include <set>
-#include <variant>
 #include <vector>
 
 namespace core {
@@ -54,44 +48,7 @@ public:
     [[nodiscard]] bool covers(const BrickKey& key) const;
 
 private:
-    struct Bricks {
-        std::set<BrickKey> keys;
-    };
-    struct Plane {
-        std::uint8_t plane = 0;
-    };
-    /// All seed words of a plane, and of some bricks more.
-    struct Growth {
-        std::uint8_t plane = 0;
-        bool coverage = false;
-        std::set<std::uint32_t> beside;
-    };
-    /// Whole fields.
-    struct Fields {
-        std::optional<std::uint8_t> plane; ///< labels and seed words
-        std::bitset<256> layers; ///< coverage
-    };
-    /// In the plane of the drill's view.
-    struct SweptMask {
-        glm::dvec3 origin{0.0}; ///< of voxel (0, 0, 0), mm
-        glm::dmat3 perVoxel{0.0}; ///< mm
-        BrickGrid grid;
-        std::optional<std::uint8_t> labels; ///< the plane whose labels are read, if any is
-        std::vector<glm::dvec2> path; ///< mm
-        double reachMm = 0.0; ///< from the path to whatever is read
-        double endMm = 0.0; ///< nothing is read behind it
-    };
-    [[nodiscard]] static SweptMask sweptMask(const MaskFrame& frame, const BrickGrid& grid,
-        std::vector<glm::dvec2> path, double maskReachMm, const RowTrace& trace);
-    [[nodiscard]] static bool covers(const Bricks& bricks, const BrickKey& key);
-    [[nodiscard]] static bool covers(const Plane& plane, const BrickKey& key);
-    [[nodiscard]] static bool covers(const Growth& growth, const BrickKey& key);
-    [[nodiscard]] static bool covers(const SweptMask& mask, const BrickKey& key);
-    [[nodiscard]] static bool covers(const Fields& fields, const BrickKey& key);
-    using Reach = std::variant<Bricks, Plane, Growth, SweptMask, Fields>;
-    class Kinds;
-
-    Reach m_reach;
+    EditReach m_reach;
 };
 
 } // namespace core
