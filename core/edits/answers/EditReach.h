@@ -82,7 +82,8 @@ struct ReachFacts {
 
     /// Of what writes no voxel, or only what it took back or folded anew.
     [[nodiscard]] EditReach whatWasWritten() const;
-    /// Of growths that go by the whole plane.
+    /// Of growths that take back, plug or show something first: every seed word and label of the
+    /// plane.
     [[nodiscard]] EditReach wholeGrowth() const;
     /// The bricks under a brush; none where it could not be worked out.
     [[nodiscard]] std::set<std::uint32_t> under(const BrushPath& path) const;

@@ -45,6 +45,7 @@ QString rowName(const ChunkToggle& edit, const RowFacts& row)
         + QStringLiteral(" voxels");
 }
 
+/// The labels and seed words of the bricks that the chunks lie in.
 EditReach reach(const ChunkToggle& edit, const ReachFacts& row)
 {
     editReach::Bricks bricks;

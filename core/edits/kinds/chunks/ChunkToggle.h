@@ -23,8 +23,7 @@ struct ChunkToggle {
     Mode mode = Mode::Toggle;
     std::vector<glm::dvec3> pointsLps{}; ///< each stands for the chunk that it lies in
     bool overwriteUnlocked = false;
-    /// That the chunks lie in, ascending: whoever carries it out adds them
-    /// (session/past/RowReach.h).
+    /// That the chunks lie in, ascending: whoever carries it out adds them, for reach().
     std::optional<std::vector<std::int64_t>> bricks{};
 };
 

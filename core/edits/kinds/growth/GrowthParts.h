@@ -40,7 +40,10 @@ struct GrowGuard;
 /// "120 … 300 HU"
 [[nodiscard]] QString intervalText(const GrowCriteria& criteria, const Document& document);
 
-/// What a growth by criteria asked for.
+/// Of a growth by criteria: every seed word of its plane, since a burst goes on from all members,
+/// wherever they are; and the labels (with "only visible" the coverage too) of the voxels it asked,
+/// which are members and their neighbours: RowTrace::grownBeside. What its other limits ask is grey
+/// values.
 [[nodiscard]] EditReach reachOfGrowth(const GrowCriteria& criteria, const ReachFacts& row);
 
 } // namespace core

@@ -75,6 +75,7 @@ QString rowName(const SeedStroke& stroke, const RowFacts& row)
         .arg(segment, row.sketched ? row.sketched->text : voxels);
 }
 
+/// The seed words of the bricks that its points lie in.
 EditReach reach(const SeedStroke& edit, const ReachFacts& row)
 {
     std::vector<glm::dvec3> points = edit.pointsLps;

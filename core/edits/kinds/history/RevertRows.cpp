@@ -36,7 +36,7 @@ QString rowName(const RevertRows& edit, const RowFacts& row)
                       : counted(row.facts.seedWordsChanged, "seed voxel"));
 }
 
-/// What it took back.
+/// The bricks of the rows that it took back.
 EditReach reach(const RevertRows&, const ReachFacts& row)
 {
     return row.whatWasWritten();

@@ -66,7 +66,8 @@ QString rowName(const ReviseStroke& edit, const RowFacts& row)
     return what + QStringLiteral(", ") + counted(row.statistics.voxelsChanged, "voxel");
 }
 
-/// What it folded anew.
+/// The bricks that it wrote. It also folds in what lay hidden there, which RevertOperation looks
+/// after.
 EditReach reach(const ReviseStroke&, const ReachFacts& row)
 {
     return row.whatWasWritten();

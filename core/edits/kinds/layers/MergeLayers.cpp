@@ -62,6 +62,7 @@ QString rowName(const MergeLayers& edit, const RowFacts& row)
         .arg(layerName(edit.from, row.document), layerName(edit.into, row.document));
 }
 
+/// All of their coverage.
 EditReach reach(const MergeLayers& edit, const ReachFacts&)
 {
     editReach::Fields fields;

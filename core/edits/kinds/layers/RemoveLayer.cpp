@@ -52,6 +52,7 @@ QString rowName(const RemoveLayer& edit, const RowFacts& row)
     return QStringLiteral("Delete layer ") + layerName(edit.layer, row.document);
 }
 
+/// All of its coverage.
 EditReach reach(const RemoveLayer& edit, const ReachFacts&)
 {
     editReach::Fields fields;

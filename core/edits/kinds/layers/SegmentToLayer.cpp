@@ -53,6 +53,7 @@ QString rowName(const SegmentToLayer& edit, const RowFacts& row)
             counted(row.statistics.voxelsChanged, "voxel"));
 }
 
+/// The labels and seed words of the segment's plane, and the layer's coverage.
 EditReach reach(const SegmentToLayer& edit, const ReachFacts& row)
 {
     editReach::Fields fields{.plane = row.planeOf(edit.segment), .layers = {}};

@@ -59,6 +59,7 @@ QString rowName(const BrushStroke& edit, const RowFacts& row)
             millimetres(edit.path.radiusMm), counted(row.statistics.voxelsChanged, "voxel"));
 }
 
+/// The coverage of its own layer in the bricks under the brush, and what it spares there.
 EditReach reach(const BrushStroke& edit, const ReachFacts& row)
 {
     const std::optional<std::uint8_t> labelsRead = labelsReadBy(edit, row.document);

@@ -44,7 +44,9 @@ template <class Cut>
 /// Of a cut that could not be worked out.
 [[nodiscard]] EditReach reachesNothing();
 
-/// Where a mask that moves along a path cuts and looks.
+/// Of a mask that moves along a path: the coverage that its rays can meet, what the blur brings
+/// there included (seed A §4.2), of all layers, muted or not, from the volume's front down to where
+/// the deepest cut could end that begins on the deepest surface met (RowTrace::searchedTo).
 /// @param labels labelsReadBy()
 [[nodiscard]] EditReach swept(const MaskFrame& frame, std::vector<glm::dvec2> path,
     double maskReachMm, std::optional<std::uint8_t> labels, const ReachFacts& row);

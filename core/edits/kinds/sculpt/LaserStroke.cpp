@@ -123,6 +123,7 @@ QString rowName(const LaserStroke& edit, const RowFacts& row)
     return pressedName(edit, {"Laser ", "Restore laser "}, row.statistics);
 }
 
+/// As of a drill, and as far as its beams reach sideways.
 EditReach reach(const LaserStroke& edit, const ReachFacts& row)
 {
     const Result<LaserCut> cut = laserCut(edit, row.document);

@@ -223,6 +223,7 @@ QString rowName(const ImportMask& mask, const RowFacts& row)
     return what + QStringLiteral(", %1 mL").arg(ml, 0, 'f', ml < 1.0 ? 3 : 1);
 }
 
+/// The labels and seed words of the bricks that it has voxels in.
 EditReach reach(const ImportMask& edit, const ReachFacts& row)
 {
     editReach::Bricks bricks;

@@ -59,6 +59,8 @@ QString rowName(const LayerToSegment& edit, const RowFacts& row)
             counted(row.statistics.voxelsChanged, "voxel"));
 }
 
+/// The coverage of the layer, and the labels and seed words of the segment's plane, since what
+/// other segments held decided too.
 EditReach reach(const LayerToSegment& edit, const ReachFacts& row)
 {
     editReach::Fields fields{.plane = row.planeOf(edit.target.segment.value_or(0)), .layers = {}};

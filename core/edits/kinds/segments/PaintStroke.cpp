@@ -73,6 +73,7 @@ QString rowName(const PaintStroke& stroke, const RowFacts& row)
             stroke.erase ? QStringLiteral("−") : QStringLiteral("+"), count);
 }
 
+/// The labels and seed words of the bricks under the brush.
 EditReach reach(const PaintStroke& edit, const ReachFacts& row)
 {
     return row.labelled(edit.path, row.planeOf(edit.segment));

@@ -70,6 +70,7 @@ QString rowName(const RemoveSegment& edit, const RowFacts& row)
         .arg(quoted(segmentName(edit.segment, row.document)), lost);
 }
 
+/// As of a growth, since its label must not come back without it.
 EditReach reach(const RemoveSegment&, const ReachFacts& row)
 {
     return row.wholeGrowth();

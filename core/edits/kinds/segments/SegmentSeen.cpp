@@ -96,6 +96,8 @@ QString rowName(const SegmentSeen& edit, const RowFacts& row)
         .arg(targetName(edit.target, row.document), counted(row.statistics.voxelsChanged, "voxel"));
 }
 
+/// The coverage of every layer, and the labels and seed words of the segment's plane, since what
+/// other segments held decided too.
 EditReach reach(const SegmentSeen& edit, const ReachFacts& row)
 {
     editReach::Fields fields{.plane = row.planeOf(edit.target.segment.value_or(0)), .layers = {}};
