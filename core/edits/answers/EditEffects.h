@@ -31,13 +31,20 @@ struct EditEffects {
     /// The label whose voxels it is about: of a surface around that segment the surface differs
     /// from then on. What growth does is not known before; nor what others lose.
     std::optional<int> writesTo{};
+    /// Whether it names places of one study, or rows of one history, and so means nothing in a
+    /// recipe for another.
+    bool boundToStudy = false;
 };
 
 /// Of what is carried out on the document alone.
-[[nodiscard]] constexpr EditEffects documentEffects(DocumentChange::What changes)
+[[nodiscard]] constexpr EditEffects documentEffects(
+    DocumentChange::What changes, bool boundToStudy = false)
 {
-    return {
-        .task = EditTask::Document, .standsOpen = false, .changes = changes, .onlyDocument = true};
+    return {.task = EditTask::Document,
+        .standsOpen = false,
+        .changes = changes,
+        .onlyDocument = true,
+        .boundToStudy = boundToStudy};
 }
 
 } // namespace core

@@ -23,7 +23,10 @@ Result<bool> apply(const ChunkToggle&, Document&)
 
 EditEffects effects(const ChunkToggle& edit)
 {
-    return {.task = EditTask::Chunks, .standsOpen = false, .writesTo = edit.segment};
+    return {.task = EditTask::Chunks,
+        .standsOpen = false,
+        .writesTo = edit.segment,
+        .boundToStudy = true};
 }
 
 QString rowName(const ChunkToggle& edit, const RowFacts& row)

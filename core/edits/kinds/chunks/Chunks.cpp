@@ -31,12 +31,13 @@ Result<bool> apply(const Chunks& edit, Document& document)
     return true;
 }
 
-EditEffects effects(const Chunks&)
+EditEffects effects(const Chunks& edit)
 {
     return {.task = EditTask::Chunks,
         .standsOpen = false,
         .changes = DocumentChange::What::Chunks,
-        .onlyDocument = true};
+        .onlyDocument = true,
+        .boundToStudy = edit.owners.has_value()};
 }
 
 QString rowName(const Chunks& edit, const RowFacts& row)

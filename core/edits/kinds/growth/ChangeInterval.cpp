@@ -22,9 +22,11 @@ Result<bool> apply(const ChangeInterval&, Document&)
     return false;
 }
 
-EditEffects effects(const ChangeInterval&)
+EditEffects effects(const ChangeInterval& edit)
 {
-    return {.task = EditTask::Engine, .standsOpen = true};
+    return {.task = EditTask::Engine,
+        .standsOpen = true,
+        .boundToStudy = !edit.asBefore && edit.criteria.box.has_value()};
 }
 
 Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document)

@@ -60,9 +60,9 @@ Result<bool> apply(const GrowFromSeeds&, Document&)
     return false;
 }
 
-EditEffects effects(const GrowFromSeeds&)
+EditEffects effects(const GrowFromSeeds& edit)
 {
-    return {.task = EditTask::Engine, .standsOpen = true};
+    return {.task = EditTask::Engine, .standsOpen = true, .boundToStudy = edit.box.has_value()};
 }
 
 Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& document)

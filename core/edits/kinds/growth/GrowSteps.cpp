@@ -22,9 +22,11 @@ Result<bool> apply(const GrowSteps&, Document&)
     return false;
 }
 
-EditEffects effects(const GrowSteps&)
+EditEffects effects(const GrowSteps& edit)
 {
-    return {.task = EditTask::Engine, .standsOpen = true};
+    return {.task = EditTask::Engine,
+        .standsOpen = true,
+        .boundToStudy = edit.criteria.box.has_value()};
 }
 
 Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)

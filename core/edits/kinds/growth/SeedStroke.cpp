@@ -25,7 +25,7 @@ Result<bool> apply(const SeedStroke&, Document&)
 
 EditEffects effects(const SeedStroke&)
 {
-    return {.task = EditTask::Engine, .standsOpen = false};
+    return {.task = EditTask::Engine, .standsOpen = false, .boundToStudy = true};
 }
 
 Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& document)

@@ -22,7 +22,7 @@ Result<bool> apply(const RevertRows&, Document&)
 
 EditEffects effects(const RevertRows&)
 {
-    return {.task = EditTask::History, .standsOpen = false};
+    return {.task = EditTask::History, .standsOpen = false, .boundToStudy = true};
 }
 
 QString rowName(const RevertRows& edit, const RowFacts& row)

@@ -22,7 +22,7 @@ Result<bool> apply(const ReviseStroke&, Document&)
 
 EditEffects effects(const ReviseStroke&)
 {
-    return {.task = EditTask::History, .standsOpen = false};
+    return {.task = EditTask::History, .standsOpen = false, .boundToStudy = true};
 }
 
 QString rowName(const ReviseStroke& edit, const RowFacts& row)

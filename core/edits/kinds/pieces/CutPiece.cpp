@@ -30,9 +30,9 @@ Result<bool> apply(const CutPiece& edit, Document& document)
         {.name = edit.name, .layer = edit.layer, .pivotLps = edit.pivotLps}, "cutPiece", document);
 }
 
-EditEffects effects(const CutPiece&)
+EditEffects effects(const CutPiece& edit)
 {
-    return documentEffects(DocumentChange::What::Pieces);
+    return documentEffects(DocumentChange::What::Pieces, edit.pivotLps.has_value());
 }
 
 QString rowName(const CutPiece& edit, const RowFacts& row)

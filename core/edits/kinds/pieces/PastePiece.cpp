@@ -26,9 +26,9 @@ Result<bool> apply(const PastePiece& edit, Document& document)
         "pastePiece", document);
 }
 
-EditEffects effects(const PastePiece&)
+EditEffects effects(const PastePiece& edit)
 {
-    return documentEffects(DocumentChange::What::Pieces);
+    return documentEffects(DocumentChange::What::Pieces, edit.pivotLps.has_value());
 }
 
 QString rowName(const PastePiece& edit, const RowFacts& row)

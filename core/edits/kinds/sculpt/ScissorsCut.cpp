@@ -35,7 +35,7 @@ Result<bool> apply(const ScissorsCut&, Document&)
 
 EditEffects effects(const ScissorsCut&)
 {
-    return {.task = EditTask::Engine, .standsOpen = false};
+    return {.task = EditTask::Engine, .standsOpen = false, .boundToStudy = true};
 }
 
 Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& document)

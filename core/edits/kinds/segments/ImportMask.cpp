@@ -178,7 +178,8 @@ EditEffects effects(const ImportMask& edit)
         .standsOpen = false,
         .changes = named ? std::nullopt : std::optional(DocumentChange::What::Segments),
         .takesVoxelsOrNothing = true,
-        .writesTo = named};
+        .writesTo = named,
+        .boundToStudy = true};
 }
 
 Result<LabelListed> labelListed(const ImportMask& edit, const Document& document)

@@ -23,7 +23,10 @@ Result<bool> apply(const PaintStroke&, Document&)
 
 EditEffects effects(const PaintStroke& edit)
 {
-    return {.task = EditTask::Engine, .standsOpen = true, .writesTo = edit.segment};
+    return {.task = EditTask::Engine,
+        .standsOpen = true,
+        .writesTo = edit.segment,
+        .boundToStudy = true};
 }
 
 Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document)

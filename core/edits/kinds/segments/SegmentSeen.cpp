@@ -64,7 +64,8 @@ EditEffects effects(const SegmentSeen& edit)
         .changes =
             edit.target.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
         .takesVoxelsOrNothing = true,
-        .writesTo = edit.target.segment};
+        .writesTo = edit.target.segment,
+        .boundToStudy = edit.hidden.has_value()};
 }
 
 Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document)

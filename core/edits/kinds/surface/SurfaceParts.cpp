@@ -22,7 +22,8 @@ EditEffects surfaceEffects(bool standsOpen)
     return {.task = EditTask::Surface,
         .standsOpen = standsOpen,
         .changes = DocumentChange::What::Surface,
-        .onlyDocument = true};
+        .onlyDocument = true,
+        .boundToStudy = standsOpen};
 }
 
 QString markWord(SurfaceMark mark)

@@ -19,7 +19,7 @@ struct SurfacePath;
 /// else from now on
 Result<bool> changeSurface(Document& document, bool deforms);
 
-/// Of what changes the surface, and no voxel.
+/// Of what changes the surface, and no voxel. What stands open is a tool, which names places.
 [[nodiscard]] EditEffects surfaceEffects(bool standsOpen);
 
 [[nodiscard]] QString markWord(SurfaceMark mark);

@@ -32,7 +32,7 @@ Result<bool> apply(const AddBookmark& edit, Document& document)
 
 EditEffects effects(const AddBookmark&)
 {
-    return documentEffects(DocumentChange::What::Bookmarks);
+    return documentEffects(DocumentChange::What::Bookmarks, true);
 }
 
 QString rowName(const AddBookmark& edit, const RowFacts&)

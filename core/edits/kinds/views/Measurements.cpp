@@ -34,7 +34,7 @@ Result<bool> apply(const AddMeasurement& edit, Document& document)
 
 EditEffects effects(const AddMeasurement&)
 {
-    return documentEffects(DocumentChange::What::Measurements);
+    return documentEffects(DocumentChange::What::Measurements, true);
 }
 
 QString rowName(const AddMeasurement& edit, const RowFacts&)
