@@ -4,6 +4,7 @@
 #include "core/base/Log.h"
 
 #include <atomic>
+#include <utility>
 
 namespace core {
 
@@ -11,6 +12,7 @@ namespace {
 
 thread_local int forbidding = 0; ///< ThreadWithoutVoxels that stand
 thread_local int allowing = 0; ///< VoxelsAllowed that stand
+thread_local bool hasComplained = false; ///< since the last ThreadWithoutVoxels was made
 std::atomic<std::int64_t> looksSoFar{0};
 
 } // namespace
@@ -18,6 +20,7 @@ std::atomic<std::int64_t> looksSoFar{0};
 ThreadWithoutVoxels::ThreadWithoutVoxels()
 {
     ++forbidding;
+    hasComplained = false;
 }
 
 ThreadWithoutVoxels::~ThreadWithoutVoxels()
@@ -46,7 +49,8 @@ void noteVoxelsLookedAt()
         return;
     ++looksSoFar;
 #ifdef _GLIBCXX_ASSERTIONS
-    qCCritical(core::log, "A thread that serves a window looked at the voxels of a brick.");
+    if (!std::exchange(hasComplained, true))
+        qCCritical(core::log, "A thread that serves a window looked at the voxels of a brick.");
 #endif
 }
 

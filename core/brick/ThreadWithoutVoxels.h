@@ -7,7 +7,7 @@ namespace core {
 
 /// As long as one stands, the thread that made it must not look at the voxels of bricks: it has a
 /// window to serve, and what changed may be hundreds of megabytes. Every look is counted, and in
-/// builds with assertions written to the log as an error, which no test lets pass.
+/// builds with assertions the first one is written to the log as an error, which no test lets pass.
 class ThreadWithoutVoxels {
 public:
     ThreadWithoutVoxels();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
 
-#include "core/edits/engine/ToolMasks.h"
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "core/edits/schema/EditSchema.h"
 
 #include <QJsonArray>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/engine/SculptEdits.h"
+#include "core/edits/sculpt/SculptEdits.h"
 #include "core/history/History.h"
 
 #include <vector>

@@ -2,8 +2,8 @@
 #include "core/masks/ReadImport.h"
 
 #include "core/document/SegmentColours.h"
+#include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/segments/ImportMask.h"
-#include "core/edits/schema/EditFields.h"
 
 #include <QFileInfo>
 

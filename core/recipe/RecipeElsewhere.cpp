@@ -109,26 +109,27 @@ bool RecipeElsewhere::isThere(Kind kind, int number, const Document& document)
     return false;
 }
 
-bool RecipeElsewhere::mayMake(const Edit& edit, Kind& kind)
+/// Of what list a member may be made.
+std::optional<RecipeElsewhere::Kind> RecipeElsewhere::mayMake(const Edit& edit)
 {
-    return visitEdit(
-        [&kind](const auto& known) {
-            using E = std::decay_t<decltype(known)>;
-            if constexpr (isOneOf<E, AddSegment, LayerToSegment, SegmentSeen, ImportMask>)
-                kind = Kind::Segment;
-            else if constexpr (isOneOf<E, AddLayer>)
-                kind = Kind::Layer;
-            else if constexpr (isOneOf<E, CutPiece, PastePiece>)
-                kind = Kind::Piece;
-            else if constexpr (isOneOf<E, AddBookmark>)
-                kind = Kind::Bookmark;
-            else if constexpr (isOneOf<E, AddMeasurement>)
-                kind = Kind::Measurement;
-            else
-                return false;
-            return true;
-        },
-        edit);
+    using What = DocumentChange::What;
+    const std::optional<What> changed = changedPart(edit);
+    if (!changed)
+        return std::nullopt;
+    switch (*changed) {
+    case What::Segments:
+        return Kind::Segment;
+    case What::Layers:
+        return Kind::Layer;
+    case What::Pieces:
+        return Kind::Piece;
+    case What::Bookmarks:
+        return Kind::Bookmark;
+    case What::Measurements:
+        return Kind::Measurement;
+    default:
+        return std::nullopt;
+    }
 }
 
 RecipeElsewhere::RecipeElsewhere(Recipe recipe)
@@ -166,12 +167,11 @@ void RecipeElsewhere::followRecorded()
         const Result<bool> changed = applyToDocument(edit, after.document);
         if (!changed || (!*changed && changesDocumentOnly(edit)))
             continue; // no row came of it
-        Kind kind{};
-        const bool makes = mayMake(edit, kind)
-            && lastGiven(kind, after.document) > lastGiven(kind, before.document);
-        for (int made = lastGiven(kind, before.document) + 1;
-             makes && made <= lastGiven(kind, after.document); ++made)
-            after.makers[{kind, made}] = i;
+        if (const std::optional<Kind> kind = mayMake(edit)) {
+            for (int made = lastGiven(*kind, before.document) + 1;
+                 made <= lastGiven(*kind, after.document); ++made)
+                after.makers[{*kind, made}] = i;
+        }
         HistoryRow row;
         row.edit = edit;
         history.append(std::move(row));
@@ -218,10 +218,10 @@ tl::expected<Edit, RecipeElsewhere::LeftOut> RecipeElsewhere::here(
 void RecipeElsewhere::carriedOut(std::size_t step, const Document& before, const Document& after)
 {
     const auto* edit = std::get_if<Edit>(&m_recipe.steps[step]);
-    Kind kind{};
-    if (!edit || !mayMake(*edit, kind))
+    const std::optional<Kind> kind = edit ? mayMake(*edit) : std::nullopt;
+    if (!kind)
         return;
-    if (const int last = lastGiven(kind, after); last > lastGiven(kind, before))
+    if (const int last = lastGiven(*kind, after); last > lastGiven(*kind, before))
         m_numbers[step] = last;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -55,7 +56,7 @@ private:
     static const char* wordFor(Kind kind);
     static int lastGiven(Kind kind, const Document& document);
     static bool isThere(Kind kind, int number, const Document& document);
-    static bool mayMake(const Edit& edit, Kind& kind);
+    static std::optional<Kind> mayMake(const Edit& edit);
     [[nodiscard]] QString titleOf(std::size_t step) const;
     void followRecorded();
 

@@ -2,7 +2,7 @@
 #include "core/recipe/RecipeExport.h"
 
 #include "core/base/files/StagedFile.h"
-#include "core/edits/schema/EditFields.h"
+#include "core/edits/fields/EditFields.h"
 #include "core/export/CarvedVolume.h"
 #include "core/export/common/StatisticsText.h"
 #include "core/nifti/NiftiReader.h"

@@ -2,8 +2,8 @@
 #include "core/recipe/RecipeStep.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/EditTask.h"
 #include "core/edits/kinds/AnyEdit.h"
-#include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/schema/EditQuantise.h"
 
 #include <QJsonObject>
@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <type_traits>
 
 namespace core {
 
@@ -92,29 +91,7 @@ bool isBoundToStudy(const RecipeStep& step)
     const auto* edit = std::get_if<Edit>(&step);
     if (!edit)
         return true;
-    return visitEdit(
-        [](const auto& known) {
-            using E = std::decay_t<decltype(known)>;
-            if constexpr (isOneOf<E, CutPiece, PastePiece>)
-                return known.pivotLps.has_value();
-            else if constexpr (isOneOf<E, GrowFromSeeds>)
-                return known.box.has_value();
-            else if constexpr (isOneOf<E, GrowSteps>)
-                return known.criteria.box.has_value();
-            else if constexpr (isOneOf<E, ChangeInterval>)
-                return !known.asBefore && known.criteria.box.has_value();
-            else if constexpr (isOneOf<E, SegmentSeen>)
-                return known.hidden.has_value();
-            else if constexpr (isOneOf<E, Chunks>)
-                return known.owners.has_value();
-            else
-                return isOneOf<E, SeedStroke, DrillStroke, LaserStroke, PeelCut, ScissorsCut,
-                    BrushStroke, PaintStroke, BarrierStroke, ShrinkAt, PlugLeak, AddBookmark,
-                    AddMeasurement, RevertRows, ReviseStroke, ImportMask, MarkSurface, SpherePush,
-                    PlaneScrape, PointDrag, ApplyTemplate, SmoothSurface, AttractSurface,
-                    ChunkToggle>;
-        },
-        *edit);
+    return effectsOf(*edit).boundToStudy;
 }
 
 bool startsOnSurface(const QString& editName)

@@ -2,11 +2,11 @@
 #include "gpu/engine/KernelWarmUp.h"
 
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"

@@ -304,7 +304,7 @@ void HouseTest::ruleBites_data()
     row("ui/A.cpp", "#include \"core/session/state/SessionState.h\"", false);
     row("ui/A.cpp",
         "#include \"core/session/questions/VoxelQuestions.h\"\n"
-        "#include \"core/edits/engine/ToolMasks.h\"",
+        "#include \"core/edits/kinds/sculpt/ToolMasks.h\"",
         true);
     row("app/A.cpp", "#include \"core/session/operations/OperationQueue.h\"", false);
     row("core/a/A.cpp", "#include \"core/session/questions/QuestionLine.h\"", false);

@@ -3,11 +3,11 @@
 
 #include "core/demo/DemoStudy.h"
 #include "core/document/Piece.h"
-#include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"

@@ -56,6 +56,8 @@ public:
     void setPose(int piece, const core::PiecePose& pose);
     void sendHome();
     [[nodiscard]] bool allHome() const;
+    /// Where a piece lies is being worked out; a step may follow.
+    [[nodiscard]] bool isMeasuring() const { return m_measuring.busy(); }
 
     /// What a layer has carved becomes a piece that turns about its middle, and a fresh layer the
     /// active one. The step comes when the engine has told where it lies.

@@ -3,104 +3,48 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
-#include "core/edits/kinds/Edit.h"
 #include "core/engine/EngineCommands.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace core {
 
 struct BrushPath;
-struct GrowCriteria;
-struct GrowGuard;
 struct SegmentChoice;
 
-// From an edit in millimetres and modality units to the integers an engine works with. Doubles are
-// used here and nowhere after; the build forbids fused multiply-add, so every machine agrees.
+// What conversions of several edits share: from millimetres and modality units to the integers an
+// engine works with. Doubles are used here and nowhere after; the build forbids fused multiply-add,
+// so every machine agrees. The conversion of an edit itself stands beside it (DrillStroke.h).
+
+/// A command as any one.
+template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<Command> command)
+{
+    if (!command)
+        return tl::unexpected(command.error());
+    return EngineEdit(*std::move(command));
+}
+
+/// None outside the volume.
+[[nodiscard]] std::optional<glm::ivec3> voxelNearest(
+    const glm::dvec3& point, const VolumeGeometry& geometry);
+/// For messages: "[1, 2, 3]".
+[[nodiscard]] QString pointText(const glm::dvec3& lps);
 
 /// The voxels nearest to a stroke's points, each once, slices first. Errors: SeedOutsideVolume
 /// (names the point and the field).
 [[nodiscard]] Result<std::vector<glm::ivec3>> seedVoxels(const std::vector<glm::dvec3>& pointsLps,
     const VolumeGeometry& geometry, const char* field = "pointsLps");
 
-/// Errors: UnknownSegment, SegmentLocked, SeedOutsideVolume, InvalidField (no point at all).
-[[nodiscard]] Result<SeedPlacement> seedPlacement(
-    const SeedStroke& stroke, const Document& document);
-
-/// Errors: InvalidField (connectivity other than 6, 18 and 26, lower > upper, a box outside the
-/// volume).
-[[nodiscard]] Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document);
-
-/// The same of an interval that names all that it reads (RecentGrowth.h). Errors likewise.
-[[nodiscard]] Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document);
-
-/// Errors: SegmentLocked (no segment may change).
-[[nodiscard]] Result<ShrinkGrowth> shrinkGrowth(
-    const ShrinkSteps& shrink, const Document& document);
-
-/// By which a growth is watched; none: it is not. Whole numbers from here on.
-[[nodiscard]] std::optional<GuardRule> guardRule(
-    const GrowGuard& guard, const VolumeGeometry& geometry);
-
-/// Errors: InvalidField (no point, a point outside the volume), SegmentLocked (no segment may
-/// change).
-[[nodiscard]] Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document);
-[[nodiscard]] Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document);
-
-/// Errors: UnknownSegment, SegmentLocked, InvalidField (fewer than two segments, a box outside).
-[[nodiscard]] Result<SpreadLabels> spreadLabels(
-    const GrowFromSeeds& edit, const Document& document);
-
-/// Errors: UnknownSegment, SegmentLocked.
-[[nodiscard]] Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document);
-
 /// A view's axes in LPS: right, up, forward, as matrix columns. Errors: InvalidField (below
 /// @p field: eye and target are one point, or up points along the view).
 [[nodiscard]] Result<glm::dmat3> viewAxes(const OrthographicView& view, const QString& field);
-
-/// A drill stroke without its path (DrillPathSampler.h); its samples are not looked at. Errors:
-/// InvalidField (also a mask that is too small).
-[[nodiscard]] Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document);
-
-/// A laser stroke without its path, likewise. Errors: InvalidField (also a mask that is too small).
-[[nodiscard]] Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document);
-/// How far from the path a laser can look or cut at most, in whatever direction.
-[[nodiscard]] double laserReachMm(const LaserCut& cut);
-
-/// A peel without its depth, and its depth. Errors: InvalidField (also a curve that is too small).
-[[nodiscard]] Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document);
-[[nodiscard]] PeelDepth peelDepth(const PeelCut& peel);
-
-/// Errors: InvalidField (also a curve that is too small).
-[[nodiscard]] Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& document);
 
 /// The label that receives voxels: of a new segment the next one. Errors: UnknownSegment,
 /// SegmentLocked.
 [[nodiscard]] Result<LabelTarget> labelTarget(
     const SegmentChoice& choice, bool overwriteUnlocked, const Document& document);
-
-/// Errors: those of labelTarget(), InvalidField (no such layer).
-[[nodiscard]] Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& document);
-
-/// Errors: those of labelTarget(), InvalidField (lower > upper).
-[[nodiscard]] Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document);
-
-/// Where the segments of a mask go, in whatever volume. Errors: InvalidField (no voxels read, no
-/// room for so many segments), UnknownSegment, SegmentLocked.
-struct ImportTargets {
-    std::vector<LabelTarget> targets; ///< one a segment
-    bool isNew = true; ///< they are made: one by one, or with "as" one
-};
-[[nodiscard]] Result<ImportTargets> importTargets(const ImportMask& edit, const Document& document);
-/// Errors: those of importTargets(), InvalidField (voxels that are none, or of another grid).
-[[nodiscard]] Result<LabelListed> labelListed(const ImportMask& edit, const Document& document);
-
-/// Errors: UnknownSegment.
-[[nodiscard]] Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& document);
-
-/// Expect layers that are there.
-[[nodiscard]] FoldLayer foldLayer(const RemoveLayer& edit);
-[[nodiscard]] FoldLayer foldLayer(const MergeLayers& edit);
 
 /// The frame of a brush; of its points only a disc's first is looked at. Errors: InvalidField,
 /// below @p name (no point, a disc without a direction across its plane).
@@ -114,15 +58,5 @@ struct ImportTargets {
 /// first, and where the path begins anew).
 [[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
     const glm::dvec3* from, const std::vector<glm::dvec3>& points);
-
-/// The path is not in it. Errors: UnknownSegment, SegmentLocked, InvalidField.
-[[nodiscard]] Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document);
-
-/// Likewise. Errors: InvalidField.
-[[nodiscard]] Result<PaintBarrier> paintBarrier(
-    const BarrierStroke& stroke, const Document& document);
-
-/// Likewise. Errors: InvalidField.
-[[nodiscard]] Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document);
 
 } // namespace core

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/SparedSegments.h"
 
-#include "core/edits/engine/SculptEdits.h"
-
 #include <set>
 
 namespace core {
-
-void spareProtected(Edit& edit, const Document& document)
-{
-    if (SparedSegments* spared = sparedBy(edit))
-        spareProtected(*spared, document);
-}
 
 void spareProtected(SparedSegments& spared, const Document& document)
 {
@@ -42,6 +34,19 @@ Result<void> checkSpared(const SparedSegments& spared, bool restore, const QStri
     if (spared && restore)
         return failure(ErrorCode::InvalidField, edit + QStringLiteral(".spared"),
             QStringLiteral("has no meaning while restoring"));
+    return {};
+}
+
+Result<void> checkSparedAreThere(
+    const SparedSegments& spared, bool restore, const Document& document)
+{
+    if (restore || !spared)
+        return {};
+    for (const int label : *spared) {
+        if (!document.segment(label))
+            return failure(ErrorCode::UnknownSegment, QString::number(label),
+                QStringLiteral("in field 'spared'"));
+    }
     return {};
 }
 

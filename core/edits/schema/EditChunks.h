@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/chunks/Chunks.h"
-#include "core/edits/schema/EditFields.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
-#include "core/edits/schema/EditFields.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,14 +1,69 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/schema/EditMasks.h"
 #include "core/edits/schema/SchemaParts.h"
 
 namespace core::editSchema {
+
+template <> inline constexpr const char* editName<AddSegment> = "addSegment";
+template <>
+inline constexpr const char* editMeaning<AddSegment> =
+    "Adds an empty segment. Segments are numbered 1, 2, 3 … in the order they are added, and a "
+    "number is never used again.";
+template <class Visitor> void visitFields(Visitor& visit, AddSegment& edit)
+{
+    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the list");
+    visit.field("color", Presence::Required, edit.rgb, editFields::Colour{}, "display colour");
+    visit.field("code", Presence::Optional, edit.code, editFields::Code{},
+        "what it is, e.g. [\"SCT\", \"89546000\", \"Skull\"]; [] is \"not coded yet\"");
+}
+
+template <> inline constexpr const char* editName<ChangeSegment> = "changeSegment";
+template <>
+inline constexpr const char* editMeaning<ChangeSegment> =
+    "Renames, recolours, codes or locks a segment, or protects it from sculpting; fields left out "
+    "stay as they are.";
+template <class Visitor> void visitFields(Visitor& visit, ChangeSegment& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.maybe("name", edit.name, editFields::Text{}, "new name");
+    visit.maybe("color", edit.rgb, editFields::Colour{}, "new display colour");
+    visit.maybe("code", edit.code, editFields::Code{}, "what it is; [] takes the code away");
+    visit.maybe("locked", edit.locked, editFields::Flag{},
+        "whether its voxels are kept from every tool and growth");
+    visit.maybe("protected", edit.uncarvable, editFields::Flag{},
+        "whether no sculpting tool carves where it is");
+}
+
+template <> inline constexpr const char* editName<MoveSegment> = "moveSegment";
+template <>
+inline constexpr const char* editMeaning<MoveSegment> =
+    "Puts a segment at another place of the list.";
+template <class Visitor> void visitFields(Visitor& visit, MoveSegment& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.field("place", Presence::Required, edit.place, segmentNumber,
+        "its new place in the list, 1 is the first");
+}
+
+template <> inline constexpr const char* editName<RemoveSegment> = "removeSegment";
+template <>
+inline constexpr const char* editMeaning<RemoveSegment> =
+    "Deletes a segment that is not locked, with its voxels and seeds.";
+template <class Visitor> void visitFields(Visitor& visit, RemoveSegment& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+}
 
 template <> inline constexpr const char* editName<PaintStroke> = "paint";
 template <>
@@ -56,17 +111,6 @@ template <class Visitor> void visitFields(Visitor& visit, LayerToSegment& edit)
         "whether voxels of other segments that are not locked are taken");
 }
 
-template <> inline constexpr const char* editName<SegmentToLayer> = "segmentToLayer";
-template <>
-inline constexpr const char* editMeaning<SegmentToLayer> =
-    "Carves what a segment holds, whole, into a sculpt layer.";
-template <class Visitor> void visitFields(Visitor& visit, SegmentToLayer& edit)
-{
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
-    visit.field("layer", Presence::Required, edit.layer, layerNumber,
-        "the sculpt layer that is carved; not a muted one");
-}
-
 template <> inline constexpr const char* editName<SegmentSeen> = "segmentSeen";
 template <>
 inline constexpr const char* editMeaning<SegmentSeen> =
@@ -82,6 +126,30 @@ template <class Visitor> void visitFields(Visitor& visit, SegmentSeen& edit)
     visitHidden(visit, edit.hidden);
     visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
         "whether voxels of other segments that are not locked are taken");
+}
+
+template <> inline constexpr const char* editName<ImportMask> = "importMask";
+template <>
+inline constexpr const char* editMeaning<ImportMask> =
+    "Takes in the segments of a mask's file; does nothing where they take no voxel. A row of the "
+    "history holds their voxels and needs the file no more.";
+template <class Visitor> void visitFields(Visitor& visit, ImportMask& edit)
+{
+    visit.field("file", Presence::Required, edit.file, editFields::FileName{},
+        "labels in NIfTI, NRRD, .seg.nrrd or MetaImage, a DICOM SEG or RTSTRUCT, or a surface in "
+        "STL, OBJ or PLY");
+    visit.maybe("as", edit.as, editFields::SegmentReference{},
+        "the segment that receives all of it: the number of one that is there, or the name of one "
+        "that is there or else is made",
+        "each segment of the file becomes a new one");
+    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
+        "whether voxels of other segments that are not locked are taken");
+    visit.maybe("size", edit.size, editFields::GridSize{}, "of the volume that the voxels are of",
+        "the file is read when the recipe is");
+    visit.maybe("segments", edit.segments, editFields::ImportedSegmentList{},
+        "what the file held, on the volume's grid: voxels are packed runs",
+        "the file is read "
+        "when the recipe is");
 }
 
 } // namespace core::editSchema

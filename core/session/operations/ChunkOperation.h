@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/engine/ChunkVoxels.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/ChunkVoxels.h"
 #include "core/edits/kinds/chunks/Chunks.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/state/Operation.h"

@@ -5,7 +5,6 @@
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/SparedSegments.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
@@ -17,7 +16,7 @@
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
-#include "core/session/past/GrownSteps.h"
+#include "core/edits/sculpt/SculptEdits.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/past/SeedStrokes.h"
 

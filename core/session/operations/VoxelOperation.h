@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/session/past/SketchedSeeds.h"
 #include "core/session/state/Operation.h"
 

@@ -2,9 +2,9 @@
 #include "core/session/past/GrowthTrace.h"
 
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/engine/SculptEdits.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/sculpt/SculptEdits.h"
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 #include "core/session/past/RecentGrowth.h"
 
 #include "core/edits/EditJson.h"
-#include "core/edits/engine/growth/GrowLimits.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowGuard.h"
+#include "core/edits/kinds/growth/GrowLimits.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/growth/SeedStroke.h"

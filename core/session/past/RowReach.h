@@ -2,56 +2,16 @@
 #pragma once
 
 #include "core/document/Document.h"
+#include "core/edits/answers/EditReach.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/sculpt/MaskFrame.h"
 
-#include <bitset>
-#include <cstdint>
-#include <optional>
-#include <set>
-#include <variant>
 #include <vector>
 
 namespace core {
 
-/// What is known of how a row was carried out, beside its edit.
-struct RowTrace {
-    /// EditStatistics::searchedTo; none: a cut may have looked through the whole volume.
-    std::optional<std::int32_t> searchedTo{};
-    /// Of a growth: where labels may have been asked for, which is wherever seed words stood or
-    /// came, and beside them. None: anywhere.
-    std::optional<std::set<std::uint32_t>> grownBeside{};
-};
-
 /// Which bricks the result of a row depends on, those it wrote included: what "undo only here" must
 /// leave as they were when the row was carried out. Rather too many than too few.
-///
-/// - a seed stroke: the seed words of the bricks that its points lie in;
-/// - a growth: every seed word of its plane, since a burst goes on from all members, wherever they
-///   are; and the labels (with "only visible" the coverage too) of the voxels it asked, which are
-///   members and their neighbours: RowTrace::grownBeside. What its other limits ask is grey values;
-/// - growths that take back, plug or show something first: every seed word and label of the plane;
-/// - a segment that was deleted: likewise, since its label must not come back without it;
-/// - a drill stroke: the coverage that its rays can meet, what the blur brings there included (seed
-/// A §4.2):
-///   all layers, muted or not, from the volume's front down to where the deepest cut could end
-///   that begins on the deepest surface met (RowTrace::searchedTo), under the swept mask;
-/// - a laser: likewise, and as far as its beams reach sideways;
-/// - a peel, scissors: likewise, under a disc around the curve;
-/// - paint: the labels and seed words of the bricks under the brush;
-/// - a carve brush: the coverage of its own layer in the bricks under the brush;
-/// - of all of these that spare segments, the labels of the same bricks too;
-/// - a mask that came in: the labels and seed words of the bricks that it has voxels in;
-/// - a layer that became a segment: the coverage of that layer, and the labels and seed words of
-/// the
-///   segment's plane, since what other segments held decided too;
-/// - "segment what I see": the same, and the coverage of every layer;
-/// - a segment that became a layer: the labels and seed words of its plane, and the layer's
-/// coverage;
-/// - layers that were merged or deleted: all of their coverage;
-/// - "undo only": the bricks of the rows that it took back;
-/// - a revised stroke: the bricks that it wrote. (It also folds in what lay hidden there, which
-///   RevertOperation looks after.)
+/// What that is of each kind of edit, it says itself: reach() (core/edits/answers/EditAnswers.h).
 class RowReach {
 public:
     /// @param written the bricks that the row changed; looked at for RevertRows and ReviseStroke
@@ -62,44 +22,7 @@ public:
     [[nodiscard]] bool covers(const BrickKey& key) const;
 
 private:
-    struct Bricks {
-        std::set<BrickKey> keys;
-    };
-    struct Plane {
-        std::uint8_t plane = 0;
-    };
-    /// All seed words of a plane, and of some bricks more.
-    struct Growth {
-        std::uint8_t plane = 0;
-        bool coverage = false;
-        std::set<std::uint32_t> beside;
-    };
-    /// Whole fields.
-    struct Fields {
-        std::optional<std::uint8_t> plane; ///< labels and seed words
-        std::bitset<256> layers; ///< coverage
-    };
-    /// In the plane of the drill's view.
-    struct SweptMask {
-        glm::dvec3 origin{0.0}; ///< of voxel (0, 0, 0), mm
-        glm::dmat3 perVoxel{0.0}; ///< mm
-        BrickGrid grid;
-        std::optional<std::uint8_t> labels; ///< the plane whose labels are read, if any is
-        std::vector<glm::dvec2> path; ///< mm
-        double reachMm = 0.0; ///< from the path to whatever is read
-        double endMm = 0.0; ///< nothing is read behind it
-    };
-    [[nodiscard]] static SweptMask sweptMask(const MaskFrame& frame, const BrickGrid& grid,
-        std::vector<glm::dvec2> path, double maskReachMm, const RowTrace& trace);
-    [[nodiscard]] static bool covers(const Bricks& bricks, const BrickKey& key);
-    [[nodiscard]] static bool covers(const Plane& plane, const BrickKey& key);
-    [[nodiscard]] static bool covers(const Growth& growth, const BrickKey& key);
-    [[nodiscard]] static bool covers(const SweptMask& mask, const BrickKey& key);
-    [[nodiscard]] static bool covers(const Fields& fields, const BrickKey& key);
-    using Reach = std::variant<Bricks, Plane, Growth, SweptMask, Fields>;
-    class Kinds;
-
-    Reach m_reach;
+    EditReach m_reach;
 };
 
 } // namespace core

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/SketchedSeeds.h"
 
+#include "core/edits/answers/RowWords.h"
 #include "core/growth/SeedWord.h"
-#include "core/session/past/RowWords.h"
 
 #include <QStringList>
 

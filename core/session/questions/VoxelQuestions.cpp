@@ -4,6 +4,7 @@
 #include "core/base/Guarded.h"
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/questions/QuestionLine.h"
 #include "core/session/questions/TouchSearch.h"

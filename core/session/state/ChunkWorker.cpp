@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/state/ChunkWorker.h"
 
-#include "core/edits/engine/ChunkVoxels.h"
+#include "core/edits/kinds/chunks/ChunkVoxels.h"
 #include "core/edits/kinds/chunks/Chunks.h"
 
 #include <algorithm>

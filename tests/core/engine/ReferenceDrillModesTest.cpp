@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/schema/EditQuantise.h"
 #include "tests/reference/ReferenceEngine.h"

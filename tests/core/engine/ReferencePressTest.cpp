@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/SculptEdits.h"
-#include "core/edits/engine/SculptVisit.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
+#include "core/edits/sculpt/SculptEdits.h"
+#include "core/edits/sculpt/SculptVisit.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"

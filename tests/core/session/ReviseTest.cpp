@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/BrickGrid.h"
-#include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/layers/ChangeLayer.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"

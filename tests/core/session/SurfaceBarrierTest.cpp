@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/answers/RowWords.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/surface/DropSurface.h"
@@ -9,7 +10,6 @@
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionSurface.h"
-#include "core/session/past/RowWords.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "core/session/surface/SurfaceWriteBack.h"
 #include "tests/reference/ReferenceEngine.h"

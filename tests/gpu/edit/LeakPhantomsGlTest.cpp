@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowGuard.h"
+#include "core/edits/kinds/growth/GrowthParts.h"
 #include "core/growth/SeedWord.h"
 #include "tests/support/cases/EngineConformance.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"
@@ -108,7 +109,8 @@ public:
                 for (int y = box.minimum.y; y < box.maximum.y; ++y) {
                     for (int x = box.minimum.x; x < box.maximum.x; ++x) {
                         const glm::ivec3 voxel(x, y, z);
-                        if (brick.after.read()[std::size_t(core::BrickGrid::offsetInBrick(voxel))] == 0)
+                        if (brick.after.read()[std::size_t(core::BrickGrid::offsetInBrick(voxel))]
+                            == 0)
                             continue;
                         ++(m_phantom.leak.at(voxel) ? found.leak : found.body);
                     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/EngineCases.h"
 
-#include "core/edits/engine/DrillPathSampler.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/MaskShape.h"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/document/Document.h"
-#include "core/edits/engine/SculptEdits.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/sculpt/SculptEdits.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
 #include "core/volume/Volume.h"

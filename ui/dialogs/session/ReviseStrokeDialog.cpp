@@ -2,9 +2,9 @@
 #include "ui/dialogs/session/ReviseStrokeDialog.h"
 
 #include "core/document/Document.h"
-#include "core/edits/engine/SculptVisit.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/schema/HistorySchema.h"
+#include "core/edits/sculpt/SculptVisit.h"
 #include "core/history/StandingStrokes.h"
 
 #include <QCheckBox>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/document/Document.h"
-#include "core/edits/engine/SculptEdits.h"
+#include "core/edits/sculpt/SculptEdits.h"
 #include "core/history/History.h"
 
 #include <QDialog>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GrowCriteriaSection.h"
 
-#include "core/edits/engine/growth/GrowLimits.h"
+#include "core/edits/kinds/growth/GrowLimits.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/geometry/OrientationLetters.h"

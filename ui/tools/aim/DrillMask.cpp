@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/aim/DrillMask.h"
 
-#include "core/edits/engine/ToolMasks.h"
 #include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "ui/tools/aim/CursorLabel.h"
 
 #include <QPainter>

@@ -2,7 +2,7 @@
 #include "ui/tools/common/OutlineTool.h"
 
 #include "core/edits/engine/HiddenSides.h"
-#include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/DrillMask.h"
 #include "ui/tools/aim/DrillSurface.h"

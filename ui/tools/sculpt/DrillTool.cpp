@@ -2,8 +2,8 @@
 #include "ui/tools/sculpt/DrillTool.h"
 
 #include "core/edits/engine/HiddenSides.h"
-#include "core/edits/engine/ToolMasks.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/DrillMask.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -21,9 +23,14 @@ struct ChunkToggle {
     Mode mode = Mode::Toggle;
     std::vector<glm::dvec3> pointsLps{}; ///< each stands for the chunk that it lies in
     bool overwriteUnlocked = false;
-    /// That the chunks lie in, ascending: whoever carries it out adds them
-    /// (session/past/RowReach.h).
+    /// That the chunks lie in, ascending: whoever carries it out adds them, for reach().
     std::optional<std::vector<std::int64_t>> bricks{};
 };
+
+[[nodiscard]] Result<void> check(const ChunkToggle& edit, const Document& document);
+Result<bool> apply(const ChunkToggle& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ChunkToggle& edit);
+[[nodiscard]] QString rowName(const ChunkToggle& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ChunkToggle& edit, const ReachFacts& row);
 
 } // namespace core

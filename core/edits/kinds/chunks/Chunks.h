@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <QByteArray>
 
 #include <optional>
@@ -24,5 +26,11 @@ struct Chunks {
     std::optional<std::vector<ChunkOwner>> owners{}; ///< by label; 0 is what is left
     bool operator==(const Chunks&) const = default;
 };
+
+[[nodiscard]] Result<void> check(const Chunks& edit, const Document& document);
+Result<bool> apply(const Chunks& edit, Document& document);
+[[nodiscard]] EditEffects effects(const Chunks& edit);
+[[nodiscard]] QString rowName(const Chunks& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const Chunks& edit, const ReachFacts& row);
 
 } // namespace core

@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 
 namespace core {
+
+struct PaintBarrier;
 
 /// Shut places to growth, or open them again.
 struct BarrierStroke {
     BrushPath path{};
     bool erase = false;
 };
+
+[[nodiscard]] Result<void> check(const BarrierStroke& edit, const Document& document);
+Result<bool> apply(const BarrierStroke& edit, Document& document);
+[[nodiscard]] EditEffects effects(const BarrierStroke& edit);
+[[nodiscard]] QString rowName(const BarrierStroke& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const BarrierStroke& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const BarrierStroke& edit, const Document& document);
+
+/// The path is not in it. Errors: InvalidField.
+[[nodiscard]] Result<PaintBarrier> paintBarrier(
+    const BarrierStroke& stroke, const Document& document);
 
 } // namespace core

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowGuard.h"
 
 #include <optional>
 
 namespace core {
+
+struct GrowBurst;
 
 /// Give a growth another interval: what qualifies now is recovered, what does not any more is taken
 /// back with what hung on it (seed A §5.4).
@@ -20,5 +23,15 @@ struct ChangeInterval {
     std::optional<int> steps{};
     GrowGuard guard{};
 };
+
+[[nodiscard]] Result<void> check(const ChangeInterval& edit, const Document& document);
+Result<bool> apply(const ChangeInterval& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ChangeInterval& edit);
+[[nodiscard]] QString rowName(const ChangeInterval& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ChangeInterval& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const ChangeInterval& edit, const Document& document);
+
+/// Of an interval that names all that it reads (RecentGrowth.h). Errors: as of GrowSteps.
+[[nodiscard]] Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document);
 
 } // namespace core

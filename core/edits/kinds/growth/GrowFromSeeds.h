@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/growth/GrowBox.h"
 
 #include <optional>
 #include <vector>
 
 namespace core {
+
+struct SpreadLabels;
 
 /// Every voxel of a box goes to the segment that is nearest, by a way on which values change
 /// little; seeds are the voxels that segments hold, and those that are sketched.
@@ -19,5 +22,16 @@ struct GrowFromSeeds {
     std::optional<double> lengthCost{};
     bool overwriteUnlocked = false; ///< segments that do not compete
 };
+
+[[nodiscard]] Result<void> check(const GrowFromSeeds& edit, const Document& document);
+Result<bool> apply(const GrowFromSeeds& edit, Document& document);
+[[nodiscard]] EditEffects effects(const GrowFromSeeds& edit);
+[[nodiscard]] QString rowName(const GrowFromSeeds& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const GrowFromSeeds& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const GrowFromSeeds& edit, const Document& document);
+
+/// Errors: UnknownSegment, SegmentLocked, InvalidField (fewer than two segments, a box outside).
+[[nodiscard]] Result<SpreadLabels> spreadLabels(
+    const GrowFromSeeds& edit, const Document& document);
 
 } // namespace core

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowGuard.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace core {
+
+struct ChangeFacts;
+struct EditStatistics;
+struct GrowBurst;
 
 struct GrowSteps {
     GrowCriteria criteria{};
@@ -16,5 +22,23 @@ struct GrowSteps {
     bool tellsHeld = true;
     GrowGuard guard{};
 };
+
+[[nodiscard]] Result<void> check(const GrowSteps& edit, const Document& document);
+Result<bool> apply(const GrowSteps& edit, Document& document);
+[[nodiscard]] EditEffects effects(const GrowSteps& edit);
+[[nodiscard]] QString rowName(const GrowSteps& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const GrowSteps& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const GrowSteps& edit, const Document& document);
+
+/// Errors: InvalidField (connectivity other than 6, 18 and 26, lower > upper, a box outside the
+/// volume), SegmentLocked (no segment may change).
+[[nodiscard]] Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document);
+
+/// How many steps a burst of growth did after its opening. That seeds are admitted when it opens is
+/// a generation, but no step.
+/// @param first the generation when it opened, after what left it
+/// @param statistics, facts of the burst
+[[nodiscard]] int grownSteps(
+    std::uint32_t first, const EditStatistics& statistics, const ChangeFacts& facts);
 
 } // namespace core

@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <glm/glm.hpp>
 
 namespace core {
+
+struct CutGrowth;
 
 /// Shut the neck through which growth came to a place, and take back what lies beyond.
 struct PlugLeak {
     glm::dvec3 pointLps{0.0};
 };
+
+[[nodiscard]] Result<void> check(const PlugLeak& edit, const Document& document);
+Result<bool> apply(const PlugLeak& edit, Document& document);
+[[nodiscard]] EditEffects effects(const PlugLeak& edit);
+[[nodiscard]] QString rowName(const PlugLeak& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const PlugLeak& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const PlugLeak& edit, const Document& document);
+
+/// Errors: InvalidField (a point outside the volume), SegmentLocked (no segment may change).
+[[nodiscard]] Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document);
 
 } // namespace core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <optional>
 
 namespace core {
@@ -9,5 +11,12 @@ namespace core {
 struct ResumeGrowth {
     std::optional<int> steps{}; ///< none: to closure
 };
+
+[[nodiscard]] Result<void> check(const ResumeGrowth& edit, const Document& document);
+Result<bool> apply(const ResumeGrowth& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ResumeGrowth& edit);
+[[nodiscard]] QString rowName(const ResumeGrowth& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ResumeGrowth& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const ResumeGrowth& edit, const Document& document);
 
 } // namespace core

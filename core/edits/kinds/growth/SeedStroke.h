@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <glm/glm.hpp>
 
 #include <optional>
 #include <vector>
 
 namespace core {
+
+struct SeedPlacement;
 
 /// Sketched seeds: the voxels nearest to these points.
 struct SeedStroke {
@@ -16,5 +20,16 @@ struct SeedStroke {
     /// they are moved.
     std::optional<std::vector<glm::dvec3>> takenLps{};
 };
+
+[[nodiscard]] Result<void> check(const SeedStroke& edit, const Document& document);
+Result<bool> apply(const SeedStroke& edit, Document& document);
+[[nodiscard]] EditEffects effects(const SeedStroke& edit);
+[[nodiscard]] QString rowName(const SeedStroke& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const SeedStroke& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const SeedStroke& edit, const Document& document);
+
+/// Errors: UnknownSegment, SegmentLocked, SeedOutsideVolume, InvalidField (no point at all).
+[[nodiscard]] Result<SeedPlacement> seedPlacement(
+    const SeedStroke& stroke, const Document& document);
 
 } // namespace core

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <glm/glm.hpp>
 
 #include <vector>
 
 namespace core {
+
+struct CutGrowth;
 
 /// Take back some places of a growth and what grew through them, cut off where it is narrowest;
 /// what is nearer to the seeds stays (GrowthCut.h).
@@ -14,5 +18,16 @@ struct ShrinkAt {
     bool onlyHere = false; ///< only the voxels at the points
     bool barrier = true; ///< the cut is shut
 };
+
+[[nodiscard]] Result<void> check(const ShrinkAt& edit, const Document& document);
+Result<bool> apply(const ShrinkAt& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ShrinkAt& edit);
+[[nodiscard]] QString rowName(const ShrinkAt& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ShrinkAt& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const ShrinkAt& edit, const Document& document);
+
+/// Errors: InvalidField (no point, a point outside the volume), SegmentLocked (no segment may
+/// change).
+[[nodiscard]] Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document);
 
 } // namespace core

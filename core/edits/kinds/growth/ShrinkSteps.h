@@ -1,13 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <optional>
 
 namespace core {
+
+struct ShrinkGrowth;
 
 /// Take back what growth added last, generation by generation.
 struct ShrinkSteps {
     std::optional<int> steps{}; ///< none, or as many as there are: only the accepted seeds stay
 };
+
+[[nodiscard]] Result<void> check(const ShrinkSteps& edit, const Document& document);
+Result<bool> apply(const ShrinkSteps& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ShrinkSteps& edit);
+[[nodiscard]] QString rowName(const ShrinkSteps& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ShrinkSteps& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const ShrinkSteps& edit, const Document& document);
+
+/// Errors: SegmentLocked (no segment may change).
+[[nodiscard]] Result<ShrinkGrowth> shrinkGrowth(
+    const ShrinkSteps& shrink, const Document& document);
 
 } // namespace core

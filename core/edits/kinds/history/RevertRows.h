@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -11,5 +13,11 @@ namespace core {
 struct RevertRows {
     std::vector<std::int64_t> rows{}; ///< RowId, ascending
 };
+
+[[nodiscard]] Result<void> check(const RevertRows& edit, const Document& document);
+Result<bool> apply(const RevertRows& edit, Document& document);
+[[nodiscard]] EditEffects effects(const RevertRows& edit);
+[[nodiscard]] QString rowName(const RevertRows& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const RevertRows& edit, const ReachFacts& row);
 
 } // namespace core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <cstdint>
 #include <optional>
 
@@ -8,7 +10,7 @@ namespace core {
 
 /// Changes a cut of the history out of order, or takes it out; what later strokes cut stays
 /// (session/operations/ReviseOperation.h). Absent fields are as in that row, whatever revised it
-/// before; which of them a cut has, StrokeParameters says (SculptEdits.h).
+/// before; which of them a cut has, StrokeParameters says.
 struct ReviseStroke {
     std::int64_t row = 0; ///< RowId
     std::optional<double> radiusMm{};
@@ -22,5 +24,11 @@ struct ReviseStroke {
     std::optional<bool> throughGaps{};
     bool removed = false;
 };
+
+[[nodiscard]] Result<void> check(const ReviseStroke& edit, const Document& document);
+Result<bool> apply(const ReviseStroke& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ReviseStroke& edit);
+[[nodiscard]] QString rowName(const ReviseStroke& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ReviseStroke& edit, const ReachFacts& row);
 
 } // namespace core

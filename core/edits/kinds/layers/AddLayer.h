@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <QString>
 
 namespace core {
@@ -9,5 +11,11 @@ namespace core {
 struct AddLayer {
     QString name{};
 };
+
+[[nodiscard]] Result<void> check(const AddLayer& edit, const Document& document);
+Result<bool> apply(const AddLayer& edit, Document& document);
+[[nodiscard]] EditEffects effects(const AddLayer& edit);
+[[nodiscard]] QString rowName(const AddLayer& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const AddLayer& edit, const ReachFacts& row);
 
 } // namespace core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <QString>
 
 #include <optional>
@@ -14,5 +16,11 @@ struct ChangeLayer {
     std::optional<bool> muted{};
     std::optional<bool> solo{};
 };
+
+[[nodiscard]] Result<void> check(const ChangeLayer& edit, const Document& document);
+Result<bool> apply(const ChangeLayer& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ChangeLayer& edit);
+[[nodiscard]] QString rowName(const ChangeLayer& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ChangeLayer& edit, const ReachFacts& row);
 
 } // namespace core

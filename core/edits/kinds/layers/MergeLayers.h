@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 namespace core {
+
+struct FoldLayer;
 
 /// Lay what a layer has carved into another one, by the greater value, and delete it. Both carve,
 /// or neither does, so that nothing looks different.
@@ -9,5 +13,15 @@ struct MergeLayers {
     int from = 0; ///< id
     int into = 0; ///< id
 };
+
+[[nodiscard]] Result<void> check(const MergeLayers& edit, const Document& document);
+Result<bool> apply(const MergeLayers& edit, Document& document);
+[[nodiscard]] EditEffects effects(const MergeLayers& edit);
+[[nodiscard]] QString rowName(const MergeLayers& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const MergeLayers& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const MergeLayers& edit, const Document& document);
+
+/// Expects layers that are there.
+[[nodiscard]] FoldLayer foldLayer(const MergeLayers& edit);
 
 } // namespace core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 namespace core {
 
 /// Put a sculpt layer at another place of the list.
@@ -8,5 +10,11 @@ struct MoveLayer {
     int layer = 0; ///< id
     int place = 0; ///< 1: first; beyond the end: last
 };
+
+[[nodiscard]] Result<void> check(const MoveLayer& edit, const Document& document);
+Result<bool> apply(const MoveLayer& edit, Document& document);
+[[nodiscard]] EditEffects effects(const MoveLayer& edit);
+[[nodiscard]] QString rowName(const MoveLayer& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const MoveLayer& edit, const ReachFacts& row);
 
 } // namespace core

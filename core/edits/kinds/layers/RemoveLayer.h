@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 namespace core {
+
+struct FoldLayer;
 
 /// Delete a sculpt layer with what it has carved. Not the only one. Its number is not used again.
 struct RemoveLayer {
     int layer = 0; ///< id
 };
+
+[[nodiscard]] Result<void> check(const RemoveLayer& edit, const Document& document);
+Result<bool> apply(const RemoveLayer& edit, Document& document);
+[[nodiscard]] EditEffects effects(const RemoveLayer& edit);
+[[nodiscard]] QString rowName(const RemoveLayer& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const RemoveLayer& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const RemoveLayer& edit, const Document& document);
+
+/// Expects a layer that is there.
+[[nodiscard]] FoldLayer foldLayer(const RemoveLayer& edit);
 
 } // namespace core

@@ -1,12 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 namespace core {
+
+struct CoverLabel;
 
 /// What a segment holds is carved, whole.
 struct SegmentToLayer {
     int segment = 0; ///< label
     int layer = 0; ///< id
 };
+
+[[nodiscard]] Result<void> check(const SegmentToLayer& edit, const Document& document);
+Result<bool> apply(const SegmentToLayer& edit, Document& document);
+[[nodiscard]] EditEffects effects(const SegmentToLayer& edit);
+[[nodiscard]] QString rowName(const SegmentToLayer& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const SegmentToLayer& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const SegmentToLayer& edit, const Document& document);
+
+/// Errors: UnknownSegment, SegmentProtected.
+[[nodiscard]] Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& document);
 
 } // namespace core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <QString>
 
 #include <glm/glm.hpp>
@@ -17,5 +19,11 @@ struct ChangePiece {
     std::optional<glm::dvec3> rotationDegrees{};
     std::optional<double> zoom{};
 };
+
+[[nodiscard]] Result<void> check(const ChangePiece& edit, const Document& document);
+Result<bool> apply(const ChangePiece& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ChangePiece& edit);
+[[nodiscard]] QString rowName(const ChangePiece& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ChangePiece& edit, const ReachFacts& row);
 
 } // namespace core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <QString>
 
 #include <glm/glm.hpp>
@@ -15,5 +17,11 @@ struct CutPiece {
     QString name{};
     std::optional<glm::dvec3> pivotLps{}; ///< none: the middle of the volume
 };
+
+[[nodiscard]] Result<void> check(const CutPiece& edit, const Document& document);
+Result<bool> apply(const CutPiece& edit, Document& document);
+[[nodiscard]] EditEffects effects(const CutPiece& edit);
+[[nodiscard]] QString rowName(const CutPiece& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const CutPiece& edit, const ReachFacts& row);
 
 } // namespace core

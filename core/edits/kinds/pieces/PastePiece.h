@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/Piece.h"
+#include "core/edits/answers/EditAnswers.h"
 
 #include <QString>
 
@@ -18,5 +19,11 @@ struct PastePiece {
     std::optional<glm::dvec3> pivotLps{};
     PiecePose pose{};
 };
+
+[[nodiscard]] Result<void> check(const PastePiece& edit, const Document& document);
+Result<bool> apply(const PastePiece& edit, Document& document);
+[[nodiscard]] EditEffects effects(const PastePiece& edit);
+[[nodiscard]] QString rowName(const PastePiece& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const PastePiece& edit, const ReachFacts& row);
 
 } // namespace core

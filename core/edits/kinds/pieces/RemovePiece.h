@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 namespace core {
 
 /// A piece is one no more. What cut it stays cut.
 struct RemovePiece {
     int piece = 0; ///< id
 };
+
+[[nodiscard]] Result<void> check(const RemovePiece& edit, const Document& document);
+Result<bool> apply(const RemovePiece& edit, Document& document);
+[[nodiscard]] EditEffects effects(const RemovePiece& edit);
+[[nodiscard]] QString rowName(const RemovePiece& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const RemovePiece& edit, const ReachFacts& row);
 
 } // namespace core

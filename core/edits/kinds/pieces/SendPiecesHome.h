@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 namespace core {
 
 /// Show every piece at its true place and in its true size.
 struct SendPiecesHome { };
+
+[[nodiscard]] Result<void> check(const SendPiecesHome& edit, const Document& document);
+Result<bool> apply(const SendPiecesHome& edit, Document& document);
+[[nodiscard]] EditEffects effects(const SendPiecesHome& edit);
+[[nodiscard]] QString rowName(const SendPiecesHome& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const SendPiecesHome& edit, const ReachFacts& row);
 
 } // namespace core

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
 #include "core/edits/kinds/parts/SparedSegments.h"
 
 namespace core {
+
+struct CapsuleCut;
 
 /// Carves, or restores what was carved, along a path.
 struct BrushStroke {
@@ -15,5 +18,15 @@ struct BrushStroke {
     HiddenSides hidden{};
     SparedSegments spared{};
 };
+
+[[nodiscard]] Result<void> check(const BrushStroke& edit, const Document& document);
+Result<bool> apply(const BrushStroke& edit, Document& document);
+[[nodiscard]] EditEffects effects(const BrushStroke& edit);
+[[nodiscard]] QString rowName(const BrushStroke& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const BrushStroke& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const BrushStroke& edit, const Document& document);
+
+/// The path is not in it. Errors: InvalidField.
+[[nodiscard]] Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document);
 
 } // namespace core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/OrthographicView.h"
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
 #include "core/edits/kinds/parts/SparedSegments.h"
 #include "core/edits/kinds/sculpt/MaskShape.h"
@@ -32,5 +33,16 @@ struct DrillStroke {
     HiddenSides hidden{};
     SparedSegments spared{};
 };
+
+[[nodiscard]] Result<void> check(const DrillStroke& edit, const Document& document);
+Result<bool> apply(const DrillStroke& edit, Document& document);
+[[nodiscard]] EditEffects effects(const DrillStroke& edit);
+[[nodiscard]] QString rowName(const DrillStroke& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const DrillStroke& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const DrillStroke& edit, const Document& document);
+
+/// A stroke without its path (DrillPathSampler.h); its samples are not looked at. Errors:
+/// InvalidField (also a mask that is too small).
+[[nodiscard]] Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document);
 
 } // namespace core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/OrthographicView.h"
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
 #include "core/edits/kinds/parts/SparedSegments.h"
 #include "core/edits/kinds/sculpt/MaskShape.h"
@@ -11,6 +12,8 @@
 #include <vector>
 
 namespace core {
+
+struct LaserCut;
 
 /// As a drill, but the mask stands across the surface and goes in along its normal (seed A §4.3).
 struct LaserStroke {
@@ -29,5 +32,18 @@ struct LaserStroke {
     HiddenSides hidden{};
     SparedSegments spared{};
 };
+
+[[nodiscard]] Result<void> check(const LaserStroke& edit, const Document& document);
+Result<bool> apply(const LaserStroke& edit, Document& document);
+[[nodiscard]] EditEffects effects(const LaserStroke& edit);
+[[nodiscard]] QString rowName(const LaserStroke& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const LaserStroke& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const LaserStroke& edit, const Document& document);
+
+/// A stroke without its path (DrillPathSampler.h). Errors: InvalidField (also a mask that is too
+/// small).
+[[nodiscard]] Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document);
+/// How far from the path a laser can look or cut at most, in whatever direction.
+[[nodiscard]] double laserReachMm(const LaserCut& cut);
 
 } // namespace core

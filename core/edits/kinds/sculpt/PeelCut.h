@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/OrthographicView.h"
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
 #include "core/edits/kinds/parts/SparedSegments.h"
 
@@ -10,6 +11,9 @@
 #include <vector>
 
 namespace core {
+
+struct MaskPeel;
+struct PeelDepth;
 
 /// Takes a shell of even thickness off the part of the surface that a closed curve surrounds.
 struct PeelCut {
@@ -26,5 +30,16 @@ struct PeelCut {
     HiddenSides hidden{};
     SparedSegments spared{};
 };
+
+[[nodiscard]] Result<void> check(const PeelCut& edit, const Document& document);
+Result<bool> apply(const PeelCut& edit, Document& document);
+[[nodiscard]] EditEffects effects(const PeelCut& edit);
+[[nodiscard]] QString rowName(const PeelCut& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const PeelCut& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const PeelCut& edit, const Document& document);
+
+/// A peel without its depth, and its depth. Errors: InvalidField (also a curve that is too small).
+[[nodiscard]] Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document);
+[[nodiscard]] PeelDepth peelDepth(const PeelCut& peel);
 
 } // namespace core

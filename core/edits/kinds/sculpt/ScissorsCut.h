@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/OrthographicView.h"
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
 #include "core/edits/kinds/parts/SparedSegments.h"
 
@@ -11,6 +12,8 @@
 #include <vector>
 
 namespace core {
+
+struct MaskScissors;
 
 /// Cuts out what lies under a closed curve, along the view.
 struct ScissorsCut {
@@ -24,5 +27,15 @@ struct ScissorsCut {
     HiddenSides hidden{};
     SparedSegments spared{};
 };
+
+[[nodiscard]] Result<void> check(const ScissorsCut& edit, const Document& document);
+Result<bool> apply(const ScissorsCut& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ScissorsCut& edit);
+[[nodiscard]] QString rowName(const ScissorsCut& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ScissorsCut& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const ScissorsCut& edit, const Document& document);
+
+/// Errors: InvalidField (also a curve that is too small).
+[[nodiscard]] Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& document);
 
 } // namespace core

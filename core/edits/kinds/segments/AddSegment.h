@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/Document.h"
+#include "core/edits/answers/EditAnswers.h"
 
 #include <QString>
 
@@ -9,10 +10,22 @@
 
 namespace core {
 
+struct SegmentChoice;
+
 struct AddSegment {
     QString name{};
     std::uint32_t rgb = 0;
     CodedConcept code{};
 };
+
+[[nodiscard]] Result<void> check(const AddSegment& edit, const Document& document);
+Result<bool> apply(const AddSegment& edit, Document& document);
+[[nodiscard]] EditEffects effects(const AddSegment& edit);
+[[nodiscard]] QString rowName(const AddSegment& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const AddSegment& edit, const ReachFacts& row);
+
+/// The segment that receives voxels, where it is a new one; whether there is any. Only what takes
+/// voxels is carried out at all (EditEffects::takesVoxelsOrNothing), so a new segment is.
+Result<bool> addNewSegment(const SegmentChoice& choice, Document& document);
 
 } // namespace core

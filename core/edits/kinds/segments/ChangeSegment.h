@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/Document.h"
+#include "core/edits/answers/EditAnswers.h"
 
 #include <QString>
 
@@ -19,5 +20,11 @@ struct ChangeSegment {
     std::optional<bool> locked{};
     std::optional<bool> uncarvable{};
 };
+
+[[nodiscard]] Result<void> check(const ChangeSegment& edit, const Document& document);
+Result<bool> apply(const ChangeSegment& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ChangeSegment& edit);
+[[nodiscard]] QString rowName(const ChangeSegment& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ChangeSegment& edit, const ReachFacts& row);
 
 } // namespace core

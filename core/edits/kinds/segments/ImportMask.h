@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/Document.h"
+#include "core/edits/answers/EditAnswers.h"
 
 #include <QByteArray>
 #include <QString>
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace core {
+
+struct LabelListed;
 
 /// A segment of a mask that was read from a file.
 struct ImportedSegment {
@@ -38,5 +41,15 @@ struct ImportMask {
     std::optional<glm::ivec3> size{}; ///< of the volume
     std::optional<std::vector<ImportedSegment>> segments{};
 };
+
+[[nodiscard]] Result<void> check(const ImportMask& edit, const Document& document);
+Result<bool> apply(const ImportMask& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ImportMask& edit);
+[[nodiscard]] QString rowName(const ImportMask& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ImportMask& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const ImportMask& edit, const Document& document);
+
+/// Errors: those of importTargets(), InvalidField (voxels that are none, or of another grid).
+[[nodiscard]] Result<LabelListed> labelListed(const ImportMask& edit, const Document& document);
 
 } // namespace core

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 
 namespace core {
+
+struct LabelCarved;
 
 /// What a layer has carved (coverage ≥ 128) becomes voxels of a segment.
 struct LayerToSegment {
@@ -11,5 +14,15 @@ struct LayerToSegment {
     SegmentChoice target{};
     bool overwriteUnlocked = false;
 };
+
+[[nodiscard]] Result<void> check(const LayerToSegment& edit, const Document& document);
+Result<bool> apply(const LayerToSegment& edit, Document& document);
+[[nodiscard]] EditEffects effects(const LayerToSegment& edit);
+[[nodiscard]] QString rowName(const LayerToSegment& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const LayerToSegment& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const LayerToSegment& edit, const Document& document);
+
+/// Errors: those of labelTarget() (EngineEdits.h), InvalidField (no such layer).
+[[nodiscard]] Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& document);
 
 } // namespace core

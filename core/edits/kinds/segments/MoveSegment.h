@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 namespace core {
 
 /// Put a segment at another place of the list.
@@ -8,5 +10,11 @@ struct MoveSegment {
     int segment = 0; ///< label
     int place = 0; ///< 1: first; beyond the end: last
 };
+
+[[nodiscard]] Result<void> check(const MoveSegment& edit, const Document& document);
+Result<bool> apply(const MoveSegment& edit, Document& document);
+[[nodiscard]] EditEffects effects(const MoveSegment& edit);
+[[nodiscard]] QString rowName(const MoveSegment& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const MoveSegment& edit, const ReachFacts& row);
 
 } // namespace core

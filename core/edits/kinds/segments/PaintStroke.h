@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 
 #include <optional>
 
 namespace core {
+
+struct PaintLabel;
 
 /// Paints a segment, or erases it, along a path.
 struct PaintStroke {
@@ -17,5 +20,15 @@ struct PaintStroke {
     bool overwriteUnlocked = false;
     bool seeds = false; ///< what is painted takes part in growth: it goes on from there
 };
+
+[[nodiscard]] Result<void> check(const PaintStroke& edit, const Document& document);
+Result<bool> apply(const PaintStroke& edit, Document& document);
+[[nodiscard]] EditEffects effects(const PaintStroke& edit);
+[[nodiscard]] QString rowName(const PaintStroke& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const PaintStroke& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const PaintStroke& edit, const Document& document);
+
+/// The path is not in it. Errors: UnknownSegment, SegmentLocked, InvalidField.
+[[nodiscard]] Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document);
 
 } // namespace core

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 
 #include <optional>
 
 namespace core {
+
+struct LabelSeen;
 
 /// "Segment what I see": what is not carved, inside the clip region and within an interval of
 /// values becomes voxels of a segment, from wherever one looks.
@@ -17,5 +20,15 @@ struct SegmentSeen {
     HiddenSides hidden{};
     bool overwriteUnlocked = false;
 };
+
+[[nodiscard]] Result<void> check(const SegmentSeen& edit, const Document& document);
+Result<bool> apply(const SegmentSeen& edit, Document& document);
+[[nodiscard]] EditEffects effects(const SegmentSeen& edit);
+[[nodiscard]] QString rowName(const SegmentSeen& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const SegmentSeen& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const SegmentSeen& edit, const Document& document);
+
+/// Errors: those of labelTarget() (EngineEdits.h), InvalidField (lower > upper).
+[[nodiscard]] Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document);
 
 } // namespace core

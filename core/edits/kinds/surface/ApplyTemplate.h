@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <glm/glm.hpp>
 
 #include <vector>
@@ -11,5 +13,11 @@ namespace core {
 struct ApplyTemplate {
     std::vector<std::vector<glm::dvec3>> contoursLps{};
 };
+
+[[nodiscard]] Result<void> check(const ApplyTemplate& edit, const Document& document);
+Result<bool> apply(const ApplyTemplate& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ApplyTemplate& edit);
+[[nodiscard]] QString rowName(const ApplyTemplate& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ApplyTemplate& edit, const ReachFacts& row);
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 
 namespace core {
@@ -9,5 +10,11 @@ namespace core {
 struct AttractSurface {
     SurfacePath path{};
 };
+
+[[nodiscard]] Result<void> check(const AttractSurface& edit, const Document& document);
+Result<bool> apply(const AttractSurface& edit, Document& document);
+[[nodiscard]] EditEffects effects(const AttractSurface& edit);
+[[nodiscard]] QString rowName(const AttractSurface& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const AttractSurface& edit, const ReachFacts& row);
 
 } // namespace core

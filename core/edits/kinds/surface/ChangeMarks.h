@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/refine/mesh/SurfaceMark.h"
 
 #include <glm/glm.hpp>
@@ -23,5 +24,11 @@ struct ChangeMarks {
     /// Of Clear and Accept: only the region that hangs together and lies nearest to it; none: all.
     std::optional<glm::dvec3> nearLps{};
 };
+
+[[nodiscard]] Result<void> check(const ChangeMarks& edit, const Document& document);
+Result<bool> apply(const ChangeMarks& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ChangeMarks& edit);
+[[nodiscard]] QString rowName(const ChangeMarks& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const ChangeMarks& edit, const ReachFacts& row);
 
 } // namespace core

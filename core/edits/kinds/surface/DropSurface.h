@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 namespace core {
 
 /// Do without a surface. What was not written back is lost with it, until this is undone.
 struct DropSurface { };
+
+[[nodiscard]] Result<void> check(const DropSurface& edit, const Document& document);
+Result<bool> apply(const DropSurface& edit, Document& document);
+[[nodiscard]] EditEffects effects(const DropSurface& edit);
+[[nodiscard]] QString rowName(const DropSurface& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const DropSurface& edit, const ReachFacts& row);
 
 } // namespace core

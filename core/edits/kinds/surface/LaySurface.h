@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 namespace core {
 
 // Edits of the surface that is being refined (seed B §4; core/refine). There is one at a time, of
@@ -13,5 +15,11 @@ struct LaySurface {
     /// (core/refine/fit/MeasuredFit.h).
     int vertices = 0;
 };
+
+[[nodiscard]] Result<void> check(const LaySurface& edit, const Document& document);
+Result<bool> apply(const LaySurface& edit, Document& document);
+[[nodiscard]] EditEffects effects(const LaySurface& edit);
+[[nodiscard]] QString rowName(const LaySurface& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const LaySurface& edit, const ReachFacts& row);
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 #include "core/refine/mesh/SurfaceMark.h"
 
@@ -11,5 +12,11 @@ struct MarkSurface {
     SurfaceMark mark = SurfaceMark::Red;
     SurfacePath path{};
 };
+
+[[nodiscard]] Result<void> check(const MarkSurface& edit, const Document& document);
+Result<bool> apply(const MarkSurface& edit, Document& document);
+[[nodiscard]] EditEffects effects(const MarkSurface& edit);
+[[nodiscard]] QString rowName(const MarkSurface& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const MarkSurface& edit, const ReachFacts& row);
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 
 #include <glm/glm.hpp>
@@ -12,5 +13,11 @@ struct PlaneScrape {
     SurfacePath path{};
     glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< outwards, about a unit vector
 };
+
+[[nodiscard]] Result<void> check(const PlaneScrape& edit, const Document& document);
+Result<bool> apply(const PlaneScrape& edit, Document& document);
+[[nodiscard]] EditEffects effects(const PlaneScrape& edit);
+[[nodiscard]] QString rowName(const PlaneScrape& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const PlaneScrape& edit, const ReachFacts& row);
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 
 namespace core {
@@ -9,5 +10,11 @@ namespace core {
 struct PointDrag {
     SurfacePath path{};
 };
+
+[[nodiscard]] Result<void> check(const PointDrag& edit, const Document& document);
+Result<bool> apply(const PointDrag& edit, Document& document);
+[[nodiscard]] EditEffects effects(const PointDrag& edit);
+[[nodiscard]] QString rowName(const PointDrag& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const PointDrag& edit, const ReachFacts& row);
 
 } // namespace core

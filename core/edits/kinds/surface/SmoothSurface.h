@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 
 namespace core {
@@ -9,5 +10,11 @@ namespace core {
 struct SmoothSurface {
     SurfacePath path{};
 };
+
+[[nodiscard]] Result<void> check(const SmoothSurface& edit, const Document& document);
+Result<bool> apply(const SmoothSurface& edit, Document& document);
+[[nodiscard]] EditEffects effects(const SmoothSurface& edit);
+[[nodiscard]] QString rowName(const SmoothSurface& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const SmoothSurface& edit, const ReachFacts& row);
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 
 namespace core {
@@ -9,5 +10,11 @@ namespace core {
 struct SpherePush {
     SurfacePath path{};
 };
+
+[[nodiscard]] Result<void> check(const SpherePush& edit, const Document& document);
+Result<bool> apply(const SpherePush& edit, Document& document);
+[[nodiscard]] EditEffects effects(const SpherePush& edit);
+[[nodiscard]] QString rowName(const SpherePush& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const SpherePush& edit, const ReachFacts& row);
 
 } // namespace core

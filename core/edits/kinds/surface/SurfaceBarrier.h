@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 namespace core {
 
 /// Shut the place of the surface to growth, or open it again: every voxel whose centre lies outside
@@ -10,5 +12,11 @@ namespace core {
 struct SurfaceBarrier {
     bool erase = false; ///< barriers there are opened
 };
+
+[[nodiscard]] Result<void> check(const SurfaceBarrier& edit, const Document& document);
+Result<bool> apply(const SurfaceBarrier& edit, Document& document);
+[[nodiscard]] EditEffects effects(const SurfaceBarrier& edit);
+[[nodiscard]] QString rowName(const SurfaceBarrier& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const SurfaceBarrier& edit, const ReachFacts& row);
 
 } // namespace core

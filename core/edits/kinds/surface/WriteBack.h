@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 namespace core {
 
 /// The segment follows the surface to where it was moved since they last agreed: where a voxel's
@@ -11,5 +13,11 @@ namespace core {
 struct WriteBack {
     bool overwriteUnlocked = false;
 };
+
+[[nodiscard]] Result<void> check(const WriteBack& edit, const Document& document);
+Result<bool> apply(const WriteBack& edit, Document& document);
+[[nodiscard]] EditEffects effects(const WriteBack& edit);
+[[nodiscard]] QString rowName(const WriteBack& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const WriteBack& edit, const ReachFacts& row);
 
 } // namespace core

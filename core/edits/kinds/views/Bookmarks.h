@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/OrthographicView.h"
+#include "core/edits/answers/EditAnswers.h"
 
 #include <QString>
 
@@ -19,5 +20,17 @@ struct AddBookmark {
 struct RemoveBookmark {
     int bookmark = 0; ///< id
 };
+
+[[nodiscard]] Result<void> check(const AddBookmark& edit, const Document& document);
+Result<bool> apply(const AddBookmark& edit, Document& document);
+[[nodiscard]] EditEffects effects(const AddBookmark& edit);
+[[nodiscard]] QString rowName(const AddBookmark& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const AddBookmark& edit, const ReachFacts& row);
+
+[[nodiscard]] Result<void> check(const RemoveBookmark& edit, const Document& document);
+Result<bool> apply(const RemoveBookmark& edit, Document& document);
+[[nodiscard]] EditEffects effects(const RemoveBookmark& edit);
+[[nodiscard]] QString rowName(const RemoveBookmark& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const RemoveBookmark& edit, const ReachFacts& row);
 
 } // namespace core

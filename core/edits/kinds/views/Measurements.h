@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/answers/EditAnswers.h"
+
 #include <glm/glm.hpp>
 
 #include <optional>
@@ -17,5 +19,17 @@ struct AddMeasurement {
 struct RemoveMeasurement {
     int measurement = 0; ///< id
 };
+
+[[nodiscard]] Result<void> check(const AddMeasurement& edit, const Document& document);
+Result<bool> apply(const AddMeasurement& edit, Document& document);
+[[nodiscard]] EditEffects effects(const AddMeasurement& edit);
+[[nodiscard]] QString rowName(const AddMeasurement& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const AddMeasurement& edit, const ReachFacts& row);
+
+[[nodiscard]] Result<void> check(const RemoveMeasurement& edit, const Document& document);
+Result<bool> apply(const RemoveMeasurement& edit, Document& document);
+[[nodiscard]] EditEffects effects(const RemoveMeasurement& edit);
+[[nodiscard]] QString rowName(const RemoveMeasurement& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const RemoveMeasurement& edit, const ReachFacts& row);
 
 } // namespace core

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/engine/DrillPathSampler.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"

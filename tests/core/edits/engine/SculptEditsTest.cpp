@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/engine/SculptEdits.h"
+#include "core/edits/sculpt/SculptEdits.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/engine/ToolMasks.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/questions/VoxelQuestions.h"
 
-#include "core/edits/engine/growth/ToleranceEdits.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/growth/ToleranceEdits.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/LabelReader.h"
 #include "tests/reference/DelayedEngine.h"

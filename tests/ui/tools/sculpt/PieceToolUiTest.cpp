@@ -62,7 +62,8 @@ public:
     {
         // What an answer asks for is asked after it came.
         for (int i = 0; i < 3; ++i) {
-            if (!workspace.session()->settle())
+            const auto measured = [this] { return !workspace.pieces().isMeasuring(); };
+            if (!workspace.session()->settle() || !QTest::qWaitFor(measured, 60000))
                 qFatal("not settled");
         }
     }

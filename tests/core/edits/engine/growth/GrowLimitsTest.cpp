@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/engine/growth/GrowLimits.h"
+#include "core/edits/kinds/growth/GrowLimits.h"
 
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/answers/EditChecks.h"
+
+namespace core {
+
+Result<void> checkLayer(const char* field, int id, const Document& document)
+{
+    const SculptLayer* layer = document.layer(id);
+    if (!layer)
+        return failure(ErrorCode::InvalidField, QLatin1String(field),
+            QStringLiteral("there is no sculpt layer %1").arg(id));
+    if (const QString why = document.whyItDoesNotCarve(*layer); !why.isEmpty())
+        return failure(ErrorCode::InvalidField, QLatin1String(field),
+            QStringLiteral("sculpt layer '%1' %2: what is carved there would not be seen")
+                .arg(layer->name, why));
+    return {};
+}
+
+} // namespace core

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/Document.h"
+#include "core/edits/answers/EditAnswers.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+namespace core {
+
+// What apply() of several edits is made of: changes of the document's lists.
+
+[[nodiscard]] tl::unexpected<Error> unknownSegment(int label);
+/// @param field for the error
+[[nodiscard]] tl::unexpected<Error> unknownLayer(const char* field, int id);
+[[nodiscard]] tl::unexpected<Error> unknownPiece(const char* field, int id);
+
+/// Takes what is given and differs. @return whether there was any
+template <class T> bool assign(T& target, const std::optional<T>& value)
+{
+    if (!value || target == *value)
+        return false;
+    target = *value;
+    return true;
+}
+
+/// Puts a member of a list to a place counted from 1. @return whether it was elsewhere
+template <class T>
+bool moveTo(std::vector<T>& list, typename std::vector<T>::iterator from, int place)
+{
+    const auto to = list.begin() + (std::min<std::ptrdiff_t>(place, std::ssize(list)) - 1);
+    if (from < to)
+        std::rotate(from, from + 1, to + 1);
+    else
+        std::rotate(to, from, from + 1);
+    return from != to;
+}
+
+/// What was measured on them stays, at its true place.
+template <class Which> void removePieces(Document& document, const Which& which)
+{
+    for (const Piece& piece : document.pieces) {
+        if (!which(piece))
+            continue;
+        document.greatestRemovedPiece = std::max(document.greatestRemovedPiece, piece.id);
+        for (Measurement& measurement : document.measurements) {
+            if (measurement.piece == piece.id)
+                measurement.piece = 0;
+        }
+    }
+    std::erase_if(document.pieces, which);
+}
+
+/// @param layer of the document. Its pieces go with it.
+void removeLayer(const SculptLayer* layer, Document& document);
+
+} // namespace core

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/engine/EngineEdits.h"
+
+#include "core/edits/kinds/parts/BrushPath.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace core {
+
+namespace {
+
+constexpr double fixed16 = 65536.0;
+constexpr double fixed30 = 1073741824.0;
+
+std::int32_t mm16(double mm)
+{
+    return std::int32_t(std::llround(mm * fixed16));
+}
+
+Fixed3 toFixed30(const glm::dvec3& v)
+{
+    return {std::llround(v.x * fixed30), std::llround(v.y * fixed30), std::llround(v.z * fixed30)};
+}
+
+/// Where stroke coordinates lie in the patient.
+struct StrokeSpace {
+    glm::dvec3 middleLps{0.0};
+    glm::dmat3 toStroke{1.0}; ///< turns LPS directions
+    double planeMm = 0.0; ///< of a disc: height of its plane over the middle
+    double volumeRadiusMm = 0.0; ///< a ball around the middle that holds every voxel
+    double halfThicknessMm = 0.0;
+
+    [[nodiscard]] glm::dvec3 turned(const glm::dvec3& lps) const
+    {
+        return toStroke * (lps - middleLps) - glm::dvec3(0.0, 0.0, planeMm);
+    }
+};
+
+/// Rows are two directions in the plane and the normal.
+glm::dmat3 planeAxes(const glm::dvec3& normal)
+{
+    const glm::dvec3 across = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 right = glm::normalize(glm::cross(across, normal));
+    return glm::transpose(glm::dmat3(right, glm::cross(normal, right), normal));
+}
+
+/// A disc that lies in a slice of the volume is brought to the middle of the nearest one, so that
+/// no rounding can make it write a neighbour.
+double snappedToSlice(const StrokeSpace& space, const glm::dvec3& normal,
+    const VolumeGeometry& geometry, const glm::dvec3& first)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto stepAlong = [&](int each) {
+            return glm::dot(normal, glm::dvec3(geometry.indexToWorld[each]));
+        };
+        double tilt = 0.0; // how far the outermost voxels of a slice leave its middle's plane
+        for (int other = 0; other < 3; ++other) {
+            if (other != axis)
+                tilt += std::abs(stepAlong(other)) * geometry.size[other] / 2.0;
+        }
+        if (tilt >= 0.25 * std::abs(stepAlong(axis)))
+            continue;
+        glm::dvec3 slice = (glm::dvec3(geometry.size) - 1.0) / 2.0;
+        slice[axis] = std::floor(geometry.toIndex(first)[axis] + 0.5);
+        return glm::dot(normal, geometry.toWorld(slice) - space.middleLps);
+    }
+    return glm::dot(normal, first - space.middleLps);
+}
+
+/// Expects a path that capsuleFrame() accepts.
+StrokeSpace strokeSpace(const BrushPath& path, const VolumeGeometry& geometry)
+{
+    StrokeSpace space;
+    space.middleLps = geometry.toWorld((glm::dvec3(geometry.size) - 1.0) / 2.0);
+    for (const glm::dvec3& corner : geometry.cornersLps())
+        space.volumeRadiusMm =
+            std::max(space.volumeRadiusMm, glm::distance(corner, space.middleLps));
+    if (path.shape == BrushPath::Shape::Ball)
+        return space;
+    const glm::dvec3 normal = glm::normalize(*path.normalLps);
+    space.toStroke = planeAxes(normal);
+    space.planeMm = snappedToSlice(space, normal, geometry, path.pointsLps.front());
+    for (int axis = 0; axis < 3; ++axis) {
+        const double step = std::abs(glm::dot(normal, glm::dvec3(geometry.indexToWorld[axis])));
+        space.halfThicknessMm = std::max(space.halfThicknessMm, step / 2.0);
+    }
+    // A plane that lies far off meets no voxel, however far.
+    const double farMm = 2.0 * space.volumeRadiusMm + 2.0 * space.halfThicknessMm;
+    space.planeMm = std::clamp(space.planeMm, -farMm, farMm);
+    return space;
+}
+
+double finestSpacing(const VolumeGeometry& geometry)
+{
+    const glm::dvec3 spacing = geometry.spacingMm();
+    return std::min({spacing.x, spacing.y, spacing.z});
+}
+
+/// No capsule is longer: short enough that 14 bits resolve it, long enough that there are few.
+std::int32_t longestCapsule(const BrushPath& path, const VolumeGeometry& geometry)
+{
+    return std::max(mm16(path.radiusMm), mm16(8.0 * finestSpacing(geometry)));
+}
+
+/// Pieces of a straight way that can come near the volume, first and one past the last.
+std::array<std::int64_t, 2> piecesNear(
+    const glm::dvec3& from, const glm::dvec3& along, std::int64_t pieces, double nearMm)
+{
+    const double a = glm::dot(along, along);
+    const double b = glm::dot(from, along);
+    const double c = glm::dot(from, from) - nearMm * nearMm;
+    if (a == 0.0)
+        return {0, c <= 0.0 ? 1 : 0};
+    const double root = b * b - a * c;
+    if (root < 0.0)
+        return {0, 0};
+    const auto at = [&](double t) { return std::clamp(t, 0.0, 1.0) * double(pieces); };
+    const double enter = (-b - std::sqrt(root)) / a;
+    const double leave = (-b + std::sqrt(root)) / a;
+    if (leave < 0.0 || enter > 1.0)
+        return {0, 0};
+    return {std::max<std::int64_t>(std::int64_t(at(enter)) - 1, 0),
+        std::min<std::int64_t>(std::int64_t(at(leave)) + 2, pieces)};
+}
+
+Capsule capsuleBetween(const glm::dvec3& from, const glm::dvec3& to)
+{
+    Capsule capsule;
+    capsule.from = glm::ivec3(mm16(from.x), mm16(from.y), mm16(from.z));
+    const double length = glm::length(to - from);
+    if (length == 0.0)
+        return capsule;
+    const glm::dvec3 direction = (to - from) / length * 16384.0;
+    capsule.direction = glm::ivec3(int(std::llround(direction.x)), int(std::llround(direction.y)),
+        int(std::llround(direction.z)));
+    capsule.length = mm16(length);
+    return capsule;
+}
+
+} // namespace
+
+Result<CapsuleFrame> capsuleFrame(
+    const BrushPath& path, const VolumeGeometry& geometry, const QString& name)
+{
+    if (path.pointsLps.empty())
+        return failure(ErrorCode::InvalidField, name + QStringLiteral(".pointsLps"),
+            QStringLiteral("needs at least one entry"));
+    if (!(path.radiusMm >= 0.01 && path.radiusMm <= 200.0))
+        return failure(ErrorCode::InvalidField, name + QStringLiteral(".radiusMm"),
+            QStringLiteral("%1 is outside 0.01 … 200").arg(path.radiusMm));
+    const bool disc = path.shape == BrushPath::Shape::Disc;
+    if (disc && !path.normalLps)
+        return failure(ErrorCode::InvalidField, name + QStringLiteral(".normalLps"),
+            QStringLiteral("missing: a disc needs the direction across its plane"));
+    if (disc && !(glm::length(*path.normalLps) > 1e-3))
+        return failure(ErrorCode::InvalidField, name + QStringLiteral(".normalLps"),
+            QStringLiteral("is no direction"));
+    const StrokeSpace space = strokeSpace(path, geometry);
+    CapsuleFrame frame;
+    frame.origin = toFixed30(space.turned(geometry.originLps()));
+    const glm::dmat3 perVoxel = space.toStroke * glm::dmat3(geometry.indexToWorld);
+    frame.perI = toFixed30(perVoxel[0]);
+    frame.perJ = toFixed30(perVoxel[1]);
+    frame.perK = toFixed30(perVoxel[2]);
+    frame.disc = disc;
+    frame.halfThickness = mm16(space.halfThicknessMm);
+    frame.radius = mm16(path.radiusMm);
+    frame.rampHalfWidth = std::max(mm16(finestSpacing(geometry) / 2.0), 1);
+    frame.reach = frame.radius + frame.rampHalfWidth + longestCapsule(path, geometry) + 16;
+    while (frame.reach >> frame.shift >= 1 << 14)
+        ++frame.shift;
+    return frame;
+}
+
+std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
+    const glm::dvec3* from, const std::vector<glm::dvec3>& points)
+{
+    const StrokeSpace space = strokeSpace(path, geometry);
+    const double longestMm = longestCapsule(path, geometry) / fixed16;
+    const double nearMm = space.volumeRadiusMm + path.radiusMm + longestMm;
+    const auto turned = [&](const glm::dvec3& point) {
+        const glm::dvec3 at = space.turned(point);
+        return path.shape == BrushPath::Shape::Disc ? glm::dvec3(at.x, at.y, 0.0) : at;
+    };
+    std::vector<Capsule> made;
+    for (const glm::dvec3& point : points) {
+        const glm::dvec3 end = turned(point);
+        const glm::dvec3 start = from ? turned(*from) : end;
+        const glm::dvec3 along = end - start;
+        const auto pieces =
+            std::max<std::int64_t>(1, std::int64_t(std::ceil(glm::length(along) / longestMm)));
+        const auto [first, last] = piecesNear(start, along, pieces, nearMm);
+        for (std::int64_t piece = first; piece < last; ++piece)
+            made.push_back(capsuleBetween(start + along * (double(piece) / double(pieces)),
+                start + along * (double(piece + 1) / double(pieces))));
+        from = &point;
+    }
+    return made;
+}
+
+std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry)
+{
+    std::vector<Capsule> made;
+    auto lift = path.lifts.begin();
+    for (std::size_t first = 0; first < path.pointsLps.size();) {
+        while (lift != path.lifts.end() && *lift <= std::int64_t(first))
+            ++lift;
+        const std::size_t last = lift == path.lifts.end()
+            ? path.pointsLps.size()
+            : std::min(std::size_t(*lift), path.pointsLps.size());
+        const std::vector<Capsule> part = capsules(path, geometry, nullptr,
+            {path.pointsLps.begin() + std::ptrdiff_t(first),
+                path.pointsLps.begin() + std::ptrdiff_t(last)});
+        made.insert(made.end(), part.begin(), part.end());
+        first = last;
+    }
+    return made;
+}
+
+} // namespace core

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/kinds/chunks/ChunkVoxels.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const ChunkToggle& edit, const Document& document)
+{
+    return discardValue(chunkClick(edit, document));
+}
+
+Result<bool> apply(const ChunkToggle&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const ChunkToggle& edit)
+{
+    return {.task = EditTask::Chunks,
+        .standsOpen = false,
+        .writesTo = edit.segment,
+        .boundToStudy = true};
+}
+
+QString rowName(const ChunkToggle& edit, const RowFacts& row)
+{
+    const Segment* segment = row.document.segment(edit.segment);
+    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    const std::int64_t gained = flow.gained;
+    const std::int64_t lost = flow.lost;
+    QStringList figures;
+    if (gained > 0)
+        figures += QLatin1Char('+') + grouped(gained);
+    if (lost > 0 || gained == 0)
+        figures += QStringLiteral("−") + grouped(lost);
+    const QString name = quoted(segmentName(edit.segment, row.document));
+    const QString what = gained > 0 && lost > 0 ? QStringLiteral("Toggle chunks of ")
+        : gained > 0                            ? QStringLiteral("Add chunks to ")
+                                                : QStringLiteral("Take chunks from ");
+    return what + name + QStringLiteral(", ") + figures.join(QLatin1Char(' '))
+        + QStringLiteral(" voxels");
+}
+
+/// The labels and seed words of the bricks that the chunks lie in.
+EditReach reach(const ChunkToggle& edit, const ReachFacts& row)
+{
+    editReach::Bricks bricks;
+    const std::uint8_t plane = row.planeOf(edit.segment);
+    for (const std::int64_t brick : edit.bricks.value_or(std::vector<std::int64_t>())) {
+        bricks.keys.insert({Field::Labels, plane, std::uint32_t(brick)});
+        bricks.keys.insert({Field::SeedWords, plane, std::uint32_t(brick)});
+    }
+    return bricks;
+}
+
+} // namespace core

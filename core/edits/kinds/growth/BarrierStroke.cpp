@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/BarrierStroke.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const BarrierStroke& edit, const Document& document)
+{
+    return discardValue(paintBarrier(edit, document));
+}
+
+Result<bool> apply(const BarrierStroke&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const BarrierStroke&)
+{
+    return {.task = EditTask::Engine, .standsOpen = true, .boundToStudy = true};
+}
+
+Result<PaintBarrier> paintBarrier(const BarrierStroke& stroke, const Document& document)
+{
+    const Result<CapsuleFrame> frame =
+        capsuleFrame(stroke.path, document.volumes.front().geometry, QStringLiteral("barrier"));
+    if (!frame)
+        return tl::unexpected(frame.error());
+    PaintBarrier barrier;
+    barrier.erase = stroke.erase;
+    barrier.frame = *frame;
+    barrier.frozen = document.lockedLabels(barrier.plane);
+    return barrier;
+}
+
+Result<EngineEdit> engineEdit(const BarrierStroke& edit, const Document& document)
+{
+    return engineEditFrom(paintBarrier(edit, document));
+}
+
+QString rowName(const BarrierStroke& edit, const RowFacts& row)
+{
+    return QStringLiteral("%1 %2, %3")
+        .arg(edit.erase ? QStringLiteral("Open barrier") : QStringLiteral("Barrier"),
+            millimetres(edit.path.radiusMm), counted(row.facts.seedWordsChanged, "voxel"));
+}
+
+EditReach reach(const BarrierStroke& edit, const ReachFacts& row)
+{
+    return row.labelled(edit.path, row.growthPlane());
+}
+
+} // namespace core

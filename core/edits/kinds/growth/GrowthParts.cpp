@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/GrowthParts.h"
+
+#include "core/edits/answers/RowWords.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/fields/EditFields.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowGuard.h"
+#include "core/edits/kinds/growth/GrowLimits.h"
+#include "core/engine/ChangeFacts.h"
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <cstdint>
+
+namespace core {
+
+using namespace rowWords;
+
+namespace {
+
+constexpr int voxelsOfOld = 60;
+constexpr int generationsOfOld = 20;
+
+} // namespace
+
+bool nothingMayChange(const Document& document, int plane)
+{
+    return document.lockedLabels(plane).any() && document.unlockedLabels(plane).none();
+}
+
+Result<GrowBurst> burstOf(
+    const GrowCriteria& criteria, const Document& document, const QString& edit)
+{
+    const auto wrong = [&edit](const char* field, const QString& reason) {
+        return failure(
+            ErrorCode::InvalidField, edit + QLatin1Char('.') + QLatin1String(field), reason);
+    };
+    if (const QString reason = editFields::Connectivity().check(criteria.connectivity);
+        !reason.isEmpty())
+        return wrong("connectivity", reason);
+    if (!(criteria.lower <= criteria.upper))
+        return wrong("upper",
+            QStringLiteral("%1 is below lower, %2").arg(criteria.upper).arg(criteria.lower));
+
+    const Volume& volume = document.volumes.front();
+    Result<GrowLimits> limits = growLimits(criteria, volume, edit);
+    if (!limits)
+        return tl::unexpected(limits.error());
+
+    constexpr std::uint8_t plane = 0;
+    GrowBurst burst{.plane = plane,
+        .lowCode = volume.encoding.lowestCodeAtLeast(criteria.lower),
+        .highCode = volume.encoding.highestCodeAtMost(criteria.upper),
+        .connectivity = criteria.connectivity,
+        .limits = *limits};
+    if (const Growth* growth = document.growth(plane))
+        burst.generation = growth->generation;
+    if (criteria.overwriteUnlocked)
+        burst.overwritable = document.unlockedLabels(plane);
+    burst.frozen = document.lockedLabels(plane);
+    if (nothingMayChange(document, plane))
+        return failure(ErrorCode::SegmentLocked, QString());
+    return burst;
+}
+
+std::optional<GuardRule> guardRule(const GrowGuard& guard, const VolumeGeometry& geometry)
+{
+    if (!guard.factor)
+        return std::nullopt;
+    GuardRule rule{.factor256 = int(std::lround(*guard.factor * 256.0))};
+    if (guard.countsVoxels()) {
+        rule.excess = guard.voxels.value_or(voxelsOfOld);
+        rule.window = guard.generations.value_or(generationsOfOld);
+    } else {
+        rule.excess = std::llround(guard.areaMm2 * 1.0e6);
+        rule.window = std::max(std::llround(guard.backMm * 1.0e3), 1LL);
+        rule.measure = frontMeasure(geometry.spacingMm());
+    }
+    return rule;
+}
+
+Result<CutGrowth> cutAt(const std::vector<glm::dvec3>& pointsLps, CutGrowth::How how,
+    const Document& document, const QString& field)
+{
+    constexpr std::uint8_t plane = 0;
+    CutGrowth command{.plane = plane, .how = how};
+    if (pointsLps.empty())
+        return failure(ErrorCode::InvalidField, field, QStringLiteral("has no point"));
+    for (const glm::dvec3& point : pointsLps) {
+        const std::optional<glm::ivec3> voxel =
+            voxelNearest(point, document.volumes.front().geometry);
+        if (!voxel)
+            return failure(ErrorCode::InvalidField, field,
+                QStringLiteral("%1 lies outside the volume").arg(pointText(point)));
+        command.voxels.push_back(*voxel);
+    }
+    if (const Growth* growth = document.growth(plane))
+        command.generation = growth->generation;
+    command.frozen = document.lockedLabels(plane);
+    if (nothingMayChange(document, plane))
+        return failure(ErrorCode::SegmentLocked, QString());
+    return command;
+}
+
+QString whatGrew(const ChangeFacts& facts, const Document& document)
+{
+    std::bitset<256> grew;
+    for (const LabelFlow& flow : facts.flows) {
+        if (flow.gained > 0)
+            grew.set(flow.label);
+    }
+    if (grew.none())
+        return {};
+    if (grew.count() > 1)
+        return counted(std::int64_t(grew.count()), "segment") + QLatin1Char(' ');
+    int label = 1;
+    while (!grew.test(std::size_t(label)))
+        ++label;
+    return QStringLiteral("'%1' ").arg(segmentName(label, document));
+}
+
+QString intervalText(const GrowCriteria& criteria, const Document& document)
+{
+    const QString unit = document.volumes.front().unit;
+    return QStringLiteral("%1 … %2%3")
+        .arg(QString::number(criteria.lower, 'g', 6), QString::number(criteria.upper, 'g', 6),
+            unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
+}
+
+EditReach reachOfGrowth(const GrowCriteria& criteria, const ReachFacts& row)
+{
+    if (row.trace.grownBeside)
+        return editReach::Growth{.plane = row.growthPlane(),
+            .coverage = criteria.onlyVisible,
+            .beside = *row.trace.grownBeside};
+    if (!criteria.onlyVisible)
+        return row.wholeGrowth();
+    editReach::Fields fields{.plane = row.growthPlane(), .layers = {}};
+    fields.layers.set();
+    return fields;
+}
+
+} // namespace core

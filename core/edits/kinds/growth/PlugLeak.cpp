@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/PlugLeak.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/GrowthParts.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const PlugLeak& edit, const Document& document)
+{
+    return discardValue(cutGrowth(edit, document));
+}
+
+Result<bool> apply(const PlugLeak&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const PlugLeak&)
+{
+    return {.task = EditTask::Engine, .standsOpen = false, .boundToStudy = true};
+}
+
+Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document)
+{
+    return cutAt({plug.pointLps}, CutGrowth::How::Neck, document, QStringLiteral("plug.pointLps"));
+}
+
+Result<EngineEdit> engineEdit(const PlugLeak& edit, const Document& document)
+{
+    return engineEditFrom(cutGrowth(edit, document));
+}
+
+QString rowName(const PlugLeak&, const RowFacts& row)
+{
+    return QStringLiteral("Plug leak, −%1").arg(counted(row.statistics.voxelsChanged, "voxel"));
+}
+
+EditReach reach(const PlugLeak&, const ReachFacts& row)
+{
+    return row.wholeGrowth();
+}
+
+} // namespace core

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+
+namespace core {
+
+/// It reads the history, not the document.
+Result<void> check(const ResumeGrowth&, const Document&)
+{
+    return {};
+}
+
+Result<bool> apply(const ResumeGrowth&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const ResumeGrowth&)
+{
+    return {.task = EditTask::Engine, .standsOpen = true};
+}
+
+Result<EngineEdit> engineEdit(const ResumeGrowth&, const Document&)
+{
+    return failure(ErrorCode::InvalidField, QStringLiteral("resume"),
+        QStringLiteral("no growth was named that it goes on with"));
+}
+
+/// It is kept as the growth that it was.
+QString rowName(const ResumeGrowth& edit, const RowFacts& row)
+{
+    return rowName(GrowSteps{.steps = edit.steps}, row);
+}
+
+EditReach reach(const ResumeGrowth&, const ReachFacts& row)
+{
+    return row.wholeGrowth();
+}
+
+} // namespace core

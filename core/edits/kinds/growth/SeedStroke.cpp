@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/SeedStroke.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+
+#include <utility>
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const SeedStroke& edit, const Document& document)
+{
+    return discardValue(seedPlacement(edit, document));
+}
+
+Result<bool> apply(const SeedStroke&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const SeedStroke&)
+{
+    return {.task = EditTask::Engine, .standsOpen = false, .boundToStudy = true};
+}
+
+Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& document)
+{
+    const Segment* segment = document.segment(stroke.segment);
+    if (!segment)
+        return failure(ErrorCode::UnknownSegment, QString::number(stroke.segment),
+            QStringLiteral("in field 'seed.segment'"));
+    if (segment->locked)
+        return failure(ErrorCode::SegmentLocked, segment->name);
+
+    if (stroke.pointsLps.empty() && !stroke.takenLps)
+        return failure(ErrorCode::InvalidField, QStringLiteral("seed.pointsLps"),
+            QStringLiteral("needs at least one entry where no seed is taken away"));
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    Result<std::vector<glm::ivec3>> voxels = seedVoxels(stroke.pointsLps, geometry, "pointsLps");
+    if (!voxels)
+        return tl::unexpected(voxels.error());
+    Result<std::vector<glm::ivec3>> taken =
+        seedVoxels(stroke.takenLps.value_or(std::vector<glm::dvec3>()), geometry, "takenLps");
+    if (!taken)
+        return tl::unexpected(taken.error());
+    return SeedPlacement{.plane = segment->plane,
+        .label = segment->label,
+        .voxels = *std::move(voxels),
+        .taken = *std::move(taken)};
+}
+
+Result<EngineEdit> engineEdit(const SeedStroke& edit, const Document& document)
+{
+    return engineEditFrom(seedPlacement(edit, document));
+}
+
+QString rowName(const SeedStroke& stroke, const RowFacts& row)
+{
+    const QString segment = segmentName(stroke.segment, row.document);
+    if (stroke.takenLps && stroke.pointsLps.size() == stroke.takenLps->size())
+        return QStringLiteral("Move %1 of '%2'")
+                   .arg(counted(std::int64_t(stroke.pointsLps.size()), "seed"), segment)
+            + (row.sketched && !row.sketched->whyNotTaken.isEmpty()
+                    ? QStringLiteral(", ") + row.sketched->text
+                    : QString());
+    const QString voxels = counted(row.facts.seedWordsChanged, "voxel");
+    if (stroke.pointsLps.empty())
+        return QStringLiteral("Take seeds of '%1' away, %2").arg(segment, voxels);
+    return QStringLiteral("Seed stroke for '%1', %2")
+        .arg(segment, row.sketched ? row.sketched->text : voxels);
+}
+
+/// The seed words of the bricks that its points lie in.
+EditReach reach(const SeedStroke& edit, const ReachFacts& row)
+{
+    std::vector<glm::dvec3> points = edit.pointsLps;
+    if (edit.takenLps)
+        points.insert(points.end(), edit.takenLps->begin(), edit.takenLps->end());
+    editReach::Bricks bricks;
+    if (const auto voxels = seedVoxels(points, row.geometry())) {
+        for (const glm::ivec3& voxel : *voxels)
+            bricks.keys.insert({Field::SeedWords, row.planeOf(edit.segment),
+                std::uint32_t(row.grid().brickOf(voxel))});
+    }
+    return bricks;
+}
+
+} // namespace core

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/layers/ChangeLayer.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/ListEdits.h"
+#include "core/edits/answers/RowDeeds.h"
+#include "core/edits/answers/RowFacts.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const ChangeLayer& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const ChangeLayer& edit, Document& document)
+{
+    SculptLayer* layer = document.layer(edit.layer);
+    if (!layer)
+        return unknownLayer("changeLayer.layer", edit.layer);
+    bool changed = assign(layer->name, edit.name);
+    changed |= assign(layer->muted, edit.muted);
+    changed |= assign(layer->solo, edit.solo);
+    return changed;
+}
+
+EditEffects effects(const ChangeLayer&)
+{
+    return documentEffects(DocumentChange::What::Layers);
+}
+
+QString rowName(const ChangeLayer& edit, const RowFacts& row)
+{
+    const Document& document = row.document;
+    const SculptLayer* before = document.layer(edit.layer);
+    const QString name = layerName(edit.layer, document);
+    Deeds deeds;
+    if (differs(edit.name, before ? &before->name : nullptr))
+        deeds.add(QStringLiteral("Rename layer %1 to %2").arg(name, quoted(*edit.name)), {});
+    if (differs(edit.solo, before ? &before->solo : nullptr)) {
+        if (*edit.solo)
+            deeds.add(QStringLiteral("Solo layer ") + name, QStringLiteral("solo it"));
+        else
+            deeds.add(QStringLiteral("End solo of layer ") + name, QStringLiteral("end its solo"));
+    }
+    if (differs(edit.muted, before ? &before->muted : nullptr)) {
+        if (*edit.muted)
+            deeds.add(QStringLiteral("Mute layer ") + name, QStringLiteral("mute it"));
+        else
+            deeds.add(QStringLiteral("Unmute layer ") + name, QStringLiteral("unmute it"));
+    }
+    return deeds.text();
+}
+
+EditReach reach(const ChangeLayer&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+} // namespace core

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/layers/MoveLayer.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/ListEdits.h"
+#include "core/edits/answers/RowFacts.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const MoveLayer& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const MoveLayer& edit, Document& document)
+{
+    const SculptLayer* layer = document.layer(edit.layer);
+    if (!layer)
+        return unknownLayer("moveLayer.layer", edit.layer);
+    std::vector<SculptLayer>& layers = document.layers;
+    return moveTo(layers, layers.begin() + (layer - layers.data()), edit.place);
+}
+
+EditEffects effects(const MoveLayer&)
+{
+    return documentEffects(DocumentChange::What::Layers);
+}
+
+QString rowName(const MoveLayer& edit, const RowFacts& row)
+{
+    return QStringLiteral("Move layer %1 to place %2")
+        .arg(layerName(edit.layer, row.document))
+        .arg(edit.place);
+}
+
+EditReach reach(const MoveLayer&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+} // namespace core

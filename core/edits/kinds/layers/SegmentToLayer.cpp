@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const SegmentToLayer& edit, const Document& document)
+{
+    if (const Result<void> checked = checkLayer("segmentToLayer.layer", edit.layer, document);
+        !checked)
+        return checked;
+    return discardValue(coverLabel(edit, document));
+}
+
+Result<bool> apply(const SegmentToLayer&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const SegmentToLayer&)
+{
+    return {.task = EditTask::Engine, .standsOpen = false};
+}
+
+Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& document)
+{
+    const Segment* segment = document.segment(edit.segment);
+    if (!segment)
+        return failure(ErrorCode::UnknownSegment, QString::number(edit.segment),
+            QStringLiteral("in field 'segmentToLayer.segment'"));
+    if (segment->uncarvable)
+        return failure(ErrorCode::SegmentProtected, segment->name);
+    return CoverLabel{
+        .layer = std::uint8_t(edit.layer), .plane = segment->plane, .label = segment->label};
+}
+
+Result<EngineEdit> engineEdit(const SegmentToLayer& edit, const Document& document)
+{
+    return engineEditFrom(coverLabel(edit, document));
+}
+
+QString rowName(const SegmentToLayer& edit, const RowFacts& row)
+{
+    return QStringLiteral("Segment %1 to layer %2, %3")
+        .arg(quoted(segmentName(edit.segment, row.document)), layerName(edit.layer, row.document),
+            counted(row.statistics.voxelsChanged, "voxel"));
+}
+
+/// The labels and seed words of the segment's plane, and the layer's coverage.
+EditReach reach(const SegmentToLayer& edit, const ReachFacts& row)
+{
+    editReach::Fields fields{.plane = row.planeOf(edit.segment), .layers = {}};
+    fields.layers.set(std::size_t(edit.layer));
+    return fields;
+}
+
+} // namespace core

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/pieces/CutPiece.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/ListEdits.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/kinds/pieces/AppendPiece.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const CutPiece& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const CutPiece& edit, Document& document)
+{
+    const SculptLayer* layer = document.layer(edit.layer);
+    if (!layer)
+        return unknownLayer("cutPiece.layer", edit.layer);
+    if (const Piece* other = document.pieceOfLayer(edit.layer))
+        return failure(ErrorCode::InvalidField, QStringLiteral("cutPiece.layer"),
+            QStringLiteral("sculpt layer '%1' is the piece '%2' already")
+                .arg(layer->name, other->name));
+    return appendPiece(
+        {.name = edit.name, .layer = edit.layer, .pivotLps = edit.pivotLps}, "cutPiece", document);
+}
+
+EditEffects effects(const CutPiece& edit)
+{
+    return documentEffects(DocumentChange::What::Pieces, edit.pivotLps.has_value());
+}
+
+QString rowName(const CutPiece& edit, const RowFacts& row)
+{
+    return QStringLiteral("Lift %1 off layer %2")
+        .arg(quoted(edit.name), layerName(edit.layer, row.document));
+}
+
+EditReach reach(const CutPiece&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+} // namespace core

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/pieces/PastePiece.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/ListEdits.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/kinds/pieces/AppendPiece.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const PastePiece& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const PastePiece& edit, Document& document)
+{
+    if (!document.segment(edit.segment))
+        return unknownSegment(edit.segment);
+    return appendPiece(
+        {.name = edit.name, .segment = edit.segment, .pivotLps = edit.pivotLps, .pose = edit.pose},
+        "pastePiece", document);
+}
+
+EditEffects effects(const PastePiece& edit)
+{
+    return documentEffects(DocumentChange::What::Pieces, edit.pivotLps.has_value());
+}
+
+QString rowName(const PastePiece& edit, const RowFacts& row)
+{
+    return QStringLiteral("Paste segment %1 as piece %2")
+        .arg(quoted(segmentName(edit.segment, row.document)), quoted(edit.name));
+}
+
+EditReach reach(const PastePiece&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+} // namespace core

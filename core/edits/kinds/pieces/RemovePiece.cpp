@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/pieces/RemovePiece.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/ListEdits.h"
+#include "core/edits/answers/RowFacts.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const RemovePiece& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const RemovePiece& edit, Document& document)
+{
+    if (!document.piece(edit.piece))
+        return unknownPiece("removePiece.piece", edit.piece);
+    removePieces(document, [&edit](const Piece& each) { return each.id == edit.piece; });
+    return true;
+}
+
+EditEffects effects(const RemovePiece&)
+{
+    return documentEffects(DocumentChange::What::Pieces);
+}
+
+QString rowName(const RemovePiece& edit, const RowFacts& row)
+{
+    return QStringLiteral("Remove piece ") + pieceName(edit.piece, row.document);
+}
+
+EditReach reach(const RemovePiece&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+} // namespace core

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/HiddenSides.h"
+#include "core/edits/kinds/sculpt/CutParts.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const BrushStroke& edit, const Document& document)
+{
+    return checkCut(edit, "brush.layer", capsuleCut(edit, document), document);
+}
+
+Result<bool> apply(const BrushStroke&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const BrushStroke&)
+{
+    return {.task = EditTask::Engine, .standsOpen = true, .boundToStudy = true};
+}
+
+Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document)
+{
+    const Result<CapsuleFrame> frame =
+        capsuleFrame(stroke.path, document.volumes.front().geometry, QStringLiteral("brush"));
+    if (!frame)
+        return tl::unexpected(frame.error());
+    if (const Result<void> checked =
+            checkSpared(stroke.spared, stroke.restore, QStringLiteral("brush"));
+        !checked)
+        return tl::unexpected(checked.error());
+    CapsuleCut cut;
+    cut.layer = std::uint8_t(stroke.layer);
+    cut.restore = stroke.restore;
+    cut.frame = *frame;
+    cut.hidden = hiddenHalves(stroke.hidden, document.volumes.front().geometry);
+    cut.spared = sparedLabels(stroke.spared, document);
+    return cut;
+}
+
+Result<EngineEdit> engineEdit(const BrushStroke& edit, const Document& document)
+{
+    return engineEditFrom(capsuleCut(edit, document));
+}
+
+QString rowName(const BrushStroke& edit, const RowFacts& row)
+{
+    return QStringLiteral("%1 %2, %3")
+        .arg(edit.restore ? QStringLiteral("Restore brush") : QStringLiteral("Carve brush"),
+            millimetres(edit.path.radiusMm), counted(row.statistics.voxelsChanged, "voxel"));
+}
+
+/// The coverage of its own layer in the bricks under the brush, and what it spares there.
+EditReach reach(const BrushStroke& edit, const ReachFacts& row)
+{
+    const std::optional<std::uint8_t> labelsRead = labelsReadBy(edit, row.document);
+    editReach::Bricks bricks;
+    for (const std::uint32_t brick : row.under(edit.path)) {
+        bricks.keys.insert({Field::Coverage, std::uint8_t(edit.layer), brick});
+        if (labelsRead)
+            bricks.keys.insert({Field::Labels, *labelsRead, brick});
+    }
+    return bricks;
+}
+
+} // namespace core

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/engine/SparedSegments.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/sculpt/MaskFrame.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace core {
+
+// What the cuts have in common.
+
+/// Whether a cut may be done: what it spares is there, its layer is there and seen, and a command
+/// can be made of it. @param field of its layer, for the error
+template <class Cut, class Command>
+[[nodiscard]] Result<void> checkCut(
+    const Cut& cut, const char* field, const Result<Command>& command, const Document& document)
+{
+    if (const Result<void> checked = checkSparedAreThere(cut.spared, cut.restore, document);
+        !checked)
+        return checked;
+    if (const Result<void> checked = checkLayer(field, cut.layer, document); !checked)
+        return checked;
+    return discardValue(command);
+}
+
+/// The plane whose labels a cut reads, since it spares some; none: it reads no labels.
+template <class Cut>
+[[nodiscard]] std::optional<std::uint8_t> labelsReadBy(const Cut& cut, const Document& document)
+{
+    if (cut.restore || !cut.spared)
+        return std::nullopt;
+    return sparedLabels(cut.spared, document).plane;
+}
+
+/// Of a cut that could not be worked out.
+[[nodiscard]] EditReach reachesNothing();
+
+/// Of a mask that moves along a path: the coverage that its rays can meet, what the blur brings
+/// there included (seed A §4.2), of all layers, muted or not, from the volume's front down to where
+/// the deepest cut could end that begins on the deepest surface met (RowTrace::searchedTo).
+/// @param labels labelsReadBy()
+[[nodiscard]] EditReach swept(const MaskFrame& frame, std::vector<glm::dvec2> path,
+    double maskReachMm, std::optional<std::uint8_t> labels, const ReachFacts& row);
+/// Likewise, under a disc around a closed curve.
+[[nodiscard]] EditReach sweptOutline(const MaskFrame& frame, const std::vector<glm::dvec2>& outline,
+    std::optional<std::uint8_t> labels, const ReachFacts& row);
+[[nodiscard]] std::vector<glm::dvec2> pathOf(const std::vector<PenSample>& samples);
+
+} // namespace core

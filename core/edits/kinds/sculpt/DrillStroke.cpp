@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/MaskFrames.h"
+#include "core/edits/kinds/sculpt/CutParts.h"
+#include "core/edits/kinds/sculpt/PressedName.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+Result<void> checkRange(const char* field, double value, double minimum, double maximum)
+{
+    if (value >= minimum && value <= maximum)
+        return {};
+    return failure(ErrorCode::InvalidField, QStringLiteral("drill.") + QLatin1String(field),
+        QStringLiteral("%1 is outside %2 … %3").arg(value).arg(minimum).arg(maximum));
+}
+
+/// How far a drill's mask lies from the sample at most.
+double drillReachMm(const DrillCut& cut)
+{
+    const glm::ivec2 corner =
+        glm::max(glm::abs(cut.mask.first), glm::abs(cut.mask.first + cut.mask.size));
+    return std::max(double(cut.maskRadius), cut.frame.pitch * glm::length(glm::dvec2(corner)))
+        / 65536.0;
+}
+
+} // namespace
+
+Result<void> check(const DrillStroke& edit, const Document& document)
+{
+    return checkCut(edit, "drill.layer", drillCut(edit, document), document);
+}
+
+Result<bool> apply(const DrillStroke&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const DrillStroke&)
+{
+    return {.task = EditTask::Engine, .standsOpen = true, .boundToStudy = true};
+}
+
+Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
+{
+    const bool rate = stroke.mode == DrillMode::Rate;
+    for (const Result<void>& check :
+        {checkRange("mask.radiusMm", stroke.mask.radiusMm, 0.01, 200.0),
+            checkRange("mask.softnessMm", stroke.mask.softnessMm, 0.0, 200.0),
+            checkRange("depthMm", stroke.depthMm, 0.0, 500.0),
+            checkRange("floorMm", stroke.floorMm, 0.0, 500.0),
+            checkRange("guardMm", stroke.guardMm, 0.0, 500.0),
+            checkRange("pressureExponent", stroke.pressureExponent, 1, 3),
+            checkRange("layer", stroke.layer, 1, 254)}) {
+        if (!check)
+            return tl::unexpected(check.error());
+    }
+    const Result<MaskFrame> frame =
+        maskFrame({.view = stroke.view,
+                      .surfaceThreshold = stroke.surfaceThreshold,
+                      .maskReachMm = reachMm(stroke.mask),
+                      .maxDepthMm = rate ? stroke.floorMm : stroke.depthMm,
+                      .throughGaps = stroke.throughGaps,
+                      .restore = stroke.restore,
+                      .hidden = stroke.hidden,
+                      .spared = stroke.spared},
+            document, QStringLiteral("drill"));
+    if (!frame)
+        return tl::unexpected(frame.error());
+    DrillCut cut{.layer = std::uint8_t(stroke.layer), .frame = *frame};
+    cut.mode = stroke.mode;
+    cut.laying = stroke.restore ? Laying::Refill : Laying::Carve;
+    if (stroke.guardMm > 0.0 && !stroke.throughGaps && !stroke.restore)
+        cut.guard = frame->maxDepth + mm16(stroke.guardMm);
+    if (isRound(stroke.mask) && stroke.mask.softnessMm == 0.0) {
+        cut.maskRadius = mm16(stroke.mask.radiusMm);
+        return cut;
+    }
+    Result<MaskRaster> mask =
+        maskUnderSample(stroke.mask, frame->pitch, QStringLiteral("drill.mask"));
+    if (!mask)
+        return tl::unexpected(mask.error());
+    cut.mask = *std::move(mask);
+    return cut;
+}
+
+Result<EngineEdit> engineEdit(const DrillStroke& edit, const Document& document)
+{
+    return engineEditFrom(drillCut(edit, document));
+}
+
+QString rowName(const DrillStroke& edit, const RowFacts& row)
+{
+    return pressedName(edit, {"Drill ", "Restore "}, row.statistics);
+}
+
+EditReach reach(const DrillStroke& edit, const ReachFacts& row)
+{
+    const Result<DrillCut> cut = drillCut(edit, row.document);
+    if (!cut)
+        return reachesNothing();
+    return swept(cut->frame, pathOf(edit.samples), drillReachMm(*cut),
+        labelsReadBy(edit, row.document), row);
+}
+
+} // namespace core

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/edits/engine/MaskFrames.h"
+#include "core/sculpt/MaskRaster.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace core {
+
+/// A mask plane, and a closed curve on it.
+struct OutlinedPlane {
+    MaskFrame frame;
+    MaskRaster mask;
+};
+
+/// @param options its maskReachMm is that of the curve @param edit name of the edit, for errors
+/// Errors: those of maskFrame(), InvalidField (a curve that is too small).
+[[nodiscard]] Result<OutlinedPlane> outlinedPlane(const std::vector<glm::dvec2>& outline,
+    MaskFrameOptions options, const Document& document, const QString& edit);
+
+} // namespace core

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/sculpt/PeelCut.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/MaskFrames.h"
+#include "core/edits/kinds/sculpt/CutParts.h"
+#include "core/edits/kinds/sculpt/OutlinedPlane.h"
+
+#include <utility>
+
+namespace core {
+
+using namespace rowWords;
+
+namespace {
+
+/// No peel reaches farther than this along the view, however steep the surface.
+constexpr double farthestPeelMm = 64.0;
+
+} // namespace
+
+Result<void> check(const PeelCut& edit, const Document& document)
+{
+    return checkCut(edit, "peel.layer", maskPeel(edit, document), document);
+}
+
+Result<bool> apply(const PeelCut&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const PeelCut&)
+{
+    return {.task = EditTask::Engine, .standsOpen = true, .boundToStudy = true};
+}
+
+Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document)
+{
+    Result<OutlinedPlane> plane = outlinedPlane(peel.polygonMm,
+        {.view = peel.view,
+            .surfaceThreshold = peel.surfaceThreshold,
+            .maxDepthMm = farthestPeelMm,
+            .throughGaps = peel.throughGaps,
+            .restore = peel.restore,
+            .hidden = peel.hidden,
+            .spared = peel.spared},
+        document, QStringLiteral("peel"));
+    if (!plane)
+        return tl::unexpected(plane.error());
+    MaskPeel made{.layer = std::uint8_t(peel.layer), .frame = plane->frame};
+    made.mask = std::move(plane->mask);
+    if (peel.jumpMm > 0.0)
+        made.jump = mm16(peel.jumpMm);
+    made.laying = peel.restore ? Laying::Refill : Laying::Carve;
+    return made;
+}
+
+PeelDepth peelDepth(const PeelCut& peel)
+{
+    return {mm16(peel.depthMm)};
+}
+
+Result<EngineEdit> engineEdit(const PeelCut& edit, const Document& document)
+{
+    return engineEditFrom(maskPeel(edit, document));
+}
+
+/// "Peel 4.0 mm, 214 bricks".
+QString rowName(const PeelCut& peel, const RowFacts& row)
+{
+    return (peel.restore ? QStringLiteral("Restore peel ") : QStringLiteral("Peel "))
+        + QStringLiteral("%1 mm, ").arg(QString::number(peel.depthMm, 'f', 1))
+        + counted(row.statistics.bricks, "brick");
+}
+
+EditReach reach(const PeelCut& edit, const ReachFacts& row)
+{
+    const Result<MaskPeel> cut = maskPeel(edit, row.document);
+    if (!cut)
+        return reachesNothing();
+    return sweptOutline(cut->frame, edit.polygonMm, labelsReadBy(edit, row.document), row);
+}
+
+} // namespace core

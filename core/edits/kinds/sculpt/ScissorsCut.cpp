@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/MaskFrames.h"
+#include "core/edits/kinds/sculpt/CutParts.h"
+#include "core/edits/kinds/sculpt/OutlinedPlane.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace core {
+
+using namespace rowWords;
+
+namespace {
+
+constexpr double wholeVolumeMm = 10000.0;
+
+} // namespace
+
+Result<void> check(const ScissorsCut& edit, const Document& document)
+{
+    return checkCut(edit, "scissors.layer", maskScissors(edit, document), document);
+}
+
+Result<bool> apply(const ScissorsCut&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const ScissorsCut&)
+{
+    return {.task = EditTask::Engine, .standsOpen = false, .boundToStudy = true};
+}
+
+Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& document)
+{
+    if (cut.restore && cut.firstLayerOnly)
+        return failure(ErrorCode::InvalidField, QStringLiteral("scissors.firstLayerOnly"),
+            QStringLiteral("has no meaning while restoring"));
+    Result<OutlinedPlane> plane = outlinedPlane(cut.polygonMm,
+        {.view = cut.view,
+            .surfaceThreshold = cut.surfaceThreshold,
+            .maxDepthMm = std::min(cut.depthMm.value_or(wholeVolumeMm), wholeVolumeMm),
+            .throughGaps = !cut.firstLayerOnly,
+            .restore = cut.restore,
+            .hidden = cut.hidden,
+            .spared = cut.spared},
+        document, QStringLiteral("scissors"));
+    if (!plane)
+        return tl::unexpected(plane.error());
+    MaskScissors made{.layer = std::uint8_t(cut.layer), .frame = plane->frame};
+    made.mask = std::move(plane->mask);
+    made.fromSurface = cut.depthMm || cut.firstLayerOnly;
+    made.laying = cut.restore ? Laying::Refill : Laying::Carve;
+    return made;
+}
+
+Result<EngineEdit> engineEdit(const ScissorsCut& edit, const Document& document)
+{
+    return engineEditFrom(maskScissors(edit, document));
+}
+
+/// "Carve scissors 12.0 mm deep, 214 bricks".
+QString rowName(const ScissorsCut& cut, const RowFacts& row)
+{
+    QString name =
+        cut.restore ? QStringLiteral("Restore scissors") : QStringLiteral("Carve scissors");
+    if (cut.depthMm)
+        name += QStringLiteral(" %1 mm deep").arg(QString::number(*cut.depthMm, 'f', 1));
+    if (cut.firstLayerOnly)
+        name += QStringLiteral(" through the first layer");
+    return name + QStringLiteral(", ") + counted(row.statistics.bricks, "brick");
+}
+
+EditReach reach(const ScissorsCut& edit, const ReachFacts& row)
+{
+    const Result<MaskScissors> cut = maskScissors(edit, row.document);
+    if (!cut)
+        return reachesNothing();
+    return sweptOutline(cut->frame, edit.polygonMm, labelsReadBy(edit, row.document), row);
+}
+
+} // namespace core

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/sculpt/ToolMasks.h"
+
+#include "core/edits/engine/MaskFrames.h"
+#include "core/edits/kinds/sculpt/MaskShape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+namespace {
+
+constexpr double fixed16 = 65536.0;
+
+/// Sines may differ in the last bit between libraries; what follows must not.
+double settled(double value)
+{
+    return double(std::llround(value * 1073741824.0)) / 1073741824.0;
+}
+
+glm::dvec2 directionAt(double degrees)
+{
+    const double radians = degrees * (3.14159265358979323846 / 180.0);
+    return {settled(std::cos(radians)), settled(std::sin(radians))};
+}
+
+/// Part of an ellipse, from one angle to another.
+void addArc(std::vector<glm::dvec2>& outline, const glm::dvec2& middle, const glm::dvec2& radii,
+    double fromDegrees, double toDegrees, double sagMm)
+{
+    const double radius = std::max(radii.x, radii.y);
+    const double step = 2.0 * std::acos(1.0 - std::min(sagMm / std::max(radius, 1e-6), 0.1));
+    const double sweep = (toDegrees - fromDegrees) * (3.14159265358979323846 / 180.0);
+    // A multiple of four, so that a circle is the same after a quarter turn.
+    const int pieces = 4 * std::clamp(int(std::ceil(sweep / step / 4.0)), 1, 1024);
+    for (int i = 0; i <= pieces; ++i)
+        outline.push_back(
+            middle + radii * directionAt(fromDegrees + (toDegrees - fromDegrees) * i / pieces));
+}
+
+} // namespace
+
+bool isRound(const MaskShape& shape)
+{
+    return !shape.polygonMm && shape.kind == MaskShape::Kind::Circle;
+}
+
+double reachMm(const MaskShape& shape)
+{
+    if (shape.polygonMm) {
+        double reach = 0.0;
+        for (const glm::dvec2& point : *shape.polygonMm)
+            reach = std::max(reach, std::sqrt(point.x * point.x + point.y * point.y));
+        return reach;
+    }
+    switch (shape.kind) {
+    case MaskShape::Kind::Circle:
+        return shape.radiusMm;
+    case MaskShape::Kind::Ellipse:
+        return std::max(shape.widthMm, shape.heightMm) / 2.0;
+    case MaskShape::Kind::Square:
+        return shape.widthMm * std::sqrt(0.5);
+    case MaskShape::Kind::Rectangle:
+    case MaskShape::Kind::Rounded:
+        break;
+    }
+    return std::sqrt(shape.widthMm * shape.widthMm + shape.heightMm * shape.heightMm) / 2.0;
+}
+
+std::vector<glm::dvec2> outlineMm(const MaskShape& shape, double elementMm)
+{
+    if (shape.polygonMm)
+        return *shape.polygonMm;
+    const double sag = elementMm / 64.0;
+    const glm::dvec2 half(shape.widthMm / 2.0,
+        (shape.kind == MaskShape::Kind::Square ? shape.widthMm : shape.heightMm) / 2.0);
+    std::vector<glm::dvec2> outline;
+    switch (shape.kind) {
+    case MaskShape::Kind::Circle:
+        addArc(outline, {0.0, 0.0}, glm::dvec2(shape.radiusMm), 0.0, 360.0, sag);
+        break;
+    case MaskShape::Kind::Ellipse:
+        addArc(outline, {0.0, 0.0}, half, 0.0, 360.0, sag);
+        break;
+    case MaskShape::Kind::Square:
+    case MaskShape::Kind::Rectangle:
+        outline = {half, {-half.x, half.y}, -half, {half.x, -half.y}};
+        break;
+    case MaskShape::Kind::Rounded: {
+        const double corner = std::min({shape.cornerMm, half.x, half.y});
+        const glm::dvec2 middle = half - corner;
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            const glm::dvec2 side(
+                quarter == 1 || quarter == 2 ? -1.0 : 1.0, quarter >= 2 ? -1.0 : 1.0);
+            addArc(outline, middle * side, glm::dvec2(corner), 90.0 * quarter, 90.0 * (quarter + 1),
+                sag);
+        }
+        break;
+    }
+    }
+    const glm::dvec2 turn = directionAt(shape.rotationDegrees);
+    if (shape.kind != MaskShape::Kind::Circle) {
+        for (glm::dvec2& point : outline)
+            point = {turn.x * point.x - turn.y * point.y, turn.y * point.x + turn.x * point.y};
+    }
+    return outline;
+}
+
+Result<MaskRaster> maskOf(const std::vector<glm::dvec2>& outlineMm, std::int32_t pitch,
+    const glm::dvec2& origin, const QString& field)
+{
+    const double perMm = fixed16 / pitch;
+    std::vector<MaskVertex> vertices;
+    vertices.reserve(outlineMm.size());
+    for (const glm::dvec2& point : outlineMm) {
+        const glm::dvec2 place = (point * perMm + origin) * double(maskSubdivision);
+        vertices.emplace_back(int(std::llround(place.x)), int(std::llround(place.y)));
+    }
+    const MaskRaster filled = filledExactly(vertices);
+    if (filled.area() < 256)
+        return failure(ErrorCode::InvalidField, field,
+            QStringLiteral("is too small: it covers less than the %1 mm that a cut resolves")
+                .arg(pitch / fixed16, 0, 'f', 2));
+    return smoothed(filled);
+}
+
+Result<MaskRaster> maskUnderSample(const MaskShape& shape, std::int32_t pitch, const QString& field)
+{
+    Result<MaskRaster> mask =
+        maskOf(outlineMm(shape, pitch / fixed16), pitch, glm::dvec2(0.5), field);
+    if (mask)
+        *mask = softened(*mask, (std::int64_t(mm16(shape.softnessMm)) << 8) / pitch);
+    return mask;
+}
+
+} // namespace core

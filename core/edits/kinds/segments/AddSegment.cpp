@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/AddSegment.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+
+namespace core {
+
+namespace {
+
+constexpr int lastLabel = 255;
+
+} // namespace
+
+Result<void> check(const AddSegment& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const AddSegment& edit, Document& document)
+{
+    const int label = document.lastLabelGiven() + 1;
+    if (label > lastLabel)
+        return failure(ErrorCode::InvalidField, QStringLiteral("addSegment"),
+            QStringLiteral("a label plane has room for %1 segments, those deleted included")
+                .arg(lastLabel));
+    document.segments.push_back(
+        {.label = std::uint8_t(label), .name = edit.name, .rgb = edit.rgb, .code = edit.code});
+    return true;
+}
+
+Result<bool> addNewSegment(const SegmentChoice& choice, Document& document)
+{
+    if (choice.segment)
+        return false;
+    return apply(AddSegment{.name = choice.name, .rgb = choice.rgb, .code = {}}, document);
+}
+
+EditEffects effects(const AddSegment&)
+{
+    return documentEffects(DocumentChange::What::Segments);
+}
+
+QString rowName(const AddSegment& edit, const RowFacts&)
+{
+    return QStringLiteral("Add segment '%1'").arg(edit.name);
+}
+
+EditReach reach(const AddSegment&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+} // namespace core

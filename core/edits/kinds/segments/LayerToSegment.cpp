@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/LayerToSegment.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const LayerToSegment& edit, const Document& document)
+{
+    if (effects(edit).changes) {
+        if (const Result<void> applied = checkApplied(edit, document); !applied)
+            return applied;
+    }
+    return discardValue(labelCarved(edit, document));
+}
+
+Result<bool> apply(const LayerToSegment& edit, Document& document)
+{
+    return addNewSegment(edit.target, document);
+}
+
+EditEffects effects(const LayerToSegment& edit)
+{
+    return {.task = EditTask::Engine,
+        .standsOpen = false,
+        .changes =
+            edit.target.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
+        .takesVoxelsOrNothing = true,
+        .writesTo = edit.target.segment};
+}
+
+Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& document)
+{
+    if (!document.layer(edit.layer))
+        return failure(ErrorCode::InvalidField, QStringLiteral("layerToSegment.layer"),
+            QStringLiteral("there is no sculpt layer %1").arg(edit.layer));
+    Result<LabelTarget> target = labelTarget(edit.target, edit.overwriteUnlocked, document);
+    if (!target)
+        return tl::unexpected(target.error());
+    return LabelCarved{.target = *target, .layer = std::uint8_t(edit.layer)};
+}
+
+Result<EngineEdit> engineEdit(const LayerToSegment& edit, const Document& document)
+{
+    return engineEditFrom(labelCarved(edit, document));
+}
+
+QString rowName(const LayerToSegment& edit, const RowFacts& row)
+{
+    return QStringLiteral("Layer %1 to segment %2, +%3")
+        .arg(layerName(edit.layer, row.document), targetName(edit.target, row.document),
+            counted(row.statistics.voxelsChanged, "voxel"));
+}
+
+/// The coverage of the layer, and the labels and seed words of the segment's plane, since what
+/// other segments held decided too.
+EditReach reach(const LayerToSegment& edit, const ReachFacts& row)
+{
+    editReach::Fields fields{.plane = row.planeOf(edit.target.segment.value_or(0)), .layers = {}};
+    fields.layers.set(std::size_t(edit.layer));
+    return fields;
+}
+
+} // namespace core

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/PaintStroke.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const PaintStroke& edit, const Document& document)
+{
+    return discardValue(paintLabel(edit, document));
+}
+
+Result<bool> apply(const PaintStroke&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const PaintStroke& edit)
+{
+    return {.task = EditTask::Engine,
+        .standsOpen = true,
+        .writesTo = edit.segment,
+        .boundToStudy = true};
+}
+
+Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document)
+{
+    const Segment* segment = document.segment(stroke.segment);
+    if (!segment)
+        return failure(ErrorCode::UnknownSegment, QString::number(stroke.segment),
+            QStringLiteral("in field 'paint.segment'"));
+    if (segment->locked)
+        return failure(ErrorCode::SegmentLocked, segment->name);
+    if (stroke.lower && stroke.upper && !(*stroke.lower <= *stroke.upper))
+        return failure(ErrorCode::InvalidField, QStringLiteral("paint.upper"),
+            QStringLiteral("%1 is below lower, %2").arg(*stroke.upper).arg(*stroke.lower));
+    const Volume& volume = document.volumes.front();
+    Result<CapsuleFrame> frame =
+        capsuleFrame(stroke.path, volume.geometry, QStringLiteral("paint"));
+    if (!frame)
+        return tl::unexpected(frame.error());
+    PaintLabel paint;
+    paint.plane = segment->plane;
+    paint.label = segment->label;
+    paint.erase = stroke.erase;
+    paint.seeds = stroke.seeds;
+    paint.lowCode = stroke.lower ? volume.encoding.lowestCodeAtLeast(*stroke.lower) : 0;
+    paint.highCode = stroke.upper ? volume.encoding.highestCodeAtMost(*stroke.upper)
+                                  : VoxelEncoding::codeCount - 1;
+    paint.frame = *frame;
+    if (stroke.overwriteUnlocked)
+        paint.overwritable = document.unlockedLabels(segment->plane);
+    return paint;
+}
+
+Result<EngineEdit> engineEdit(const PaintStroke& edit, const Document& document)
+{
+    return engineEditFrom(paintLabel(edit, document));
+}
+
+QString rowName(const PaintStroke& stroke, const RowFacts& row)
+{
+    // What only makes seeds of painted voxels, or takes seeds away, changes no label.
+    const std::int64_t voxels = row.statistics.voxelsChanged;
+    const QString count =
+        voxels > 0 ? counted(voxels, "voxel") : counted(row.facts.seedWordsChanged, "seed voxel");
+    return QStringLiteral("%1 %2 %3, %4%5")
+        .arg(stroke.erase ? QStringLiteral("Erase") : QStringLiteral("Paint"),
+            quoted(segmentName(stroke.segment, row.document)), millimetres(stroke.path.radiusMm),
+            stroke.erase ? QStringLiteral("−") : QStringLiteral("+"), count);
+}
+
+/// The labels and seed words of the bricks under the brush.
+EditReach reach(const PaintStroke& edit, const ReachFacts& row)
+{
+    return row.labelled(edit.path, row.planeOf(edit.segment));
+}
+
+} // namespace core

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/RemoveSegment.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/ListEdits.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const RemoveSegment& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const RemoveSegment& edit, Document& document)
+{
+    const Segment* segment = document.segment(edit.segment);
+    if (!segment)
+        return unknownSegment(edit.segment);
+    if (segment->locked)
+        return failure(ErrorCode::SegmentLocked, segment->name);
+    document.greatestRemovedLabel = std::max(document.greatestRemovedLabel, edit.segment);
+    removePieces(document, [&](const Piece& piece) { return piece.segment == edit.segment; });
+    if (document.surface && document.surface->segment == edit.segment)
+        document.surface.reset();
+    if (document.chunks && document.chunks->segment == edit.segment) {
+        document.greatestRemovedChunks = document.chunks->id;
+        document.chunks.reset();
+    }
+    document.segments.erase(document.segments.begin() + (segment - document.segments.data()));
+    return true;
+}
+
+EditEffects effects(const RemoveSegment&)
+{
+    return {
+        .task = EditTask::Engine, .standsOpen = false, .changes = DocumentChange::What::Segments};
+}
+
+Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document)
+{
+    const Segment* segment = document.segment(edit.segment);
+    if (!segment)
+        return failure(ErrorCode::UnknownSegment, QString::number(edit.segment),
+            QStringLiteral("in field 'removeSegment.segment'"));
+    if (segment->locked)
+        return failure(ErrorCode::SegmentLocked, segment->name);
+    return EraseLabel{.plane = segment->plane, .label = segment->label};
+}
+
+Result<EngineEdit> engineEdit(const RemoveSegment& edit, const Document& document)
+{
+    return engineEditFrom(eraseLabel(edit, document));
+}
+
+QString rowName(const RemoveSegment& edit, const RowFacts& row)
+{
+    const std::int64_t seeds = row.facts.seedWordsChanged;
+    QString lost = QStringLiteral("empty");
+    if (row.statistics.voxelsChanged > 0)
+        lost = QStringLiteral("−") + counted(row.statistics.voxelsChanged, "voxel");
+    else if (seeds > 0)
+        lost = QStringLiteral("−") + counted(seeds, "seed voxel");
+    return QStringLiteral("Delete segment %1, %2")
+        .arg(quoted(segmentName(edit.segment, row.document)), lost);
+}
+
+/// As of a growth, since its label must not come back without it.
+EditReach reach(const RemoveSegment&, const ReachFacts& row)
+{
+    return row.wholeGrowth();
+}
+
+} // namespace core

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/SegmentSeen.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+using namespace rowWords;
+
+namespace {
+
+/// A plane's side as whole numbers, as finely as sums in 32 bits allow: the plane is off by less
+/// than 2⁻¹⁸ of the volume's size, and not at all where it lies along the volume's slices.
+VoxelBound voxelBound(const HiddenSide& side, const VolumeGeometry& geometry)
+{
+    const glm::dvec3 normal = glm::transpose(glm::dmat3(geometry.indexToWorld)) * side.normalLps;
+    const double offset = side.offsetMm - glm::dot(side.normalLps, geometry.originLps());
+    double reach = 0.0;
+    double longest = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        reach = std::max(reach, std::abs(normal[axis]) * geometry.size[axis]);
+        longest = std::max(longest, std::abs(normal[axis]));
+    }
+    const double most =
+        double((1 << 29) - *std::max_element(&geometry.size.x, &geometry.size.x + 3));
+    const double scale = std::floor(most / reach * longest) / longest;
+    VoxelBound bound;
+    for (int axis = 0; axis < 3; ++axis)
+        bound.normal[axis] = int(std::llround(normal[axis] * scale));
+    // No voxel comes near the ends of the range.
+    bound.offset =
+        std::int32_t(std::llround(std::clamp(offset * scale, -2147483647.0, 2147483647.0)));
+    return bound;
+}
+
+} // namespace
+
+Result<void> check(const SegmentSeen& edit, const Document& document)
+{
+    if (effects(edit).changes) {
+        if (const Result<void> applied = checkApplied(edit, document); !applied)
+            return applied;
+    }
+    return discardValue(labelSeen(edit, document));
+}
+
+Result<bool> apply(const SegmentSeen& edit, Document& document)
+{
+    return addNewSegment(edit.target, document);
+}
+
+EditEffects effects(const SegmentSeen& edit)
+{
+    return {.task = EditTask::Engine,
+        .standsOpen = false,
+        .changes =
+            edit.target.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
+        .takesVoxelsOrNothing = true,
+        .writesTo = edit.target.segment,
+        .boundToStudy = edit.hidden.has_value()};
+}
+
+Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document)
+{
+    if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
+        return failure(ErrorCode::InvalidField, QStringLiteral("segmentSeen.upper"),
+            QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
+    Result<LabelTarget> target = labelTarget(edit.target, edit.overwriteUnlocked, document);
+    if (!target)
+        return tl::unexpected(target.error());
+    const Volume& volume = document.volumes.front();
+    LabelSeen seen{.target = *target};
+    seen.lowCode = edit.lower ? volume.encoding.lowestCodeAtLeast(*edit.lower) : 0;
+    seen.highCode =
+        edit.upper ? volume.encoding.highestCodeAtMost(*edit.upper) : VoxelEncoding::codeCount - 1;
+    for (const HiddenSide& side : edit.hidden.value_or(std::vector<HiddenSide>()))
+        seen.bounds.push_back(voxelBound(side, volume.geometry));
+    return seen;
+}
+
+Result<EngineEdit> engineEdit(const SegmentSeen& edit, const Document& document)
+{
+    return engineEditFrom(labelSeen(edit, document));
+}
+
+QString rowName(const SegmentSeen& edit, const RowFacts& row)
+{
+    return QStringLiteral("Segment what is seen as %1, +%2")
+        .arg(targetName(edit.target, row.document), counted(row.statistics.voxelsChanged, "voxel"));
+}
+
+/// The coverage of every layer, and the labels and seed words of the segment's plane, since what
+/// other segments held decided too.
+EditReach reach(const SegmentSeen& edit, const ReachFacts& row)
+{
+    editReach::Fields fields{.plane = row.planeOf(edit.target.segment.value_or(0)), .layers = {}};
+    fields.layers.set();
+    return fields;
+}
+
+} // namespace core

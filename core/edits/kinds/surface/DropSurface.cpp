@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/surface/DropSurface.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/kinds/surface/SurfaceParts.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const DropSurface& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const DropSurface&, Document& document)
+{
+    const Result<bool> known = changeSurface(document, false);
+    document.surface.reset();
+    return known;
+}
+
+EditEffects effects(const DropSurface&)
+{
+    return surfaceEffects(false);
+}
+
+QString rowName(const DropSurface&, const RowFacts&)
+{
+    return QStringLiteral("Remove surface");
+}
+
+EditReach reach(const DropSurface&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+} // namespace core

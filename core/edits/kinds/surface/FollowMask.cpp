@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/surface/FollowMask.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/kinds/surface/SurfaceParts.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const FollowMask& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const FollowMask&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
+EditEffects effects(const FollowMask&)
+{
+    return surfaceEffects(false);
+}
+
+QString rowName(const FollowMask&, const RowFacts& row)
+{
+    return withVertices(QStringLiteral("Surface follows the mask"), row.statistics);
+}
+
+EditReach reach(const FollowMask&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+} // namespace core

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/surface/LaySurface.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/ListEdits.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/kinds/surface/SurfaceParts.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const LaySurface& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const LaySurface& edit, Document& document)
+{
+    if (!document.segment(edit.segment))
+        return unknownSegment(edit.segment);
+    constexpr int fewest = 100;
+    if (edit.vertices != 0 && edit.vertices < fewest)
+        return failure(ErrorCode::InvalidField, QStringLiteral("surface.vertices"),
+            QStringLiteral("%1 are too few: %2 at least, or 0 for as many as it takes")
+                .arg(edit.vertices)
+                .arg(fewest));
+    document.surface = {.segment = edit.segment, .differs = false};
+    return true;
+}
+
+EditEffects effects(const LaySurface&)
+{
+    return surfaceEffects(false);
+}
+
+QString rowName(const LaySurface& lay, const RowFacts& row)
+{
+    return withVertices(
+        QStringLiteral("Surface of %1").arg(quoted(segmentName(lay.segment, row.document))),
+        row.statistics);
+}
+
+EditReach reach(const LaySurface&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+} // namespace core

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/surface/PlaneScrape.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/kinds/surface/SurfaceParts.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const PlaneScrape& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const PlaneScrape& edit, Document& document)
+{
+    if (edit.normalLps == glm::dvec3(0.0))
+        return failure(ErrorCode::InvalidField, QStringLiteral("planeScrape.normalLps"),
+            QStringLiteral("has no direction"));
+    return changeSurface(document, true);
+}
+
+EditEffects effects(const PlaneScrape&)
+{
+    return surfaceEffects(true);
+}
+
+QString rowName(const PlaneScrape& scrape, const RowFacts& row)
+{
+    return strokeName("Scrape", scrape.path, row.statistics);
+}
+
+EditReach reach(const PlaneScrape&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+} // namespace core

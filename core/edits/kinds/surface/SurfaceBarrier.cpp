@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/surface/SurfaceBarrier.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/kinds/surface/SurfaceParts.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const SurfaceBarrier& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const SurfaceBarrier&, Document& document)
+{
+    const Result<bool> known = changeSurface(document, false);
+    return known ? Result<bool>(false) : known;
+}
+
+EditEffects effects(const SurfaceBarrier&)
+{
+    return {.task = EditTask::Surface, .standsOpen = false};
+}
+
+QString rowName(const SurfaceBarrier& edit, const RowFacts& row)
+{
+    return QStringLiteral("%1, %2").arg(edit.erase ? QStringLiteral("Open barrier around surface")
+                                                   : QStringLiteral("Barrier around surface"),
+        counted(row.facts.seedWordsChanged, "voxel"));
+}
+
+EditReach reach(const SurfaceBarrier&, const ReachFacts& row)
+{
+    return row.wholeGrowth();
+}
+
+} // namespace core

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/surface/SpherePush.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/kinds/surface/AttractSurface.h"
+#include "core/edits/kinds/surface/PointDrag.h"
+#include "core/edits/kinds/surface/SmoothSurface.h"
+#include "core/edits/kinds/surface/SurfaceParts.h"
+
+namespace core {
+
+Result<void> check(const SpherePush& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const SpherePush&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
+EditEffects effects(const SpherePush&)
+{
+    return surfaceEffects(true);
+}
+
+QString rowName(const SpherePush& push, const RowFacts& row)
+{
+    return strokeName("Sphere push", push.path, row.statistics);
+}
+
+EditReach reach(const SpherePush&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+Result<void> check(const PointDrag& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const PointDrag&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
+EditEffects effects(const PointDrag&)
+{
+    return surfaceEffects(true);
+}
+
+QString rowName(const PointDrag& drag, const RowFacts& row)
+{
+    return strokeName("Drag point", drag.path, row.statistics);
+}
+
+EditReach reach(const PointDrag&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+Result<void> check(const SmoothSurface& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const SmoothSurface&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
+EditEffects effects(const SmoothSurface&)
+{
+    return surfaceEffects(true);
+}
+
+QString rowName(const SmoothSurface& smooth, const RowFacts& row)
+{
+    return strokeName("Smooth surface", smooth.path, row.statistics);
+}
+
+EditReach reach(const SmoothSurface&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+Result<void> check(const AttractSurface& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const AttractSurface&, Document& document)
+{
+    return changeSurface(document, true);
+}
+
+EditEffects effects(const AttractSurface&)
+{
+    return surfaceEffects(true);
+}
+
+QString rowName(const AttractSurface& attract, const RowFacts& row)
+{
+    return strokeName("Attract to edge", attract.path, row.statistics);
+}
+
+EditReach reach(const AttractSurface&, const ReachFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+} // namespace core

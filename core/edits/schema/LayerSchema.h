@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/MoveLayer.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/schema/SchemaParts.h"
+
+namespace core::editSchema {
+
+template <> inline constexpr const char* editName<AddLayer> = "addLayer";
+template <>
+inline constexpr const char* editMeaning<AddLayer> =
+    "Adds an empty sculpt layer. Layer 1 is there from the start; others are numbered 2, 3 … in "
+    "the order they are added, and a number is never used again.";
+template <class Visitor> void visitFields(Visitor& visit, AddLayer& edit)
+{
+    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the list");
+}
+
+template <> inline constexpr const char* editName<ChangeLayer> = "changeLayer";
+template <>
+inline constexpr const char* editMeaning<ChangeLayer> =
+    "Renames or mutes a sculpt layer, or has it count alone; fields left out stay as they are.";
+template <class Visitor> void visitFields(Visitor& visit, ChangeLayer& edit)
+{
+    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+    visit.maybe("name", edit.name, editFields::Text{}, "new name");
+    visit.maybe("muted", edit.muted, editFields::Flag{},
+        "whether it hides nothing, as if it were not there");
+    visit.maybe("solo", edit.solo, editFields::Flag{},
+        "whether all layers that are not solo hide nothing, as if muted");
+}
+
+template <> inline constexpr const char* editName<MoveLayer> = "moveLayer";
+template <>
+inline constexpr const char* editMeaning<MoveLayer> =
+    "Puts a sculpt layer at another place of the list.";
+template <class Visitor> void visitFields(Visitor& visit, MoveLayer& edit)
+{
+    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+    visit.field("place", Presence::Required, edit.place, layerNumber,
+        "its new place in the list, 1 is the first");
+}
+
+template <> inline constexpr const char* editName<RemoveLayer> = "removeLayer";
+template <>
+inline constexpr const char* editMeaning<RemoveLayer> =
+    "Deletes a sculpt layer with what it has carved; not the only one.";
+template <class Visitor> void visitFields(Visitor& visit, RemoveLayer& edit)
+{
+    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+}
+
+template <> inline constexpr const char* editName<MergeLayers> = "mergeLayers";
+template <>
+inline constexpr const char* editMeaning<MergeLayers> =
+    "Lays what a sculpt layer has carved into another one, and deletes it.";
+template <class Visitor> void visitFields(Visitor& visit, MergeLayers& edit)
+{
+    visit.field("from", Presence::Required, edit.from, layerNumber,
+        "the sculpt layer that is laid into the other and deleted");
+    visit.field("into", Presence::Required, edit.into, layerNumber,
+        "the sculpt layer that stays; muted if the other is, and not if it is not");
+}
+
+template <> inline constexpr const char* editName<SegmentToLayer> = "segmentToLayer";
+template <>
+inline constexpr const char* editMeaning<SegmentToLayer> =
+    "Carves what a segment holds, whole, into a sculpt layer.";
+template <class Visitor> void visitFields(Visitor& visit, SegmentToLayer& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.field("layer", Presence::Required, edit.layer, layerNumber,
+        "the sculpt layer that is carved; not a muted one");
+}
+
+} // namespace core::editSchema

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/sculpt/SculptEdits.h"
+
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/SparedSegments.h"
+#include "core/edits/kinds/EditKinds.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
+#include "core/edits/kinds/sculpt/ToolMasks.h"
+#include "core/edits/sculpt/SculptVisit.h"
+
+#include <type_traits>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+/// Into another layer, and carving.
+template <class Cut> WholeCut alone(Cut cut, std::uint8_t layer, EngineExtension extension)
+{
+    cut.layer = layer;
+    cut.laying = Laying::Carve;
+    return {std::move(cut), {std::move(extension)}};
+}
+
+Result<WholeCut> cutAlone(const DrillStroke& stroke, const Document& document, std::uint8_t layer)
+{
+    Result<DrillCut> cut = drillCut(stroke, document);
+    if (!cut)
+        return tl::unexpected(cut.error());
+    DrillPath path{drillPath(stroke, *cut)};
+    return alone(*std::move(cut), layer, std::move(path));
+}
+
+Result<WholeCut> cutAlone(const LaserStroke& stroke, const Document& document, std::uint8_t layer)
+{
+    Result<LaserCut> cut = laserCut(stroke, document);
+    if (!cut)
+        return tl::unexpected(cut.error());
+    DrillPath path{laserPath(stroke, *cut)};
+    return alone(*std::move(cut), layer, std::move(path));
+}
+
+Result<WholeCut> cutAlone(const BrushStroke& stroke, const Document& document, std::uint8_t layer)
+{
+    Result<CapsuleCut> cut = capsuleCut(stroke, document);
+    if (!cut)
+        return tl::unexpected(cut.error());
+    cut->layer = layer;
+    cut->restore = false;
+    return WholeCut{
+        *std::move(cut), {CapsulePath{capsules(stroke.path, document.volumes.front().geometry)}}};
+}
+
+Result<WholeCut> cutAlone(const PeelCut& peel, const Document& document, std::uint8_t layer)
+{
+    Result<MaskPeel> cut = maskPeel(peel, document);
+    if (!cut)
+        return tl::unexpected(cut.error());
+    return alone(*std::move(cut), layer, peelDepth(peel));
+}
+
+Result<WholeCut> cutAlone(const ScissorsCut& scissors, const Document& document, std::uint8_t layer)
+{
+    Result<MaskScissors> cut = maskScissors(scissors, document);
+    if (!cut)
+        return tl::unexpected(cut.error());
+    cut->layer = layer;
+    cut->laying = Laying::Carve;
+    return WholeCut{*std::move(cut), {}};
+}
+
+template <class Visitor> void visitSize(Visitor& visit, MaskShape& mask)
+{
+    using Kind = MaskShape::Kind;
+    if (mask.polygonMm) {
+        visit.outline(*mask.polygonMm, glm::dvec2(0.0));
+    } else if (mask.kind == Kind::Circle) {
+        visit.radius(mask.radiusMm);
+    } else if (mask.kind == Kind::Square) {
+        visit.side(mask.widthMm);
+    } else {
+        visit.width(mask.widthMm);
+        visit.height(mask.heightMm);
+    }
+}
+
+template <class Visitor> void visitOutline(Visitor& visit, std::vector<glm::dvec2>& outline)
+{
+    glm::dvec2 low(outline.empty() ? glm::dvec2(0.0) : outline.front());
+    glm::dvec2 high = low;
+    for (const glm::dvec2& point : outline) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    visit.outline(outline, (low + high) / 2.0);
+}
+
+/// Shows the layer of a cut, and what else of it can be revised, to a visitor: layer(), radius(),
+/// side(), width(), height(), outline() with what stays in place, depth(), softness(),
+/// throughGaps().
+template <class Visitor, class Pressed> void visitPressed(Visitor& visit, Pressed& stroke)
+{
+    visit.layer(stroke.layer);
+    visitSize(visit, stroke.mask);
+    visit.depth(stroke.depthMm);
+    visit.softness(stroke.mask.softnessMm);
+    visit.throughGaps(stroke.throughGaps);
+}
+
+template <class Visitor> void visitParameters(Visitor& visit, DrillStroke& stroke)
+{
+    visitPressed(visit, stroke);
+}
+
+template <class Visitor> void visitParameters(Visitor& visit, LaserStroke& stroke)
+{
+    visitPressed(visit, stroke);
+}
+
+template <class Visitor> void visitParameters(Visitor& visit, BrushStroke& stroke)
+{
+    visit.layer(stroke.layer);
+    visit.radius(stroke.path.radiusMm);
+}
+
+template <class Visitor> void visitParameters(Visitor& visit, PeelCut& peel)
+{
+    visit.layer(peel.layer);
+    visitOutline(visit, peel.polygonMm);
+    visit.depth(peel.depthMm);
+    visit.throughGaps(peel.throughGaps);
+}
+
+template <class Visitor> void visitParameters(Visitor& visit, ScissorsCut& cut)
+{
+    visit.layer(cut.layer);
+    visitOutline(visit, cut.polygonMm);
+    if (cut.depthMm)
+        visit.depth(*cut.depthMm);
+}
+
+struct ParameterReader {
+    void layer(int value) { read.layer = value; }
+    void radius(double value) { read.radiusMm = value; }
+    void side(double value) { read.sideMm = value; }
+    void width(double value) { read.widthMm = value; }
+    void height(double value) { read.heightMm = value; }
+    void outline(const std::vector<glm::dvec2>&, const glm::dvec2&) { read.factor = 1.0; }
+    void depth(double value) { read.depthMm = value; }
+    void softness(double value) { read.softnessMm = value; }
+    void throughGaps(bool value) { read.throughGaps = value; }
+    StrokeParameters read;
+};
+
+/// Takes what it uses out of the revision.
+struct ParameterWriter {
+    void layer(int& value) { value = std::exchange(revision.layer, {}).value_or(value); }
+    void radius(double& value) { value = std::exchange(revision.radiusMm, {}).value_or(value); }
+    void side(double& value) { value = std::exchange(revision.sideMm, {}).value_or(value); }
+    void width(double& value) { value = std::exchange(revision.widthMm, {}).value_or(value); }
+    void height(double& value) { value = std::exchange(revision.heightMm, {}).value_or(value); }
+    void outline(std::vector<glm::dvec2>& points, const glm::dvec2& middle)
+    {
+        const double factor = std::exchange(revision.factor, {}).value_or(1.0);
+        if (factor == 1.0)
+            return;
+        for (glm::dvec2& point : points)
+            point = middle + (point - middle) * factor;
+    }
+    void depth(double& value) { value = std::exchange(revision.depthMm, {}).value_or(value); }
+    void softness(double& value) { value = std::exchange(revision.softnessMm, {}).value_or(value); }
+    void throughGaps(bool& value)
+    {
+        value = std::exchange(revision.throughGaps, {}).value_or(value);
+    }
+    ReviseStroke revision;
+};
+
+} // namespace
+
+bool writesLayer(const Edit& edit, int layer)
+{
+    if (const auto* segment = edit.as<SegmentToLayer>())
+        return segment->layer == layer;
+    if (const auto* merge = edit.as<MergeLayers>())
+        return merge->from == layer || merge->into == layer;
+    const auto* remove = edit.as<RemoveLayer>();
+    return remove && remove->layer == layer;
+}
+
+SculptEdit::SculptEdit()
+    : m_edit(DrillStroke())
+{
+}
+
+std::optional<SculptEdit> sculptEdit(const Edit& edit)
+{
+    std::optional<SculptEdit> found;
+    visitAmong([&found](const auto& known) { found = SculptEdit(known); }, edit, SculptKinds());
+    return found;
+}
+
+bool isSculptEdit(const Edit& edit)
+{
+    return isAmong(edit, SculptKinds());
+}
+
+int layerOf(const SculptEdit& edit)
+{
+    return visitSculpt([](const auto& known) { return known.layer; }, edit);
+}
+
+bool restores(const SculptEdit& edit)
+{
+    return visitSculpt([](const auto& known) { return known.restore; }, edit);
+}
+
+bool startsOnSurface(const SculptEdit& edit)
+{
+    if (const auto* scissors = edit.as<ScissorsCut>())
+        return scissors->depthMm || scissors->firstLayerOnly;
+    return !edit.is<BrushStroke>();
+}
+
+const SparedSegments* sparedBy(const Edit& edit)
+{
+    const SparedSegments* spared = nullptr;
+    const auto look = [&spared](const auto& cut) {
+        if (!cut.restore)
+            spared = &cut.spared;
+    };
+    visitAmong(look, edit, SculptKinds());
+    return spared;
+}
+
+SparedSegments* sparedBy(Edit& edit)
+{
+    return const_cast<SparedSegments*>(sparedBy(std::as_const(edit)));
+}
+
+void spareProtected(Edit& edit, const Document& document)
+{
+    if (SparedSegments* spared = sparedBy(edit))
+        spareProtected(*spared, document);
+}
+
+StrokeParameters parametersOf(const SculptEdit& edit)
+{
+    SculptEdit copy = edit;
+    ParameterReader reader;
+    visitSculpt([&reader](auto& known) { visitParameters(reader, known); }, copy);
+    return reader.read;
+}
+
+Result<SculptEdit> revised(SculptEdit edit, const ReviseStroke& revision)
+{
+    ParameterWriter writer{revision};
+    visitSculpt([&writer](auto& known) { visitParameters(writer, known); }, edit);
+    const ReviseStroke& left = writer.revision;
+    const char* missing = left.radiusMm ? "radiusMm"
+        : left.sideMm                   ? "sideMm"
+        : left.widthMm                  ? "widthMm"
+        : left.heightMm                 ? "heightMm"
+        : left.factor                   ? "factor"
+        : left.depthMm                  ? "depthMm"
+        : left.softnessMm               ? "softnessMm"
+        : left.throughGaps              ? "throughGaps"
+                                        : nullptr;
+    if (missing)
+        return failure(ErrorCode::InvalidField,
+            QStringLiteral("reviseStroke.") + QLatin1String(missing),
+            QStringLiteral("the cut of row %1 has none").arg(revision.row));
+    return edit;
+}
+
+Result<WholeCut> cutAlone(const SculptEdit& edit, const Document& document, std::uint8_t layer)
+{
+    return visitSculpt(
+        [&](const auto& known) -> Result<WholeCut> { return cutAlone(known, document, layer); },
+        edit);
+}
+
+} // namespace core

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditTask.h"
+#include "core/edits/EditJson.h"
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/AnyEdit.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QTest>
+
+using namespace core;
+
+namespace {
+
+template <class E>
+concept hasEngineEdit = requires
+{
+    static_cast<Result<EngineEdit> (*)(const E&, const Document&)>(&engineEdit);
+};
+
+template <class E> void checkKind()
+{
+    const Edit edit = E();
+    const EditEffects effects = effectsOf(edit);
+    const QByteArray name = editName(edit).toUtf8();
+    QVERIFY2((effects.task == EditTask::Engine) == hasEngineEdit<E>, name.constData());
+    if (effects.onlyDocument)
+        QVERIFY2(effects.changes && effects.task != EditTask::Engine, name.constData());
+    if (effects.task == EditTask::Document)
+        QVERIFY2(effects.onlyDocument && !effects.standsOpen, name.constData());
+    if (effects.takesVoxelsOrNothing)
+        QVERIFY2(effects.task == EditTask::Engine, name.constData());
+}
+
+template <class... Es> void checkKinds(EditKinds<Es...>)
+{
+    (checkKind<Es>(), ...);
+}
+
+} // namespace
+
+/// What edits say of themselves fits together; that they say it at all, the compiler sees to.
+class EditTaskTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void effectsFitTogether() { checkKinds(AllEdits()); }
+};
+
+BURIN_TEST(EditTaskTest)
+#include "EditTaskTest.moc"
