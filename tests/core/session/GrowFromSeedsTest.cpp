@@ -22,8 +22,8 @@ namespace {
 struct Bench {
     explicit Bench(bool delayed = false)
         : late(inner, 11)
+        , engine(delayed ? static_cast<EditEngine&>(late) : inner)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
         session = *EditSession::create(engine, test::smallStudy(), {});
         for (const Edit& edit : {Edit(test::addSegment("Brain")), Edit(test::addSegment("Bone")),
                  Edit(test::addSegment("Air")), Edit(test::seedInBrain(1)),
@@ -50,7 +50,7 @@ struct Bench {
                 seen = probes->front().label;
             });
         for (int i = 0; i < 1000 && !seen; ++i) {
-            late.finish();
+            engine.finish();
             session->poll();
         }
         return seen.value_or(255);
@@ -58,6 +58,7 @@ struct Bench {
 
     reference::ReferenceEngine inner;
     reference::DelayedEngine late;
+    EditEngine& engine; ///< the session's
     std::unique_ptr<EditSession> session;
 };
 
