@@ -3,8 +3,9 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
-#include "core/edits/kinds/IsOneOf.h"
+#include "core/edits/schema/EditSchema.h"
 
+#include <algorithm>
 #include <type_traits>
 
 namespace core {
@@ -15,48 +16,56 @@ namespace {
 constexpr std::size_t fromTheStart = std::size_t(-1);
 constexpr int firstLayer = 1;
 
-} // namespace
+using editFields::ThingNumber;
+using editSchema::Presence;
 
-/// Shows every number that an edit names a thing by.
-template <class Take> void RecipeElsewhere::visitNumbers(Edit& edit, const Take& take)
+/// Shows every number by which an edit names a thing, as its fields say.
+template <class Take> class NumberVisitor {
+public:
+    explicit NumberVisitor(const Take& take)
+        : m_take(take)
+    {
+    }
+    template <class Kind>
+    void field(const char*, Presence, typename Kind::Value& value, const Kind& kind, const char*)
+    {
+        if constexpr (std::is_same_v<Kind, ThingNumber>) {
+            m_take(kind.thing, value);
+        } else if constexpr (std::is_same_v<Kind, editFields::SegmentList>) {
+            for (int& segment : value)
+                m_take(ThingNumber::Thing::Segment, segment);
+            std::sort(value.begin(), value.end());
+        }
+    }
+    template <class Kind>
+    void maybe(const char* name, std::optional<typename Kind::Value>& value, const Kind& kind,
+        const char* meaning, const char* = nullptr)
+    {
+        if (value)
+            field(name, Presence::Optional, *value, kind, meaning);
+    }
+    void constant(const char*, Presence, const QJsonValue&, const char*) { }
+    template <class Inside> void group(const char*, const char*, const Inside& visitInside)
+    {
+        visitInside(*this);
+    }
+    template <class Inside> void when(bool condition, const Inside& visitInside)
+    {
+        if (condition)
+            visitInside();
+    }
+
+private:
+    const Take& m_take;
+};
+
+template <class Take> void visitNumbers(Edit& edit, const Take& take)
 {
-    const auto maybe = [&take](Kind kind, std::optional<int>& number) {
-        if (number)
-            take(kind, *number);
-    };
-    visitEdit(
-        [&](auto& known) {
-            using E = std::decay_t<decltype(known)>;
-            if constexpr (isOneOf<E, ChangeSegment, MoveSegment, RemoveSegment, SegmentToLayer,
-                              PastePiece, SeedStroke, PaintStroke, Chunks, ChunkToggle>)
-                take(Kind::Segment, known.segment);
-            if constexpr (isOneOf<E, LayerToSegment, SegmentSeen>)
-                maybe(Kind::Segment, known.target.segment);
-            if constexpr (isOneOf<E, ChangeLayer, MoveLayer, RemoveLayer, LayerToSegment,
-                              SegmentToLayer, CutPiece, DrillStroke, LaserStroke, BrushStroke,
-                              PeelCut, ScissorsCut>)
-                take(Kind::Layer, known.layer);
-            if constexpr (isOneOf<E, ChangePiece, RemovePiece>)
-                take(Kind::Piece, known.piece);
-            if constexpr (isOneOf<E, AddMeasurement>)
-                maybe(Kind::Piece, known.piece);
-            if constexpr (isOneOf<E, RemoveBookmark>)
-                take(Kind::Bookmark, known.bookmark);
-            if constexpr (isOneOf<E, RemoveMeasurement>)
-                take(Kind::Measurement, known.measurement);
-            if constexpr (isOneOf<E, MergeLayers>) {
-                take(Kind::Layer, known.from);
-                take(Kind::Layer, known.into);
-            }
-            if constexpr (isOneOf<E, GrowFromSeeds>) {
-                if (known.segments) {
-                    for (int& segment : *known.segments)
-                        take(Kind::Segment, segment);
-                }
-            }
-        },
-        edit);
+    NumberVisitor visitor(take);
+    visitEdit([&visitor](auto& known) { editSchema::visitFields(visitor, known); }, edit);
 }
+
+} // namespace
 
 const char* RecipeElsewhere::wordFor(Kind kind)
 {

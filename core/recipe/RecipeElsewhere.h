@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/fields/EditFields.h"
 #include "core/recipe/Recipe.h"
 
 #include <QString>
@@ -47,12 +48,11 @@ public:
     [[nodiscard]] Foreseen foreseen(Document document) const;
 
 private:
-    enum class Kind { Segment, Layer, Piece, Bookmark, Measurement };
+    using Kind = editFields::ThingNumber::Thing;
     using Thing = std::pair<Kind, int>; ///< by its number where the recipe was recorded
     /// By which step each thing was made.
     using Makers = std::map<Thing, std::size_t>;
 
-    template <class Take> static void visitNumbers(Edit& edit, const Take& take);
     static const char* wordFor(Kind kind);
     static int lastGiven(Kind kind, const Document& document);
     static bool isThere(Kind kind, int number, const Document& document);

@@ -52,6 +52,13 @@ struct WholeNumber {
     [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
+/// The number by which an edit names a thing of the document. Where the edit is carried out on
+/// another study, the thing may have another one (core/recipe/RecipeElsewhere.h).
+struct ThingNumber : WholeNumber {
+    enum class Thing { Segment, Layer, Piece, Bookmark, Measurement };
+    Thing thing = Thing::Segment;
+};
+
 /// How many neighbours a voxel has.
 struct Connectivity {
     using Value = int;

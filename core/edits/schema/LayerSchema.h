@@ -42,7 +42,7 @@ inline constexpr const char* editMeaning<MoveLayer> =
 template <class Visitor> void visitFields(Visitor& visit, MoveLayer& edit)
 {
     visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
-    visit.field("place", Presence::Required, edit.place, layerNumber,
+    visit.field("place", Presence::Required, edit.place, editFields::WholeNumber{1, 254},
         "its new place in the list, 1 is the first");
 }
 

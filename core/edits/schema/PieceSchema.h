@@ -10,7 +10,7 @@
 
 namespace core::editSchema {
 
-inline constexpr editFields::WholeNumber pieceNumber{1, 1000000};
+inline constexpr editFields::ThingNumber pieceNumber{{1, 1000000}, Thing::Piece};
 inline constexpr editFields::Number pieceTurn{"degrees", -360.0, 360.0, quantum::perDegree};
 inline constexpr editFields::Number pieceZoom{"", 0.125, 16.0, quantum::perZoom};
 

@@ -29,8 +29,9 @@ enum class Presence { Required, Optional };
 template <class E> inline constexpr const char* editName = nullptr;
 template <class E> inline constexpr const char* editMeaning = nullptr;
 
-inline constexpr editFields::WholeNumber segmentNumber{1, 255};
-inline constexpr editFields::WholeNumber layerNumber{1, 254};
+using Thing = editFields::ThingNumber::Thing;
+inline constexpr editFields::ThingNumber segmentNumber{{1, 255}, Thing::Segment};
+inline constexpr editFields::ThingNumber layerNumber{{1, 254}, Thing::Layer};
 inline constexpr editFields::Number modalityValue{
     "modality units", -quantum::unbounded, quantum::unbounded, 0.0};
 inline constexpr editFields::Number millimetres{

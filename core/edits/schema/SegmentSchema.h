@@ -52,7 +52,7 @@ inline constexpr const char* editMeaning<MoveSegment> =
 template <class Visitor> void visitFields(Visitor& visit, MoveSegment& edit)
 {
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
-    visit.field("place", Presence::Required, edit.place, segmentNumber,
+    visit.field("place", Presence::Required, edit.place, editFields::WholeNumber{1, 255},
         "its new place in the list, 1 is the first");
 }
 

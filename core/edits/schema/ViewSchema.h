@@ -7,8 +7,8 @@
 
 namespace core::editSchema {
 
-inline constexpr editFields::WholeNumber bookmarkNumber{1, 1000000};
-inline constexpr editFields::WholeNumber measurementNumber{1, 1000000};
+inline constexpr editFields::ThingNumber bookmarkNumber{{1, 1000000}, Thing::Bookmark};
+inline constexpr editFields::ThingNumber measurementNumber{{1, 1000000}, Thing::Measurement};
 
 template <> inline constexpr const char* editName<AddBookmark> = "addBookmark";
 template <>
@@ -42,7 +42,7 @@ template <class Visitor> void visitFields(Visitor& visit, AddMeasurement& edit)
         "one end, at its true place, patient coordinates (LPS)");
     visit.field("toLps", Presence::Required, edit.toLps, positionLps,
         "the other end, at its true place, patient coordinates (LPS)");
-    visit.maybe("piece", edit.piece, editFields::WholeNumber{1, 1000000},
+    visit.maybe("piece", edit.piece, editFields::ThingNumber{{1, 1000000}, Thing::Piece},
         "the piece that it is shown on in 3D", "none");
 }
 

@@ -10,6 +10,7 @@
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
@@ -107,6 +108,22 @@ private Q_SLOTS:
             (QStringList{QStringLiteral("Own"), QStringLiteral("Other"),
                 QStringLiteral("Cap, done"), QStringLiteral("Bone, done"),
                 QStringLiteral("More, done")}));
+    }
+
+    /// Whatever names a segment does, a surface too.
+    void aSurfaceLiesAroundTheSegmentThatItLayAround()
+    {
+        RecipeElsewhere recipe(recipeOf({test::addSegment("Bone"), LaySurface{.segment = 1}}));
+        Document document = initialDocument({});
+        QVERIFY(applyToDocument(test::addSegment("Own"), document));
+        const Result<bool> added = applyToDocument(test::addSegment("Bone"), document);
+        QVERIFY(added);
+        Document before = initialDocument({});
+        QVERIFY(applyToDocument(test::addSegment("Own"), before));
+        recipe.carriedOut(0, before, document);
+        const auto lay = recipe.here(1, document);
+        QVERIFY(lay);
+        QCOMPARE(lay->get<LaySurface>().segment, 2);
     }
 
     void whatWasTakenBackGivesNoNumber()
