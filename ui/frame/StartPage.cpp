@@ -36,6 +36,8 @@ QPushButton* choice(
     const QString& icon, const QString& name, const QString& explanation, QWidget* parent)
 {
     auto* button = new QPushButton(parent);
+    // By itself it is as high as its text, of which it has none, and no higher.
+    button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Minimum);
     button->setObjectName(QStringLiteral("choice"));
     // The style sheet's own height for buttons would win over setMinimumHeight().
     button->setStyleSheet(QStringLiteral("#choice { min-height: 60px; padding: 0; }"));
