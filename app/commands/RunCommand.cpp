@@ -7,10 +7,10 @@
 #include "app/steps/RunKeyframes.h"
 #include "app/steps/RunSteps.h"
 #include "app/steps/SessionPlan.h"
+#include "app/steps/SessionTarget.h"
 #include "app/steps/SteadySession.h"
 #include "core/base/Guarded.h"
 #include "core/base/files/FileInUse.h"
-#include "core/base/files/ReadableFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/Edit.h"
@@ -63,37 +63,6 @@ QString recipeIfAtFault(const core::Error& error, const core::Recipe& recipe)
     default:
         return {};
     }
-}
-
-/// What can be known without loading anything, and once more when it is known which files the study
-/// is made of.
-Result<void> checkSessionTarget(const QString& file, bool force, bool append)
-{
-    if (append && !QFileInfo::exists(file))
-        return core::failure(core::ErrorCode::FileNotFound, file);
-    if (append)
-        return core::checkReadsToAnEnd(file);
-    if (const Result<void> target = core::checkFileTarget(file, force); !target)
-        return target;
-    // One that was left open is closed as it would be by opening it; what cannot be is refused.
-    if (core::isSessionUnfinished(file) && core::isSessionFile(file) && !core::isSessionInUse(file))
-        static_cast<void>(core::SessionFile::open(file, core::SessionAccess::ReadWrite));
-    return core::checkReplacedSession(file);
-}
-
-/// A name that is free, for what was done of a session that was to replace another one.
-QString nameForUnfinished(const QString& file)
-{
-    const QFileInfo info(file);
-    QString path;
-    int count = 1;
-    do {
-        const QString number = count == 1 ? QString() : QStringLiteral(" %1").arg(count);
-        path = info.absoluteDir().filePath(
-            QStringLiteral("%1 (unfinished%2).burin").arg(info.completeBaseName(), number));
-        ++count;
-    } while (QFileInfo::exists(path));
-    return path;
 }
 
 QString counted(const QMap<QString, int>& steps)
@@ -228,45 +197,9 @@ QStringList masksOf(const core::Recipe& recipe)
     return files;
 }
 
-/// Of a session that was closed on a disk that fails; empty: it is one file.
-QString whyNotOneFile(const QString& file)
-{
-    if (core::isSessionUnfinished(file))
-        return QStringLiteral("it could not be closed as one file: what was done last lies in "
-                              "'%1' beside it; keep both together and open it once")
-            .arg(QFileInfo(file).fileName() + QStringLiteral("-wal"));
-    return core::sessionLoss(file).leftOpen;
-}
-
-/// By the name that the user gave it.
-core::Error ofTarget(core::Error error, const QString& place, const QString& file)
-{
-    for (QString& argument : error.arguments)
-        argument.replace(place, file);
-    return error;
-}
-
 void closeSessions()
 {
     core::closeSessionFiles({core::ErrorCode::Cancelled, {}});
-}
-
-/// The new session that was to take the place of @p file is kept under another name.
-void keepUnfinished(const QString& place, const QString& file)
-{
-    const QString kept = nameForUnfinished(file);
-    const auto move = [](const QString& from, const QString& to) {
-        return !QFileInfo::exists(from) || QFile::rename(from, to);
-    };
-    // What could not be folded back goes with it, and stays with it.
-    const QString wal = QStringLiteral("-wal");
-    bool named = move(place + wal, kept + wal);
-    if (named && !QFile::rename(place, kept)) {
-        static_cast<void>(move(kept + wal, place + wal));
-        named = false;
-    }
-    std::fprintf(stderr, "%s: stays as it was; what was done is in %s\n", qUtf8Printable(file),
-        qUtf8Printable(named ? kept : place));
 }
 
 int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/steps/SessionTarget.h"
+
+#include "core/base/files/ReadableFile.h"
+#include "core/base/files/StagedFile.h"
+#include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/records/SessionUse.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <cstdio>
+
+namespace app {
+
+using core::Result;
+
+namespace {
+
+/// A name that is free, for what was done of a session that was to replace another one.
+QString nameForUnfinished(const QString& file)
+{
+    const QFileInfo info(file);
+    QString path;
+    int count = 1;
+    do {
+        const QString number = count == 1 ? QString() : QStringLiteral(" %1").arg(count);
+        path = info.absoluteDir().filePath(
+            QStringLiteral("%1 (unfinished%2).burin").arg(info.completeBaseName(), number));
+        ++count;
+    } while (QFileInfo::exists(path));
+    return path;
+}
+
+} // namespace
+
+Result<void> checkSessionTarget(const QString& file, bool force, bool append)
+{
+    if (append && !QFileInfo::exists(file))
+        return core::failure(core::ErrorCode::FileNotFound, file);
+    if (append)
+        return core::checkReadsToAnEnd(file);
+    if (const Result<void> target = core::checkFileTarget(file, force); !target)
+        return target;
+    // One that was left open is closed as it would be by opening it; what cannot be is refused.
+    if (core::isSessionUnfinished(file) && core::isSessionFile(file) && !core::isSessionInUse(file))
+        static_cast<void>(core::SessionFile::open(file, core::SessionAccess::ReadWrite));
+    return core::checkReplacedSession(file);
+}
+
+QString whyNotOneFile(const QString& file)
+{
+    if (core::isSessionUnfinished(file))
+        return QStringLiteral("it could not be closed as one file: what was done last lies in "
+                              "'%1' beside it; keep both together and open it once")
+            .arg(QFileInfo(file).fileName() + QStringLiteral("-wal"));
+    return core::sessionLoss(file).leftOpen;
+}
+
+core::Error ofTarget(core::Error error, const QString& place, const QString& file)
+{
+    for (QString& argument : error.arguments)
+        argument.replace(place, file);
+    return error;
+}
+
+void keepUnfinished(const QString& place, const QString& file)
+{
+    const QString kept = nameForUnfinished(file);
+    const auto move = [](const QString& from, const QString& to) {
+        return !QFileInfo::exists(from) || QFile::rename(from, to);
+    };
+    // What could not be folded back goes with it, and stays with it.
+    const QString wal = QStringLiteral("-wal");
+    bool named = move(place + wal, kept + wal);
+    if (named && !QFile::rename(place, kept)) {
+        static_cast<void>(move(kept + wal, place + wal));
+        named = false;
+    }
+    std::fprintf(stderr, "%s: stays as it was; what was done is in %s\n", qUtf8Printable(file),
+        qUtf8Printable(named ? kept : place));
+}
+
+} // namespace app
