@@ -158,7 +158,7 @@ Result<std::vector<std::uint8_t>> VoxelQuestions::read(std::uint8_t plane, Field
             return tl::unexpected((*taken)->error());
         taken->reset();
     }
-    const VoxelsAllowed whoWaits;
+    const VoxelsAllowed allowed; // the caller waits for the labels anyway
     return reader->takeLabels();
 }
 
