@@ -178,8 +178,7 @@ void CarvedExportDialog::showState()
 
 void CarvedExportDialog::start()
 {
-    core::EditSession* session = m_workspace.session();
-    if (!session || running())
+    if (!m_workspace.session() || running())
         return;
     const QFileInfo target(m_target->path());
     m_force = false;
@@ -188,6 +187,10 @@ void CarvedExportDialog::start()
             return;
         m_force = true;
     }
+    // The question above waits for its answer, and the session may have been closed meanwhile.
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
     m_target->remember();
     std::set<std::uint8_t> layers;
     for (const core::SculptLayer& layer : session->document().layers) {

@@ -103,14 +103,17 @@ void DeidentifySessionDialog::showState()
 
 void DeidentifySessionDialog::start()
 {
-    core::EditSession* session = m_workspace.session();
-    if (!session || running())
+    if (!m_workspace.session() || running())
         return;
     const QString target = m_target->path();
     const bool replaces = QFileInfo::exists(target);
-    if (QFileInfo(target) == QFileInfo(session->file()))
+    if (QFileInfo(target) == QFileInfo(m_workspace.session()->file()))
         return m_run->say(tr("That is the open session itself: name another file."), "bad");
     if (replaces && !mayReplace(target, this))
+        return;
+    // The question above waits for its answer, and the session may have been closed meanwhile.
+    core::EditSession* session = m_workspace.session();
+    if (!session)
         return;
     m_target->remember();
     m_run->clearReport();

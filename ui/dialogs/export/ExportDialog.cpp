@@ -193,8 +193,7 @@ void ExportDialog::showState()
 
 void ExportDialog::start()
 {
-    core::EditSession* session = m_workspace.session();
-    if (!session || running())
+    if (!m_workspace.session() || running())
         return;
     core::ExportRequest request;
     m_options->putInto(request);
@@ -205,6 +204,10 @@ void ExportDialog::start()
             return;
         request.force = true;
     }
+    // The question above waits for its answer, and the session may have been closed meanwhile.
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
     m_request = std::move(request);
     m_target->remember();
     std::set<std::uint8_t> planes;
