@@ -323,6 +323,31 @@ private Q_SLOTS:
         QVERIFY(contents(path) != QByteArray("mine"));
     }
 
+    void writesNothingOfASessionThatIsClosedWhileItAsks()
+    {
+        ExportFixture fixture;
+        const QString path = fixture.path("there.nii.gz");
+        QFile there(path);
+        QVERIFY(there.open(QIODevice::WriteOnly) && there.write("mine") == 4);
+        there.close();
+        ui::ExportDialog dialog(fixture.workspace);
+        dialog.show();
+        choose(dialog, core::ExportFormat::Nifti);
+        dialog.findChild<QLineEdit*>(text("exportFile"))->setText(path);
+        QTimer::singleShot(0, qApp, [&fixture] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (!box)
+                qFatal("nothing is asked");
+            fixture.wakeUp.stop();
+            fixture.workspace.setSession(nullptr);
+            box->button(QMessageBox::Yes)->click();
+        });
+        button(dialog, "exportStart").click();
+        QVERIFY(!fixture.workspace.session());
+        QVERIFY(!dialog.running());
+        QCOMPARE(contents(path), QByteArray("mine"));
+    }
+
     /// While the engine does not answer the window goes on, and the export can be given up.
     void neverWaitsForTheEngine()
     {
