@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Result.h"
+#include "core/base/TypeList.h"
+#include "core/brick/BrickGrid.h"
+
 #include <glm/glm.hpp>
 
 #include <bitset>
@@ -85,49 +89,14 @@ struct FoldLayer {
     std::optional<std::uint8_t> into{};
 };
 
-/// Whether listed bricks are whole, ascend and are the volume's.
-template <class Brick>
-[[nodiscard]] bool areSound(
-    const std::vector<Brick>& bricks, std::vector<std::uint8_t> Brick::*voxels, int brickCount)
-{
-    std::int64_t last = -1;
-    for (const Brick& brick : bricks) {
-        if ((brick.*voxels).size() != 4096 || std::int64_t(brick.brick) <= last
-            || std::int64_t(brick.brick) >= brickCount)
-            return false;
-        last = brick.brick;
-    }
-    return true;
-}
+[[nodiscard]] Result<void> checkSound(const LabelCarved& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const LabelSeen& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const LabelListed& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const RelabelListed& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const CoverLabel& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const FoldLayer& edit, const BrickGrid& grid);
 
-[[nodiscard]] inline bool isSound(const LabelListed& edit, int brickCount)
-{
-    return areSound(edit.bricks, &LabelListed::Brick::labels, brickCount);
-}
-
-/// Also whether nothing else is asked for than it knows.
-[[nodiscard]] inline bool isSound(const RelabelListed& edit, int brickCount)
-{
-    for (const RelabelListed::Brick& brick : edit.bricks) {
-        for (const std::uint8_t asked : brick.asked) {
-            if (asked > RelabelListed::take)
-                return false;
-        }
-    }
-    return areSound(edit.bricks, &RelabelListed::Brick::asked, brickCount);
-}
-
-/// Whether every normal is short enough for a volume of this size.
-[[nodiscard]] inline bool areSound(const std::vector<VoxelBound>& bounds, const glm::ivec3& size)
-{
-    for (const VoxelBound& bound : bounds) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::int64_t reach = std::int64_t(bound.normal[axis]) * size[axis];
-            if (reach <= -(std::int64_t(1) << 29) || reach >= std::int64_t(1) << 29)
-                return false;
-        }
-    }
-    return true;
-}
+/// Those that give or take labels.
+using LabelWrites = TypeList<LabelCarved, LabelSeen, LabelListed, RelabelListed>;
 
 } // namespace core

@@ -16,9 +16,11 @@ uniform uint lowCode;
 uniform uint highCode;
 #elif defined(LISTED) || defined(RELABELLED)
 layout(binding = 2, std430) readonly buffer Asked { uint asked[]; }; // four voxels each, by brick
-#else
+#elif defined(CARVED)
 layout(binding = 0) uniform usampler3D coverage; // atlas
 layout(binding = 2) uniform usampler3D coveragePages;
+#else
+#error by which rule?
 #endif
 layout(binding = 1) uniform usampler3D pageTable; // of the seed words
 layout(binding = 0, r8ui) uniform uimage3D labels;
