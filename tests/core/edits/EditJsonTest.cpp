@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/EditDocumentation.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/Chunks.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
@@ -14,8 +16,6 @@
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
-#include "core/edits/schema/EditDocumentation.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QJsonArray>
