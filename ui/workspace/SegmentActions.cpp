@@ -81,4 +81,15 @@ void removeSegment(Workspace& workspace, int label)
                           : QObject::tr("Deleted '%1'; Ctrl+Z brings it back").arg(segment->name));
 }
 
+const std::vector<SegmentAction>& segmentActions()
+{
+    static const std::vector<SegmentAction> all{
+        {.id = "segments.remove",
+            .text = QObject::tr("Delete segment"),
+            .keys = QKeySequence::Delete,
+            .run = &removeSegment},
+    };
+    return all;
+}
+
 } // namespace ui
