@@ -39,7 +39,7 @@ private Q_SLOTS:
             const Result<LabelSeen> made = labelSeen(seen, document);
             QVERIFY(made);
             QCOMPARE(made->bounds.size(), std::size_t(1));
-            QVERIFY(areSound(made->bounds, size));
+            QVERIFY(checkSound(*made, BrickGrid{size}));
             const VoxelBound& bound = made->bounds.front();
             for (int i = 0; i < 200; ++i) {
                 const glm::ivec3 voxel = test::randomVoxel(random, size);
