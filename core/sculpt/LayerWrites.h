@@ -7,15 +7,17 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <bitset>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace core {
 
-// What passes between sculpt layers and segments, in integers. Both engines follow the rules to the
-// bit; each voxel decides for itself, so neither order nor company matters.
+// What passes between sculpt layers and segments, and between segments, in integers. Both engines
+// follow the rules to the bit; each voxel decides for itself, so neither order nor company matters.
 
 /// Index positions with normal · voxel ≤ offset.
 struct VoxelBound {
@@ -76,6 +78,23 @@ struct RelabelListed {
     std::vector<Brick> bricks{}; ///< ascending, each once
 };
 
+[[nodiscard]] constexpr std::array<std::uint8_t, 256> everyLabelItself()
+{
+    std::array<std::uint8_t, 256> labels{};
+    for (std::size_t label = 0; label < labels.size(); ++label)
+        labels[label] = std::uint8_t(label);
+    return labels;
+}
+
+/// Give other labels to all that a plane holds: a voxel that holds v receives becomes[v]. Where
+/// that is v, its seed word stays, too; where it is another segment's label, a seed word that bears
+/// yet another one becomes unvisited, as by LabelTarget; where it is 0, one that bears v, as
+/// PaintLabel erases. What is carved or hidden counts as everything else.
+struct MapLabels {
+    std::uint8_t plane = 0;
+    std::array<std::uint8_t, 256> becomes = everyLabelItself();
+};
+
 /// Coverage of the layer = 255 wherever the plane holds the label.
 struct CoverLabel {
     std::uint8_t layer = 0;
@@ -93,10 +112,15 @@ struct FoldLayer {
 [[nodiscard]] Result<void> checkSound(const LabelSeen& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const LabelListed& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const RelabelListed& edit, const BrickGrid& grid);
+/// There is no table that is not.
+[[nodiscard]] inline Result<void> checkSound(const MapLabels&, const BrickGrid&)
+{
+    return {};
+}
 [[nodiscard]] Result<void> checkSound(const CoverLabel& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const FoldLayer& edit, const BrickGrid& grid);
 
 /// Those that give or take labels.
-using LabelWrites = TypeList<LabelCarved, LabelSeen, LabelListed, RelabelListed>;
+using LabelWrites = TypeList<LabelCarved, LabelSeen, LabelListed, RelabelListed, MapLabels>;
 
 } // namespace core

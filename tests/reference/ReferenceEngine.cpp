@@ -282,6 +282,12 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::RelabelListed& 
     return Done{};
 }
 
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::MapLabels& edit)
+{
+    mapLabels(m_fields, edit);
+    return Done{};
+}
+
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::CoverLabel& edit)
 {
     if (edit.label == 0)

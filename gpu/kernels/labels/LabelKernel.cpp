@@ -181,6 +181,18 @@ std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
         numbersOf(edit.bricks), AskedBytes(edit.bricks, &core::RelabelListed::Brick::asked));
 }
 
+std::vector<core::BrickKey> write(
+    LabelPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::MapLabels& edit)
+{
+    const Buffer becomes = bufferOf(
+        "mapped labels", std::vector<std::uint32_t>(edit.becomes.begin(), edit.becomes.end()));
+    core::LabelTarget target{.plane = edit.plane};
+    target.overwritable.set(); // the table alone says who keeps a voxel
+    return label(programs.following("MAPPED"), fields, before, target, allBricks(fields),
+        [&becomes](
+            const std::vector<std::uint32_t>&) { becomes.bindBase(GL_SHADER_STORAGE_BUFFER, 2); });
+}
+
 } // namespace
 
 Program& LabelPrograms::following(const char* rule)

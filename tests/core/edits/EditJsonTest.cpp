@@ -13,6 +13,7 @@
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
@@ -116,14 +117,18 @@ private Q_SLOTS:
         QVERIFY(seen);
         QCOMPARE(*seen->get<SegmentSeen>().target.segment, 2);
         QCOMPARE(quantised(*seen).get<SegmentSeen>().hidden->at(0).offsetMm, 3.0);
-        for (const Edit& edit : {*carved, *seen})
+        const Result<Edit> inverted = editFromJson(parse("{'edit':'invertSegment','segment':2}"));
+        QVERIFY(inverted);
+        QCOMPARE(inverted->get<InvertSegment>().segment, 2);
+        for (const Edit& edit : {*carved, *seen, *inverted})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
-        for (const char* wrong : {"{'edit':'layerToSegment','layer':1}",
-                 "{'edit':'layerToSegment','layer':1,'segment':2,'name':'Both'}",
-                 "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,1]]}",
-                 "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,0,1]]}",
-                 "{'edit':'segmentSeen','segment':2,'hidden':{}}",
-                 "{'edit':'mergeLayers','from':1}"})
+        for (const char* wrong :
+            {"{'edit':'layerToSegment','layer':1}",
+                "{'edit':'layerToSegment','layer':1,'segment':2,'name':'Both'}",
+                "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,1]]}",
+                "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,0,1]]}",
+                "{'edit':'segmentSeen','segment':2,'hidden':{}}", "{'edit':'mergeLayers','from':1}",
+                "{'edit':'invertSegment'}", "{'edit':'invertSegment','segment':0}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }
 
