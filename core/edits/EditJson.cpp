@@ -3,7 +3,6 @@
 
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
-#include "core/edits/schema/EditSchema.h"
 
 #include <QJsonArray>
 #include <QStringList>

@@ -25,4 +25,39 @@ EditStatistics statisticsOf(const ChangeFacts& facts)
     return statistics;
 }
 
+Result<void> checkSound(const EraseLabel& edit, const BrickGrid&)
+{
+    if (edit.label == 0)
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+    return {};
+}
+
+Result<void> checkSound(const PaintLabel& edit, const BrickGrid&)
+{
+    if (edit.label == 0)
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+    if (!isSound(edit.frame))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("frame"), QStringLiteral("is not sound"));
+    return {};
+}
+
+Result<void> checkSound(const CapsuleCut& edit, const BrickGrid&)
+{
+    if (!isSound(edit.frame))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("frame"), QStringLiteral("is not sound"));
+    if (!isSound(edit.hidden))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("hidden"), QStringLiteral("is not sound"));
+    return {};
+}
+
+Result<void> checkEdit(const EngineEdit& edit, const BrickGrid& grid)
+{
+    return std::visit([&grid](const auto& known) { return checkSound(known, grid); }, edit);
+}
+
 } // namespace core

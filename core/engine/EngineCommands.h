@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/base/Error.h"
+#include "core/base/Result.h"
+#include "core/base/TypeList.h"
 #include "core/brick/BrickGrid.h"
 #include "core/delta/EditStatistics.h"
 #include "core/delta/Ending.h"
@@ -35,6 +37,11 @@ namespace core {
 using Ticket = std::uint64_t;
 
 // --- Edits as an engine sees them: integers only, everything they read is in them. -------------
+//
+// Each kind X says beside its rule whether one could begin in a volume (checkEdit()):
+//   Result<void> checkSound(const X&, const BrickGrid&)    Errors: InvalidField
+// and stands in the list of one family, each of which is carried out by one part of an engine: none
+// that is missing in either compiles (gpu/engine/EditWork.h).
 
 /// Take a label out of its plane: every voxel that holds it becomes 0, and every seed word that
 /// bears it, a member's or a pending seed's, becomes seedWord::unvisited. So no growth goes on from
@@ -78,15 +85,23 @@ struct CapsuleCut {
     SparedLabels spared{};
 };
 
-/// DrillCut, MaskPeel, MaskScissors (sculpt/DrillCut.h and so on): cut into the coverage of one
-/// sculpt layer with a mask that is pressed into the volume along the view; LaserCut: along the
-/// surface's normals. LabelCarved, LabelSeen, CoverLabel, FoldLayer (sculpt/LayerWrites.h): between
-/// layers and segments, whole at once; LabelListed there: a mask that comes in; RelabelListed: what
-/// a segment gets and loses, by voxel. Those of growth, ShutListed too: growth/GrowthCommands.h.
+[[nodiscard]] Result<void> checkSound(const EraseLabel& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const PaintLabel& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const CapsuleCut& edit, const BrickGrid& grid);
+
+/// Of growth: growth/GrowthCommands.h, growth/SeedSpread.h.
+using GrowthEdits = TypeList<SeedPlacement, GrowBurst, ShrinkGrowth, CutGrowth, SpreadLabels>;
+/// Under the pen. DrillCut, MaskPeel, MaskScissors (sculpt/DrillCut.h and so on): cut into the
+/// coverage of one sculpt layer with a mask that is pressed into the volume along the view;
+/// LaserCut: along the surface's normals. CapsuleCut, PaintLabel, PaintBarrier: with a brush.
+using StrokeEdits =
+    TypeList<DrillCut, LaserCut, MaskPeel, MaskScissors, CapsuleCut, PaintLabel, PaintBarrier>;
+/// Of whole labels and layers, and of places that are listed. CoverLabel, FoldLayer:
+/// sculpt/LayerWrites.h, as LabelWrites, which give labels to voxels.
+using WholeEdits = TypeList<EraseLabel, CoverLabel, FoldLayer, ShutListed>;
+
 using EngineEditVariant =
-    std::variant<SeedPlacement, GrowBurst, DrillCut, EraseLabel, PaintLabel, CapsuleCut, MaskPeel,
-        MaskScissors, LaserCut, LabelCarved, LabelSeen, LabelListed, RelabelListed, CoverLabel,
-        FoldLayer, ShrinkGrowth, CutGrowth, PaintBarrier, ShutListed, SpreadLabels>;
+    JoinedTypes<GrowthEdits, StrokeEdits, WholeEdits, LabelWrites>::List::Variant;
 
 /// Any one of them; like Edit (core/edits/kinds/Edit.h), its copies are compiled once.
 struct EngineEdit : EngineEditVariant {
@@ -98,6 +113,9 @@ struct EngineEdit : EngineEditVariant {
     EngineEdit& operator=(EngineEdit&& other) noexcept;
     ~EngineEdit();
 };
+
+/// Whether an edit could begin in a volume. Errors: InvalidField.
+[[nodiscard]] Result<void> checkEdit(const EngineEdit& edit, const BrickGrid& grid);
 
 // --- What an open edit can be told while it runs. ------------------------------------------------
 // GrowAdvance: core/growth/GrowthProgress.h.
@@ -136,18 +154,18 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // BeginEdit while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of
 // another kind of edit; a peel's depth below 0; SwapBricks, XorBricks or MuteLayers while a
 // transaction is open; a brick or voxel that the volume does not have; an image that is neither
-// empty nor whole; a connectivity other than 6, 18 and 26; a shrinking to more than there is, also
-// by ShrinkTo; a segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is
-// below 1; a laser, a brush's frame, what is hidden, a list of labels or places, a growth or groups
-// of seeds that are not sound (isSound()); bounds that are not (areSound()); a layer folded into
-// itself; a table of opacities of another length than 256; growing from seeds that is not sound
-// (isSound()) or with seeds of fewer than two labels; TraceTolerance while a transaction is open,
-// by a rule that is not sound (isSound()) or of a label without seeds; ForeseeCut while a
-// transaction is open, or of a cut that could not begin; a box of codes that is empty or not within
-// the volume. ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels,
-// CountGenerations, DropTolerance and DropForesight are served while a transaction is open too. A
-// CutGrowth over seeds yields ErrorCode::SeedsStay, one where nothing has grown NothingGrown
-// (growth/cut/GrowthCut.h), and so does a ForeseeCut of it.
+// empty nor whole, of differences (XorBricks) also one that is empty; an edit that could not begin
+// (checkEdit()): a connectivity other than 6, 18 and 26; a shrinking to more than there is, also by
+// ShrinkTo; a segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below
+// 1; a laser, a brush's frame, what is hidden, bounds, a list of labels or places, a growth or
+// groups of seeds that are not sound; a layer folded into itself; growing from seeds that is not
+// sound, or with seeds of fewer than two labels; a table of opacities of another length than 256;
+// TraceTolerance while a transaction is open, by a rule that is not sound (isSound()) or of a label
+// without seeds; ForeseeCut while a transaction is open, or of a cut that could not begin; a box of
+// codes that is empty or not within the volume. ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels,
+// ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and DropForesight are served while a
+// transaction is open too. A CutGrowth over seeds yields ErrorCode::SeedsStay, one where nothing
+// has grown NothingGrown (growth/cut/GrowthCut.h), and so does a ForeseeCut of it.
 
 /// Open a transaction. There is at most one; its ticket names it until EndEdit.
 struct BeginEdit {

@@ -22,6 +22,14 @@ std::int64_t rootOf(std::int64_t square)
     return root;
 }
 
+Result<void> checkConnectivity(int connectivity)
+{
+    if (connectivity != 6 && connectivity != 18 && connectivity != 26)
+        return failure(ErrorCode::InvalidField, QStringLiteral("connectivity"),
+            QStringLiteral("is not 6, 18 or 26"));
+    return {};
+}
+
 } // namespace
 
 FrontMeasure frontMeasure(const glm::dvec3& spacingMm)
@@ -89,6 +97,56 @@ bool isSound(const ShutListed& edit, int brickCount)
         last = brick.brick;
     }
     return true;
+}
+
+Result<void> checkSound(const SeedPlacement& edit, const BrickGrid& grid)
+{
+    if (edit.label == 0)
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+    const Result<void> taken = checkWithin(edit.taken, grid);
+    return taken ? checkWithin(edit.voxels, grid) : taken;
+}
+
+Result<void> checkSound(const GrowBurst& edit, const BrickGrid& grid)
+{
+    if (const Result<void> checked = checkConnectivity(edit.connectivity); !checked)
+        return checked;
+    if (!isSound(edit))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("limits"), QStringLiteral("are not sound"));
+    return checkSound(edit.seedGroups, grid);
+}
+
+Result<void> checkSound(const ShrinkGrowth& edit, const BrickGrid&)
+{
+    if (edit.keep > edit.generation)
+        return failure(ErrorCode::InvalidField, QStringLiteral("keep"),
+            QStringLiteral("is more than there is"));
+    return {};
+}
+
+Result<void> checkSound(const CutGrowth& edit, const BrickGrid& grid)
+{
+    if (const Result<void> checked = checkConnectivity(edit.connectivity); !checked)
+        return checked;
+    return checkWithin(edit.voxels, grid);
+}
+
+Result<void> checkSound(const PaintBarrier& edit, const BrickGrid&)
+{
+    if (!isSound(edit.frame))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("frame"), QStringLiteral("is not sound"));
+    return {};
+}
+
+Result<void> checkSound(const ShutListed& edit, const BrickGrid& grid)
+{
+    if (!isSound(edit, grid.brickCount()))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("bricks"), QStringLiteral("are not sound"));
+    return {};
 }
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Result.h"
 #include "core/brick/BrickGrid.h"
 #include "core/growth/Passage.h"
 #include "core/growth/SeedGroups.h"
@@ -254,5 +255,12 @@ struct ShutListed {
 
 /// Whether its bricks ascend and are the volume's.
 [[nodiscard]] bool isSound(const ShutListed& edit, int brickCount);
+
+[[nodiscard]] Result<void> checkSound(const SeedPlacement& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const GrowBurst& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const ShrinkGrowth& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const CutGrowth& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const PaintBarrier& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const ShutListed& edit, const BrickGrid& grid);
 
 } // namespace core

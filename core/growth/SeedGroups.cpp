@@ -18,4 +18,27 @@ bool isSound(const std::vector<SeedGroup>& groups)
     });
 }
 
+Result<void> checkWithin(const std::vector<glm::ivec3>& voxels, const BrickGrid& grid)
+{
+    for (const glm::ivec3& voxel : voxels) {
+        if (glm::any(glm::lessThan(voxel, glm::ivec3(0)))
+            || glm::any(glm::greaterThanEqual(voxel, grid.volumeSize)))
+            return failure(ErrorCode::InvalidField, QStringLiteral("voxels"),
+                QStringLiteral("outside the volume"));
+    }
+    return {};
+}
+
+Result<void> checkSound(const std::vector<SeedGroup>& groups, const BrickGrid& grid)
+{
+    if (!isSound(groups))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("seedGroups"), QStringLiteral("are not sound"));
+    for (const SeedGroup& group : groups) {
+        if (const Result<void> checked = checkWithin(group.voxels, grid); !checked)
+            return checked;
+    }
+    return {};
+}
+
 } // namespace core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Result.h"
+#include "core/brick/BrickGrid.h"
 #include "core/growth/SeedStatistics.h"
 
 #include <glm/glm.hpp>
@@ -21,6 +23,11 @@ struct SeedGroup {
 
 /// Whether no label is 0 and the voxels of each stand in their order.
 [[nodiscard]] bool isSound(const std::vector<SeedGroup>& groups);
+/// Also whether they lie in the volume. Errors: InvalidField.
+[[nodiscard]] Result<void> checkSound(const std::vector<SeedGroup>& groups, const BrickGrid& grid);
+/// Whether places lie in the volume. Errors: InvalidField.
+[[nodiscard]] Result<void> checkWithin(
+    const std::vector<glm::ivec3>& voxels, const BrickGrid& grid);
 
 /// What lies around seeds, group by group.
 struct GroupedSeedSums {

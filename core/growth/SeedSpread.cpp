@@ -31,4 +31,12 @@ VoxelBox spreadBox(const SpreadLabels& spread, const VoxelBox& seeds, const glm:
         glm::min(seeds.maximum + margin, volumeSize)};
 }
 
+Result<void> checkSound(const SpreadLabels& spread, const BrickGrid& grid)
+{
+    if (!isSound(spread, grid.volumeSize))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("spread"), QStringLiteral("is not sound"));
+    return {};
+}
+
 } // namespace core

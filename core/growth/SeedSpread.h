@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Result.h"
 #include "core/brick/BrickGrid.h"
 
 #include <array>
@@ -54,6 +55,7 @@ struct ForgetSpread { };
 /// Whether an engine may take it: connectivity and costs in their ranges, 0 in neither set, no
 /// label in both, a box as it must be.
 [[nodiscard]] bool isSound(const SpreadLabels& spread, const glm::ivec3& volumeSize);
+[[nodiscard]] Result<void> checkSound(const SpreadLabels& spread, const BrickGrid& grid);
 
 /// The box, from the one around all seeds.
 [[nodiscard]] VoxelBox spreadBox(

@@ -3,14 +3,8 @@
 
 #include "core/base/files/FileInUse.h"
 #include "core/base/files/ReadableFile.h"
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/growth/SeedStroke.h"
-#include "core/edits/kinds/parts/SegmentChoice.h"
-#include "core/edits/kinds/segments/ImportMask.h"
-#include "core/edits/kinds/segments/LayerToSegment.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
-#include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/recipe/RepeatedKey.h"
 #include "core/volume/SurfaceThreshold.h"
 
@@ -105,6 +99,18 @@ bool completeSurface(QJsonValue& json)
     return true;
 }
 
+/// What an edit adds to the document is last there.
+void addFilled(std::set<int>& labels, const FilledSegments& filled, const Document& document,
+    std::size_t segmentsBefore)
+{
+    for (std::size_t i = 0; i < document.segments.size(); ++i) {
+        const Segment& segment = document.segments[i];
+        if (filled.label == segment.label || (filled.added && i >= segmentsBefore)
+            || (!filled.name.isEmpty() && filled.name == segment.name))
+            labels.insert(segment.label);
+    }
+}
+
 } // namespace
 
 Error atEdit(Error error, int entry)
@@ -173,27 +179,7 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
             return tl::unexpected(atEdit(checked.error(), entryOf(recipe, i)));
         const std::size_t segmentsBefore = document.segments.size();
         static_cast<void>(applyToDocument(*edit, document));
-        if (const auto* seed = edit->as<SeedStroke>())
-            seeded.insert(seed->segment);
-        if (const auto* paint = edit->as<PaintStroke>(); paint && !paint->erase)
-            seeded.insert(paint->segment);
-        if (const auto* toggle = edit->as<ChunkToggle>())
-            seeded.insert(toggle->segment);
-        if (const auto* mask = edit->as<ImportMask>()) {
-            // What it made is last, as many as there are; what was there is named.
-            for (std::size_t k = 0; k < document.segments.size(); ++k) {
-                const Segment& segment = document.segments[k];
-                if (k >= segmentsBefore || (mask->as && mask->as->number == segment.label)
-                    || (mask->as && mask->as->name == segment.name))
-                    seeded.insert(segment.label);
-            }
-        }
-        const auto* carved = edit->as<LayerToSegment>();
-        const auto* seen = edit->as<SegmentSeen>();
-        if (carved || seen) {
-            const SegmentChoice& choice = carved ? carved->target : seen->target;
-            seeded.insert(choice.segment.value_or(document.lastLabelGiven()));
-        }
+        addFilled(seeded, effectsOf(*edit).fills, document, segmentsBefore);
     }
     const Volume& volume = document.volumes.front();
     std::vector<FileIdentity> files;

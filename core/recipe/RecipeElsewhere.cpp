@@ -3,7 +3,6 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
-#include "core/edits/schema/EditSchema.h"
 
 #include <algorithm>
 #include <type_traits>

@@ -2,9 +2,9 @@
 #include "core/recipe/RecipeStep.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/EditTask.h"
 #include "core/edits/kinds/AnyEdit.h"
-#include "core/edits/schema/EditQuantise.h"
 
 #include <QJsonObject>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/edits/EditDocumentation.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/schema/EditDocumentation.h"
 #include "core/history/History.h"
 
 #include <QJsonValue>

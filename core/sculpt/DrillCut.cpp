@@ -56,4 +56,9 @@ ElementBox elementsUnder(const DrillCut& cut, const DrillSample& sample)
             floorDivide(sample.y + reach, cut.frame.pitch)}};
 }
 
+Result<void> checkSound(const DrillCut& cut, const BrickGrid&)
+{
+    return checkSound(cut.frame);
+}
+
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/brick/BrickGrid.h"
 #include "core/sculpt/MaskFrame.h"
 #include "core/sculpt/MaskRaster.h"
 
@@ -60,5 +61,7 @@ struct DrillSample {
 
 /// Elements that a sample can reach.
 [[nodiscard]] ElementBox elementsUnder(const DrillCut& cut, const DrillSample& sample);
+
+[[nodiscard]] Result<void> checkSound(const DrillCut& cut, const BrickGrid& grid);
 
 } // namespace core

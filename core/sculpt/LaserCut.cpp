@@ -143,4 +143,14 @@ glm::ivec3 beamStep(const MaskFrame& frame, const LaserBeam& beam)
     return round14(step);
 }
 
+Result<void> checkSound(const LaserCut& cut, const BrickGrid&)
+{
+    if (const Result<void> checked = checkSound(cut.frame); !checked)
+        return checked;
+    if (!isSound(cut))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("laser"), QStringLiteral("is not sound"));
+    return {};
+}
+
 } // namespace core

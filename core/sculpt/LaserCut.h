@@ -106,4 +106,6 @@ struct LaserLattice {
 /// Rule 7: S.
 [[nodiscard]] glm::ivec3 beamStep(const MaskFrame& frame, const LaserBeam& beam);
 
+[[nodiscard]] Result<void> checkSound(const LaserCut& cut, const BrickGrid& grid);
+
 } // namespace core

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Result.h"
+#include "core/base/TypeList.h"
+#include "core/brick/BrickGrid.h"
+
 #include <glm/glm.hpp>
 
+#include <array>
 #include <bitset>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace core {
 
-// What passes between sculpt layers and segments, in integers. Both engines follow the rules to the
-// bit; each voxel decides for itself, so neither order nor company matters.
+// What passes between sculpt layers and segments, and between segments, in integers. Both engines
+// follow the rules to the bit; each voxel decides for itself, so neither order nor company matters.
 
 /// Index positions with normal · voxel ≤ offset.
 struct VoxelBound {
@@ -72,6 +78,23 @@ struct RelabelListed {
     std::vector<Brick> bricks{}; ///< ascending, each once
 };
 
+[[nodiscard]] constexpr std::array<std::uint8_t, 256> everyLabelItself()
+{
+    std::array<std::uint8_t, 256> labels{};
+    for (std::size_t label = 0; label < labels.size(); ++label)
+        labels[label] = std::uint8_t(label);
+    return labels;
+}
+
+/// Give other labels to all that a plane holds: a voxel that holds v receives becomes[v]. Where
+/// that is v, its seed word stays, too; where it is another segment's label, a seed word that bears
+/// yet another one becomes unvisited, as by LabelTarget; where it is 0, one that bears v, as
+/// PaintLabel erases. What is carved or hidden counts as everything else.
+struct MapLabels {
+    std::uint8_t plane = 0;
+    std::array<std::uint8_t, 256> becomes = everyLabelItself();
+};
+
 /// Coverage of the layer = 255 wherever the plane holds the label.
 struct CoverLabel {
     std::uint8_t layer = 0;
@@ -85,49 +108,19 @@ struct FoldLayer {
     std::optional<std::uint8_t> into{};
 };
 
-/// Whether listed bricks are whole, ascend and are the volume's.
-template <class Brick>
-[[nodiscard]] bool areSound(
-    const std::vector<Brick>& bricks, std::vector<std::uint8_t> Brick::*voxels, int brickCount)
+[[nodiscard]] Result<void> checkSound(const LabelCarved& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const LabelSeen& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const LabelListed& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const RelabelListed& edit, const BrickGrid& grid);
+/// There is no table that is not.
+[[nodiscard]] inline Result<void> checkSound(const MapLabels&, const BrickGrid&)
 {
-    std::int64_t last = -1;
-    for (const Brick& brick : bricks) {
-        if ((brick.*voxels).size() != 4096 || std::int64_t(brick.brick) <= last
-            || std::int64_t(brick.brick) >= brickCount)
-            return false;
-        last = brick.brick;
-    }
-    return true;
+    return {};
 }
+[[nodiscard]] Result<void> checkSound(const CoverLabel& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const FoldLayer& edit, const BrickGrid& grid);
 
-[[nodiscard]] inline bool isSound(const LabelListed& edit, int brickCount)
-{
-    return areSound(edit.bricks, &LabelListed::Brick::labels, brickCount);
-}
-
-/// Also whether nothing else is asked for than it knows.
-[[nodiscard]] inline bool isSound(const RelabelListed& edit, int brickCount)
-{
-    for (const RelabelListed::Brick& brick : edit.bricks) {
-        for (const std::uint8_t asked : brick.asked) {
-            if (asked > RelabelListed::take)
-                return false;
-        }
-    }
-    return areSound(edit.bricks, &RelabelListed::Brick::asked, brickCount);
-}
-
-/// Whether every normal is short enough for a volume of this size.
-[[nodiscard]] inline bool areSound(const std::vector<VoxelBound>& bounds, const glm::ivec3& size)
-{
-    for (const VoxelBound& bound : bounds) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::int64_t reach = std::int64_t(bound.normal[axis]) * size[axis];
-            if (reach <= -(std::int64_t(1) << 29) || reach >= std::int64_t(1) << 29)
-                return false;
-        }
-    }
-    return true;
-}
+/// Those that give or take labels.
+using LabelWrites = TypeList<LabelCarved, LabelSeen, LabelListed, RelabelListed, MapLabels>;
 
 } // namespace core

@@ -75,4 +75,15 @@ std::optional<std::int32_t> searchEnd(const MaskFrame& frame, const glm::ivec3& 
     return std::int32_t(frame.zStart + last * frame.zPerSample);
 }
 
+Result<void> checkSound(const MaskFrame& frame)
+{
+    if (frame.pitch < 1 || frame.rampHalfWidth < 1 || frame.gapSamples < 1)
+        return failure(ErrorCode::InvalidField, QStringLiteral("frame"),
+            QStringLiteral("pitch, rampHalfWidth and gapSamples are at least 1"));
+    if (!isSound(frame.hidden))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("hidden"), QStringLiteral("is not sound"));
+    return {};
+}
+
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Result.h"
 #include "core/sculpt/HiddenHalf.h"
 #include "core/sculpt/SparedLabels.h"
 #include "core/volume/VolumeGeometry.h"
@@ -173,5 +174,8 @@ namespace fixedPoint {
 
 /// Rule 6: plane coordinates of a brick's first voxel.
 [[nodiscard]] glm::ivec3 planeBase(const MaskFrame& frame, const glm::ivec3& firstVoxel);
+
+/// Whether its numbers are ones that the rules allow. Errors: InvalidField.
+[[nodiscard]] Result<void> checkSound(const MaskFrame& frame);
 
 } // namespace core

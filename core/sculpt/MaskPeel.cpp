@@ -257,4 +257,9 @@ MaskColumn peelColumn(
         part};
 }
 
+Result<void> checkSound(const MaskPeel& peel, const BrickGrid&)
+{
+    return checkSound(peel.frame);
+}
+
 } // namespace core

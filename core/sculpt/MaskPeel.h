@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/brick/BrickGrid.h"
 #include "core/sculpt/MaskFrame.h"
 #include "core/sculpt/MaskRaster.h"
 
@@ -54,5 +55,7 @@ struct PeelSheet {
 /// Rule 4. @param end of rule 3; @param weight m
 [[nodiscard]] MaskColumn peelColumn(
     const MaskFrame& frame, const SurfaceHit& hit, std::int32_t end, std::int32_t weight);
+
+[[nodiscard]] Result<void> checkSound(const MaskPeel& peel, const BrickGrid& grid);
 
 } // namespace core

@@ -20,4 +20,9 @@ MaskColumn scissorsColumn(const MaskScissors& scissors, const SurfaceHit& hit, s
     return column;
 }
 
+Result<void> checkSound(const MaskScissors& scissors, const BrickGrid&)
+{
+    return checkSound(scissors.frame);
+}
+
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/brick/BrickGrid.h"
 #include "core/sculpt/MaskFrame.h"
 #include "core/sculpt/MaskRaster.h"
 
@@ -28,5 +29,7 @@ struct MaskScissors {
 /// @param weight m
 [[nodiscard]] MaskColumn scissorsColumn(
     const MaskScissors& scissors, const SurfaceHit& hit, std::int32_t weight);
+
+[[nodiscard]] Result<void> checkSound(const MaskScissors& scissors, const BrickGrid& grid);
 
 } // namespace core

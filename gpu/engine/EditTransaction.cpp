@@ -10,7 +10,7 @@ namespace gpu {
 core::Result<std::unique_ptr<EditTransaction>> EditTransaction::begin(
     EditPrograms& programs, VoxelFields& fields, const core::EngineEdit& edit)
 {
-    if (const core::Result<void> checked = checkEdit(edit, fields.grid()); !checked)
+    if (const core::Result<void> checked = core::checkEdit(edit, fields.grid()); !checked)
         return tl::unexpected(checked.error());
 
     std::unique_ptr<EditTransaction> transaction(new EditTransaction(programs, fields));
@@ -30,7 +30,7 @@ core::Result<void> EditTransaction::start(const core::EngineEdit& edit)
 {
     const WorkContext context{.programs = m_programs, .fields = m_fields, .before = m_before};
     BegunWork begun =
-        std::visit([&context](const auto& known) { return beginWork(known, context); }, edit);
+        std::visit([&context](const auto& known) { return beginWork(&known, context); }, edit);
     if (!begun)
         return tl::unexpected(begun.error());
     m_work = *std::move(begun);
@@ -91,6 +91,12 @@ void EditTransaction::abandon(const core::Error& why)
 core::GrowthProgress EditTransaction::progress() const
 {
     return m_work ? m_work->progress() : core::GrowthProgress();
+}
+
+tl::unexpected<core::Error> refusal(const char* field, const char* reason)
+{
+    return core::failure(
+        core::ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
 }
 
 } // namespace gpu

@@ -60,15 +60,6 @@ private:
     std::optional<core::Error> m_abandoned;
 };
 
-/// Whether an edit could begin in a volume. Errors: InvalidField.
-[[nodiscard]] core::Result<void> checkEdit(
-    const core::EngineEdit& edit, const core::BrickGrid& grid);
-/// Whether a cut of this volume could begin.
-[[nodiscard]] core::Result<void> check(const core::CutGrowth& edit, const core::BrickGrid& grid);
-/// Whether these groups of seeds are sound and lie in a volume.
-[[nodiscard]] core::Result<void> check(
-    const std::vector<core::SeedGroup>& groups, const core::BrickGrid& grid);
-
 /// `failure(InvalidField, …)` in short.
 [[nodiscard]] tl::unexpected<core::Error> refusal(const char* field, const char* reason);
 

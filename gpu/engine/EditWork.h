@@ -56,31 +56,13 @@ struct WorkContext {
 
 using BegunWork = core::Result<std::unique_ptr<EditWork>>;
 
-// One for each kind of edit: EditTransaction asks for it of every one of them. The edit is sound
-// (checkEdit()). Errors: InvalidField, with nothing changed.
+// One for each family of edits, which knows all kinds of it: what is missing does not compile. The
+// edit is sound (core::checkEdit()). Errors: InvalidField, with nothing changed.
 
-BegunWork beginWork(const core::DrillCut& edit, const WorkContext& context);
-BegunWork beginWork(const core::LaserCut& edit, const WorkContext& context);
-BegunWork beginWork(const core::MaskPeel& edit, const WorkContext& context);
-BegunWork beginWork(const core::MaskScissors& edit, const WorkContext& context);
-BegunWork beginWork(const core::CapsuleCut& edit, const WorkContext& context);
-BegunWork beginWork(const core::PaintLabel& edit, const WorkContext& context);
-BegunWork beginWork(const core::PaintBarrier& edit, const WorkContext& context);
-
-BegunWork beginWork(const core::SeedPlacement& edit, const WorkContext& context);
-BegunWork beginWork(const core::GrowBurst& edit, const WorkContext& context);
-BegunWork beginWork(const core::ShrinkGrowth& edit, const WorkContext& context);
-BegunWork beginWork(const core::CutGrowth& edit, const WorkContext& context);
-BegunWork beginWork(const core::SpreadLabels& edit, const WorkContext& context);
-
-BegunWork beginWork(const core::EraseLabel& edit, const WorkContext& context);
-BegunWork beginWork(const core::LabelCarved& edit, const WorkContext& context);
-BegunWork beginWork(const core::LabelSeen& edit, const WorkContext& context);
-BegunWork beginWork(const core::LabelListed& edit, const WorkContext& context);
-BegunWork beginWork(const core::RelabelListed& edit, const WorkContext& context);
-BegunWork beginWork(const core::ShutListed& edit, const WorkContext& context);
-BegunWork beginWork(const core::CoverLabel& edit, const WorkContext& context);
-BegunWork beginWork(const core::FoldLayer& edit, const WorkContext& context);
+BegunWork beginWork(core::GrowthEdits::Pointer edit, const WorkContext& context);
+BegunWork beginWork(core::StrokeEdits::Pointer edit, const WorkContext& context);
+BegunWork beginWork(core::WholeEdits::Pointer edit, const WorkContext& context);
+BegunWork beginWork(core::LabelWrites::Pointer edit, const WorkContext& context);
 
 /// These bricks of one field and plane.
 [[nodiscard]] std::vector<core::BrickKey> keysOf(

@@ -80,7 +80,8 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeVoxels& command)
 
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeSeeds& command)
 {
-    if (const core::Result<void> checked = check(command.seedGroups, m_fields->grid()); !checked)
+    if (const core::Result<void> checked = core::checkSound(command.seedGroups, m_fields->grid());
+        !checked)
         return tl::unexpected(checked.error());
     const core::GroupedSeedSums sums =
         seedSums(m_programs.growth.seedStatistics, *m_fields, command);
@@ -151,7 +152,8 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ForeseeCut& command)
 {
     if (m_transaction)
         return refusal("transaction", "an edit is open");
-    if (const core::Result<void> checked = check(command.cut, m_fields->grid()); !checked)
+    if (const core::Result<void> checked = core::checkSound(command.cut, m_fields->grid());
+        !checked)
         return tl::unexpected(checked.error());
     core::Result<std::optional<core::ForeseenCut>> foreseen = m_foresight.ask(*m_fields, command);
     if (!foreseen)

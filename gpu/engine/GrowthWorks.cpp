@@ -109,7 +109,8 @@ private:
     }
     core::Result<void> growAnew(const core::GrowBurst& burst)
     {
-        if (const core::Result<void> checked = checkEdit(burst, m_context.fields.grid()); !checked)
+        if (const core::Result<void> checked = core::checkSound(burst, m_context.fields.grid());
+            !checked)
             return checked;
         if (burst.plane != m_plane)
             return refusal("plane", "is another one");
@@ -223,24 +224,22 @@ private:
     VoxelFields& m_fields;
 };
 
-} // namespace
-
-BegunWork beginWork(const core::SeedPlacement& edit, const WorkContext& context)
+BegunWork begun(const core::SeedPlacement& edit, const WorkContext& context)
 {
     return std::make_unique<SeedWork>(edit, context);
 }
 
-BegunWork beginWork(const core::GrowBurst& edit, const WorkContext& context)
+BegunWork begun(const core::GrowBurst& edit, const WorkContext& context)
 {
     return std::make_unique<GrowthWork>(edit, context);
 }
 
-BegunWork beginWork(const core::ShrinkGrowth& edit, const WorkContext& context)
+BegunWork begun(const core::ShrinkGrowth& edit, const WorkContext& context)
 {
     return std::make_unique<ShrinkWork>(edit, context);
 }
 
-BegunWork beginWork(const core::CutGrowth& edit, const WorkContext& context)
+BegunWork begun(const core::CutGrowth& edit, const WorkContext& context)
 {
     core::Result<CutOutcome> outcome = cutGrown(context.fields, context.before, edit);
     if (!outcome)
@@ -248,7 +247,7 @@ BegunWork beginWork(const core::CutGrowth& edit, const WorkContext& context)
     return std::make_unique<CutWork>(edit.generation, *std::move(outcome));
 }
 
-BegunWork beginWork(const core::SpreadLabels& edit, const WorkContext& context)
+BegunWork begun(const core::SpreadLabels& edit, const WorkContext& context)
 {
     try {
         auto kernel =
@@ -260,6 +259,13 @@ BegunWork beginWork(const core::SpreadLabels& edit, const WorkContext& context)
         context.fields.spread().release();
         throw;
     }
+}
+
+} // namespace
+
+BegunWork beginWork(core::GrowthEdits::Pointer edit, const WorkContext& context)
+{
+    return std::visit([&context](const auto* known) { return begun(*known, context); }, edit);
 }
 
 } // namespace gpu

@@ -26,46 +26,36 @@ BegunWork done(std::vector<core::BrickKey> keys)
     return std::make_unique<WholeWork>(std::move(keys));
 }
 
-} // namespace
-
-BegunWork beginWork(const core::EraseLabel& edit, const WorkContext& context)
+BegunWork begun(const core::EraseLabel& edit, const WorkContext& context)
 {
     return done(eraseLabel(context.programs.erase, context.fields, context.before, edit));
 }
 
-BegunWork beginWork(const core::LabelCarved& edit, const WorkContext& context)
-{
-    return done(labelCarved(context.programs.label, context.fields, context.before, edit));
-}
-
-BegunWork beginWork(const core::LabelSeen& edit, const WorkContext& context)
-{
-    return done(labelSeen(context.programs.label, context.fields, context.before, edit));
-}
-
-BegunWork beginWork(const core::LabelListed& edit, const WorkContext& context)
-{
-    return done(labelListed(context.programs.label, context.fields, context.before, edit));
-}
-
-BegunWork beginWork(const core::RelabelListed& edit, const WorkContext& context)
-{
-    return done(relabelListed(context.programs.label, context.fields, context.before, edit));
-}
-
-BegunWork beginWork(const core::ShutListed& edit, const WorkContext& context)
+BegunWork begun(const core::ShutListed& edit, const WorkContext& context)
 {
     return done(shutListed(context.programs.shut, context.fields, context.before, edit));
 }
 
-BegunWork beginWork(const core::CoverLabel& edit, const WorkContext& context)
+BegunWork begun(const core::CoverLabel& edit, const WorkContext& context)
 {
     return done(coverLabel(context.programs.erase, context.fields, context.before, edit));
 }
 
-BegunWork beginWork(const core::FoldLayer& edit, const WorkContext& context)
+BegunWork begun(const core::FoldLayer& edit, const WorkContext& context)
 {
     return done(foldLayer(context.fields, context.before, edit));
+}
+
+} // namespace
+
+BegunWork beginWork(core::WholeEdits::Pointer edit, const WorkContext& context)
+{
+    return std::visit([&context](const auto* known) { return begun(*known, context); }, edit);
+}
+
+BegunWork beginWork(core::LabelWrites::Pointer edit, const WorkContext& context)
+{
+    return done(writeLabels(context.programs.label, context.fields, context.before, edit));
 }
 
 } // namespace gpu

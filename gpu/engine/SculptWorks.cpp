@@ -133,41 +133,46 @@ private:
     CapsuleKernel m_kernel;
 };
 
-} // namespace
-
-BegunWork beginWork(const core::DrillCut& edit, const WorkContext& context)
+BegunWork begun(const core::DrillCut& edit, const WorkContext& context)
 {
     return std::make_unique<StrokeWork<DrillKernel>>(context.programs.mask, edit, context);
 }
 
-BegunWork beginWork(const core::LaserCut& edit, const WorkContext& context)
+BegunWork begun(const core::LaserCut& edit, const WorkContext& context)
 {
     return std::make_unique<StrokeWork<LaserKernel>>(context.programs.laser, edit, context);
 }
 
-BegunWork beginWork(const core::MaskPeel& edit, const WorkContext& context)
+BegunWork begun(const core::MaskPeel& edit, const WorkContext& context)
 {
     return std::make_unique<PeelWork>(edit, context);
 }
 
-BegunWork beginWork(const core::MaskScissors& edit, const WorkContext& context)
+BegunWork begun(const core::MaskScissors& edit, const WorkContext& context)
 {
     return std::make_unique<ScissorsWork>(edit, context);
 }
 
-BegunWork beginWork(const core::CapsuleCut& edit, const WorkContext& context)
+BegunWork begun(const core::CapsuleCut& edit, const WorkContext& context)
 {
     return std::make_unique<BrushWork>(edit, context);
 }
 
-BegunWork beginWork(const core::PaintLabel& edit, const WorkContext& context)
+BegunWork begun(const core::PaintLabel& edit, const WorkContext& context)
 {
     return std::make_unique<BrushWork>(edit, context);
 }
 
-BegunWork beginWork(const core::PaintBarrier& edit, const WorkContext& context)
+BegunWork begun(const core::PaintBarrier& edit, const WorkContext& context)
 {
     return std::make_unique<BrushWork>(edit, context);
+}
+
+} // namespace
+
+BegunWork beginWork(core::StrokeEdits::Pointer edit, const WorkContext& context)
+{
+    return std::visit([&context](const auto* known) { return begun(*known, context); }, edit);
 }
 
 } // namespace gpu

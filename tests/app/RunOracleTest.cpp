@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"

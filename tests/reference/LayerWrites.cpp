@@ -105,6 +105,20 @@ void relabelListed(DenseFields& fields, const core::RelabelListed& edit)
     });
 }
 
+void mapLabels(DenseFields& fields, const core::MapLabels& edit)
+{
+    std::bitset<256> all;
+    all.set();
+    forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
+        const std::uint8_t held = fields.labels(edit.plane).at(voxel);
+        const std::uint8_t next = edit.becomes[held];
+        if (next != held && next != 0)
+            give(fields, {edit.plane, next, all}, voxel);
+        else if (next != held)
+            take(fields, {edit.plane, held, {}}, voxel);
+    });
+}
+
 void shutListed(DenseFields& fields, const core::ShutListed& edit)
 {
     forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {

@@ -15,6 +15,7 @@ void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uin
     DenseFields& fields, const core::LabelSeen& edit);
 void labelListed(DenseFields& fields, const core::LabelListed& edit);
 void relabelListed(DenseFields& fields, const core::RelabelListed& edit);
+void mapLabels(DenseFields& fields, const core::MapLabels& edit);
 /// Of growth (core/growth/GrowthCommands.h), listed in the same way.
 void shutListed(DenseFields& fields, const core::ShutListed& edit);
 void coverLabel(DenseFields& fields, const core::CoverLabel& edit);

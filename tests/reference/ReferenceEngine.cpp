@@ -260,29 +260,31 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::LabelCarved& ed
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::LabelSeen& edit)
 {
-    if (edit.target.label == 0)
-        return refuse("label", "0 is no segment");
-    if (!core::areSound(edit.bounds, m_codes.size))
-        return refuse("bounds", "are not sound");
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
     labelSeen(m_codes, m_fields.composedCoverage(m_muted), m_fields, edit);
     return Done{};
 }
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::LabelListed& edit)
 {
-    if (!core::isSound(edit, core::BrickGrid{m_codes.size}.brickCount()))
-        return refuse("bricks", "are not sound");
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
     labelListed(m_fields, edit);
     return Done{};
 }
 
 core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::RelabelListed& edit)
 {
-    if (!core::isSound(edit, core::BrickGrid{m_codes.size}.brickCount()))
-        return refuse("bricks", "are not sound");
-    if (edit.target.label == 0)
-        return refuse("label", "0 is no segment");
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
     relabelListed(m_fields, edit);
+    return Done{};
+}
+
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::MapLabels& edit)
+{
+    mapLabels(m_fields, edit);
     return Done{};
 }
 

@@ -376,16 +376,18 @@ void addListActions(MainWindow& window)
                     workspace.fail(added.error());
             },
         .possible = isOpen});
-    actions.add({.id = QStringLiteral("segments.remove"),
-        .text = QStringLiteral("Delete segment"),
-        .run = [&workspace] { removeSegment(workspace, workspace.activeSegment()); },
-        .possible = [activeSegment] { return activeSegment() && !activeSegment()->locked; },
-        .currentText =
-            [activeSegment] {
-                const core::Segment* segment = activeSegment();
-                return segment ? QStringLiteral("Delete segment '%1'").arg(segment->name)
-                               : QStringLiteral("Delete segment");
-            }});
+    for (const SegmentAction& each : segmentActions()) {
+        actions.add({.id = QLatin1String(each.id),
+            .text = each.text,
+            .run = [&workspace, &each] { each.run(workspace, workspace.activeSegment()); },
+            .possible = [activeSegment] { return activeSegment() && !activeSegment()->locked; },
+            .currentText =
+                [activeSegment, &each] {
+                    const core::Segment* segment = activeSegment();
+                    return segment ? QStringLiteral("%1 '%2'").arg(each.text, segment->name)
+                                   : each.text;
+                }});
+    }
     actions.add({.id = QStringLiteral("layers.add"),
         .text = QStringLiteral("Add sculpt layer"),
         .run =

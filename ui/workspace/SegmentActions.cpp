@@ -3,6 +3,7 @@
 
 #include "core/document/SegmentColours.h"
 #include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "ui/base/CountText.h"
 #include "ui/workspace/Workspace.h"
@@ -79,6 +80,33 @@ void removeSegment(Workspace& workspace, int label)
     workspace.say(counted ? QObject::tr("Deleted '%1', %2 voxels; Ctrl+Z brings it back")
                                 .arg(segment->name, countText(segment->voxels))
                           : QObject::tr("Deleted '%1'; Ctrl+Z brings it back").arg(segment->name));
+}
+
+namespace {
+
+void invertSegment(Workspace& workspace, int label)
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    if (const auto inverted = session->apply(core::InvertSegment{.segment = label}); !inverted)
+        return workspace.fail(inverted.error());
+    workspace.say(QObject::tr("Inverted '%1'; Ctrl+Z takes it back")
+                      .arg(session->foreseenDocument().segment(label)->name));
+}
+
+} // namespace
+
+const std::vector<SegmentAction>& segmentActions()
+{
+    static const std::vector<SegmentAction> all{
+        {.id = "segments.invert", .text = QObject::tr("Invert segment"), .run = &invertSegment},
+        {.id = "segments.remove",
+            .text = QObject::tr("Delete segment"),
+            .keys = QKeySequence::Delete,
+            .run = &removeSegment},
+    };
+    return all;
 }
 
 } // namespace ui

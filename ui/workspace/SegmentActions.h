@@ -3,9 +3,11 @@
 
 #include "core/base/Result.h"
 
+#include <QKeySequence>
 #include <QString>
 
 #include <cstdint>
+#include <vector>
 
 namespace core {
 struct Document;
@@ -28,5 +30,16 @@ core::Result<int> ensureActiveSegment(Workspace& workspace);
 /// Deletes a segment with its voxels, as an entry of its own, and says so; the one below it, or
 /// else above, becomes the active one. What cannot be done is told by the workspace.
 void removeSegment(Workspace& workspace, int label);
+
+/// What is done to a segment as a whole, and not to one that is locked: in the menu of its row, and
+/// to the active one in the menu Segments.
+struct SegmentAction {
+    const char* id; ///< of the window's action: "segments.remove"
+    QString text; ///< "Delete segment"; with the segment's name behind it where that is said
+    QKeySequence keys{}; ///< heard in the list of segments alone
+    void (*run)(Workspace& workspace, int label);
+};
+/// As menus have them.
+[[nodiscard]] const std::vector<SegmentAction>& segmentActions();
 
 } // namespace ui

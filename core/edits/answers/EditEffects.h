@@ -3,6 +3,8 @@
 
 #include "core/document/Document.h"
 
+#include <QString>
+
 #include <optional>
 
 namespace core {
@@ -14,6 +16,13 @@ enum class EditTask {
     Surface, ///< the surface that is refined; writing back goes on to the engine
     Chunks, ///< the chunks around a segment
     History, ///< older rows are taken back or changed
+};
+
+/// Segments that may have their first voxels, or seeds, from an edit.
+struct FilledSegments {
+    std::optional<int> label{};
+    QString name{}; ///< those that are called so; empty: none
+    bool added = false; ///< those that it adds to the document
 };
 
 /// What can be said of an edit before it is carried out. The first two have to be said of each.
@@ -31,13 +40,15 @@ struct EditEffects {
     /// The label whose voxels it is about: of a surface around that segment the surface differs
     /// from then on. What growth does is not known before; nor what others lose.
     std::optional<int> writesTo{};
+    /// Who will have to be coded where it is exported with a code.
+    FilledSegments fills{};
     /// Whether it names places of one study, or rows of one history, and so means nothing in a
     /// recipe for another.
     bool boundToStudy = false;
 };
 
 /// Of what is carried out on the document alone.
-[[nodiscard]] constexpr EditEffects documentEffects(
+[[nodiscard]] inline EditEffects documentEffects(
     DocumentChange::What changes, bool boundToStudy = false)
 {
     return {.task = EditTask::Document,

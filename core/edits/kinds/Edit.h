@@ -33,6 +33,7 @@ struct FollowMask;
 struct GrowFromSeeds;
 struct GrowSteps;
 struct ImportMask;
+struct InvertSegment;
 struct LaserStroke;
 struct LayerToSegment;
 struct LaySurface;
@@ -78,7 +79,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, ImportMask,
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, Chunks, ChunkToggle,
-    SurfaceBarrier>;
+    SurfaceBarrier, InvertSegment>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

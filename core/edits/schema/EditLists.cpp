@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/schema/EditLists.h"
 
-#include "core/edits/schema/EditQuantise.h"
+#include "core/edits/fields/Quantum.h"
 
 #include <QJsonArray>
 

@@ -3,11 +3,11 @@
 
 #include "core/document/OrthographicView.h"
 #include "core/edits/fields/EditFields.h"
+#include "core/edits/fields/Quantum.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
 #include "core/edits/kinds/parts/SparedSegments.h"
 #include "core/edits/schema/EditLists.h"
-#include "core/edits/schema/EditQuantise.h"
 
 namespace core::editSchema {
 

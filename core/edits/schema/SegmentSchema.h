@@ -5,6 +5,7 @@
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
@@ -61,6 +62,16 @@ template <>
 inline constexpr const char* editMeaning<RemoveSegment> =
     "Deletes a segment that is not locked, with its voxels and seeds.";
 template <class Visitor> void visitFields(Visitor& visit, RemoveSegment& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+}
+
+template <> inline constexpr const char* editName<InvertSegment> = "invertSegment";
+template <>
+inline constexpr const char* editMeaning<InvertSegment> =
+    "Gives a segment that is not locked every voxel that no segment has, in the whole volume, "
+    "and frees those that it had.";
+template <class Visitor> void visitFields(Visitor& visit, InvertSegment& edit)
 {
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
 }

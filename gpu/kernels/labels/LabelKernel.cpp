@@ -12,12 +12,6 @@ constexpr std::uint32_t changedLabel = 1; // chooseLabel.comp
 constexpr std::uint32_t changedWord = 2;
 constexpr std::size_t bricksAtOnce = 1024; // storage blocks end at 128 MiB
 
-Program program(const ShaderLibrary& library, const ShaderDefines& defines)
-{
-    const char* path = "kernels/labels/chooseLabel.comp";
-    return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
-}
-
 template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
 {
     Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size() * sizeof(T), 16)});
@@ -95,6 +89,13 @@ std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeIm
     return keys;
 }
 
+std::vector<std::uint32_t> allBricks(const VoxelFields& fields)
+{
+    std::vector<std::uint32_t> bricks(std::size_t(fields.grid().brickCount()));
+    std::iota(bricks.begin(), bricks.end(), 0u);
+    return bricks;
+}
+
 template <class Brick> std::vector<std::uint32_t> numbersOf(const std::vector<Brick>& bricks)
 {
     std::vector<std::uint32_t> numbers;
@@ -133,62 +134,83 @@ private:
     mutable Buffer m_buffer;
 };
 
-} // namespace
-
-LabelPrograms::LabelPrograms(const ShaderLibrary& library)
-    : carved(program(library, {}))
-    , seen(program(library, {{"SEEN", 1}}))
-    , listed(program(library, {{"LISTED", 1}}))
-    , relabelled(program(library, {{"RELABELLED", 1}}))
-{
-}
-
-std::vector<core::BrickKey> labelCarved(LabelPrograms& programs, VoxelFields& fields,
+std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelCarved& edit)
 {
     BrickField& coverage = fields.coverage(edit.layer);
-    return label(programs.carved, fields, before, edit.target, coverage.heldBricks(),
+    return label(programs.following("CARVED"), fields, before, edit.target, coverage.heldBricks(),
         [&coverage](const std::vector<std::uint32_t>&) {
             coverage.atlas().bindUnit(0);
             coverage.pageTable().bindUnit(2);
         });
 }
 
-std::vector<core::BrickKey> labelSeen(
+std::vector<core::BrickKey> write(
     LabelPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::LabelSeen& edit)
 {
-    std::vector<std::uint32_t> bricks(std::size_t(fields.grid().brickCount()));
-    std::iota(bricks.begin(), bricks.end(), 0u);
     std::vector<glm::ivec4> bounds;
     for (const core::VoxelBound& bound : edit.bounds)
         bounds.emplace_back(bound.normal, bound.offset);
     const Buffer boundBuffer = bufferOf("bounds", bounds);
     const bool none = edit.lowCode > edit.highCode || edit.highCode < 0;
-    programs.seen.set("lowCode", none ? 65536u : unsigned(std::max(edit.lowCode, 0)))
+    Program& kernel = programs.following("SEEN");
+    kernel.set("lowCode", none ? 65536u : unsigned(std::max(edit.lowCode, 0)))
         .set("highCode", none ? 0u : unsigned(edit.highCode))
         .set("boundCount", unsigned(bounds.size()));
-    return label(
-        programs.seen, fields, before, edit.target, bricks, [&](const std::vector<std::uint32_t>&) {
+    return label(kernel, fields, before, edit.target, allBricks(fields),
+        [&](const std::vector<std::uint32_t>&) {
             fields.codes().bindUnit(0);
             fields.radiation().bindUnit(2);
             boundBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
         });
 }
 
-std::vector<core::BrickKey> labelListed(LabelPrograms& programs, VoxelFields& fields,
+std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelListed& edit)
 {
     const core::LabelTarget target{
         .plane = edit.plane, .label = 0, .overwritable = edit.overwritable};
-    return label(programs.listed, fields, before, target, numbersOf(edit.bricks),
+    return label(programs.following("LISTED"), fields, before, target, numbersOf(edit.bricks),
         AskedBytes(edit.bricks, &core::LabelListed::Brick::labels));
 }
 
-std::vector<core::BrickKey> relabelListed(LabelPrograms& programs, VoxelFields& fields,
+std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::RelabelListed& edit)
 {
-    return label(programs.relabelled, fields, before, edit.target, numbersOf(edit.bricks),
-        AskedBytes(edit.bricks, &core::RelabelListed::Brick::asked));
+    return label(programs.following("RELABELLED"), fields, before, edit.target,
+        numbersOf(edit.bricks), AskedBytes(edit.bricks, &core::RelabelListed::Brick::asked));
+}
+
+std::vector<core::BrickKey> write(
+    LabelPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::MapLabels& edit)
+{
+    const Buffer becomes = bufferOf(
+        "mapped labels", std::vector<std::uint32_t>(edit.becomes.begin(), edit.becomes.end()));
+    core::LabelTarget target{.plane = edit.plane};
+    target.overwritable.set(); // the table alone says who keeps a voxel
+    return label(programs.following("MAPPED"), fields, before, target, allBricks(fields),
+        [&becomes](
+            const std::vector<std::uint32_t>&) { becomes.bindBase(GL_SHADER_STORAGE_BUFFER, 2); });
+}
+
+} // namespace
+
+Program& LabelPrograms::following(const char* rule)
+{
+    Program& known = m_known[rule];
+    if (!known) {
+        const char* path = "kernels/labels/chooseLabel.comp";
+        known = Program(
+            m_library, ComputeProgramOptions{.label = path, .path = path, .defines = {{rule, 1}}});
+    }
+    return known;
+}
+
+std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, core::LabelWrites::Pointer edit)
+{
+    return std::visit(
+        [&](const auto* known) { return write(programs, fields, before, *known); }, edit);
 }
 
 } // namespace gpu

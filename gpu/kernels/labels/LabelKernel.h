@@ -1,35 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EngineCommands.h"
+#include "core/sculpt/LayerWrites.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
 
+#include <map>
+#include <string>
 #include <vector>
 
 namespace gpu {
 
-/// The compiled kernels that give a label to chosen voxels, or take it (chooseLabel.comp).
-struct LabelPrograms {
-    explicit LabelPrograms(const ShaderLibrary& library);
+/// The compiled kernels that give a label to chosen voxels, or take it (chooseLabel.comp), each
+/// when it is first needed.
+class LabelPrograms {
+public:
+    /// @param library outlives the programs
+    explicit LabelPrograms(const ShaderLibrary& library)
+        : m_library(library)
+    {
+    }
+    /// @param rule by which the shader goes: "SEEN"
+    [[nodiscard]] Program& following(const char* rule);
 
-    Program carved;
-    Program seen;
-    Program listed;
-    Program relabelled;
+private:
+    const ShaderLibrary& m_library;
+    std::map<std::string, Program> m_known; ///< by rule
 };
 
-/// Carries out LabelCarved, LabelSeen, LabelListed or RelabelListed (core/sculpt/LayerWrites.h).
-/// Bricks in which something changes are looked for first; only those are captured and written.
-/// Returns the keys of what changed. Cost ∝ the bricks that the layer holds, the volume, or the
-/// bricks that are listed. Engine thread only.
-std::vector<core::BrickKey> labelCarved(LabelPrograms& programs, VoxelFields& fields,
-    BeforeImages& before, const core::LabelCarved& edit);
-std::vector<core::BrickKey> labelSeen(LabelPrograms& programs, VoxelFields& fields,
-    BeforeImages& before, const core::LabelSeen& edit);
-std::vector<core::BrickKey> labelListed(LabelPrograms& programs, VoxelFields& fields,
-    BeforeImages& before, const core::LabelListed& edit);
-std::vector<core::BrickKey> relabelListed(LabelPrograms& programs, VoxelFields& fields,
-    BeforeImages& before, const core::RelabelListed& edit);
+/// Carries out one of LabelWrites (core/sculpt/LayerWrites.h). Bricks in which something changes
+/// are looked for first; only those are captured and written. Returns the keys of what changed.
+/// Cost ∝ the bricks that it looks at: those that a layer holds or that are listed, or the volume.
+/// Engine thread only.
+std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, core::LabelWrites::Pointer edit);
 
 } // namespace gpu

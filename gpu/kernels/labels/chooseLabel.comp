@@ -1,5 +1,5 @@
-// Gives a label to chosen voxels of listed bricks (LabelCarved, LabelSeen, LabelListed,
-// RelabelListed in core/sculpt/LayerWrites.h), or takes it from them. Tells what changes in each; writes only where it is told to. One
+// Gives a label to chosen voxels of listed bricks, or takes it from them, by one of LabelWrites
+// (core/sculpt/LayerWrites.h). Tells what changes in each; writes only where it is told to. One
 // work-group a brick, each voxel written by one invocation.
 
 layout(local_size_x = 64) in;
@@ -16,9 +16,13 @@ uniform uint lowCode;
 uniform uint highCode;
 #elif defined(LISTED) || defined(RELABELLED)
 layout(binding = 2, std430) readonly buffer Asked { uint asked[]; }; // four voxels each, by brick
-#else
+#elif defined(MAPPED)
+layout(binding = 2, std430) readonly buffer Becomes { uint becomes[]; }; // by label
+#elif defined(CARVED)
 layout(binding = 0) uniform usampler3D coverage; // atlas
 layout(binding = 2) uniform usampler3D coveragePages;
+#else
+#error by which rule?
 #endif
 layout(binding = 1) uniform usampler3D pageTable; // of the seed words
 layout(binding = 0, r8ui) uniform uimage3D labels;
@@ -54,7 +58,7 @@ uint askedFor(int offset)
     uint four = asked[gl_WorkGroupID.x * 1024u + uint(offset >> 2)];
     return four >> (8 * (offset & 3)) & 255u;
 }
-#else
+#elif defined(CARVED)
 bool isChosen(ivec3 voxel)
 {
     uint entry = texelFetch(coveragePages, voxel >> 4, 0).r;
@@ -62,23 +66,28 @@ bool isChosen(ivec3 voxel)
 }
 #endif
 
-/// 0: nothing is asked for.
-uint labelFor(ivec3 voxel, int offset)
+/// 0: nothing is asked for. @param held the label that is there
+uint labelFor(ivec3 voxel, int offset, uint held)
 {
 #ifdef LISTED
     return askedFor(offset);
 #elif defined(RELABELLED)
     return askedFor(offset) != 0u ? label : 0u;
+#elif defined(MAPPED)
+    uint next = becomes[held];
+    return next == held ? 0u : next == 0u ? held : next;
 #else
     return isChosen(voxel) ? label : 0u;
 #endif
 }
 
 /// Whether that label is to go from here.
-bool isTaken(int offset)
+bool isTaken(int offset, uint held)
 {
 #ifdef RELABELLED
     return askedFor(offset) == 2u;
+#elif defined(MAPPED)
+    return becomes[held] == 0u;
 #else
     return false;
 #endif
@@ -91,11 +100,13 @@ void main()
     uint found = 0u;
     for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
         ivec3 voxel = brick * brickSide + voxelInBrick(offset);
-        uint wanted = inside(voxel, volumeSize) ? labelFor(voxel, offset) : 0u;
-        if (wanted == 0u)
+        if (!inside(voxel, volumeSize))
             continue;
         uint held = imageLoad(labels, voxel).r;
-        bool taken = isTaken(offset);
+        uint wanted = labelFor(voxel, offset, held);
+        if (wanted == 0u)
+            continue;
+        bool taken = isTaken(offset, held);
         if (!taken && held != 0u && held != wanted && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
             continue;
         if ((held == wanted) == taken) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/EditDocumentation.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/Chunks.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
@@ -11,11 +13,10 @@
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
-#include "core/edits/schema/EditDocumentation.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QJsonArray>
@@ -116,14 +117,18 @@ private Q_SLOTS:
         QVERIFY(seen);
         QCOMPARE(*seen->get<SegmentSeen>().target.segment, 2);
         QCOMPARE(quantised(*seen).get<SegmentSeen>().hidden->at(0).offsetMm, 3.0);
-        for (const Edit& edit : {*carved, *seen})
+        const Result<Edit> inverted = editFromJson(parse("{'edit':'invertSegment','segment':2}"));
+        QVERIFY(inverted);
+        QCOMPARE(inverted->get<InvertSegment>().segment, 2);
+        for (const Edit& edit : {*carved, *seen, *inverted})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
-        for (const char* wrong : {"{'edit':'layerToSegment','layer':1}",
-                 "{'edit':'layerToSegment','layer':1,'segment':2,'name':'Both'}",
-                 "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,1]]}",
-                 "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,0,1]]}",
-                 "{'edit':'segmentSeen','segment':2,'hidden':{}}",
-                 "{'edit':'mergeLayers','from':1}"})
+        for (const char* wrong :
+            {"{'edit':'layerToSegment','layer':1}",
+                "{'edit':'layerToSegment','layer':1,'segment':2,'name':'Both'}",
+                "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,1]]}",
+                "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,0,1]]}",
+                "{'edit':'segmentSeen','segment':2,'hidden':{}}", "{'edit':'mergeLayers','from':1}",
+                "{'edit':'invertSegment'}", "{'edit':'invertSegment','segment':0}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }
 

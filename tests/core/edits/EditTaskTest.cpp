@@ -28,7 +28,7 @@ template <class E> void checkKind()
     if (effects.task == EditTask::Document)
         QVERIFY2(effects.onlyDocument && !effects.standsOpen, name.constData());
     if (effects.takesVoxelsOrNothing)
-        QVERIFY2(effects.task == EditTask::Engine, name.constData());
+        QVERIFY2(effects.task == EditTask::Engine && effects.fills.added, name.constData());
 }
 
 template <class... Es> void checkKinds(EditKinds<Es...>)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditQuantise.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/HiddenSides.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineConformance.h"
 #include "tests/support/faults/FailingLog.h"

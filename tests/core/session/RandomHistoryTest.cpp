@@ -44,8 +44,8 @@ private Q_SLOTS:
                  "growFromSeeds", "drill", "paint", "brush", "peel", "scissors", "laser",
                  "cutPiece", "pastePiece", "changePiece", "sendPiecesHome", "removePiece", "revert",
                  "reviseStroke", "addMeasurement", "removeMeasurement", "removeLayer",
-                 "mergeLayers", "layerToSegment", "segmentToLayer", "segmentSeen", "undo", "redo",
-                 "goTo", "reopen", "given up"})
+                 "mergeLayers", "layerToSegment", "segmentToLayer", "segmentSeen", "invertSegment",
+                 "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done[QLatin1String(kind)] > 0, kind);
     }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/BrickGrid.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
@@ -10,7 +11,6 @@
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/EditSession.h"
 #include "core/session/StepFindings.h"

@@ -120,7 +120,7 @@ void WriteBackRuleTest::asDefined()
         for (const bool overwrites : {false, true}) {
             target.overwritable[3] = overwrites;
             const RelabelListed edit = writeBackOf(enclosed, labels, extent, target);
-            QVERIFY(isSound(edit, BrickGrid{extent}.brickCount()));
+            QVERIFY(checkSound(edit, BrickGrid{extent}));
             const Mask asked = askedIn(edit, extent);
             for (std::size_t i = 0; i < voxels; ++i) {
                 const bool again = overwrites && now[i] == 1 && laid[i] == 0 && labels[i] == 3;

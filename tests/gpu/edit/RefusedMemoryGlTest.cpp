@@ -178,8 +178,8 @@ std::vector<EngineCase> cases()
              test::peelCases(count), test::scissorsCases(count), test::laserCases(count),
              test::carveCases(count), test::pickCases(count), test::eraseCases(count),
              test::layerCases(count), test::capsuleCases(count), test::layerWriteCases(count),
-             test::relabelCases(count), test::shutCases(count), test::sparedCases(count),
-             test::spreadCases(count), test::toleranceCases(count)})
+             test::relabelCases(count), test::mapCases(count), test::shutCases(count),
+             test::sparedCases(count), test::spreadCases(count), test::toleranceCases(count)})
         made.insert(made.end(), more.begin(), more.end());
     if (test::longRun())
         return made;

@@ -64,6 +64,7 @@ namespace test {
 [[nodiscard]] std::vector<EngineCase> layerCases(int randomCount); ///< muted ones
 [[nodiscard]] std::vector<EngineCase> layerWriteCases(int randomCount); ///< to and from segments
 [[nodiscard]] std::vector<EngineCase> relabelCases(int randomCount); ///< given and taken by voxel
+[[nodiscard]] std::vector<EngineCase> mapCases(int randomCount); ///< whole labels for others
 [[nodiscard]] std::vector<EngineCase> shutCases(int randomCount); ///< to growth, by voxel
 [[nodiscard]] std::vector<EngineCase> sparedCases(int randomCount); ///< of every tool that carves
 [[nodiscard]] std::vector<EngineCase> spreadCases(int randomCount); ///< growing from seeds

@@ -29,6 +29,7 @@
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
@@ -112,7 +113,7 @@ bool changesLabels(const Edit& edit)
         || edit.is<ShrinkSteps>() || edit.is<ShrinkAt>() || edit.is<PlugLeak>()
         || edit.is<BarrierStroke>() || edit.is<GrowFromSeeds>() || edit.is<PaintStroke>()
         || edit.is<RemoveSegment>() || edit.is<LayerToSegment>() || edit.is<SegmentSeen>()
-        || edit.is<ImportMask>();
+        || edit.is<ImportMask>() || edit.is<InvertSegment>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -282,6 +283,8 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return after(before, *labelSeen(*seen, document), {}, nullptr, &document);
     if (const auto* mask = edit.as<ImportMask>())
         return after(before, *labelListed(*mask, document), {}, nullptr);
+    if (const auto* invert = edit.as<InvertSegment>())
+        return after(before, *mapLabels(*invert, document), {}, nullptr);
     if (const auto* barrier = edit.as<BarrierStroke>())
         return after(before, *paintBarrier(*barrier, document),
             {CapsulePath{capsules(barrier->path, m_study.volume.geometry)}}, nullptr);

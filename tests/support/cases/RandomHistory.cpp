@@ -35,6 +35,7 @@
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
@@ -341,6 +342,9 @@ private:
     /// Between layers and segments.
     Edit randomPassage(const Document& document)
     {
+        // Of the row's number, as in randomGrowth().
+        if (m_session->history().rows().size() % 5 == 0)
+            return InvertSegment{.segment = document.segments.front().label};
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};

@@ -2,10 +2,10 @@
 #include "tests/support/scenes/SessionScript.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/scenes/PlainEdits.h"

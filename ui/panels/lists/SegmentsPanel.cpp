@@ -184,10 +184,14 @@ void SegmentsPanel::showMenu(const QPoint& position)
     QAction* down = menu.addAction(tr("Move down"), this, [this, index] { move(index, 1); });
     down->setEnabled(index.row() + 1 < m_model->rowCount());
     menu.addSeparator();
-    QAction* away = menu.addAction(tr("Delete segment"), this, [this, index] { remove(index); });
-    away->setShortcut(m_remove->shortcut()); // shown; the list's own action hears it
-    away->setShortcutContext(Qt::WidgetShortcut);
-    away->setEnabled(!locked);
+    const int label = index.data(SegmentListModel::LabelRole).toInt();
+    for (const SegmentAction& each : segmentActions()) {
+        QAction* item =
+            menu.addAction(each.text, this, [this, label, &each] { each.run(m_workspace, label); });
+        item->setShortcut(each.keys); // shown; the list's own action hears it
+        item->setShortcutContext(Qt::WidgetShortcut);
+        item->setEnabled(!locked);
+    }
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }
 

@@ -26,6 +26,7 @@ EditEffects effects(const ChunkToggle& edit)
     return {.task = EditTask::Chunks,
         .standsOpen = false,
         .writesTo = edit.segment,
+        .fills = {.label = edit.segment},
         .boundToStudy = true};
 }
 

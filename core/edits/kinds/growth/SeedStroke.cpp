@@ -23,9 +23,12 @@ Result<bool> apply(const SeedStroke&, Document&)
     return false;
 }
 
-EditEffects effects(const SeedStroke&)
+EditEffects effects(const SeedStroke& edit)
 {
-    return {.task = EditTask::Engine, .standsOpen = false, .boundToStudy = true};
+    return {.task = EditTask::Engine,
+        .standsOpen = false,
+        .fills = {.label = edit.segment},
+        .boundToStudy = true};
 }
 
 Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& document)

@@ -33,7 +33,8 @@ EditEffects effects(const LayerToSegment& edit)
         .changes =
             edit.target.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
         .takesVoxelsOrNothing = true,
-        .writesTo = edit.target.segment};
+        .writesTo = edit.target.segment,
+        .fills = {.label = edit.target.segment, .added = true}};
 }
 
 Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& document)

@@ -26,6 +26,7 @@ EditEffects effects(const PaintStroke& edit)
     return {.task = EditTask::Engine,
         .standsOpen = true,
         .writesTo = edit.segment,
+        .fills = {.label = edit.erase ? std::nullopt : std::optional(edit.segment)},
         .boundToStudy = true};
 }
 

@@ -65,6 +65,7 @@ EditEffects effects(const SegmentSeen& edit)
             edit.target.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
         .takesVoxelsOrNothing = true,
         .writesTo = edit.target.segment,
+        .fills = {.label = edit.target.segment, .added = true},
         .boundToStudy = edit.hidden.has_value()};
 }
 

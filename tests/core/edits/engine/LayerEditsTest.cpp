@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "tests/support/cases/EngineCases.h"
@@ -39,7 +40,7 @@ private Q_SLOTS:
             const Result<LabelSeen> made = labelSeen(seen, document);
             QVERIFY(made);
             QCOMPARE(made->bounds.size(), std::size_t(1));
-            QVERIFY(areSound(made->bounds, size));
+            QVERIFY(checkSound(*made, BrickGrid{size}));
             const VoxelBound& bound = made->bounds.front();
             for (int i = 0; i < 200; ++i) {
                 const glm::ivec3 voxel = test::randomVoxel(random, size);
@@ -105,6 +106,28 @@ private Q_SLOTS:
         QCOMPARE(code({.layer = 2, .target = {.segment = 1}}), ErrorCode::InvalidField);
         const SegmentSeen nothing{.target = {.segment = 1}, .lower = 5.0, .upper = 4.0};
         QCOMPARE(checkAgainst(document, nothing).error().code, ErrorCode::InvalidField);
+    }
+
+    void anInversionSwapsWithWhatIsFree()
+    {
+        test::Random random{6};
+        Document document = test::randomDocument({9, 9, 9}, random, false);
+        document.segments = {{.label = 1, .name = QStringLiteral("Free")},
+            {.label = 3, .name = QStringLiteral("Locked"), .locked = true},
+            {.label = 255, .plane = 1, .name = QStringLiteral("Elsewhere")}};
+        const MapLabels map = *mapLabels({.segment = 1}, document);
+        QCOMPARE(int(map.plane), 0);
+        for (std::size_t label = 0; label < 256; ++label)
+            QCOMPARE(std::size_t(map.becomes[label]), label < 2 ? 1 - label : label);
+        const MapLabels last = *mapLabels({.segment = 255}, document);
+        QCOMPARE(int(last.plane), 1);
+        QVERIFY(last.becomes[0] == 255 && last.becomes[255] == 0 && last.becomes[1] == 1);
+        const auto code = [&](int segment) {
+            return checkAgainst(document, InvertSegment{.segment = segment}).error().code;
+        };
+        QCOMPARE(code(3), ErrorCode::SegmentLocked);
+        QCOMPARE(code(2), ErrorCode::UnknownSegment);
+        QVERIFY(checkAgainst(document, InvertSegment{.segment = 1}));
     }
 };
 

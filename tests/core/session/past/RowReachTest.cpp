@@ -3,6 +3,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -210,6 +211,11 @@ private Q_SLOTS:
         QVERIFY(removal.covers({Field::SeedWords, 0, 3}));
         QVERIFY(removal.covers({Field::Labels, 0, 3}));
         QVERIFY(!removal.covers({Field::Coverage, 1, 3}));
+        const RowReach inversion(InvertSegment{.segment = 1}, document, {});
+        QVERIFY(inversion.covers({Field::SeedWords, 0, 3}));
+        QVERIFY(inversion.covers({Field::Labels, 0, 3}));
+        QVERIFY(!inversion.covers({Field::Labels, 1, 3}));
+        QVERIFY(!inversion.covers({Field::Coverage, 1, 3}));
         const BrickKey written{Field::Labels, 0, 2};
         const RowReach revert(test::revertRows({1}), document, {written});
         QVERIFY(revert.covers(written));

@@ -20,6 +20,7 @@
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
@@ -151,6 +152,17 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back(
         {"undo only a mask", volume, {first, joinedFirst(mask), drill}, core::RevertRows{{2}}});
     cases.push_back({"growth after what is seen", volume, {first, seeds, some, seen}, over});
+    const core::InvertSegment invert{.segment = 1};
+    cases.push_back({"invert an empty segment", volume, {first}, invert});
+    cases.push_back({"invert a segment twice", volume, {first, paint, invert}, invert});
+    cases.push_back({"invert what has grown, beside another", volume,
+        {first, seeds, second, others, some, drill}, invert});
+    cases.push_back({"invert a segment while another is locked", volume,
+        {first, seeds, second, others, some, lock}, core::InvertSegment{.segment = 2}});
+    cases.push_back(
+        {"growth after an inversion", volume, {first, seeds, second, others, some, invert}, all});
+    cases.push_back(
+        {"undo only an inversion", volume, {first, paint, invert, drill}, core::RevertRows{{3}}});
     cases.push_back({"merge layers", volume, {layer, drill, other, brush}, merge});
     cases.push_back({"merge an empty layer", volume, {layer, other}, merge});
     cases.push_back({"delete a layer", volume, {layer, drill, other}, removeLayer});

@@ -10,8 +10,11 @@
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/views/ViewGrid.h"
 
+#include <QApplication>
 #include <QListView>
+#include <QMenu>
 #include <QSignalSpy>
+#include <QTimer>
 #include <QtTest>
 
 namespace {
@@ -128,6 +131,67 @@ private Q_SLOTS:
         fixture.pressDelete(fixture.list);
         QCOMPARE(fixture.session().history().rows().size(), rows);
         QCOMPARE(failed.size(), 1);
+    }
+
+    void inversionIsOneStep()
+    {
+        Fixture fixture;
+        const std::int64_t voxels = fixture.session().document().segment(1)->voxels;
+        const glm::ivec3 size = fixture.session().document().volumes.front().geometry.size;
+        QAction& action = fixture.window.actionTable()[QStringLiteral("segments.invert")];
+        QCOMPARE(action.text(), QStringLiteral("Invert segment 'Brain'"));
+        QVERIFY(fixture.window.segmentsMenu().actions().contains(&action));
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const std::size_t rows = fixture.session().history().rows().size();
+        action.trigger();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        QCOMPARE(fixture.session().document().segment(1)->voxels,
+            std::int64_t(size.x) * size.y * size.z - voxels);
+        QCOMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(),
+            QStringLiteral("Inverted 'Brain'; Ctrl+Z takes it back"));
+        QVERIFY(fixture.session().undo());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().document().segment(1)->voxels, voxels);
+        fixture.apply(test::lockSegment(1));
+        QVERIFY(!action.isEnabled());
+    }
+
+    /// The menu of a row has what the menu Segments has, and keeps its hands off what is locked.
+    void aRowsMenuInverts_data()
+    {
+        QTest::addColumn<bool>("locked");
+        QTest::newRow("free") << false;
+        QTest::newRow("locked") << true;
+    }
+    void aRowsMenuInverts()
+    {
+        QFETCH(bool, locked);
+        Fixture fixture;
+        if (locked)
+            fixture.apply(test::lockSegment(2));
+        const std::size_t rows = fixture.session().history().rows().size();
+        const QPoint at = fixture.list->visualRect(fixture.list->model()->index(1, 0)).center();
+        QString seen;
+        QTimer::singleShot(0, &fixture.window, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu);
+            for (QAction* each : menu->actions()) {
+                if (each->text() != QStringLiteral("Invert segment"))
+                    continue;
+                seen = each->isEnabled() ? QStringLiteral("possible") : QStringLiteral("not");
+                each->trigger();
+            }
+            menu->close();
+        });
+        Q_EMIT fixture.list->customContextMenuRequested(at);
+        QCOMPARE(seen, locked ? QStringLiteral("not") : QStringLiteral("possible"));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().rows().size(), rows + (locked ? 0 : 1));
+        if (!locked)
+            QVERIFY(fixture.session().history().rows().back().name.startsWith(
+                QStringLiteral("Invert segment 'Bone', +")));
     }
 
     /// The shield of a row: one click, one step; tools say whom they spare.

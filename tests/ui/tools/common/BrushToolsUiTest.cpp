@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/layers/ChangeLayer.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"

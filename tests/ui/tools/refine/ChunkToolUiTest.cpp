@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/Chunks.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "tests/reference/RefusingEngine.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/faults/FailingLog.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/surface/ApplyTemplate.h"
@@ -7,7 +8,6 @@
 #include "core/edits/kinds/surface/MarkSurface.h"
 #include "core/edits/kinds/surface/SpherePush.h"
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "core/session/SessionSurface.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/fixtures/Pen.h"

@@ -3,9 +3,9 @@
 #include "ui/tools/sculpt/DrillTool.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"

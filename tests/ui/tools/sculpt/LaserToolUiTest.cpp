@@ -2,11 +2,11 @@
 #include "ui/tools/sculpt/LaserTool.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/engine/HiddenSides.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
-#include "core/edits/schema/EditQuantise.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"

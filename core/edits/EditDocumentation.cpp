@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/schema/EditDocumentation.h"
+#include "core/edits/EditDocumentation.h"
 
 #include "core/edits/kinds/AnyEdit.h"
-#include "core/edits/schema/EditSchema.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/schema/EditQuantise.h"
+#include "core/edits/EditQuantise.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/schema/EditSchema.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QJsonDocument>

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/InvertSegment.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const InvertSegment& edit, const Document& document)
+{
+    return discardValue(mapLabels(edit, document));
+}
+
+Result<bool> apply(const InvertSegment&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const InvertSegment& edit)
+{
+    return {.task = EditTask::Engine,
+        .standsOpen = false,
+        .writesTo = edit.segment,
+        .fills = {.label = edit.segment}};
+}
+
+Result<MapLabels> mapLabels(const InvertSegment& edit, const Document& document)
+{
+    const Segment* segment = document.segment(edit.segment);
+    if (!segment)
+        return failure(ErrorCode::UnknownSegment, QString::number(edit.segment),
+            QStringLiteral("in field 'invertSegment.segment'"));
+    if (segment->locked)
+        return failure(ErrorCode::SegmentLocked, segment->name);
+    MapLabels map{.plane = segment->plane};
+    map.becomes[0] = segment->label;
+    map.becomes[segment->label] = 0;
+    return map;
+}
+
+Result<EngineEdit> engineEdit(const InvertSegment& edit, const Document& document)
+{
+    return engineEditFrom(mapLabels(edit, document));
+}
+
+/// "Invert segment 'Air', +18 204 −3 120 voxels"
+QString rowName(const InvertSegment& edit, const RowFacts& row)
+{
+    const Segment* segment = row.document.segment(edit.segment);
+    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    QStringList figures;
+    if (flow.gained > 0)
+        figures += QLatin1Char('+') + grouped(flow.gained);
+    if (flow.lost > 0)
+        figures += QStringLiteral("−") + grouped(flow.lost);
+    return QStringLiteral("Invert segment %1, %2 voxels")
+        .arg(quoted(segmentName(edit.segment, row.document)), figures.join(QLatin1Char(' ')));
+}
+
+/// What other segments hold decides, too, and whose seeds lie where.
+EditReach reach(const InvertSegment& edit, const ReachFacts& row)
+{
+    return editReach::Plane{.plane = row.planeOf(edit.segment)};
+}
+
+} // namespace core

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/answers/EditAnswers.h"
+
+namespace core {
+
+struct MapLabels;
+
+/// The segment receives what no segment has, in the whole volume, and what it had becomes free.
+/// Others keep their voxels; carved or hidden ones count as all others.
+struct InvertSegment {
+    int segment = 0; ///< label
+};
+
+[[nodiscard]] Result<void> check(const InvertSegment& edit, const Document& document);
+Result<bool> apply(const InvertSegment& edit, Document& document);
+[[nodiscard]] EditEffects effects(const InvertSegment& edit);
+[[nodiscard]] QString rowName(const InvertSegment& edit, const RowFacts& row);
+[[nodiscard]] EditReach reach(const InvertSegment& edit, const ReachFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const InvertSegment& edit, const Document& document);
+
+/// Errors: UnknownSegment, SegmentLocked.
+[[nodiscard]] Result<MapLabels> mapLabels(const InvertSegment& edit, const Document& document);
+
+} // namespace core

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sculpt/LayerWrites.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+Result<void> checkLabel(std::uint8_t label)
+{
+    if (label == 0)
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+    return {};
+}
+
+/// Whether listed bricks are whole, ascend and are the volume's.
+template <class Brick>
+bool areSound(
+    const std::vector<Brick>& bricks, std::vector<std::uint8_t> Brick::*voxels, int brickCount)
+{
+    std::int64_t last = -1;
+    for (const Brick& brick : bricks) {
+        if ((brick.*voxels).size() != BrickGrid::voxelsPerBrick || std::int64_t(brick.brick) <= last
+            || std::int64_t(brick.brick) >= brickCount)
+            return false;
+        last = brick.brick;
+    }
+    return true;
+}
+
+/// Whether nothing else is asked for than it knows.
+bool areKnown(const std::vector<std::uint8_t>& asked)
+{
+    return std::all_of(
+        asked.begin(), asked.end(), [](std::uint8_t each) { return each <= RelabelListed::take; });
+}
+
+/// Whether every normal is short enough for a volume of this size.
+bool areSound(const std::vector<VoxelBound>& bounds, const glm::ivec3& size)
+{
+    for (const VoxelBound& bound : bounds) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int64_t reach = std::int64_t(bound.normal[axis]) * size[axis];
+            if (reach <= -(std::int64_t(1) << 29) || reach >= std::int64_t(1) << 29)
+                return false;
+        }
+    }
+    return true;
+}
+
+tl::unexpected<Error> unsoundBricks()
+{
+    return failure(
+        ErrorCode::InvalidField, QStringLiteral("bricks"), QStringLiteral("are not sound"));
+}
+
+} // namespace
+
+Result<void> checkSound(const LabelCarved& edit, const BrickGrid&)
+{
+    return checkLabel(edit.target.label);
+}
+
+Result<void> checkSound(const LabelSeen& edit, const BrickGrid& grid)
+{
+    if (!areSound(edit.bounds, grid.volumeSize))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("bounds"), QStringLiteral("are not sound"));
+    return checkLabel(edit.target.label);
+}
+
+Result<void> checkSound(const LabelListed& edit, const BrickGrid& grid)
+{
+    if (!areSound(edit.bricks, &LabelListed::Brick::labels, grid.brickCount()))
+        return unsoundBricks();
+    return {};
+}
+
+Result<void> checkSound(const RelabelListed& edit, const BrickGrid& grid)
+{
+    const bool known = std::all_of(edit.bricks.begin(), edit.bricks.end(),
+        [](const RelabelListed::Brick& brick) { return areKnown(brick.asked); });
+    if (!known || !areSound(edit.bricks, &RelabelListed::Brick::asked, grid.brickCount()))
+        return unsoundBricks();
+    return checkLabel(edit.target.label);
+}
+
+Result<void> checkSound(const CoverLabel& edit, const BrickGrid&)
+{
+    return checkLabel(edit.label);
+}
+
+Result<void> checkSound(const FoldLayer& edit, const BrickGrid&)
+{
+    if (edit.into == edit.layer)
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("into"), QStringLiteral("is the layer itself"));
+    return {};
+}
+
+} // namespace core
