@@ -2,6 +2,7 @@
 #include "core/session/past/RecentGrowth.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowGuard.h"
@@ -59,11 +60,8 @@ struct Rules {
 
 std::optional<Rules> rulesOf(const Edit& edit)
 {
-    if (const auto* grow = edit.as<GrowSteps>())
-        return Rules{grow->criteria, grow->guard};
-    if (const auto* change = edit.as<ChangeInterval>())
-        return Rules{change->criteria, change->guard};
-    return std::nullopt;
+    const GrowCriteria* criteria = growCriteriaOf(edit);
+    return criteria ? std::optional(Rules{*criteria, *growGuardOf(edit)}) : std::nullopt;
 }
 
 std::optional<Rules> recentRules(const History& history)

@@ -2,9 +2,8 @@
 #include "core/session/past/SeedStrokes.h"
 
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 
 #include <utility>
@@ -15,13 +14,8 @@ namespace {
 
 bool asksForStrokes(const Edit& edit)
 {
-    const auto asks = [](const GrowCriteria& criteria) {
-        return criteria.sigmas && criteria.perStroke.value_or(false);
-    };
-    if (const auto* grow = edit.as<GrowSteps>())
-        return asks(grow->criteria);
-    const auto* change = edit.as<ChangeInterval>();
-    return change && asks(change->criteria);
+    const GrowCriteria* criteria = growCriteriaOf(edit);
+    return criteria && criteria->sigmas && criteria->perStroke.value_or(false);
 }
 
 } // namespace

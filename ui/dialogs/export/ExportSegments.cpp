@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export/ExportSegments.h"
 
-#include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
@@ -39,15 +38,6 @@ public:
     }
 };
 
-/// Of a growth; null for other edits.
-const std::optional<int>* askedSteps(const core::Edit& edit)
-{
-    if (const auto* grow = edit.as<core::GrowSteps>())
-        return &grow->steps;
-    const auto* change = edit.as<core::ChangeInterval>();
-    return change ? &change->steps : nullptr;
-}
-
 /// "Kidney, Right"
 QString codeText(const core::Segment& segment, const core::SegCodes& codes)
 {
@@ -75,7 +65,7 @@ std::bitset<256> growingLabels(core::EditSession& session)
         } else if (const auto* paint = edit.as<core::PaintStroke>(); paint && paint->seeds) {
             seeded.set(std::size_t(paint->segment));
             pending.set(std::size_t(paint->segment));
-        } else if (const std::optional<int>* asked = askedSteps(edit)) {
+        } else if (const std::optional<int>* asked = core::growStepsOf(edit)) {
             pending.reset();
             // A row without a number of steps ran to closure; so did one that stopped early.
             const int steps = history.row(id).statistics.generations;
