@@ -57,8 +57,7 @@ bool GrowthTrace::isOf(const Edit& edit)
 
 bool GrowthTrace::mayNeed(const Edit& edit)
 {
-    return !changesDocumentOnly(edit) && !isSculptEdit(edit) && !edit.is<SegmentToLayer>()
-        && !edit.is<MergeLayers>() && !edit.is<RemoveLayer>();
+    return !changesDocumentOnly(edit) && !isSculptEdit(edit) && !writesSomeLayer(edit);
 }
 
 void GrowthTrace::note(RowId row, const std::vector<ChangedWords>& words, const Document& document)
