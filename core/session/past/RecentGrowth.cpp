@@ -9,9 +9,9 @@
 #include "core/edits/kinds/growth/GrowLimits.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
-#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/growth/SeedWord.h"
+#include "core/session/past/SeedStrokes.h"
 
 #include <algorithm>
 #include <bitset>
@@ -25,11 +25,10 @@ std::bitset<256> segmentsWithSeeds(const History& history)
     std::bitset<256> growing;
     for (const RowId id : history.standing()) {
         const Edit& edit = history.row(id).edit;
-        if (const auto* seeds = edit.as<SeedStroke>())
-            growing.set(std::size_t(seeds->segment));
         const auto* paint = edit.as<PaintStroke>();
-        if (paint && paint->seeds && !paint->erase)
-            growing.set(std::size_t(paint->segment));
+        if (const std::optional<int> segment = segmentOfSeeds(edit);
+            segment && !(paint && paint->erase))
+            growing.set(std::size_t(*segment));
     }
     return growing;
 }

@@ -5,6 +5,7 @@
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 
 #include <utility>
 
@@ -19,6 +20,14 @@ bool asksForStrokes(const Edit& edit)
 }
 
 } // namespace
+
+std::optional<int> segmentOfSeeds(const Edit& edit)
+{
+    if (const auto* sketched = edit.as<SeedStroke>())
+        return sketched->segment;
+    const auto* painted = edit.as<PaintStroke>();
+    return painted && painted->seeds ? std::optional(painted->segment) : std::nullopt;
+}
 
 std::vector<SeedGroup> seedStrokes(const History& history, const Document& document, int plane)
 {

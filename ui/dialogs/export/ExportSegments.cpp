@@ -2,11 +2,10 @@
 #include "ui/dialogs/export/ExportSegments.h"
 
 #include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/export/common/ExportChoices.h"
 #include "core/session/EditSession.h"
+#include "core/session/past/SeedStrokes.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDialog.h"
@@ -59,12 +58,9 @@ std::bitset<256> growingLabels(core::EditSession& session)
     std::bitset<256> pending;
     for (const core::RowId id : history.standing()) {
         const core::Edit& edit = history.row(id).edit;
-        if (const auto* seed = edit.as<core::SeedStroke>()) {
-            seeded.set(std::size_t(seed->segment));
-            pending.set(std::size_t(seed->segment));
-        } else if (const auto* paint = edit.as<core::PaintStroke>(); paint && paint->seeds) {
-            seeded.set(std::size_t(paint->segment));
-            pending.set(std::size_t(paint->segment));
+        if (const std::optional<int> segment = core::segmentOfSeeds(edit)) {
+            seeded.set(std::size_t(*segment));
+            pending.set(std::size_t(*segment));
         } else if (const std::optional<int>* asked = core::growStepsOf(edit)) {
             pending.reset();
             // A row without a number of steps ran to closure; so did one that stopped early.
