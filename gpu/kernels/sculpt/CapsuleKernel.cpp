@@ -33,13 +33,6 @@ Program program(const ShaderLibrary& library, const char* path, const ShaderDefi
     return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
 }
 
-template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
-{
-    Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size() * sizeof(T), 16)});
-    buffer.write(std::span<const T>(values));
-    return buffer;
-}
-
 /// Bricks that were given a page for the stroke and do not need it.
 void releaseUnused(BrickField& field, const std::vector<std::uint32_t>& fresh,
     const std::vector<std::uint32_t>& changed)
