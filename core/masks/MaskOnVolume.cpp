@@ -98,13 +98,8 @@ QStringList notesOnOrigin(
 
 Result<MaskOnVolume> readMask(const QString& path, const Volume& volume, const Progress& progress)
 {
-    const QFileInfo info(path);
-    if (!info.exists())
-        return failure(ErrorCode::FileNotFound, path);
-    if (info.isDir())
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
-    if (const Result<void> plain = checkReadsToAnEnd(path); !plain)
-        return tl::unexpected(plain.error());
+    if (const Result<void> isFile = checkIsFile(path); !isFile)
+        return tl::unexpected(isFile.error());
     const bool labels = isNiftiName(path) || isNrrdName(path) || isMetaImageName(path);
     auto read = readLabelMask;
     if (isMeshName(path)) {

@@ -9,7 +9,6 @@
 #include "core/volume/SurfaceThreshold.h"
 
 #include <QFile>
-#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -45,13 +44,8 @@ int entryOf(const Recipe& recipe, std::size_t step)
 
 Result<QJsonObject> readJson(const QString& path)
 {
-    const QFileInfo info(path);
-    if (!info.exists())
-        return failure(ErrorCode::FileNotFound, path);
-    if (info.isDir())
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
-    if (const Result<void> plain = checkReadsToAnEnd(path); !plain)
-        return tl::unexpected(plain.error());
+    if (const Result<void> isFile = checkIsFile(path); !isFile)
+        return tl::unexpected(isFile.error());
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure(ErrorCode::FileUnreadable, path, file.errorString());

@@ -27,13 +27,9 @@ Result<void> makeEmptySession(const QString& path)
 
 Result<void> checkSessionToOpen(const QString& path, SessionAccess access)
 {
+    if (const Result<void> isFile = checkIsFile(path); !isFile)
+        return isFile;
     const QFileInfo info(path);
-    if (!info.exists())
-        return failure(ErrorCode::FileNotFound, path);
-    if (info.isDir())
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
-    if (const Result<void> plain = checkReadsToAnEnd(path); !plain)
-        return tl::unexpected(plain.error());
     if (!info.isReadable())
         return failure(ErrorCode::FileUnreadable, path, QStringLiteral("permission denied"));
     if (info.size() == 0)

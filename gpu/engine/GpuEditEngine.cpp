@@ -286,22 +286,37 @@ GpuEditEngine::Outcome GpuEditEngine::attempt(core::EngineCommand& command)
         return tl::unexpected(*m_lost);
     } catch (const std::exception&) {
         const core::Error error = errorBeingHandled();
-        const bool edits = std::holds_alternative<core::ExtendEdit>(command)
-            || std::holds_alternative<core::EndEdit>(command);
-        if (m_transaction && edits)
-            abandon(error);
-        if (m_lost)
-            return tl::unexpected(*m_lost);
-        if (std::holds_alternative<core::EndEdit>(command))
-            m_transaction.reset();
-        if (std::holds_alternative<core::TraceTolerance>(command)) {
-            m_trace.reset();
-            m_fields->dropTolerance();
-        }
-        if (std::holds_alternative<core::ForeseeCut>(command))
-            m_foresight.forget();
-        return tl::unexpected(error);
+        std::visit([&](const auto& known) { clearAfter(known, error); }, command);
+        return tl::unexpected(m_lost.value_or(error));
     }
+}
+
+void GpuEditEngine::clearAfter(const core::ExtendEdit&, const core::Error& why)
+{
+    if (m_transaction)
+        abandon(why);
+}
+
+void GpuEditEngine::clearAfter(const core::EndEdit&, const core::Error& why)
+{
+    if (m_transaction)
+        abandon(why);
+    if (!m_lost)
+        m_transaction.reset();
+}
+
+void GpuEditEngine::clearAfter(const core::TraceTolerance&, const core::Error&)
+{
+    if (m_lost)
+        return;
+    m_trace.reset();
+    m_fields->dropTolerance();
+}
+
+void GpuEditEngine::clearAfter(const core::ForeseeCut&, const core::Error&)
+{
+    if (!m_lost)
+        m_foresight.forget();
 }
 
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)

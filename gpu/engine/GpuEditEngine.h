@@ -73,6 +73,12 @@ private:
     /// Each returns a result to deliver, or nothing to say.
     using Outcome = core::Result<std::optional<core::EngineResult>>;
     Outcome attempt(core::EngineCommand& command);
+    /// Puts away what a command that threw left behind: nothing, but of those named below.
+    template <class Command> void clearAfter(const Command&, const core::Error&) { }
+    void clearAfter(const core::ExtendEdit& command, const core::Error& why);
+    void clearAfter(const core::EndEdit& command, const core::Error& why);
+    void clearAfter(const core::TraceTolerance& command, const core::Error& why);
+    void clearAfter(const core::ForeseeCut& command, const core::Error& why);
     Outcome carryOut(const core::BeginEdit& command);
     Outcome carryOut(const core::ExtendEdit& command);
     Outcome carryOut(const core::EndEdit& command);

@@ -39,18 +39,7 @@ public:
 
     core::Result<void> extend(const core::EngineExtension& extension) override
     {
-        if (const auto* anew = std::get_if<core::GrowAnew>(&extension))
-            return growAnew(anew->burst);
-        if (const auto* steps = std::get_if<core::GrowAdvance>(&extension)) {
-            m_generationsPerSecond = steps->generationsPerSecond;
-            m_stepsLeft = steps->steps < 0 || m_stepsLeft < 0 ? core::GrowAdvance::toClosure
-                                                              : m_stepsLeft + steps->steps;
-            return {};
-        }
-        if (!std::holds_alternative<core::GrowPause>(extension))
-            return EditWork::extend(extension);
-        m_stepsLeft = 0;
-        return {};
+        return std::visit([this](const auto& known) { return take(known); }, extension);
     }
     bool hasStepsLeft() const override { return m_stepsLeft != 0; }
     double generationsPerSecond() const override { return m_generationsPerSecond; }
@@ -107,8 +96,21 @@ private:
         m_kernel.emplace(m_context.programs.growth, m_context.fields, m_context.before, burst);
         m_kernel->open();
     }
-    core::Result<void> growAnew(const core::GrowBurst& burst)
+    core::Result<void> take(const core::GrowAdvance& steps)
     {
+        m_generationsPerSecond = steps.generationsPerSecond;
+        m_stepsLeft = steps.steps < 0 || m_stepsLeft < 0 ? core::GrowAdvance::toClosure
+                                                         : m_stepsLeft + steps.steps;
+        return {};
+    }
+    core::Result<void> take(const core::GrowPause&)
+    {
+        m_stepsLeft = 0;
+        return {};
+    }
+    core::Result<void> take(const core::GrowAnew& anew)
+    {
+        const core::GrowBurst& burst = anew.burst;
         if (const core::Result<void> checked = core::checkSound(burst, m_context.fields.grid());
             !checked)
             return checked;
@@ -120,6 +122,10 @@ private:
         open(burst);
         m_stepsLeft = 0;
         return {};
+    }
+    template <class Other> core::Result<void> take(const Other& ofAnotherKind)
+    {
+        return EditWork::extend(ofAnotherKind);
     }
 
     WorkContext m_context;

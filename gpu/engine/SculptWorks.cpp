@@ -10,31 +10,16 @@ namespace gpu {
 
 namespace {
 
-/// Drill or laser: a path of samples.
-template <class Kernel> class StrokeWork final : public EditWork {
+/// What its kernel cuts is coverage of a layer.
+template <class Kernel> class CoverageWork : public EditWork {
 public:
     template <class Programs, class Cut>
-    StrokeWork(Programs& programs, const Cut& cut, const WorkContext& context)
-        : m_layer(cut.layer)
-        , m_kernel(programs, context.fields, context.before, cut)
+    CoverageWork(Programs& programs, const Cut& cut, const WorkContext& context)
+        : m_kernel(programs, context.fields, context.before, cut)
+        , m_layer(cut.layer)
     {
     }
 
-    core::Result<void> extend(const core::EngineExtension& extension) override
-    {
-        const auto* path = std::get_if<core::DrillPath>(&extension);
-        if (!path)
-            return EditWork::extend(extension);
-        m_kernel.extend(path->samples);
-        return {};
-    }
-    bool join(core::EngineExtension& earlier, core::EngineExtension& next) const override
-    {
-        auto* path = std::get_if<core::DrillPath>(&earlier);
-        if (path)
-            append(path->samples, std::get<core::DrillPath>(next).samples);
-        return path != nullptr;
-    }
     std::vector<core::BrickKey> touchedKeys() const override
     {
         return keysOf(core::Field::Coverage, m_layer, m_kernel.touchedBricks());
@@ -44,18 +29,38 @@ public:
         result.statistics.searchedTo = m_kernel.searchedTo();
     }
 
+protected:
+    Kernel m_kernel;
+
 private:
     std::uint8_t m_layer;
-    Kernel m_kernel;
 };
 
-class PeelWork final : public EditWork {
+/// Drill or laser: a path of samples.
+template <class Kernel> class StrokeWork final : public CoverageWork<Kernel> {
 public:
-    PeelWork(const core::MaskPeel& peel, const WorkContext& context)
-        : m_layer(peel.layer)
-        , m_kernel(context.programs.mask, context.fields, context.before, peel)
+    using CoverageWork<Kernel>::CoverageWork;
+
+    core::Result<void> extend(const core::EngineExtension& extension) override
     {
+        const auto* path = std::get_if<core::DrillPath>(&extension);
+        if (!path)
+            return EditWork::extend(extension);
+        this->m_kernel.extend(path->samples);
+        return {};
     }
+    bool join(core::EngineExtension& earlier, core::EngineExtension& next) const override
+    {
+        auto* path = std::get_if<core::DrillPath>(&earlier);
+        if (path)
+            append(path->samples, std::get<core::DrillPath>(next).samples);
+        return path != nullptr;
+    }
+};
+
+class PeelWork final : public CoverageWork<PeelKernel> {
+public:
+    using CoverageWork::CoverageWork;
 
     core::Result<void> extend(const core::EngineExtension& extension) override
     {
@@ -67,18 +72,6 @@ public:
         m_kernel.setDepth(depth->depth);
         return {};
     }
-    std::vector<core::BrickKey> touchedKeys() const override
-    {
-        return keysOf(core::Field::Coverage, m_layer, m_kernel.touchedBricks());
-    }
-    void finish(core::EngineResult& result) override
-    {
-        result.statistics.searchedTo = m_kernel.searchedTo();
-    }
-
-private:
-    std::uint8_t m_layer;
-    PeelKernel m_kernel;
 };
 
 class ScissorsWork final : public EditWork {
@@ -145,7 +138,7 @@ BegunWork begun(const core::LaserCut& edit, const WorkContext& context)
 
 BegunWork begun(const core::MaskPeel& edit, const WorkContext& context)
 {
-    return std::make_unique<PeelWork>(edit, context);
+    return std::make_unique<PeelWork>(context.programs.mask, edit, context);
 }
 
 BegunWork begun(const core::MaskScissors& edit, const WorkContext& context)

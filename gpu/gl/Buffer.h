@@ -3,6 +3,7 @@
 
 #include "gpu/gl/GlId.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <type_traits>
@@ -62,5 +63,14 @@ private:
     std::size_t m_bytes = 0;
     std::byte* m_mapped = nullptr;
 };
+
+/// A buffer that holds these values. One of none has room for a few bytes, since GL refuses less.
+template <class List> [[nodiscard]] Buffer bufferOf(const char* label, const List& list)
+{
+    const std::span values(list);
+    Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size_bytes(), 16)});
+    buffer.write(values);
+    return buffer;
+}
 
 } // namespace gpu

@@ -2,9 +2,9 @@
 #include "ui/panels/ClippingPanel.h"
 
 #include "ui/base/Icons.h"
+#include "ui/base/SmallLabel.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
-#include "ui/geometry/OrientationLetters.h"
 #include "ui/views/VolumeView.h"
 #include "ui/widgets/RangeSlider.h"
 #include "ui/workspace/ClipSteps.h"
@@ -28,15 +28,6 @@ namespace ui {
 namespace {
 
 constexpr double stepsPerMm = 10.0;
-
-QLabel* smallLabel(QWidget* parent, Qt::Alignment alignment)
-{
-    auto* label = new QLabel(parent);
-    label->setFont(theme::smallFont());
-    label->setProperty("role", QStringLiteral("secondary"));
-    label->setAlignment(alignment | Qt::AlignVCenter);
-    return label;
-}
 
 QToolButton* smallButton(QWidget* parent, const char* icon, const QString& tip)
 {
@@ -101,22 +92,15 @@ void ClippingPanel::build()
     auto* axes = new QGridLayout;
     axes->setHorizontalSpacing(4);
     axes->setVerticalSpacing(2);
+    m_axes.build(this, *axes, QStringLiteral("clipAxis"));
     for (int axis = 0; axis < 3; ++axis) {
-        AxisRow& row = m_axes[std::size_t(axis)];
-        row.low = smallLabel(this, Qt::AlignLeft);
-        row.high = smallLabel(this, Qt::AlignRight);
-        row.slider = new RangeSlider(this);
-        row.slider->setObjectName(QStringLiteral("clipAxis%1").arg(axis));
-        row.text = smallLabel(this, Qt::AlignRight);
-        row.text->setMinimumWidth(82);
-        axes->addWidget(row.low, axis, 0);
-        axes->addWidget(row.slider, axis, 1);
-        axes->addWidget(row.high, axis, 2);
-        axes->addWidget(row.text, axis, 3);
-        connect(row.slider, &RangeSlider::valuesEdited, this,
+        QLabel*& text = m_axisTexts[std::size_t(axis)];
+        text = smallNote({}, this, Qt::AlignRight);
+        text->setMinimumWidth(82);
+        axes->addWidget(text, axis, 3);
+        connect(m_axes.of(axis), &RangeSlider::valuesEdited, this,
             [this, axis](double lower, double upper) { takeAxis(axis, lower, upper); });
     }
-    axes->setColumnStretch(1, 1);
 
     auto* planes = new QGridLayout;
     planes->setHorizontalSpacing(2);
@@ -133,7 +117,7 @@ void ClippingPanel::build()
         row.offset->setObjectName(QStringLiteral("clipOffset%1").arg(i));
         row.offset->setAccessibleName(tr("Offset of plane %1").arg(i + 1));
         row.offset->setMinimumWidth(40);
-        row.text = smallLabel(this, Qt::AlignRight);
+        row.text = smallNote({}, this, Qt::AlignRight);
         row.text->setMinimumWidth(54);
         row.place = smallButton(this, "aim", tr("Through the crosshair, facing the viewer"));
         row.place->setObjectName(QStringLiteral("clipPlace%1").arg(i));
@@ -176,8 +160,7 @@ void ClippingPanel::build()
     m_faces->setToolTip(tr("How the surface and the volume rendering show what a cut lays open: in "
                            "the colours of the transfer function, or grey as in the slices"));
     auto* faces = new QHBoxLayout;
-    faces->addWidget(smallLabel(this, Qt::AlignLeft));
-    static_cast<QLabel*>(faces->itemAt(0)->widget())->setText(tr("Cut faces"));
+    faces->addWidget(smallNote(tr("Cut faces"), this));
     faces->addWidget(m_faces, 1);
 
     auto* layout = new QVBoxLayout(this);
@@ -185,9 +168,7 @@ void ClippingPanel::build()
     layout->setSpacing(6);
     layout->addLayout(head);
     layout->addLayout(axes);
-    auto* heading = smallLabel(this, Qt::AlignLeft);
-    heading->setText(tr("Planes"));
-    layout->addWidget(heading);
+    layout->addWidget(smallNote(tr("Planes"), this));
     layout->addLayout(planes);
     layout->addLayout(faces);
 }
@@ -214,16 +195,8 @@ void ClippingPanel::showVolume()
 {
     const core::Volume* volume = m_workspace.volume();
     setEnabled(volume != nullptr);
-    if (volume) {
-        const glm::dvec3 spacing = volume->geometry.spacingMm();
-        const glm::dmat3 direction = volume->geometry.direction();
-        for (int axis = 0; axis < 3; ++axis) {
-            AxisRow& row = m_axes[std::size_t(axis)];
-            row.low->setText(directionLetters(-direction[axis]));
-            row.high->setText(directionLetters(direction[axis]));
-            row.slider->setBounds(0.0, volume->geometry.size[axis] * spacing[axis], spacing[axis]);
-        }
-    }
+    if (volume)
+        m_axes.showVolume(volume->geometry);
     showClip();
 }
 
@@ -242,13 +215,11 @@ void ClippingPanel::showClip()
     const QSignalBlocker boxBlocker(m_box);
     m_box->setChecked(clip.box.on);
     m_reset->setEnabled(clip != core::wholeVolume(volume->geometry));
-    const glm::dvec3 spacing = volume->geometry.spacingMm();
+    m_axes.showBox(clip.box, volume->geometry);
     for (int axis = 0; axis < 3; ++axis) {
-        AxisRow& row = m_axes[std::size_t(axis)];
-        const double lower = (clip.box.minimum[axis] + 0.5) * spacing[axis];
-        const double upper = (clip.box.maximum[axis] + 0.5) * spacing[axis];
-        row.slider->setValues(lower, upper);
-        row.text->setText(tr("%1 – %2 mm").arg(numberText(lower, 0), numberText(upper, 0)));
+        const RangeSlider& slider = *m_axes.of(axis);
+        m_axisTexts[std::size_t(axis)]->setText(
+            tr("%1 – %2 mm").arg(numberText(slider.lower(), 0), numberText(slider.upper(), 0)));
     }
     for (std::size_t i = 0; i < m_planes.size(); ++i) {
         const core::ClipPlane& plane = clip.planes[i];

@@ -3,6 +3,7 @@
 
 #include "core/volume/ClipRegion.h"
 #include "ui/frame/Panel.h"
+#include "ui/panels/AxisSliders.h"
 
 #include <array>
 
@@ -14,7 +15,6 @@ class QToolButton;
 
 namespace ui {
 
-class RangeSlider;
 class VolumeView;
 class Workspace;
 
@@ -32,12 +32,6 @@ public:
     [[nodiscard]] bool foldedAtFirst() const override { return true; }
 
 private:
-    struct AxisRow {
-        QLabel* low = nullptr; ///< orientation letters of its ends
-        QLabel* high = nullptr;
-        RangeSlider* slider = nullptr; ///< mm from the volume's low side
-        QLabel* text = nullptr;
-    };
     struct PlaneRow {
         QCheckBox* on = nullptr;
         QSlider* offset = nullptr; ///< tenths of a millimetre from the volume's middle
@@ -63,7 +57,8 @@ private:
     VolumeView& m_view;
     QCheckBox* m_box = nullptr;
     QToolButton* m_reset = nullptr;
-    std::array<AxisRow, 3> m_axes;
+    AxisSliders m_axes;
+    std::array<QLabel*, 3> m_axisTexts{}; ///< from where to where, in mm
     std::array<PlaneRow, 3> m_planes;
     QComboBox* m_faces = nullptr;
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/PendingSeeds.h"
 
+#include "core/edits/kinds/EditKinds.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
@@ -27,6 +30,89 @@ glm::ivec3 voxelAt(const glm::dvec3& lps, const core::VolumeGeometry& geometry)
     return glm::ivec3(glm::floor(geometry.toIndex(lps) + 0.5));
 }
 
+/// Where sketched seeds are after each row of a history, from the first on: those that no growth
+/// has come to, and those that one has.
+class SeedsAlong {
+public:
+    explicit SeedsAlong(const core::VolumeGeometry& geometry)
+        : m_geometry(geometry)
+    {
+    }
+
+    void follow(const core::HistoryRow& row)
+    {
+        using Kinds = core::EditKinds<core::SeedStroke, core::GrowSteps, core::ChangeInterval,
+            core::ShrinkSteps, core::RemoveSegment>;
+        core::visitAmong(
+            [&](const auto& known) { take(known, row.growthGeneration); }, row.edit, Kinds());
+        m_generation = row.growthGeneration;
+    }
+    [[nodiscard]] std::vector<gpu::SceneSeed> pending() const { return m_pending; }
+    [[nodiscard]] std::vector<gpu::SceneSeed> grown() const
+    {
+        std::vector<gpu::SceneSeed> seeds;
+        for (const Grown& each : m_grown)
+            seeds.push_back(each.seed);
+        return seeds;
+    }
+
+private:
+    struct Grown {
+        std::uint32_t since = 0; ///< generation
+        gpu::SceneSeed seed;
+    };
+
+    /// A seed that a growth came to and left waiting can be taken away too; one that it accepted
+    /// stays, and is asked after (show()).
+    void take(const core::SeedStroke& stroke, std::uint32_t)
+    {
+        forget([&](const gpu::SceneSeed& seed) {
+            return seed.label == stroke.segment && stroke.takenLps
+                && std::any_of(
+                    stroke.takenLps->begin(), stroke.takenLps->end(), [&](const glm::dvec3& place) {
+                        return voxelAt(place, m_geometry) == voxelAt(seed.lps, m_geometry);
+                    });
+        });
+        for (const glm::dvec3& point : stroke.pointsLps)
+            m_pending.push_back({point, std::uint8_t(stroke.segment)});
+    }
+    void take(const core::GrowSteps&, std::uint32_t) { comeToAll(); }
+    void take(const core::ChangeInterval&, std::uint32_t) { comeToAll(); }
+    /// By steps it sends back those that came later; to the seeds it keeps all.
+    void take(const core::ShrinkSteps& shrink, std::uint32_t generation)
+    {
+        if (!shrink.steps || std::uint32_t(*shrink.steps) >= m_generation)
+            return;
+        const auto goes = [generation](const Grown& each) { return each.since > generation; };
+        for (const Grown& each : m_grown) {
+            if (goes(each))
+                m_pending.push_back(each.seed);
+        }
+        std::erase_if(m_grown, goes);
+    }
+    void take(const core::RemoveSegment& removed, std::uint32_t)
+    {
+        forget([&](const gpu::SceneSeed& seed) { return seed.label == removed.segment; });
+    }
+
+    void comeToAll()
+    {
+        for (const gpu::SceneSeed& seed : m_pending)
+            m_grown.push_back({.since = m_generation + 1, .seed = seed});
+        m_pending.clear();
+    }
+    template <class Which> void forget(const Which& which)
+    {
+        std::erase_if(m_pending, which);
+        std::erase_if(m_grown, [&](const Grown& each) { return which(each.seed); });
+    }
+
+    const core::VolumeGeometry& m_geometry;
+    std::vector<gpu::SceneSeed> m_pending;
+    std::vector<Grown> m_grown;
+    std::uint32_t m_generation = 0;
+};
+
 } // namespace
 
 PendingSeeds::PendingSeeds(Workspace& workspace)
@@ -45,54 +131,11 @@ PendingSeeds::PendingSeeds(Workspace& workspace)
 
 PendingSeeds::Sketched PendingSeeds::seedsOf(const core::EditSession& session)
 {
-    std::vector<gpu::SceneSeed> seeds;
-    std::vector<std::pair<std::uint32_t, gpu::SceneSeed>> grown; ///< and since which generation
-    std::uint32_t generation = 0;
     const core::History& history = session.history();
-    const core::VolumeGeometry& geometry = session.document().volumes.front().geometry;
-    for (const core::RowId id : history.standing()) {
-        const core::HistoryRow& row = history.row(id);
-        if (row.edit.is<core::GrowSteps>() || row.edit.is<core::ChangeInterval>()) {
-            for (const gpu::SceneSeed& seed : seeds)
-                grown.emplace_back(generation + 1, seed);
-            seeds.clear();
-        } else if (const auto* shrink = row.edit.as<core::ShrinkSteps>()) {
-            // By steps it sends back those that came later; to the seeds it keeps all.
-            if (shrink->steps && std::uint32_t(*shrink->steps) < generation) {
-                const auto goes = [&row](const auto& each) {
-                    return each.first > row.growthGeneration;
-                };
-                for (const auto& each : grown) {
-                    if (goes(each))
-                        seeds.push_back(each.second);
-                }
-                std::erase_if(grown, goes);
-            }
-        } else if (const auto* stroke = row.edit.as<core::SeedStroke>()) {
-            // A seed that a growth came to and left waiting can be taken away too; one that it
-            // accepted stays, and is asked after below.
-            const auto taken = [stroke, &geometry](const gpu::SceneSeed& seed) {
-                return seed.label == stroke->segment && stroke->takenLps
-                    && std::any_of(stroke->takenLps->begin(), stroke->takenLps->end(),
-                        [&](const glm::dvec3& place) {
-                            return voxelAt(place, geometry) == voxelAt(seed.lps, geometry);
-                        });
-            };
-            std::erase_if(seeds, taken);
-            std::erase_if(grown, [&taken](const auto& each) { return taken(each.second); });
-            for (const glm::dvec3& point : stroke->pointsLps)
-                seeds.push_back({point, std::uint8_t(stroke->segment)});
-        } else if (const auto* removed = row.edit.as<core::RemoveSegment>()) {
-            std::erase_if(
-                seeds, [removed](const auto& seed) { return seed.label == removed->segment; });
-            std::erase_if(grown,
-                [removed](const auto& each) { return each.second.label == removed->segment; });
-        }
-        generation = row.growthGeneration;
-    }
-    Sketched sketched{.pending = std::move(seeds), .grown = {}};
-    for (const auto& each : grown)
-        sketched.grown.push_back(each.second);
+    SeedsAlong seeds(session.document().volumes.front().geometry);
+    for (const core::RowId id : history.standing())
+        seeds.follow(history.row(id));
+    Sketched sketched{.pending = seeds.pending(), .grown = seeds.grown()};
     for (std::vector<gpu::SceneSeed>* list : {&sketched.pending, &sketched.grown}) {
         std::erase_if(*list, [&session](const gpu::SceneSeed& seed) {
             const core::Segment* segment = session.document().segment(seed.label);

@@ -2,6 +2,7 @@
 #include "core/base/files/ReadableFile.h"
 
 #include <QFile>
+#include <QFileInfo>
 
 #include <sys/stat.h>
 
@@ -20,6 +21,16 @@ Result<void> checkReadsToAnEnd(const QString& path)
         return {};
     return failure(ErrorCode::FileUnreadable, path,
         QStringLiteral("it is no plain file but a pipe, a socket or a device"));
+}
+
+Result<void> checkIsFile(const QString& path)
+{
+    const QFileInfo info(path);
+    if (!info.exists())
+        return failure(ErrorCode::FileNotFound, path);
+    if (info.isDir())
+        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
+    return checkReadsToAnEnd(path);
 }
 
 } // namespace core

@@ -12,4 +12,8 @@ namespace core {
 /// Errors: FileUnreadable with the reason.
 [[nodiscard]] Result<void> checkReadsToAnEnd(const QString& path);
 
+/// The same of a file that is to be there.
+/// Errors: FileNotFound; FileUnreadable with the reason, of a folder too.
+[[nodiscard]] Result<void> checkIsFile(const QString& path);
+
 } // namespace core

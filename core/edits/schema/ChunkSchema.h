@@ -16,7 +16,7 @@ inline constexpr const char* editMeaning<Chunks> =
     "chunks depend on.";
 template <class Visitor> void visitFields(Visitor& visit, Chunks& edit)
 {
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitSegment(visit, edit.segment);
     visit.field("marginMm", Presence::Optional, edit.marginMm,
         editFields::Number{"mm", 0.0, 500.0, quantum::perMillimetre},
         "how far around its voxels, on all sides");
@@ -33,7 +33,7 @@ inline constexpr const char* editMeaning<ChunkToggle> =
 template <class Visitor> void visitFields(Visitor& visit, ChunkToggle& edit)
 {
     using Mode = ChunkToggle::Mode;
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitSegment(visit, edit.segment);
     visit.field("chunks", Presence::Required, edit.chunks, editFields::WholeNumber{1, 5000},
         "into how many chunks the whole is divided; as many as there are at most, and no fewer "
         "than hang together");
@@ -42,8 +42,7 @@ template <class Visitor> void visitFields(Visitor& visit, ChunkToggle& edit)
         "what becomes of them; toggled, a chunk goes if the segment has more than half of it");
     visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
         "each stands for the chunk it lies in, patient coordinates (LPS)");
-    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
-        "whether voxels of other segments that are not locked are taken");
+    visitOverwrite(visit, edit.overwriteUnlocked);
     visit.maybe("bricks", edit.bricks, editFields::BrickList{},
         "those of the volume that the chunks lie in", "they are found when it is carried out");
 }

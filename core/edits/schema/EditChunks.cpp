@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/schema/EditChunks.h"
 
+#include "core/edits/schema/EntryLists.h"
+
 #include <QJsonArray>
 #include <QJsonObject>
 
-#include <algorithm>
 #include <cmath>
 
 namespace core::editFields {
@@ -18,31 +19,23 @@ constexpr double lastBrick = 4294967295.0;
 
 QJsonValue ChunkOwnerList::write(const Value& value) const
 {
-    QJsonArray array;
-    for (const ChunkOwner& owner : value)
-        array.append(QJsonObject{{QStringLiteral("label"), owner.label},
-            {QStringLiteral("voxels"), QString::fromLatin1(owner.voxels.toBase64())}});
-    return array;
+    return writeEach(value, [](const ChunkOwner& owner) {
+        return QJsonObject{{QStringLiteral("label"), owner.label},
+            {QStringLiteral("voxels"), inBase64(owner.voxels)}};
+    });
 }
 
 QString ChunkOwnerList::read(const QJsonValue& json, Value& value) const
 {
-    if (!json.isArray())
-        return QStringLiteral("must be a list of segments");
-    value.clear();
-    for (const QJsonValue& entry : json.toArray()) {
-        const QJsonObject object = entry.toObject();
-        ChunkOwner& owner = value.emplace_back();
-        const auto decoded =
-            QByteArray::fromBase64Encoding(object[QStringLiteral("voxels")].toString().toLatin1(),
-                QByteArray::Base64Encoding | QByteArray::AbortOnBase64DecodingErrors);
-        if (!ownerLabel.read(object[QStringLiteral("label")], owner.label).isEmpty() || !decoded
-            || object.size() != 2)
-            return QStringLiteral("entry %1: has no label and voxels, or more than these")
-                .arg(value.size());
-        owner.voxels = decoded.decoded;
-    }
-    return {};
+    return readEach(json, value, QStringLiteral("must be a list of segments"),
+        [](const QJsonValue& entry, ChunkOwner& owner) {
+            const QJsonObject object = entry.toObject();
+            const bool sound =
+                ownerLabel.read(object[QStringLiteral("label")], owner.label).isEmpty()
+                && fromBase64(object[QStringLiteral("voxels")], owner.voxels) && object.size() == 2;
+            return sound ? QString()
+                         : QStringLiteral("has no label and voxels, or more than these");
+        });
 }
 
 QString ChunkOwnerList::check(const Value& value) const
@@ -62,10 +55,7 @@ QString ChunkOwnerList::check(const Value& value) const
 
 QJsonValue BrickList::write(const Value& value) const
 {
-    QJsonArray array;
-    for (const std::int64_t brick : value)
-        array.append(qint64(brick));
-    return array;
+    return writeEach(value, [](std::int64_t brick) { return QJsonValue(qint64(brick)); });
 }
 
 QString BrickList::read(const QJsonValue& json, Value& value) const
@@ -86,9 +76,7 @@ QString BrickList::check(const Value& value) const
 {
     if (!value.empty() && (value.front() < 0 || double(value.back()) > lastBrick))
         return QStringLiteral("must be numbers of bricks, 0 or more");
-    if (std::adjacent_find(value.begin(), value.end(), std::greater_equal<>()) != value.end())
-        return QStringLiteral("must ascend");
-    return {};
+    return ascends(value) ? QString() : QStringLiteral("must ascend");
 }
 
 } // namespace core::editFields

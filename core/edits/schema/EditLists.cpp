@@ -2,11 +2,11 @@
 #include "core/edits/schema/EditLists.h"
 
 #include "core/edits/fields/Quantum.h"
+#include "core/edits/schema/EntryLists.h"
 
 #include <QJsonArray>
 
 #include <algorithm>
-#include <functional>
 
 namespace core::editFields {
 
@@ -21,11 +21,6 @@ const Number sideNormal{"", -1.0, 1.0, quantum::perDirection};
 const Number samplePressure{"", 0.0, 1.0, quantum::perPressure};
 const Number sampleSeconds{"s", 0.0, 86400.0, quantum::perSecond};
 
-QString at(int position, const QString& reason)
-{
-    return QStringLiteral("entry %1: %2").arg(position + 1).arg(reason);
-}
-
 QString checkLength(std::size_t length)
 {
     if (length == 0)
@@ -39,23 +34,13 @@ QString checkLength(std::size_t length)
 
 QJsonValue PointList::write(const Value& value) const
 {
-    QJsonArray array;
-    for (const glm::dvec3& entry : value)
-        array.append(point.write(entry));
-    return array;
+    return writeEach(value, [this](const glm::dvec3& entry) { return point.write(entry); });
 }
 
 QString PointList::read(const QJsonValue& json, Value& value) const
 {
-    if (!json.isArray())
-        return QStringLiteral("must be a list of points [x, y, z]");
-    const QJsonArray array = json.toArray();
-    value.assign(std::size_t(array.size()), glm::dvec3(0.0));
-    for (int i = 0; i < array.size(); ++i) {
-        if (const QString reason = point.read(array[i], value[std::size_t(i)]); !reason.isEmpty())
-            return at(i, reason);
-    }
-    return {};
+    return readEach(json, value, QStringLiteral("must be a list of points [x, y, z]"),
+        [this](const QJsonValue& each, glm::dvec3& entry) { return point.read(each, entry); });
 }
 
 QString PointList::check(const Value& value) const
@@ -64,85 +49,53 @@ QString PointList::check(const Value& value) const
         return {};
     if (const QString reason = checkLength(value.size()); !reason.isEmpty())
         return reason;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        if (const QString reason = point.check(value[i]); !reason.isEmpty())
-            return at(int(i), reason);
-    }
-    return {};
+    return checkEach(value, [this](const glm::dvec3& entry) { return point.check(entry); });
 }
 
 PointList::Value PointList::rounded(const Value& value) const
 {
-    Value result;
-    result.reserve(value.size());
-    for (const glm::dvec3& entry : value)
-        result.push_back(point.rounded(entry));
-    return result;
+    return roundEach(value, [this](const glm::dvec3& entry) { return point.rounded(entry); });
 }
 
 QJsonValue ContourList::write(const Value& value) const
 {
-    QJsonArray array;
-    for (const std::vector<glm::dvec3>& contour : value)
-        array.append(PointList{point}.write(contour));
-    return array;
+    return writeEach(
+        value, [this](const PointList::Value& contour) { return PointList{point}.write(contour); });
 }
 
 QString ContourList::read(const QJsonValue& json, Value& value) const
 {
-    if (!json.isArray())
-        return QStringLiteral("must be a list of contours [[x, y, z], …]");
-    const QJsonArray array = json.toArray();
-    value.assign(std::size_t(array.size()), {});
-    for (int i = 0; i < array.size(); ++i) {
-        if (const QString reason = PointList{point}.read(array[i], value[std::size_t(i)]);
-            !reason.isEmpty())
-            return at(i, reason);
-    }
-    return {};
+    return readEach(json, value, QStringLiteral("must be a list of contours [[x, y, z], …]"),
+        [this](const QJsonValue& each, PointList::Value& contour) {
+            return PointList{point}.read(each, contour);
+        });
 }
 
 QString ContourList::check(const Value& value) const
 {
     if (const QString reason = checkLength(value.size()); !reason.isEmpty())
         return reason;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        if (value[i].size() < 3)
-            return at(int(i), QStringLiteral("needs at least three points"));
-        if (const QString reason = PointList{point}.check(value[i]); !reason.isEmpty())
-            return at(int(i), reason);
-    }
-    return {};
+    return checkEach(value, [this](const PointList::Value& contour) {
+        return contour.size() < 3 ? QStringLiteral("needs at least three points")
+                                  : PointList{point}.check(contour);
+    });
 }
 
 ContourList::Value ContourList::rounded(const Value& value) const
 {
-    Value result;
-    for (const std::vector<glm::dvec3>& contour : value)
-        result.push_back(PointList{point}.rounded(contour));
-    return result;
+    return roundEach(value,
+        [this](const PointList::Value& contour) { return PointList{point}.rounded(contour); });
 }
 
 QJsonValue Outline::write(const Value& value) const
 {
-    QJsonArray array;
-    for (const glm::dvec2& point : value)
-        array.append(QJsonArray{point.x, point.y});
-    return array;
+    return writeEach(value, [](const glm::dvec2& point) { return QJsonArray{point.x, point.y}; });
 }
 
 QString Outline::read(const QJsonValue& json, Value& value) const
 {
-    if (!json.isArray())
-        return QStringLiteral("must be a list of points [x, y]");
-    const QJsonArray array = json.toArray();
-    value.assign(std::size_t(array.size()), glm::dvec2(0.0));
-    for (int i = 0; i < array.size(); ++i) {
-        if (const QString reason = readNumbers(array[i], &value[std::size_t(i)].x, 2);
-            !reason.isEmpty())
-            return at(i, reason);
-    }
-    return {};
+    return readEach(json, value, QStringLiteral("must be a list of points [x, y]"),
+        [](const QJsonValue& each, glm::dvec2& point) { return readNumbers(each, &point.x, 2); });
 }
 
 QString Outline::check(const Value& value) const
@@ -151,98 +104,75 @@ QString Outline::check(const Value& value) const
         return QStringLiteral("needs at least three points");
     if (value.size() > std::size_t(maxOutlineLength))
         return QStringLiteral("has more than %1 points").arg(maxOutlineLength);
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        for (const double number : {value[i].x, value[i].y}) {
-            if (const QString reason = component.check(number); !reason.isEmpty())
-                return at(int(i), reason);
-        }
-    }
-    return {};
+    return checkEach(value, [this](const glm::dvec2& point) {
+        return firstOf({component.check(point.x), component.check(point.y)});
+    });
 }
 
 Outline::Value Outline::rounded(const Value& value) const
 {
-    Value result;
-    result.reserve(value.size());
-    for (const glm::dvec2& point : value)
-        result.emplace_back(component.rounded(point.x), component.rounded(point.y));
-    return result;
+    return roundEach(value, [this](const glm::dvec2& point) {
+        return glm::dvec2(component.rounded(point.x), component.rounded(point.y));
+    });
 }
 
 QJsonValue HiddenSideList::write(const Value& value) const
 {
-    QJsonArray array;
-    for (const HiddenSide& side : value)
-        array.append(
-            QJsonArray{side.normalLps.x, side.normalLps.y, side.normalLps.z, side.offsetMm});
-    return array;
+    return writeEach(value, [](const HiddenSide& side) {
+        return QJsonArray{side.normalLps.x, side.normalLps.y, side.normalLps.z, side.offsetMm};
+    });
 }
 
 QString HiddenSideList::read(const QJsonValue& json, Value& value) const
 {
-    if (!json.isArray())
-        return QStringLiteral("must be a list of planes [x, y, z, offset]");
-    const QJsonArray array = json.toArray();
-    value.clear();
-    for (int i = 0; i < array.size(); ++i) {
-        double numbers[4]{};
-        if (const QString reason = readNumbers(array[i], numbers, 4); !reason.isEmpty())
-            return at(i, reason);
-        value.push_back({{numbers[0], numbers[1], numbers[2]}, numbers[3]});
-    }
-    return {};
+    return readEach(json, value, QStringLiteral("must be a list of planes [x, y, z, offset]"),
+        [](const QJsonValue& each, HiddenSide& side) {
+            double numbers[4]{};
+            const QString reason = readNumbers(each, numbers, 4);
+            side = {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+            return reason;
+        });
 }
 
 QString HiddenSideList::check(const Value& value) const
 {
     if (value.empty() || value.size() > std::size_t(maxHiddenSides))
         return QStringLiteral("needs 1 to %1 entries").arg(maxHiddenSides);
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        const HiddenSide& side = value[i];
-        for (const QString& reason :
-            {sideNormal.check(side.normalLps.x), sideNormal.check(side.normalLps.y),
-                sideNormal.check(side.normalLps.z), sampleMillimetres.check(side.offsetMm)}) {
-            if (!reason.isEmpty())
-                return at(int(i), reason);
-        }
-        if (!(glm::length(side.normalLps) > 0.01))
-            return at(int(i), QStringLiteral("has no direction"));
-    }
-    return {};
+    return checkEach(value, [](const HiddenSide& side) {
+        const bool pointsSomewhere = glm::length(side.normalLps) > 0.01;
+        return firstOf({sideNormal.check(side.normalLps.x), sideNormal.check(side.normalLps.y),
+            sideNormal.check(side.normalLps.z), sampleMillimetres.check(side.offsetMm),
+            pointsSomewhere ? QString() : QStringLiteral("has no direction")});
+    });
 }
 
 HiddenSideList::Value HiddenSideList::rounded(const Value& value) const
 {
-    Value result;
-    for (const HiddenSide& side : value)
-        result.push_back(
-            {Point{sideNormal}.rounded(side.normalLps), sampleMillimetres.rounded(side.offsetMm)});
-    return result;
+    return roundEach(value, [](const HiddenSide& side) {
+        return HiddenSide{
+            Point{sideNormal}.rounded(side.normalLps), sampleMillimetres.rounded(side.offsetMm)};
+    });
 }
 
 QJsonValue SampleList::write(const Value& value) const
 {
-    QJsonArray array;
-    for (const PenSample& sample : value)
-        array.append(QJsonArray{sample.xMm, sample.yMm, sample.pressure, sample.tSeconds});
-    return array;
+    return writeEach(value, [](const PenSample& sample) {
+        return QJsonArray{sample.xMm, sample.yMm, sample.pressure, sample.tSeconds};
+    });
 }
 
 QString SampleList::read(const QJsonValue& json, Value& value) const
 {
-    if (!json.isArray())
-        return QStringLiteral("must be a list of samples [x, y, pressure, t]");
-    const QJsonArray array = json.toArray();
-    value.clear();
-    value.reserve(std::size_t(array.size()));
-    for (int i = 0; i < array.size(); ++i) {
-        double numbers[4]{};
-        if (const QString reason = readNumbers(array[i], numbers, 4); !reason.isEmpty())
-            return at(i, reason);
-        value.push_back(
-            {.xMm = numbers[0], .yMm = numbers[1], .pressure = numbers[2], .tSeconds = numbers[3]});
-    }
-    return {};
+    return readEach(json, value, QStringLiteral("must be a list of samples [x, y, pressure, t]"),
+        [](const QJsonValue& each, PenSample& sample) {
+            double numbers[4]{};
+            const QString reason = readNumbers(each, numbers, 4);
+            sample = {.xMm = numbers[0],
+                .yMm = numbers[1],
+                .pressure = numbers[2],
+                .tSeconds = numbers[3]};
+            return reason;
+        });
 }
 
 QString SampleList::check(const Value& value) const
@@ -250,40 +180,28 @@ QString SampleList::check(const Value& value) const
     if (const QString reason = checkLength(value.size()); !reason.isEmpty())
         return reason;
     double earlier = 0.0;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        const PenSample& sample = value[i];
-        for (const QString& reason :
-            {sampleMillimetres.check(sample.xMm), sampleMillimetres.check(sample.yMm),
-                samplePressure.check(sample.pressure), sampleSeconds.check(sample.tSeconds)}) {
-            if (!reason.isEmpty())
-                return at(int(i), reason);
-        }
-        if (sample.tSeconds < earlier)
-            return at(int(i), QStringLiteral("time runs backwards"));
+    return checkEach(value, [&earlier](const PenSample& sample) {
+        const bool runsOn = !(sample.tSeconds < earlier);
         earlier = sample.tSeconds;
-    }
-    return {};
+        return firstOf({sampleMillimetres.check(sample.xMm), sampleMillimetres.check(sample.yMm),
+            samplePressure.check(sample.pressure), sampleSeconds.check(sample.tSeconds),
+            runsOn ? QString() : QStringLiteral("time runs backwards")});
+    });
 }
 
 SampleList::Value SampleList::rounded(const Value& value) const
 {
-    Value result;
-    result.reserve(value.size());
-    for (const PenSample& sample : value) {
-        result.push_back({.xMm = sampleMillimetres.rounded(sample.xMm),
+    return roundEach(value, [](const PenSample& sample) {
+        return PenSample{.xMm = sampleMillimetres.rounded(sample.xMm),
             .yMm = sampleMillimetres.rounded(sample.yMm),
             .pressure = samplePressure.rounded(sample.pressure),
-            .tSeconds = sampleSeconds.rounded(sample.tSeconds)});
-    }
-    return result;
+            .tSeconds = sampleSeconds.rounded(sample.tSeconds)};
+    });
 }
 
 QJsonValue RowList::write(const Value& value) const
 {
-    QJsonArray array;
-    for (const std::int64_t row : value)
-        array.append(qint64(row));
-    return array;
+    return writeEach(value, [](std::int64_t row) { return QJsonValue(qint64(row)); });
 }
 
 QString RowList::read(const QJsonValue& json, Value& value) const
@@ -306,9 +224,7 @@ QString RowList::check(const Value& value) const
         return reason;
     if (value.front() < 1)
         return QStringLiteral("must be numbers of rows, 1 or more");
-    if (std::adjacent_find(value.begin(), value.end(), std::greater_equal<>()) != value.end())
-        return QStringLiteral("must ascend");
-    return {};
+    return ascends(value) ? QString() : QStringLiteral("must ascend");
 }
 
 QJsonValue PlaceList::write(const Value& value) const
@@ -358,10 +274,7 @@ CornerPair::Value CornerPair::rounded(const Value& value) const
 
 QJsonValue SegmentList::write(const Value& value) const
 {
-    QJsonArray array;
-    for (const int segment : value)
-        array.append(segment);
-    return array;
+    return writeEach(value, [](int segment) { return segment; });
 }
 
 QString SegmentList::read(const QJsonValue& json, Value& value) const
@@ -381,9 +294,7 @@ QString SegmentList::check(const Value& value) const
         return reason;
     if (value.front() < 1 || value.back() > 255)
         return QStringLiteral("must be numbers of segments, 1 … 255");
-    if (std::adjacent_find(value.begin(), value.end(), std::greater_equal<>()) != value.end())
-        return QStringLiteral("must ascend");
-    return {};
+    return ascends(value) ? QString() : QStringLiteral("must ascend");
 }
 
 } // namespace core::editFields

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/schema/EditMasks.h"
 
+#include "core/edits/schema/EntryLists.h"
+
 #include <QJsonArray>
 #include <QJsonObject>
 
@@ -80,55 +82,39 @@ QString GridSize::check(const Value& value) const
 
 QJsonValue ImportedSegmentList::write(const Value& value) const
 {
-    QJsonArray array;
-    for (const ImportedSegment& segment : value) {
-        array.append(QJsonObject{{QStringLiteral("name"), Text().write(segment.name)},
+    return writeEach(value, [](const ImportedSegment& segment) {
+        return QJsonObject{{QStringLiteral("name"), Text().write(segment.name)},
             {QStringLiteral("color"), Colour().write(segment.rgb)},
             {QStringLiteral("code"), Code().write(segment.code)},
-            {QStringLiteral("voxels"), QString::fromLatin1(segment.voxels.toBase64())}});
-    }
-    return array;
+            {QStringLiteral("voxels"), inBase64(segment.voxels)}};
+    });
 }
 
 QString ImportedSegmentList::read(const QJsonValue& json, Value& value) const
 {
-    if (!json.isArray())
-        return QStringLiteral("must be a list of segments");
-    const QJsonArray array = json.toArray();
-    value.assign(std::size_t(array.size()), {});
-    for (int i = 0; i < array.size(); ++i) {
-        const QJsonObject object = array[i].toObject();
-        ImportedSegment& segment = value[std::size_t(i)];
-        QString reason = Text().read(object[QStringLiteral("name")], segment.name);
-        if (reason.isEmpty())
-            reason = Colour().read(object[QStringLiteral("color")], segment.rgb);
-        if (reason.isEmpty())
-            reason = Code().read(object[QStringLiteral("code")], segment.code);
-        const auto decoded =
-            QByteArray::fromBase64Encoding(object[QStringLiteral("voxels")].toString().toLatin1(),
-                QByteArray::Base64Encoding | QByteArray::AbortOnBase64DecodingErrors);
-        if (reason.isEmpty() && (!decoded || object.size() != 4))
-            reason = QStringLiteral("has no name, color, code and voxels, or more than these");
-        if (!reason.isEmpty())
-            return QStringLiteral("entry %1: %2").arg(i + 1).arg(reason);
-        segment.voxels = decoded.decoded;
-    }
-    return {};
+    return readEach(json, value, QStringLiteral("must be a list of segments"),
+        [](const QJsonValue& entry, ImportedSegment& segment) {
+            const QJsonObject object = entry.toObject();
+            const QString reason =
+                firstOf({Text().read(object[QStringLiteral("name")], segment.name),
+                    Colour().read(object[QStringLiteral("color")], segment.rgb),
+                    Code().read(object[QStringLiteral("code")], segment.code)});
+            const bool whole =
+                fromBase64(object[QStringLiteral("voxels")], segment.voxels) && object.size() == 4;
+            return whole || !reason.isEmpty()
+                ? reason
+                : QStringLiteral("has no name, color, code and voxels, or more than these");
+        });
 }
 
 QString ImportedSegmentList::check(const Value& value) const
 {
     if (value.empty() || value.size() > std::size_t(mostSegments))
         return QStringLiteral("needs 1 to %1 entries").arg(mostSegments);
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        const ImportedSegment& segment = value[i];
-        for (const QString& reason :
-            {Text().check(segment.name), Colour().check(segment.rgb), Code().check(segment.code)}) {
-            if (!reason.isEmpty())
-                return QStringLiteral("entry %1: %2").arg(i + 1).arg(reason);
-        }
-    }
-    return {};
+    return checkEach(value, [](const ImportedSegment& segment) {
+        return firstOf(
+            {Text().check(segment.name), Colour().check(segment.rgb), Code().check(segment.code)});
+    });
 }
 
 } // namespace core::editFields

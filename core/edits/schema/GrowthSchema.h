@@ -29,7 +29,7 @@ inline constexpr const char* editMeaning<SeedStroke> =
     "Marks the voxels nearest to some points as seeds of a segment; the next growth starts there.";
 template <class Visitor> void visitFields(Visitor& visit, SeedStroke& edit)
 {
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitSegment(visit, edit.segment);
     visit.field("pointsLps", Presence::Required, edit.pointsLps,
         editFields::PointList{positionLps, true},
         "patient coordinates (LPS), inside the volume; none where seeds are only taken away");

@@ -18,7 +18,7 @@ inline constexpr const char* editMeaning<AddLayer> =
     "the order they are added, and a number is never used again.";
 template <class Visitor> void visitFields(Visitor& visit, AddLayer& edit)
 {
-    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the list");
+    visitName(visit, edit.name);
 }
 
 template <> inline constexpr const char* editName<ChangeLayer> = "changeLayer";
@@ -27,7 +27,7 @@ inline constexpr const char* editMeaning<ChangeLayer> =
     "Renames or mutes a sculpt layer, or has it count alone; fields left out stay as they are.";
 template <class Visitor> void visitFields(Visitor& visit, ChangeLayer& edit)
 {
-    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+    visitLayer(visit, edit.layer);
     visit.maybe("name", edit.name, editFields::Text{}, "new name");
     visit.maybe("muted", edit.muted, editFields::Flag{},
         "whether it hides nothing, as if it were not there");
@@ -41,7 +41,7 @@ inline constexpr const char* editMeaning<MoveLayer> =
     "Puts a sculpt layer at another place of the list.";
 template <class Visitor> void visitFields(Visitor& visit, MoveLayer& edit)
 {
-    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+    visitLayer(visit, edit.layer);
     visit.field("place", Presence::Required, edit.place, editFields::WholeNumber{1, 254},
         "its new place in the list, 1 is the first");
 }
@@ -52,7 +52,7 @@ inline constexpr const char* editMeaning<RemoveLayer> =
     "Deletes a sculpt layer with what it has carved; not the only one.";
 template <class Visitor> void visitFields(Visitor& visit, RemoveLayer& edit)
 {
-    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+    visitLayer(visit, edit.layer);
 }
 
 template <> inline constexpr const char* editName<MergeLayers> = "mergeLayers";
@@ -73,7 +73,7 @@ inline constexpr const char* editMeaning<SegmentToLayer> =
     "Carves what a segment holds, whole, into a sculpt layer.";
 template <class Visitor> void visitFields(Visitor& visit, SegmentToLayer& edit)
 {
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitSegment(visit, edit.segment);
     visit.field("layer", Presence::Required, edit.layer, layerNumber,
         "the sculpt layer that is carved; not a muted one");
 }

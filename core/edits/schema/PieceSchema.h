@@ -30,7 +30,7 @@ template <class Visitor> void visitFields(Visitor& visit, CutPiece& edit)
 {
     visit.field("layer", Presence::Optional, edit.layer, layerNumber,
         "the sculpt layer that cut it; not that of another piece");
-    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the list");
+    visitName(visit, edit.name);
     visitPivot(visit, edit.pivotLps);
 }
 
@@ -40,8 +40,8 @@ inline constexpr const char* editMeaning<PastePiece> =
     "Shows a segment as a piece of its own, besides where it is.";
 template <class Visitor> void visitFields(Visitor& visit, PastePiece& edit)
 {
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
-    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the list");
+    visitSegment(visit, edit.segment);
+    visitName(visit, edit.name);
     visitPivot(visit, edit.pivotLps);
     visit.field("offsetMm", Presence::Optional, edit.pose.offsetMm, positionLps,
         "from its true place, along the patient's axes (LPS)");

@@ -40,6 +40,39 @@ inline constexpr editFields::Point positionLps{millimetres};
 inline constexpr editFields::Number brushRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
 inline constexpr editFields::Number peelDepth{"mm", 0.0, 60.0, quantum::perMillimetre};
 
+/// The segment that an edit is about.
+template <class Visitor> void visitSegment(Visitor& visit, int& segment)
+{
+    visit.field("segment", Presence::Required, segment, segmentNumber, "which segment");
+}
+
+/// The sculpt layer that an edit is about.
+template <class Visitor> void visitLayer(Visitor& visit, int& layer)
+{
+    visit.field("layer", Presence::Required, layer, layerNumber, "which sculpt layer");
+}
+
+/// The name of what an edit makes.
+template <class Visitor> void visitName(Visitor& visit, QString& name)
+{
+    visit.field("name", Presence::Required, name, editFields::Text{}, "shown in the list");
+}
+
+/// Whose voxels an edit takes that gives some to a segment.
+template <class Visitor> void visitOverwrite(Visitor& visit, bool& overwriteUnlocked)
+{
+    visit.field("overwriteUnlocked", Presence::Optional, overwriteUnlocked, editFields::Flag{},
+        "whether voxels of other segments that are not locked are taken");
+}
+
+/// Which values voxels have that an edit gives to a segment.
+template <class Visitor>
+void visitOnlyValues(Visitor& visit, std::optional<double>& lower, std::optional<double>& upper)
+{
+    visit.maybe("lower", lower, modalityValue, "only voxels from this value on, inclusive", "any");
+    visit.maybe("upper", upper, modalityValue, "only voxels up to this value, inclusive", "any");
+}
+
 /// A camera, as every edit that needs one writes it.
 template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)
 {

@@ -24,6 +24,27 @@ inline constexpr editFields::Number maskSoftness{"mm", 0.0, 200.0, quantum::perM
 inline constexpr editFields::Outline maskOutline{
     editFields::Number{"mm", -200.0, 200.0, quantum::perMillimetre}};
 
+template <class Visitor> void visitCarvedLayer(Visitor& visit, int& layer)
+{
+    visit.field("layer", Presence::Optional, layer, layerNumber,
+        "the sculpt layer that is carved; not a muted one");
+}
+
+/// What a cut leaves as it is: what is not seen, and segments.
+template <class Visitor, class Cut> void visitLeftAlone(Visitor& visit, Cut& edit)
+{
+    visitHidden(visit, edit.hidden);
+    visitSpared(visit, edit.spared);
+}
+
+/// A curve that is drawn on the view, of peel and scissors.
+template <class Visitor> void visitCurve(Visitor& visit, std::vector<glm::dvec2>& polygonMm)
+{
+    visit.field("polygonMm", Presence::Required, polygonMm, viewOutline,
+        "a closed curve in the view plane, relative to the target: right, up; a recipe may write a "
+        "drill's mask instead");
+}
+
 template <class Visitor> void visitSurface(Visitor& visit, double& threshold)
 {
     visit.group("surface", "what is seen, hence where a cut starts", [&](auto& inside) {
@@ -102,8 +123,7 @@ void visitSamples(Visitor& visit, Stroke& edit, const char* samplesMeaning)
         "reports does not matter, rather than its corners as they are; in mode rate they always "
         "are");
     visit.field("samples", Presence::Required, edit.samples, SampleList{}, samplesMeaning);
-    visitHidden(visit, edit.hidden);
-    visitSpared(visit, edit.spared);
+    visitLeftAlone(visit, edit);
 }
 
 template <> inline constexpr const char* editName<DrillStroke> = "drill";
@@ -113,8 +133,7 @@ inline constexpr const char* editMeaning<DrillStroke> =
 template <class Visitor> void visitFields(Visitor& visit, DrillStroke& edit)
 {
     using namespace editFields;
-    visit.field("layer", Presence::Optional, edit.layer, layerNumber,
-        "the sculpt layer that is carved; not a muted one");
+    visitCarvedLayer(visit, edit.layer);
     visitView(visit, edit.view);
     visitMask(visit, edit.mask);
     visitDepth(visit, edit, "depth below the surface at full pressure");
@@ -137,8 +156,7 @@ inline constexpr const char* editMeaning<LaserStroke> =
 template <class Visitor> void visitFields(Visitor& visit, LaserStroke& edit)
 {
     using namespace editFields;
-    visit.field("layer", Presence::Optional, edit.layer, layerNumber,
-        "the sculpt layer that is carved; not a muted one");
+    visitCarvedLayer(visit, edit.layer);
     visitView(visit, edit.view);
     visitMask(visit, edit.mask);
     visitDepth(visit, edit, "depth along the surface's normal at full pressure");
@@ -158,13 +176,11 @@ inline constexpr const char* editMeaning<BrushStroke> =
     "Carves along a path, or restores what was carved there.";
 template <class Visitor> void visitFields(Visitor& visit, BrushStroke& edit)
 {
-    visit.field("layer", Presence::Optional, edit.layer, layerNumber,
-        "the sculpt layer that is carved; not a muted one");
+    visitCarvedLayer(visit, edit.layer);
     visitPath(visit, edit.path);
     visit.field("restore", Presence::Optional, edit.restore, editFields::Flag{},
         "whether carved voxels come back instead");
-    visitHidden(visit, edit.hidden);
-    visitSpared(visit, edit.spared);
+    visitLeftAlone(visit, edit);
 }
 
 template <> inline constexpr const char* editName<PeelCut> = "peel";
@@ -174,12 +190,9 @@ inline constexpr const char* editMeaning<PeelCut> =
 template <class Visitor> void visitFields(Visitor& visit, PeelCut& edit)
 {
     using namespace editFields;
-    visit.field("layer", Presence::Optional, edit.layer, layerNumber,
-        "the sculpt layer that is carved; not a muted one");
+    visitCarvedLayer(visit, edit.layer);
     visitView(visit, edit.view);
-    visit.field("polygonMm", Presence::Required, edit.polygonMm, viewOutline,
-        "a closed curve in the view plane, relative to the target: right, up; a recipe may write a "
-        "drill's mask instead");
+    visitCurve(visit, edit.polygonMm);
     visit.field(
         "depthMm", Presence::Required, edit.depthMm, peelDepth, "thickness of what is taken off");
     visitSurface(visit, edit.surfaceThreshold);
@@ -190,8 +203,7 @@ template <class Visitor> void visitFields(Visitor& visit, PeelCut& edit)
         "peeled; 0: all of them");
     visit.field("restore", Presence::Optional, edit.restore, Flag{},
         "whether it fills again what was carved, from the surface outwards");
-    visitHidden(visit, edit.hidden);
-    visitSpared(visit, edit.spared);
+    visitLeftAlone(visit, edit);
 }
 
 template <> inline constexpr const char* editName<ScissorsCut> = "scissors";
@@ -201,12 +213,9 @@ inline constexpr const char* editMeaning<ScissorsCut> =
 template <class Visitor> void visitFields(Visitor& visit, ScissorsCut& edit)
 {
     using namespace editFields;
-    visit.field("layer", Presence::Optional, edit.layer, layerNumber,
-        "the sculpt layer that is carved; not a muted one");
+    visitCarvedLayer(visit, edit.layer);
     visitView(visit, edit.view);
-    visit.field("polygonMm", Presence::Required, edit.polygonMm, viewOutline,
-        "a closed curve in the view plane, relative to the target: right, up; a recipe may write a "
-        "drill's mask instead");
+    visitCurve(visit, edit.polygonMm);
     visit.maybe(
         "depthMm", edit.depthMm, drillDepth, "depth below the surface", "through everything");
     visit.field("firstLayerOnly", Presence::Optional, edit.firstLayerOnly, Flag{},
@@ -214,8 +223,7 @@ template <class Visitor> void visitFields(Visitor& visit, ScissorsCut& edit)
     visitSurface(visit, edit.surfaceThreshold);
     visit.field("restore", Presence::Optional, edit.restore, Flag{},
         "whether it fills again what was carved");
-    visitHidden(visit, edit.hidden);
-    visitSpared(visit, edit.spared);
+    visitLeftAlone(visit, edit);
 }
 
 } // namespace core::editSchema

@@ -23,7 +23,7 @@ inline constexpr const char* editMeaning<AddSegment> =
     "number is never used again.";
 template <class Visitor> void visitFields(Visitor& visit, AddSegment& edit)
 {
-    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the list");
+    visitName(visit, edit.name);
     visit.field("color", Presence::Required, edit.rgb, editFields::Colour{}, "display colour");
     visit.field("code", Presence::Optional, edit.code, editFields::Code{},
         "what it is, e.g. [\"SCT\", \"89546000\", \"Skull\"]; [] is \"not coded yet\"");
@@ -36,7 +36,7 @@ inline constexpr const char* editMeaning<ChangeSegment> =
     "stay as they are.";
 template <class Visitor> void visitFields(Visitor& visit, ChangeSegment& edit)
 {
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitSegment(visit, edit.segment);
     visit.maybe("name", edit.name, editFields::Text{}, "new name");
     visit.maybe("color", edit.rgb, editFields::Colour{}, "new display colour");
     visit.maybe("code", edit.code, editFields::Code{}, "what it is; [] takes the code away");
@@ -52,7 +52,7 @@ inline constexpr const char* editMeaning<MoveSegment> =
     "Puts a segment at another place of the list.";
 template <class Visitor> void visitFields(Visitor& visit, MoveSegment& edit)
 {
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitSegment(visit, edit.segment);
     visit.field("place", Presence::Required, edit.place, editFields::WholeNumber{1, 255},
         "its new place in the list, 1 is the first");
 }
@@ -63,7 +63,7 @@ inline constexpr const char* editMeaning<RemoveSegment> =
     "Deletes a segment that is not locked, with its voxels and seeds.";
 template <class Visitor> void visitFields(Visitor& visit, RemoveSegment& edit)
 {
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitSegment(visit, edit.segment);
 }
 
 template <> inline constexpr const char* editName<InvertSegment> = "invertSegment";
@@ -82,16 +82,12 @@ inline constexpr const char* editMeaning<PaintStroke> =
     "Paints a segment along a path, or erases it there.";
 template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)
 {
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitSegment(visit, edit.segment);
     visitPath(visit, edit.path);
     visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
         "whether voxels of the segment are taken away instead");
-    visit.maybe(
-        "lower", edit.lower, modalityValue, "only voxels from this value on, inclusive", "any");
-    visit.maybe(
-        "upper", edit.upper, modalityValue, "only voxels up to this value, inclusive", "any");
-    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
-        "whether voxels of other segments that are not locked are taken");
+    visitOnlyValues(visit, edit.lower, edit.upper);
+    visitOverwrite(visit, edit.overwriteUnlocked);
     visit.field("seeds", Presence::Optional, edit.seeds, editFields::Flag{},
         "whether what is painted takes part in growth: the next one goes on from there");
 }
@@ -116,10 +112,9 @@ inline constexpr const char* editMeaning<LayerToSegment> =
     "nothing where it takes no voxel.";
 template <class Visitor> void visitFields(Visitor& visit, LayerToSegment& edit)
 {
-    visit.field("layer", Presence::Required, edit.layer, layerNumber, "which sculpt layer");
+    visitLayer(visit, edit.layer);
     visitTarget(visit, edit.target);
-    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
-        "whether voxels of other segments that are not locked are taken");
+    visitOverwrite(visit, edit.overwriteUnlocked);
 }
 
 template <> inline constexpr const char* editName<SegmentSeen> = "segmentSeen";
@@ -130,13 +125,9 @@ inline constexpr const char* editMeaning<SegmentSeen> =
 template <class Visitor> void visitFields(Visitor& visit, SegmentSeen& edit)
 {
     visitTarget(visit, edit.target);
-    visit.maybe(
-        "lower", edit.lower, modalityValue, "only voxels from this value on, inclusive", "any");
-    visit.maybe(
-        "upper", edit.upper, modalityValue, "only voxels up to this value, inclusive", "any");
+    visitOnlyValues(visit, edit.lower, edit.upper);
     visitHidden(visit, edit.hidden);
-    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
-        "whether voxels of other segments that are not locked are taken");
+    visitOverwrite(visit, edit.overwriteUnlocked);
 }
 
 template <> inline constexpr const char* editName<ImportMask> = "importMask";
@@ -153,8 +144,7 @@ template <class Visitor> void visitFields(Visitor& visit, ImportMask& edit)
         "the segment that receives all of it: the number of one that is there, or the name of one "
         "that is there or else is made",
         "each segment of the file becomes a new one");
-    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
-        "whether voxels of other segments that are not locked are taken");
+    visitOverwrite(visit, edit.overwriteUnlocked);
     visit.maybe("size", edit.size, editFields::GridSize{}, "of the volume that the voxels are of",
         "the file is read when the recipe is");
     visit.maybe("segments", edit.segments, editFields::ImportedSegmentList{},

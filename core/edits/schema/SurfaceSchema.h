@@ -27,7 +27,7 @@ inline constexpr const char* editMeaning<LaySurface> =
     "Lays a surface around what a segment holds, to be refined; the one that was there goes.";
 template <class Visitor> void visitFields(Visitor& visit, LaySurface& edit)
 {
-    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitSegment(visit, edit.segment);
     visit.field("vertices", Presence::Optional, edit.vertices, surfaceVertices,
         "about how many vertices the surface has, from 100; 0: as many as it takes to enclose what "
         "the segment holds, but for a thousandth of its voxels, or 200000");
@@ -150,8 +150,7 @@ inline constexpr const char* editMeaning<WriteBack> =
     "written back, and takes from it those that it was moved over inwards; all others stay.";
 template <class Visitor> void visitFields(Visitor& visit, WriteBack& edit)
 {
-    visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
-        "whether voxels of other segments that are not locked are taken");
+    visitOverwrite(visit, edit.overwriteUnlocked);
 }
 
 template <> inline constexpr const char* editName<SurfaceBarrier> = "surfaceBarrier";

@@ -144,6 +144,24 @@ template <class Visitor> void visitParameters(Visitor& visit, ScissorsCut& cut)
         visit.depth(*cut.depthMm);
 }
 
+/// Edits that write a layer's coverage otherwise than by a cut.
+using LayerWriters = EditKinds<SegmentToLayer, MergeLayers, RemoveLayer>;
+
+bool isWritten(int layer, const SegmentToLayer& segment)
+{
+    return segment.layer == layer;
+}
+
+bool isWritten(int layer, const MergeLayers& merge)
+{
+    return merge.from == layer || merge.into == layer;
+}
+
+bool isWritten(int layer, const RemoveLayer& remove)
+{
+    return remove.layer == layer;
+}
+
 struct ParameterReader {
     void layer(int value) { read.layer = value; }
     void radius(double value) { read.radiusMm = value; }
@@ -185,12 +203,14 @@ struct ParameterWriter {
 
 bool writesLayer(const Edit& edit, int layer)
 {
-    if (const auto* segment = edit.as<SegmentToLayer>())
-        return segment->layer == layer;
-    if (const auto* merge = edit.as<MergeLayers>())
-        return merge->from == layer || merge->into == layer;
-    const auto* remove = edit.as<RemoveLayer>();
-    return remove && remove->layer == layer;
+    bool writes = false;
+    visitAmong([&](const auto& known) { writes = isWritten(layer, known); }, edit, LayerWriters());
+    return writes;
+}
+
+bool writesSomeLayer(const Edit& edit)
+{
+    return isAmong(edit, LayerWriters());
 }
 
 SculptEdit::SculptEdit()

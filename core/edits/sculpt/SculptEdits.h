@@ -61,6 +61,8 @@ void spareProtected(Edit& edit, const Document& document);
 /// Whether an edit writes a layer's coverage otherwise than by a cut, so that the cuts alone do not
 /// make up what stands there.
 [[nodiscard]] bool writesLayer(const Edit& edit, int layer);
+/// The same of whatever layer.
+[[nodiscard]] bool writesSomeLayer(const Edit& edit);
 
 /// An edit in one go, as submitWhole() takes it.
 struct WholeCut {

@@ -2,8 +2,8 @@
 #include "core/session/past/GrowthTrace.h"
 
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/sculpt/SculptEdits.h"
 
 #include <algorithm>
@@ -51,16 +51,13 @@ std::vector<ChangedWords> changedWords(
 
 bool GrowthTrace::isOf(const Edit& edit)
 {
-    if (const auto* grow = edit.as<GrowSteps>())
-        return !grow->criteria.passage;
-    const auto* interval = edit.as<ChangeInterval>();
-    return interval && !interval->criteria.passage;
+    const GrowCriteria* criteria = growCriteriaOf(edit);
+    return criteria && !criteria->passage;
 }
 
 bool GrowthTrace::mayNeed(const Edit& edit)
 {
-    return !changesDocumentOnly(edit) && !isSculptEdit(edit) && !edit.is<SegmentToLayer>()
-        && !edit.is<MergeLayers>() && !edit.is<RemoveLayer>();
+    return !changesDocumentOnly(edit) && !isSculptEdit(edit) && !writesSomeLayer(edit);
 }
 
 void GrowthTrace::note(RowId row, const std::vector<ChangedWords>& words, const Document& document)

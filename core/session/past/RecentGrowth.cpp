@@ -2,15 +2,16 @@
 #include "core/session/past/RecentGrowth.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowGuard.h"
 #include "core/edits/kinds/growth/GrowLimits.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
-#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/growth/SeedWord.h"
+#include "core/session/past/SeedStrokes.h"
 
 #include <algorithm>
 #include <bitset>
@@ -24,11 +25,10 @@ std::bitset<256> segmentsWithSeeds(const History& history)
     std::bitset<256> growing;
     for (const RowId id : history.standing()) {
         const Edit& edit = history.row(id).edit;
-        if (const auto* seeds = edit.as<SeedStroke>())
-            growing.set(std::size_t(seeds->segment));
         const auto* paint = edit.as<PaintStroke>();
-        if (paint && paint->seeds && !paint->erase)
-            growing.set(std::size_t(paint->segment));
+        if (const std::optional<int> segment = segmentOfSeeds(edit);
+            segment && !(paint && paint->erase))
+            growing.set(std::size_t(*segment));
     }
     return growing;
 }
@@ -59,11 +59,8 @@ struct Rules {
 
 std::optional<Rules> rulesOf(const Edit& edit)
 {
-    if (const auto* grow = edit.as<GrowSteps>())
-        return Rules{grow->criteria, grow->guard};
-    if (const auto* change = edit.as<ChangeInterval>())
-        return Rules{change->criteria, change->guard};
-    return std::nullopt;
+    const GrowCriteria* criteria = growCriteriaOf(edit);
+    return criteria ? std::optional(Rules{*criteria, *growGuardOf(edit)}) : std::nullopt;
 }
 
 std::optional<Rules> recentRules(const History& history)

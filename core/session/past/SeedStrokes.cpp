@@ -2,10 +2,10 @@
 #include "core/session/past/SeedStrokes.h"
 
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 
 #include <utility>
 
@@ -15,16 +15,19 @@ namespace {
 
 bool asksForStrokes(const Edit& edit)
 {
-    const auto asks = [](const GrowCriteria& criteria) {
-        return criteria.sigmas && criteria.perStroke.value_or(false);
-    };
-    if (const auto* grow = edit.as<GrowSteps>())
-        return asks(grow->criteria);
-    const auto* change = edit.as<ChangeInterval>();
-    return change && asks(change->criteria);
+    const GrowCriteria* criteria = growCriteriaOf(edit);
+    return criteria && criteria->sigmas && criteria->perStroke.value_or(false);
 }
 
 } // namespace
+
+std::optional<int> segmentOfSeeds(const Edit& edit)
+{
+    if (const auto* sketched = edit.as<SeedStroke>())
+        return sketched->segment;
+    const auto* painted = edit.as<PaintStroke>();
+    return painted && painted->seeds ? std::optional(painted->segment) : std::nullopt;
+}
 
 std::vector<SeedGroup> seedStrokes(const History& history, const Document& document, int plane)
 {

@@ -5,9 +5,13 @@
 #include "core/growth/GrowthCommands.h"
 #include "core/history/History.h"
 
+#include <optional>
 #include <vector>
 
 namespace core {
+
+/// The segment whose seeds an edit sets, or takes away: sketched, or painted; none: of no segment.
+[[nodiscard]] std::optional<int> segmentOfSeeds(const Edit& edit);
 
 /// The strokes of seeds that stand where the history is, oldest first: for each the voxels that it
 /// named in a plane, whatever became of them.

@@ -117,7 +117,7 @@ struct Tools {
 
 bool readsLabels(const Edit& edit)
 {
-    return edit.is<LaySurface>() || edit.is<FollowMask>() || edit.is<WriteBack>();
+    return isAmong(edit, EditKinds<LaySurface, FollowMask, WriteBack>());
 }
 
 std::optional<VoxelBox> greyBoxOf(const Edit& edit, const SurfaceState& surface)

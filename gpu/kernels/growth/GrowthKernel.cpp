@@ -14,13 +14,6 @@ namespace {
 constexpr std::uint32_t holdsFront = 2; // growth.glsl
 constexpr std::uint32_t smallFront = 256; // voxels that one work group grows from
 
-Buffer listBuffer(std::span<const std::uint32_t> list)
-{
-    Buffer buffer({.label = "growth bricks", .bytes = std::max<std::size_t>(list.size_bytes(), 4)});
-    buffer.write(list);
-    return buffer;
-}
-
 /// What lies around the seeds of a burst, where it asks for that.
 core::GroupedSeedSums sumsFor(
     GrowthPrograms& programs, VoxelFields& fields, const core::GrowBurst& burst)
@@ -185,7 +178,7 @@ GrowthKernel::State GrowthKernel::runOver(
     Program& program, const std::vector<std::uint32_t>& bricks)
 {
     start({});
-    const Buffer list = listBuffer(bricks);
+    const Buffer list = bufferOf("growth bricks", bricks);
     list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
     program.dispatch({unsigned(bricks.size()), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);

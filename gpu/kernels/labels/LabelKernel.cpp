@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/labels/LabelKernel.h"
 
+#include "gpu/kernels/labels/ChosenBricks.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -11,13 +13,6 @@ namespace {
 constexpr std::uint32_t changedLabel = 1; // chooseLabel.comp
 constexpr std::uint32_t changedWord = 2;
 constexpr std::size_t bricksAtOnce = 1024; // storage blocks end at 128 MiB
-
-template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
-{
-    Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size() * sizeof(T), 16)});
-    buffer.write(std::span<const T>(values));
-    return buffer;
-}
 
 /// Runs a kernel whose textures are bound over bricks. @return what it says of each
 std::vector<std::uint32_t> run(
@@ -33,17 +28,6 @@ std::vector<std::uint32_t> run(
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     changed.read(std::span<std::uint32_t>(found));
     return found;
-}
-
-std::vector<std::uint32_t> chosen(const std::vector<std::uint32_t>& bricks,
-    const std::vector<std::uint32_t>& found, std::uint32_t flag)
-{
-    std::vector<std::uint32_t> result;
-    for (std::size_t i = 0; i < bricks.size(); ++i) {
-        if ((found[i] & flag) != 0)
-            result.push_back(bricks[i]);
-    }
-    return result;
 }
 
 /// @param bindSource binds what voxels of these bricks are chosen by

@@ -5,13 +5,6 @@ namespace gpu {
 
 namespace {
 
-template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
-{
-    Buffer buffer({.label = label, .bytes = values.size() * sizeof(T)});
-    buffer.write(std::span<const T>(values));
-    return buffer;
-}
-
 unsigned groupsFor(std::size_t count)
 {
     return unsigned(count + 63) / 64;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/labels/ShutKernel.h"
 
+#include "gpu/kernels/labels/ChosenBricks.h"
+
 #include <algorithm>
 #include <iterator>
 #include <span>
@@ -17,13 +19,6 @@ constexpr std::size_t wordsPerBrick = core::BrickGrid::voxelsPerBrick / 32;
 
 using Brick = core::ShutListed::Brick;
 
-template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
-{
-    Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size() * sizeof(T), 16)});
-    buffer.write(std::span<const T>(values));
-    return buffer;
-}
-
 std::vector<std::uint32_t> bitsOf(std::span<const Brick> bricks)
 {
     std::vector<std::uint32_t> bits(bricks.size() * wordsPerBrick);
@@ -34,17 +29,6 @@ std::vector<std::uint32_t> bitsOf(std::span<const Brick> bricks)
         }
     }
     return bits;
-}
-
-std::vector<std::uint32_t> chosen(const std::vector<std::uint32_t>& bricks,
-    const std::vector<std::uint32_t>& found, std::uint32_t flag)
-{
-    std::vector<std::uint32_t> result;
-    for (std::size_t i = 0; i < bricks.size(); ++i) {
-        if ((found[i] & flag) != 0)
-            result.push_back(bricks[i]);
-    }
-    return result;
 }
 
 /// Gives a page to those that have none. @return which they are

@@ -20,13 +20,6 @@ Program program(const ShaderLibrary& library, const char* path, const ShaderDefi
     return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
 }
 
-template <class Value> Buffer filled(const char* label, std::span<const Value> values)
-{
-    Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size_bytes(), 4)});
-    buffer.write(values);
-    return buffer;
-}
-
 } // namespace
 
 Program& PassagePrograms::labels()
@@ -112,7 +105,7 @@ std::vector<PassageField::LabelBits> PassageField::labelsIn(
     setGrowthUniforms(labels, criterion);
     for (std::size_t first = 0; first < bricks.size(); first += groups) {
         const std::size_t count = std::min(groups, bricks.size() - first);
-        const Buffer list = filled("passage bricks", std::span(bricks).subspan(first, count));
+        const Buffer list = bufferOf("passage bricks", std::span(bricks).subspan(first, count));
         Buffer answers({.label = "passage labels", .bytes = count * sizeof(LabelBits)});
         list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
         answers.bindBase(GL_SHADER_STORAGE_BUFFER, 6);
@@ -275,7 +268,7 @@ void PassageField::run(Program& program, const std::vector<Job>& jobs)
 {
     if (jobs.empty())
         return;
-    const Buffer list = filled("passage jobs", std::span<const Job>(jobs));
+    const Buffer list = bufferOf("passage jobs", jobs);
     list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
     m_bits.bindBase(GL_SHADER_STORAGE_BUFFER, 6);
     m_pageTable.bindBase(GL_SHADER_STORAGE_BUFFER, 7);

@@ -33,13 +33,6 @@ Program program(const ShaderLibrary& library, const char* path, const ShaderDefi
     return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
 }
 
-template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
-{
-    Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size() * sizeof(T), 16)});
-    buffer.write(std::span<const T>(values));
-    return buffer;
-}
-
 /// Bricks that were given a page for the stroke and do not need it.
 void releaseUnused(BrickField& field, const std::vector<std::uint32_t>& fresh,
     const std::vector<std::uint32_t>& changed)
@@ -175,16 +168,28 @@ void CapsuleKernel::extendBy(const std::vector<core::Capsule>& capsules)
 
 bool CapsuleKernel::nothingToTakeAway(std::uint32_t brick) const
 {
-    const auto has = [&](core::Field field, std::uint8_t plane) {
-        return m_fields.hasData({.field = field, .plane = plane, .brick = brick});
-    };
-    if (const auto* paint = std::get_if<core::PaintLabel>(&m_edit))
-        return paint->erase && !has(core::Field::Labels, paint->plane)
-            && !has(core::Field::SeedWords, paint->plane);
-    if (const auto* barrier = std::get_if<core::PaintBarrier>(&m_edit))
-        return barrier->erase && !has(core::Field::SeedWords, barrier->plane);
-    const auto& cut = std::get<core::CapsuleCut>(m_edit);
-    return cut.restore && !has(core::Field::Coverage, cut.layer);
+    return std::visit([&](const auto& edit) { return nothingFor(edit, brick); }, m_edit);
+}
+
+bool CapsuleKernel::nothingFor(const core::PaintLabel& paint, std::uint32_t brick) const
+{
+    return paint.erase && !has(core::Field::Labels, paint.plane, brick)
+        && !has(core::Field::SeedWords, paint.plane, brick);
+}
+
+bool CapsuleKernel::nothingFor(const core::PaintBarrier& barrier, std::uint32_t brick) const
+{
+    return barrier.erase && !has(core::Field::SeedWords, barrier.plane, brick);
+}
+
+bool CapsuleKernel::nothingFor(const core::CapsuleCut& cut, std::uint32_t brick) const
+{
+    return cut.restore && !has(core::Field::Coverage, cut.layer, brick);
+}
+
+bool CapsuleKernel::has(core::Field field, std::uint8_t plane, std::uint32_t brick) const
+{
+    return m_fields.hasData({.field = field, .plane = plane, .brick = brick});
 }
 
 std::vector<std::uint32_t> CapsuleKernel::run(

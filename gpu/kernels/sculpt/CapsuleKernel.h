@@ -54,6 +54,10 @@ private:
     void extendBy(const std::vector<core::Capsule>& capsules);
     /// Of a stroke that erases or restores: the brick holds nothing.
     [[nodiscard]] bool nothingToTakeAway(std::uint32_t brick) const;
+    [[nodiscard]] bool nothingFor(const core::PaintLabel& paint, std::uint32_t brick) const;
+    [[nodiscard]] bool nothingFor(const core::PaintBarrier& barrier, std::uint32_t brick) const;
+    [[nodiscard]] bool nothingFor(const core::CapsuleCut& cut, std::uint32_t brick) const;
+    [[nodiscard]] bool has(core::Field field, std::uint8_t plane, std::uint32_t brick) const;
     void setFrame(Program& program) const;
     /// Runs a kernel whose textures are bound; what it says of each candidate.
     [[nodiscard]] std::vector<std::uint32_t> run(

@@ -34,13 +34,6 @@ Program program(const ShaderLibrary& library, const char* path)
     return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = {}});
 }
 
-template <class T> Buffer bufferOf(const char* label, const std::vector<T>& values)
-{
-    Buffer buffer({.label = label, .bytes = std::max<std::size_t>(values.size() * sizeof(T), 16)});
-    buffer.write(std::span<const T>(values));
-    return buffer;
-}
-
 } // namespace
 
 LaserPrograms::LaserPrograms(const ShaderLibrary& library)

@@ -32,14 +32,6 @@ Program program(
     return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
 }
 
-Buffer bufferOf(const char* label, const std::vector<std::uint32_t>& values)
-{
-    Buffer buffer(
-        {.label = label, .bytes = std::max<std::size_t>(values.size() * sizeof(std::uint32_t), 4)});
-    buffer.write(std::span<const std::uint32_t>(values));
-    return buffer;
-}
-
 Buffer restingBuffer(const char* label, std::size_t bricks)
 {
     Buffer buffer({.label = label, .bytes = bricks * sizeof(std::uint32_t)});

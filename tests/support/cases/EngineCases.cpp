@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace test {
 
@@ -67,11 +68,6 @@ void randomise(core::DrillStroke& stroke, double reach, Random& random)
         sample.tSeconds = seconds;
         seconds += random() % 4 ? randomInt(random, 1, 3000) / 10000.0 : 0.0;
     }
-}
-
-EngineStep command(core::EngineCommand known)
-{
-    return known;
 }
 
 } // namespace
@@ -244,6 +240,22 @@ std::vector<core::DrillSample> drillSamplesOf(
     const core::DrillStroke& stroke, const core::DrillCut& cut)
 {
     return core::drillPath(stroke, cut);
+}
+
+void appendBurst(
+    std::vector<EngineStep>& steps, const core::GrowBurst& burst, int count, core::Ending ending)
+{
+    steps.push_back(BeginGrowth{burst});
+    steps.push_back(command(core::ExtendEdit{core::GrowAdvance{count}}));
+    steps.push_back(command(core::EndEdit{ending}));
+}
+
+void appendSeeds(std::vector<EngineStep>& steps, core::SeedPlacement seeds, int count,
+    const glm::ivec3& size, Random& random)
+{
+    for (int i = 0; i < count; ++i)
+        seeds.voxels.push_back(randomVoxel(random, size));
+    appendWhole(steps, std::move(seeds));
 }
 
 std::vector<EngineCase> refusalCases()

@@ -45,6 +45,14 @@ namespace test {
 [[nodiscard]] std::vector<core::DrillSample> drillSamplesOf(
     const core::DrillStroke& stroke, const core::DrillCut& cut);
 
+/// Steps for a growth of so many steps in one go.
+void appendBurst(std::vector<EngineStep>& steps, const core::GrowBurst& burst, int count,
+    core::Ending ending = core::Ending::Commit);
+
+/// Steps for seeds at so many random places more.
+void appendSeeds(std::vector<EngineStep>& steps, core::SeedPlacement seeds, int count,
+    const glm::ivec3& size, Random& random);
+
 // The cases of the conformance suite, named and adversarial ones first, then random ones.
 [[nodiscard]] std::vector<EngineCase> growthCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> growLimitCases(int randomCount);

@@ -42,6 +42,11 @@ struct Settle { };
 
 using EngineStep = std::variant<core::EngineCommand, BeginGrowth, Shrink, Cut, Undo, Redo, Settle>;
 
+[[nodiscard]] inline EngineStep command(core::EngineCommand known)
+{
+    return known;
+}
+
 struct EngineCase {
     QByteArray name;
     Codes codes;

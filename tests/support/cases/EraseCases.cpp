@@ -14,18 +14,6 @@ using core::SeedPlacement;
 
 const GrowBurst wholeRange{.lowCode = 0, .highCode = 65535};
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
-void appendGrowth(std::vector<EngineStep>& steps, const GrowBurst& burst, int count)
-{
-    steps.push_back(BeginGrowth{burst});
-    steps.push_back(command(core::ExtendEdit{GrowAdvance{count}}));
-    steps.push_back(command(core::EndEdit{}));
-}
-
 Bytes noLabels(const glm::ivec3& size)
 {
     return {size, std::vector<std::uint8_t>(std::size_t(size.x) * size.y * size.z, 0)};
@@ -65,9 +53,7 @@ EngineCase randomErasing(int number)
         case 0:
         case 1: {
             SeedPlacement seeds{.plane = plane, .label = label()};
-            for (int i = randomInt(random, 0, 4); i > 0; --i)
-                seeds.voxels.push_back(randomVoxel(random, size));
-            appendWhole(made.steps, seeds);
+            appendSeeds(made.steps, seeds, randomInt(random, 0, 4), size, random);
             break;
         }
         case 2:
@@ -76,7 +62,7 @@ EngineCase randomErasing(int number)
             burst.plane = plane;
             burst.highCode = randomInt(random, 0, tissueCode);
             burst.overwritable[label()] = random() % 2;
-            appendGrowth(
+            appendBurst(
                 made.steps, burst, random() % 3 ? randomInt(random, 0, 4) : GrowAdvance::toClosure);
             break;
         }
@@ -130,26 +116,26 @@ std::vector<EngineCase> eraseCases(int randomCount)
     appendWhole(pending.steps, SeedPlacement{.label = 255, .voxels = {{0, 0, 0}, {32, 17, 19}}});
     appendWhole(pending.steps, SeedPlacement{.label = 3, .voxels = {{1, 0, 0}, {16, 16, 16}}});
     appendWhole(pending.steps, EraseLabel{.label = 255});
-    appendGrowth(pending.steps, wholeRange, 3);
+    appendBurst(pending.steps, wholeRange, 3);
     pending.steps.push_back(Undo{});
     pending.steps.push_back(Undo{});
-    appendGrowth(pending.steps, wholeRange, 3);
+    appendBurst(pending.steps, wholeRange, 3);
     cases.push_back(pending);
 
     EngineCase grown{"erase what has grown beside another", codes, {}};
     appendWhole(grown.steps, SeedPlacement{.label = 1, .voxels = {{0, 0, 0}}});
     appendWhole(grown.steps, SeedPlacement{.label = 2, .voxels = {{32, 17, 19}}});
-    appendGrowth(grown.steps, wholeRange, GrowAdvance::toClosure);
+    appendBurst(grown.steps, wholeRange, GrowAdvance::toClosure);
     appendWhole(grown.steps, EraseLabel{.label = 1});
     // The other one goes on into what became free; the one erased does not.
-    appendGrowth(grown.steps, wholeRange, 4);
-    appendGrowth(grown.steps, wholeRange, GrowAdvance::toClosure);
+    appendBurst(grown.steps, wholeRange, 4);
+    appendBurst(grown.steps, wholeRange, GrowAdvance::toClosure);
     for (int i = 0; i < 3; ++i)
         grown.steps.push_back(Undo{});
     for (int i = 0; i < 2; ++i)
         grown.steps.push_back(Redo{});
     appendWhole(grown.steps, EraseLabel{.label = 2});
-    appendGrowth(grown.steps, wholeRange, GrowAdvance::toClosure); // from nothing
+    appendBurst(grown.steps, wholeRange, GrowAdvance::toClosure); // from nothing
     cases.push_back(grown);
 
     EngineCase refused{"erase that is refused", codes, {}};

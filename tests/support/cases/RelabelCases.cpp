@@ -11,11 +11,6 @@ using core::RelabelListed;
 constexpr std::uint8_t give = RelabelListed::give;
 constexpr std::uint8_t take = RelabelListed::take;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 /// Every voxel of every brick by a rule, those beyond the volume's rim too.
 template <class Rule>
 RelabelListed everywhere(const glm::ivec3& size, const LabelTarget& target, Rule rule)
@@ -95,9 +90,7 @@ EngineCase randomRelabelling(int number)
         case 0: {
             core::SeedPlacement seeds{
                 .plane = plane, .label = std::uint8_t(randomInt(random, 1, 4)), .voxels = {}};
-            for (int i = randomInt(random, 0, 40); i > 0; --i)
-                seeds.voxels.push_back(randomVoxel(random, size));
-            appendWhole(made.steps, seeds);
+            appendSeeds(made.steps, seeds, randomInt(random, 0, 40), size, random);
             break;
         }
         case 1:

@@ -9,11 +9,6 @@ using core::ShutListed;
 
 using Places = std::bitset<core::BrickGrid::voxelsPerBrick>;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 /// Every voxel of every brick by a rule, those beyond the volume's rim too.
 template <class Rule>
 ShutListed everywhere(const glm::ivec3& size, bool erase, std::bitset<256> frozen, Rule rule)
@@ -34,13 +29,6 @@ core::GrowBurst taking(std::initializer_list<std::size_t> labels, int connectivi
     for (const std::size_t label : labels)
         burst.overwritable.set(label);
     return burst;
-}
-
-void appendGrowth(std::vector<EngineStep>& steps, const core::GrowBurst& burst, int count)
-{
-    steps.push_back(BeginGrowth{burst});
-    steps.push_back(command(core::ExtendEdit{core::GrowAdvance{count}}));
-    steps.push_back(command(core::EndEdit{}));
 }
 
 ShutListed randomList(const glm::ivec3& size, std::uint8_t plane, Random& random)
@@ -90,14 +78,12 @@ EngineCase randomShutting(int number)
         case 1: {
             core::SeedPlacement seeds{
                 .plane = plane, .label = std::uint8_t(randomInt(random, 1, 4)), .voxels = {}};
-            for (int i = randomInt(random, 0, 20); i > 0; --i)
-                seeds.voxels.push_back(randomVoxel(random, size));
-            appendWhole(made.steps, seeds);
+            appendSeeds(made.steps, seeds, randomInt(random, 0, 20), size, random);
             break;
         }
         case 2:
         case 3:
-            appendGrowth(made.steps, randomBurst(plane, random), randomInt(random, 0, 8));
+            appendBurst(made.steps, randomBurst(plane, random), randomInt(random, 0, 8));
             break;
         case 4:
             made.steps.push_back(random() % 2 ? EngineStep(Undo{}) : EngineStep(Redo{}));
@@ -137,7 +123,7 @@ std::vector<EngineCase> shutCases(int randomCount)
     appendWhole(rim.steps, core::SeedPlacement{.label = 1, .voxels = {{3, 3, 3}}});
     appendWhole(rim.steps, everywhere(size, true, {}, byTurns));
     appendWhole(rim.steps, core::SeedPlacement{.label = 1, .voxels = {{2, 3, 3}, {3, 3, 3}}});
-    appendGrowth(rim.steps, taking({}, 26), 40);
+    appendBurst(rim.steps, taking({}, 26), 40);
     for (int i = 0; i < 4; ++i)
         rim.steps.push_back(Undo{});
     rim.steps.push_back(Redo{});
@@ -151,18 +137,18 @@ std::vector<EngineCase> shutCases(int randomCount)
             core::SwapBricks{bricksOf(labelBoxes(size, 8, random), core::Field::Labels, 0)}));
         appendWhole(grown.steps, core::SeedPlacement{.label = 1, .voxels = {{0, 0, 0}, size / 2}});
         appendWhole(grown.steps, core::SeedPlacement{.label = 2, .voxels = {{1, 0, 0}, size - 1}});
-        appendGrowth(grown.steps, taking({1, 2, 3, 4}, 18), 6);
+        appendBurst(grown.steps, taking({1, 2, 3, 4}, 18), 6);
         appendWhole(grown.steps, core::SeedPlacement{.label = 3, .voxels = {{size.x - 1, 0, 0}}});
         std::bitset<256> stays;
         stays[frozen] = true;
         appendWhole(grown.steps, everywhere(size, false, stays, byTurns));
-        appendGrowth(grown.steps, taking({1, 2, 3, 4}), 3);
+        appendBurst(grown.steps, taking({1, 2, 3, 4}), 3);
         grown.steps.push_back(Undo{});
         grown.steps.push_back(Shrink{.shrink = {}, .generations = 3});
         appendWhole(grown.steps, everywhere(size, false, stays, all));
         grown.steps.push_back(Undo{});
         appendWhole(grown.steps, everywhere(size, true, {}, all));
-        appendGrowth(grown.steps, taking({1, 2, 3, 4}, 26), 4);
+        appendBurst(grown.steps, taking({1, 2, 3, 4}, 26), 4);
         cases.push_back(grown);
     }
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export/ExportSegments.h"
 
-#include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
-#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/export/common/ExportChoices.h"
 #include "core/session/EditSession.h"
+#include "core/session/past/SeedStrokes.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDialog.h"
@@ -39,15 +37,6 @@ public:
     }
 };
 
-/// Of a growth; null for other edits.
-const std::optional<int>* askedSteps(const core::Edit& edit)
-{
-    if (const auto* grow = edit.as<core::GrowSteps>())
-        return &grow->steps;
-    const auto* change = edit.as<core::ChangeInterval>();
-    return change ? &change->steps : nullptr;
-}
-
 /// "Kidney, Right"
 QString codeText(const core::Segment& segment, const core::SegCodes& codes)
 {
@@ -69,13 +58,10 @@ std::bitset<256> growingLabels(core::EditSession& session)
     std::bitset<256> pending;
     for (const core::RowId id : history.standing()) {
         const core::Edit& edit = history.row(id).edit;
-        if (const auto* seed = edit.as<core::SeedStroke>()) {
-            seeded.set(std::size_t(seed->segment));
-            pending.set(std::size_t(seed->segment));
-        } else if (const auto* paint = edit.as<core::PaintStroke>(); paint && paint->seeds) {
-            seeded.set(std::size_t(paint->segment));
-            pending.set(std::size_t(paint->segment));
-        } else if (const std::optional<int>* asked = askedSteps(edit)) {
+        if (const std::optional<int> segment = core::segmentOfSeeds(edit)) {
+            seeded.set(std::size_t(*segment));
+            pending.set(std::size_t(*segment));
+        } else if (const std::optional<int>* asked = core::growStepsOf(edit)) {
             pending.reset();
             // A row without a number of steps ran to closure; so did one that stopped early.
             const int steps = history.row(id).statistics.generations;

@@ -2,9 +2,9 @@
 #include "ui/panels/growth/GrowCriteriaSection.h"
 
 #include "core/edits/kinds/growth/GrowLimits.h"
+#include "ui/base/SmallLabel.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
-#include "ui/geometry/OrientationLetters.h"
 #include "ui/overlays/SeedBand.h"
 #include "ui/settings/SeedStatistics.h"
 #include "ui/widgets/FoldButton.h"
@@ -27,15 +27,6 @@
 namespace ui {
 
 namespace {
-
-QLabel* smallLabel(QWidget* parent, Qt::Alignment alignment)
-{
-    auto* label = new QLabel(parent);
-    label->setFont(theme::smallFont());
-    label->setProperty("role", QStringLiteral("secondary"));
-    label->setAlignment(alignment | Qt::AlignVCenter);
-    return label;
-}
 
 /// As many as a value of this size needs to be told from its neighbours.
 int decimalsFor(double value)
@@ -102,7 +93,7 @@ void GrowCriteriaSection::build()
            "seed and in the interval. A segment takes what one of its strokes lets in; painted "
            "seeds are one stroke. The stretches are drawn on the histogram, that of the newest "
            "stroke stronger"));
-    m_bandText = smallLabel(m_body, Qt::AlignRight);
+    m_bandText = smallNote({}, m_body, Qt::AlignRight);
     m_bandText->setObjectName(QStringLiteral("growBandText"));
     m_bandText->setWordWrap(true);
     grid->addWidget(m_bandText, grid->rowCount(), 0, 1, 2);
@@ -200,19 +191,10 @@ void GrowCriteriaSection::buildBox()
     axes->setContentsMargins(0, 0, 0, 0);
     axes->setHorizontalSpacing(4);
     axes->setVerticalSpacing(0);
-    for (int axis = 0; axis < 3; ++axis) {
-        AxisRow& row = m_axes[std::size_t(axis)];
-        row.low = smallLabel(m_boxBody, Qt::AlignLeft);
-        row.high = smallLabel(m_boxBody, Qt::AlignRight);
-        row.slider = new RangeSlider(m_boxBody);
-        row.slider->setObjectName(QStringLiteral("growBoxAxis%1").arg(axis));
-        axes->addWidget(row.low, axis, 0);
-        axes->addWidget(row.slider, axis, 1);
-        axes->addWidget(row.high, axis, 2);
-        connect(row.slider, &RangeSlider::valuesEdited, this,
+    m_axes.build(m_boxBody, *axes, QStringLiteral("growBoxAxis"));
+    for (int axis = 0; axis < 3; ++axis)
+        connect(m_axes.of(axis), &RangeSlider::valuesEdited, this,
             [this, axis](double lower, double upper) { takeAxis(axis, lower, upper); });
-    }
-    axes->setColumnStretch(1, 1);
     grid->addWidget(m_boxBody, line + 1, 0, 1, 2);
 }
 
@@ -252,14 +234,7 @@ void GrowCriteriaSection::showVolume()
                 row.value->setSuffix(gradient ? tr("%1 / mm").arg(unit) : unit);
             }
         }
-        const glm::dvec3 spacing = volume->geometry.spacingMm();
-        const glm::dmat3 direction = volume->geometry.direction();
-        for (int axis = 0; axis < 3; ++axis) {
-            AxisRow& row = m_axes[std::size_t(axis)];
-            row.low->setText(directionLetters(-direction[axis]));
-            row.high->setText(directionLetters(direction[axis]));
-            row.slider->setBounds(0.0, volume->geometry.size[axis] * spacing[axis], spacing[axis]);
-        }
+        m_axes.showVolume(volume->geometry);
     }
     showSettings();
     showBand();
@@ -285,11 +260,8 @@ void GrowCriteriaSection::showSettings()
     const core::Volume* volume = m_workspace.volume();
     if (!volume)
         return;
-    const auto box = growBoxOf(settings, volume->geometry);
-    const glm::dvec3 spacing = volume->geometry.spacingMm();
-    for (int axis = 0; axis < 3 && box; ++axis)
-        m_axes[std::size_t(axis)].slider->setValues(
-            (box->minimum[axis] + 0.5) * spacing[axis], (box->maximum[axis] + 0.5) * spacing[axis]);
+    if (const auto box = growBoxOf(settings, volume->geometry))
+        m_axes.showBox(*box, volume->geometry);
 }
 
 void GrowCriteriaSection::showBand()

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/panels/AxisSliders.h"
 #include "ui/settings/GrowSettings.h"
 
 #include <QWidget>
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -17,7 +17,6 @@ class QToolButton;
 namespace ui {
 
 class FoldButton;
-class RangeSlider;
 class SeedBand;
 class Workspace;
 
@@ -36,11 +35,6 @@ private:
         GrowSettings::Limit GrowSettings::*limit = nullptr;
         QCheckBox* on = nullptr;
         QDoubleSpinBox* value = nullptr;
-    };
-    struct AxisRow {
-        QLabel* low = nullptr; ///< orientation letters of its ends
-        QLabel* high = nullptr;
-        RangeSlider* slider = nullptr; ///< mm from the volume's low side
     };
 
     void build();
@@ -68,7 +62,7 @@ private:
     QCheckBox* m_boxed = nullptr;
     QToolButton* m_setBox = nullptr;
     QWidget* m_boxBody = nullptr;
-    std::array<AxisRow, 3> m_axes;
+    AxisSliders m_axes; ///< of the box
 };
 
 } // namespace ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GrowthPanel.h"
 
+#include "core/edits/kinds/EditKinds.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
@@ -61,6 +63,23 @@ bool everySegmentLocked(const core::Document& document)
     return !document.segments.empty()
         && std::all_of(document.segments.begin(), document.segments.end(),
             [](const core::Segment& segment) { return segment.locked; });
+}
+
+// What the last row did to a growth: the generation that it came to, and how many voxels.
+
+QString whatItDid(const core::GrowSteps&)
+{
+    return GrowthPanel::tr("Generation %1 · added %2");
+}
+
+QString whatItDid(const core::ShrinkSteps&)
+{
+    return GrowthPanel::tr("Generation %1 · taken back %2");
+}
+
+QString whatItDid(const core::ChangeInterval&)
+{
+    return GrowthPanel::tr("Generation %1 · changed by %2");
 }
 
 } // namespace
@@ -487,13 +506,11 @@ QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
         return text.arg(
             countText(generation), millilitreText(row->statistics.voxelsChanged, voxelMm3));
     };
-    if (row && row->edit.is<core::GrowSteps>())
-        return told(tr("Generation %1 · added %2"));
-    if (row && row->edit.is<core::ShrinkSteps>())
-        return told(tr("Generation %1 · taken back %2"));
-    if (row && row->edit.is<core::ChangeInterval>())
-        return told(tr("Generation %1 · changed by %2"));
-    return tr("Generation %1").arg(countText(generation));
+    QString text = tr("Generation %1").arg(countText(generation));
+    if (row)
+        core::visitAmong([&](const auto& known) { text = told(whatItDid(known)); }, row->edit,
+            core::EditKinds<core::GrowSteps, core::ShrinkSteps, core::ChangeInterval>());
+    return text;
 }
 
 } // namespace ui

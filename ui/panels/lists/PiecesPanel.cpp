@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/lists/PiecesPanel.h"
 
+#include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/models/PieceListModel.h"
 #include "ui/panels/lists/PieceDelegate.h"
@@ -33,14 +34,6 @@ namespace ui {
 namespace {
 
 constexpr int mostRows = 5;
-
-QLabel* smallLabel(const QString& text, QWidget* parent)
-{
-    auto* label = new QLabel(text, parent);
-    label->setFont(theme::smallFont());
-    label->setProperty("role", QStringLiteral("secondary"));
-    return label;
-}
 
 QDoubleSpinBox* numberBox(QWidget* parent, double reach, int decimals, const QString& name)
 {
@@ -105,11 +98,11 @@ void PiecesPanel::build()
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(4);
     const std::array<QString, 3> letters{tr("L"), tr("P"), tr("S")};
-    grid->addWidget(smallLabel(tr("mm"), m_editor), 1, 0);
-    grid->addWidget(smallLabel(tr("°"), m_editor), 2, 0);
+    grid->addWidget(smallNote(tr("mm"), m_editor), 1, 0);
+    grid->addWidget(smallNote(tr("°"), m_editor), 2, 0);
     for (int axis = 0; axis < 3; ++axis) {
         const auto at = std::size_t(axis);
-        QLabel* letter = smallLabel(letters[at], m_editor);
+        QLabel* letter = smallNote(letters[at], m_editor);
         letter->setAlignment(Qt::AlignCenter);
         grid->addWidget(letter, 0, axis + 1);
         m_offset[at] = numberBox(m_editor, 10000.0, 1, tr("Moved towards %1, mm").arg(letters[at]));
@@ -123,7 +116,7 @@ void PiecesPanel::build()
         grid->addWidget(m_turn[at], 2, axis + 1);
         grid->setColumnStretch(axis + 1, 1);
     }
-    grid->addWidget(smallLabel(tr("Zoom"), m_editor), 3, 0);
+    grid->addWidget(smallNote(tr("Zoom"), m_editor), 3, 0);
     m_zoom = numberBox(m_editor, 16.0, 2, tr("Zoom"));
     m_zoom->setRange(0.125, 16.0);
     m_zoom->setSuffix(QStringLiteral(" ×"));
@@ -136,7 +129,7 @@ void PiecesPanel::build()
     m_opacity->setToolTip(tr("Opacity"));
     grid->addWidget(m_opacity, 3, 2, 1, 2);
 
-    grid->addWidget(smallLabel(tr("Colours"), m_editor), 4, 0);
+    grid->addWidget(smallNote(tr("Colours"), m_editor), 4, 0);
     auto* colours = new QHBoxLayout;
     colours->setSpacing(4);
     m_colour = new ColorButton(m_editor);

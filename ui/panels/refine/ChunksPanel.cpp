@@ -2,6 +2,7 @@
 #include "ui/panels/refine/ChunksPanel.h"
 
 #include "core/edits/kinds/chunks/Chunks.h"
+#include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"
@@ -29,14 +30,6 @@ namespace ui {
 namespace {
 
 constexpr int askingMs = 100;
-
-QLabel* smallLabel(const QString& text, QWidget* parent)
-{
-    auto* label = new QLabel(text, parent);
-    label->setFont(theme::smallFont());
-    label->setWordWrap(true);
-    return label;
-}
 
 int sliderOf(int count)
 {
@@ -74,7 +67,7 @@ ChunksPanel::ChunksPanel(Workspace& workspace, QWidget* parent)
 
 void ChunksPanel::buildDividing()
 {
-    m_whose = smallLabel({}, this);
+    m_whose = smallText({}, this);
     m_whose->setObjectName(QStringLiteral("chunksWhose"));
     m_whose->setProperty("role", QStringLiteral("secondary"));
     layout()->addWidget(m_whose);
@@ -108,7 +101,7 @@ void ChunksPanel::buildDividing()
     m_progress->setRange(0, 100);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(6);
-    m_step = smallLabel({}, m_waiting);
+    m_step = smallText({}, m_waiting);
     m_step->setObjectName(QStringLiteral("chunksStep"));
     m_step->setProperty("role", QStringLiteral("secondary"));
     auto* abort = new QPushButton(tr("Abort"), m_waiting);
@@ -130,7 +123,7 @@ void ChunksPanel::buildLook()
     column->setSpacing(theme::smallPadding);
     m_shown = new QCheckBox(tr("show chunks"), m_looks);
     m_shown->setObjectName(QStringLiteral("chunksShown"));
-    m_state = smallLabel({}, m_looks);
+    m_state = smallText({}, m_looks);
     m_state->setObjectName(QStringLiteral("chunksState"));
     column->addWidget(m_shown);
     column->addWidget(m_state);
@@ -143,12 +136,12 @@ void ChunksPanel::buildLook()
         auto* made = new QSlider(Qt::Horizontal, m_looks);
         made->setObjectName(QLatin1String(name));
         made->setAccessibleName(text);
-        auto* value = smallLabel({}, m_looks);
+        auto* value = smallText({}, m_looks);
         value->setWordWrap(false);
         value->setProperty("role", QStringLiteral("secondary"));
         value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         value->setMinimumWidth(value->fontMetrics().horizontalAdvance(widest));
-        grid->addWidget(smallLabel(text, m_looks), row, 0);
+        grid->addWidget(smallText(text, m_looks), row, 0);
         grid->addWidget(made, row, 1);
         grid->addWidget(value, row, 2);
         return std::pair(made, value);
@@ -168,13 +161,12 @@ void ChunksPanel::buildLook()
     m_bodies->setAccessibleName(tr("In 3D"));
     m_bodies->addItems({tr("the segment's"), tr("and what looks like it"), tr("all")});
     m_bodies->setToolTip(tr("Which chunks the 3D view shows; slices show all"));
-    grid->addWidget(smallLabel(tr("In 3D"), m_looks), 2, 0);
+    grid->addWidget(smallText(tr("In 3D"), m_looks), 2, 0);
     grid->addWidget(m_bodies, 2, 1, 1, 2);
     column->addLayout(grid);
-    m_hint =
-        smallLabel(tr("Click on chunks with the tool Chunks (Shift+F): the strong ones are the "
-                      "segment's. A plane of the panel Clipping lets you look inside."),
-            m_looks);
+    m_hint = smallText(tr("Click on chunks with the tool Chunks (Shift+F): the strong ones are the "
+                          "segment's. A plane of the panel Clipping lets you look inside."),
+        m_looks);
     m_hint->setProperty("role", QStringLiteral("secondary"));
     column->addWidget(m_hint);
     layout()->addWidget(m_looks);

@@ -2,6 +2,7 @@
 #include "ui/panels/refine/RefinePanel.h"
 
 #include "core/refine/deform/RefineSurface.h"
+#include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/refine/DoubtsSection.h"
 #include "ui/workspace/Refinement.h"
@@ -31,14 +32,6 @@ namespace {
 constexpr int mostRows = 4;
 constexpr int fewestVertices = 1000;
 constexpr int vertexStep = 1000;
-
-QLabel* smallLabel(const QString& text, QWidget* parent)
-{
-    auto* label = new QLabel(text, parent);
-    label->setFont(theme::smallFont());
-    label->setWordWrap(true);
-    return label;
-}
 
 QString areaText(double areaMm2)
 {
@@ -73,7 +66,7 @@ QWidget* RefinePanel::buildLaying()
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    m_whose = smallLabel({}, page);
+    m_whose = smallText({}, page);
     m_whose->setProperty("role", QStringLiteral("secondary"));
     layout->addWidget(m_whose);
     auto* row = new QHBoxLayout;
@@ -108,7 +101,7 @@ QWidget* RefinePanel::buildRefining()
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    m_state = smallLabel({}, page);
+    m_state = smallText({}, page);
     m_state->setObjectName(QStringLiteral("surfaceState"));
     layout->addWidget(m_state);
     // Side by side they would not fit into the column.
@@ -144,18 +137,18 @@ QWidget* RefinePanel::buildRefining()
     m_style->setObjectName(QStringLiteral("surfaceStyle"));
     m_style->setAccessibleName(tr("Drawn"));
     m_style->addItems({tr("smooth"), tr("wireframe"), tr("grey values")});
-    grid->addWidget(smallLabel(tr("Drawn"), page), 0, 0);
+    grid->addWidget(smallText(tr("Drawn"), page), 0, 0);
     grid->addWidget(m_style, 0, 1, 1, 2);
     m_opacity = new QSlider(Qt::Horizontal, page);
     m_opacity->setObjectName(QStringLiteral("surfaceOpacity"));
     m_opacity->setAccessibleName(tr("Opacity"));
     m_opacity->setRange(0, 100);
-    m_opacityText = smallLabel({}, page);
+    m_opacityText = smallText({}, page);
     m_opacityText->setProperty("role", QStringLiteral("secondary"));
     m_opacityText->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_opacityText->setMinimumWidth(
         m_opacityText->fontMetrics().horizontalAdvance(tr("%1 %").arg(100)));
-    grid->addWidget(smallLabel(tr("Opacity"), page), 1, 0);
+    grid->addWidget(smallText(tr("Opacity"), page), 1, 0);
     grid->addWidget(m_opacity, 1, 1);
     grid->addWidget(m_opacityText, 1, 2);
     layout->addLayout(grid);
@@ -169,7 +162,7 @@ QWidget* RefinePanel::buildRefining()
     shown->addStretch(1);
     layout->addLayout(shown);
 
-    m_counts = smallLabel({}, page);
+    m_counts = smallText({}, page);
     m_counts->setObjectName(QStringLiteral("markCounts"));
     m_counts->setProperty("role", QStringLiteral("secondary"));
     layout->addWidget(m_counts);

@@ -15,6 +15,21 @@ QColor toolColour()
     return theme::accent;
 }
 
+void drawCursorRing(
+    QPainter& painter, const QPointF& cursor, double radius, const QColor& colour, bool dashed)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    // A dark rim under the bright line keeps the outline visible on bone and on black alike.
+    painter.setPen(QPen(QColor(0, 0, 0, 150), 3.5));
+    painter.drawEllipse(cursor, radius, radius);
+    QPen line(colour, 1.6);
+    if (dashed)
+        line.setDashPattern({4.0, 3.0});
+    painter.setPen(line);
+    painter.drawEllipse(cursor, radius, radius);
+}
+
 void drawCursorLabel(QPainter& painter, const QSizeF& view, const QPointF& cursor, double radius,
     const QStringList& lines)
 {

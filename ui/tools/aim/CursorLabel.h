@@ -13,6 +13,11 @@ namespace ui {
 /// Outlines and words of tools at the cursor.
 [[nodiscard]] QColor toolColour();
 
+/// The outline of a round tool at the cursor, seen on bone and on black alike.
+/// @param radius logical pixels
+void drawCursorRing(
+    QPainter& painter, const QPointF& cursor, double radius, const QColor& colour, bool dashed);
+
 /// Words beside the cursor, led to by a short line from the rim of a mask; kept inside the view.
 /// The first line is what the tool will do and stands out.
 /// @param radius of the mask, logical pixels

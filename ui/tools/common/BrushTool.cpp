@@ -243,16 +243,7 @@ void BrushTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         return;
     const double radius =
         (m_stroke ? m_stroke->path.radiusMm : settings().radiusMm) / view.mmPerPixel();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
-    // A dark rim under the bright line keeps the outline visible on bone and on black alike.
-    painter.setPen(QPen(QColor(0, 0, 0, 150), 3.5));
-    painter.drawEllipse(m_cursor, radius, radius);
-    QPen line(colour(), 1.6);
-    if (m_inverted)
-        line.setDashPattern({4.0, 3.0});
-    painter.setPen(line);
-    painter.drawEllipse(m_cursor, radius, radius);
+    drawCursorRing(painter, m_cursor, radius, colour(), m_inverted);
 
     QString size = tr("radius %1 mm").arg(QLocale().toString(settings().radiusMm, 'f', 1));
     if (view.isSlice())

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/PaintTool.h"
 
-#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/session/past/SeedStrokes.h"
 #include "ui/tools/common/BrushOptions.h"
 #include "ui/workspace/SegmentActions.h"
 
@@ -91,13 +91,8 @@ core::Result<core::Edit> PaintTool::strokeAlong(
 bool takesPartInGrowth(const core::History& history, int segment)
 {
     const std::vector<core::RowId> rows = history.standing();
-    return std::any_of(rows.begin(), rows.end(), [&](core::RowId row) {
-        const core::Edit& edit = history.row(row).edit;
-        const auto* seeds = edit.as<core::SeedStroke>();
-        const auto* paint = edit.as<core::PaintStroke>();
-        return (seeds && seeds->segment == segment)
-            || (paint && paint->seeds && paint->segment == segment);
-    });
+    return std::any_of(rows.begin(), rows.end(),
+        [&](core::RowId row) { return core::segmentOfSeeds(history.row(row).edit) == segment; });
 }
 
 } // namespace ui

@@ -361,16 +361,7 @@ void RefineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         return;
     const double radiusMm = m_workspace.refinement().settings().radiusMm;
     const double radius = radiusMm / view.mmPerPixel();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
-    // A dark rim under the bright line keeps the outline visible on bone and on black alike.
-    painter.setPen(QPen(QColor(0, 0, 0, 150), 3.5));
-    painter.drawEllipse(m_cursor, radius, radius);
-    QPen line(colour(), 1.6);
-    if (m_inverted)
-        line.setDashPattern({4.0, 3.0});
-    painter.setPen(line);
-    painter.drawEllipse(m_cursor, radius, radius);
+    drawCursorRing(painter, m_cursor, radius, colour(), m_inverted);
     drawCursorLabel(painter, view.sizePixels, m_cursor, radius,
         {target(), tr("radius %1 mm").arg(QLocale().toString(radiusMm, 'f', 1))});
 }

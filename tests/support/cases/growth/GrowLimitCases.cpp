@@ -16,11 +16,6 @@ using core::SeedPlacement;
 
 constexpr int closure = GrowAdvance::toClosure;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 /// Codes that rise evenly along the axes, with some noise on top.
 Codes slopes(const glm::ivec3& size, const glm::ivec3& rise, int noise, Random& random)
 {
@@ -118,9 +113,7 @@ EngineCase randomCase(int number)
         }
         for (int stroke = randomInt(random, 1, 3); stroke > 0; --stroke) {
             SeedPlacement seeds{.label = std::uint8_t(randomInt(random, 1, 4))};
-            for (int i = randomInt(random, 1, 6); i > 0; --i)
-                seeds.voxels.push_back(randomVoxel(random, size));
-            appendWhole(made.steps, seeds);
+            appendSeeds(made.steps, seeds, randomInt(random, 1, 6), size, random);
         }
         const std::uint16_t seen = made.codes.at(randomVoxel(random, size));
         GrowBurst grow{.lowCode = std::max(int(seen) - randomInt(random, 0, 700), 0),

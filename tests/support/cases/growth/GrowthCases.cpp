@@ -14,11 +14,6 @@ using core::GrowAdvance;
 using core::GrowBurst;
 using core::SeedPlacement;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 /// A growth as a session tells it: begin, advance in these portions, end.
 void appendGrowth(std::vector<EngineStep>& steps, const GrowBurst& burst,
     const std::vector<int>& portions, core::Ending ending = core::Ending::Commit)

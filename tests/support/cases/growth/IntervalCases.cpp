@@ -15,11 +15,6 @@ using core::GrowAnew;
 using core::GrowBurst;
 using core::GrowOpening;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 /// A growth whose interval is moved to and fro, with barriers that come and go; one label, or three
 /// that compete.
 EngineCase randomMoves(int number)
@@ -33,9 +28,7 @@ EngineCase randomMoves(int number)
     const int labels = number % 3 == 2 ? 3 : 1;
     const auto sketch = [&](int label) {
         core::SeedPlacement seeds{.label = std::uint8_t(label)};
-        for (int i = randomInt(random, 1, 3); i > 0; --i)
-            seeds.voxels.push_back(randomVoxel(random, size));
-        appendWhole(made.steps, seeds);
+        appendSeeds(made.steps, seeds, randomInt(random, 1, 3), size, random);
     };
     if (random() % 2) { // the label holds some voxels already, and others hold some
         Bytes held{size, std::vector<std::uint8_t>(made.codes.values.size(), 0)};

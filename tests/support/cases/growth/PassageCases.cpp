@@ -15,11 +15,6 @@ using core::GrowAnew;
 using core::GrowBurst;
 using core::GrowOpening;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 /// Mostly balls of few voxels; now and then one that reaches as far as any may.
 core::Passage randomPassage(Random& random)
 {
@@ -61,9 +56,7 @@ EngineCase randomCase(int number)
     const int labels = number % 2 ? 1 : randomInt(random, 2, 3);
     const auto sketch = [&](int label) {
         core::SeedPlacement seeds{.label = std::uint8_t(label)};
-        for (int i = randomInt(random, 1, 4); i > 0; --i)
-            seeds.voxels.push_back(randomVoxel(random, size));
-        appendWhole(made.steps, seeds);
+        appendSeeds(made.steps, seeds, randomInt(random, 1, 4), size, random);
     };
     if (random() % 3 == 0) {
         Bytes held{size, std::vector<std::uint8_t>(made.codes.values.size(), 0)};

@@ -22,11 +22,6 @@ using Voxels = std::vector<glm::ivec3>;
 
 constexpr int closure = GrowAdvance::toClosure;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 Voxels ordered(Voxels voxels)
 {
     std::sort(voxels.begin(), voxels.end(), [](const glm::ivec3& a, const glm::ivec3& b) {

@@ -13,11 +13,6 @@ namespace {
 using core::SeedPlacement;
 using core::SpreadLabels;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 Bytes noLabels(const glm::ivec3& size)
 {
     return {size, std::vector<std::uint8_t>(std::size_t(size.x) * size.y * size.z, 0)};
@@ -131,9 +126,7 @@ EngineCase randomSpreading(int number)
             made.steps.push_back(painted(labels));
         if (random() % 3 == 0) {
             SeedPlacement seeds{.label = some[random() % 5]};
-            for (int i = randomInt(random, 1, 4); i > 0; --i)
-                seeds.voxels.push_back(randomVoxel(random, size));
-            appendWhole(made.steps, seeds);
+            appendSeeds(made.steps, seeds, randomInt(random, 1, 4), size, random);
         }
         if (random() % 6 == 0) {
             std::vector<glm::ivec3> wall;

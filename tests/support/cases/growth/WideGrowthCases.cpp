@@ -31,9 +31,7 @@ EngineCase wide(int number)
     }
     for (int bursts = randomInt(random, 1, 3); bursts > 0; --bursts) {
         core::SeedPlacement seeds{.label = std::uint8_t(random() % 8 ? 1 : 2)};
-        for (int i = random() % 3 ? 1 : 40; i > 0; --i)
-            seeds.voxels.push_back(randomVoxel(random, size));
-        appendWhole(made.steps, seeds);
+        appendSeeds(made.steps, seeds, random() % 3 ? 1 : 40, size, random);
         const int low = randomInt(random, 0, 500);
         GrowBurst burst{.lowCode = low,
             .highCode = randomInt(random, 700, 2000),

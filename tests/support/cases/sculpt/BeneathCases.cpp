@@ -20,19 +20,6 @@ using core::SeedPlacement;
 
 constexpr int closure = GrowAdvance::toClosure;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
-void appendGrowth(std::vector<EngineStep>& steps, const GrowBurst& burst, int count,
-    core::Ending ending = core::Ending::Commit)
-{
-    steps.push_back(BeginGrowth{burst});
-    steps.push_back(command(core::ExtendEdit{GrowAdvance{count}}));
-    steps.push_back(command(core::EndEdit{ending}));
-}
-
 GrowBurst taking(std::initializer_list<int> labels)
 {
     GrowBurst burst{.lowCode = 0, .highCode = 65535};
@@ -225,10 +212,10 @@ std::vector<EngineCase> beneathCases(int randomCount)
         appendWhole(taken.steps, SeedPlacement{.label = 1, .voxels = {room / 2}});
         if (!wide)
             appendWhole(taken.steps, SeedPlacement{.label = 2, .voxels = {{3, 3, 3}, {49, 0, 0}}});
-        appendGrowth(taken.steps, taking({2, 3, 4}), 9);
-        appendGrowth(taken.steps, taking({2, 3, 4}), closure);
+        appendBurst(taken.steps, taking({2, 3, 4}), 9);
+        appendBurst(taken.steps, taking({2, 3, 4}), closure);
         taken.steps.push_back(Shrink{.shrink = {}, .generations = 12, .then = {3, 40, 0, 21}});
-        appendGrowth(taken.steps, taking({3}), closure);
+        appendBurst(taken.steps, taking({3}), closure);
         taken.steps.push_back(
             Shrink{.shrink = {}, .generations = 5, .then = {}, .ending = core::Ending::Rollback});
         taken.steps.push_back(Shrink{});
@@ -237,7 +224,7 @@ std::vector<EngineCase> beneathCases(int randomCount)
         for (int i = 0; i < 3; ++i)
             taken.steps.push_back(Redo{});
         // Where nothing may be taken, what was beneath before does not come back.
-        appendGrowth(taken.steps, taking({}), closure);
+        appendBurst(taken.steps, taking({}), closure);
         taken.steps.push_back(Shrink{.shrink = {}, .generations = 1000});
         cases.push_back(taken);
     }
@@ -254,7 +241,7 @@ std::vector<EngineCase> beneathCases(int randomCount)
             burst.opening = opening;
             if (high == 800)
                 burst.overwritable.reset(3);
-            appendGrowth(moved.steps, burst, closure);
+            appendBurst(moved.steps, burst, closure);
         }
         for (int i = 0; i < 5; ++i)
             moved.steps.push_back(Undo{});
@@ -266,7 +253,7 @@ std::vector<EngineCase> beneathCases(int randomCount)
     EngineCase erased{"taken from one that is deleted", constantVolume(size, tissueCode), {}};
     erased.steps.push_back(command(core::SwapBricks{bricksOf(held, core::Field::Labels, 0)}));
     appendWhole(erased.steps, SeedPlacement{.label = 1, .voxels = {{25, 16, 10}}});
-    appendGrowth(erased.steps, taking({2, 3, 4}), 20);
+    appendBurst(erased.steps, taking({2, 3, 4}), 20);
     appendWhole(erased.steps, core::EraseLabel{.label = 2});
     appendWhole(erased.steps, core::EraseLabel{.label = 3}, {}, core::Ending::Rollback);
     erased.steps.push_back(Undo{});

@@ -24,11 +24,6 @@ using core::CapsulePath;
 using core::PaintLabel;
 using core::PaintStroke;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 glm::dvec3 randomPoint(const core::VolumeGeometry& geometry, Random& random, double beyond)
 {
     glm::dvec3 at;
@@ -155,9 +150,7 @@ EngineCase randomPainting(int number)
             break;
         case 2: {
             core::SeedPlacement seeds{.label = std::uint8_t(random() % 2 ? 1 : 255)};
-            for (int i = randomInt(random, 1, 3); i > 0; --i)
-                seeds.voxels.push_back(randomVoxel(random, size));
-            appendWhole(steps, seeds);
+            appendSeeds(steps, seeds, randomInt(random, 1, 3), size, random);
             break;
         }
         case 3: {

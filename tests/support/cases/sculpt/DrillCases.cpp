@@ -15,11 +15,6 @@ using core::DrillPath;
 using core::DrillSample;
 using core::DrillStroke;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 /// A case under construction: its document and its random numbers.
 struct Scene {
     Random random;

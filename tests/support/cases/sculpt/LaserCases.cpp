@@ -19,11 +19,6 @@ using core::DrillSample;
 using core::LaserCut;
 using core::LaserStroke;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 Codes codesFor(const glm::ivec3& size, Random& random)
 {
     switch (random() % 5) {

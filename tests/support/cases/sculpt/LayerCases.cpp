@@ -9,11 +9,6 @@ namespace test {
 
 namespace {
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 EngineStep muted(std::initializer_list<int> layers)
 {
     core::MuteLayers mute;

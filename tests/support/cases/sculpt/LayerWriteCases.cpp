@@ -15,11 +15,6 @@ using core::LabelSeen;
 using core::LabelTarget;
 using core::VoxelBound;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 Bytes noise(const glm::ivec3& size, Random& random, std::initializer_list<int> values)
 {
     Bytes bytes{size, {}};
@@ -95,9 +90,7 @@ EngineCase randomWrites(int number)
         case 0: {
             core::SeedPlacement seeds{
                 .plane = plane, .label = std::uint8_t(randomInt(random, 1, 4)), .voxels = {}};
-            for (int i = randomInt(random, 0, 4); i > 0; --i)
-                seeds.voxels.push_back(randomVoxel(random, size));
-            appendWhole(made.steps, seeds);
+            appendSeeds(made.steps, seeds, randomInt(random, 0, 4), size, random);
             break;
         }
         case 1:

@@ -11,11 +11,6 @@ namespace test {
 
 namespace {
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 core::Document document(const glm::ivec3& size, Random& random, const glm::dvec3& spacing)
 {
     core::Document made = randomDocument(size, random, random() % 2);
