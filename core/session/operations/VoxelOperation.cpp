@@ -5,17 +5,13 @@
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/OpenEdit.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/parts/BrushPath.h"
-#include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/past/SeedStrokes.h"
@@ -25,35 +21,6 @@
 namespace core {
 
 namespace {
-
-/// The samples of a stroke of drill or laser; null for other edits.
-std::vector<PenSample>* samplesOf(Edit& edit)
-{
-    if (auto* drill = edit.as<DrillStroke>())
-        return &drill->samples;
-    auto* laser = edit.as<LaserStroke>();
-    return laser ? &laser->samples : nullptr;
-}
-
-/// How far a growth goes; null for other edits.
-std::optional<int>* stepsOf(Edit& edit)
-{
-    if (auto* grow = edit.as<GrowSteps>())
-        return &grow->steps;
-    auto* change = edit.as<ChangeInterval>();
-    return change ? &change->steps : nullptr;
-}
-
-/// The way of a brush; null for other edits.
-BrushPath* pathOf(Edit& edit)
-{
-    if (auto* paint = edit.as<PaintStroke>())
-        return &paint->path;
-    if (auto* barrier = edit.as<BarrierStroke>())
-        return &barrier->path;
-    auto* brush = edit.as<BrushStroke>();
-    return brush ? &brush->path : nullptr;
-}
 
 std::vector<BrickImage> imagesBefore(const std::vector<BrickChange>& changes)
 {
@@ -80,10 +47,7 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
         return edit;
     if (const auto* shrink = std::get_if<ShrinkGrowth>(&*edit))
         m_firstGeneration = shrink->generation;
-    if (const auto* drill = m_edit.as<DrillStroke>())
-        m_path.emplace(*drill, std::get<DrillCut>(*edit));
-    if (const auto* laser = m_edit.as<LaserStroke>())
-        m_path.emplace(*laser, std::get<LaserCut>(*edit));
+    m_path = DrillPathSampler::along(m_edit, *edit);
     return edit;
 }
 
@@ -113,9 +77,9 @@ void VoxelOperation::start(SessionState& state)
         m_waiting.push_front(DrillPath{m_path->add(*samples)});
     if (const auto* peel = m_edit.as<PeelCut>())
         m_waiting.push_front(peelDepth(*peel));
-    if (const BrushPath* path = pathOf(m_edit))
+    if (const BrushPath* path = brushPathOf(m_edit))
         m_waiting.push_front(CapsulePath{capsules(*path, state.document.volumes.front().geometry)});
-    const std::optional<int>* steps = stepsOf(m_edit);
+    const std::optional<int>* steps = growthStepsOf(m_edit);
     if (steps && m_kind == Kind::Whole && steps->value_or(1) > 0)
         m_waiting.push_back(GrowAdvance{.steps = steps->value_or(GrowAdvance::toClosure)});
     if (m_kind == Kind::Whole)
@@ -160,7 +124,7 @@ void VoxelOperation::extendDrill(SessionState& state, const std::vector<PenSampl
 void VoxelOperation::extendPath(
     SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted)
 {
-    BrushPath* path = pathOf(m_edit);
+    BrushPath* path = brushPathOf(m_edit);
     if (!path || !open() || pointsLps.empty())
         return;
     if (m_begun) {
@@ -345,7 +309,7 @@ Edit VoxelOperation::carriedOut(const EngineResult& result) const
     if (!isGrowth() || (m_kind == Kind::Whole && !result.alarm))
         return m_edit;
     Edit done = m_edit;
-    std::optional<int>& steps = *stepsOf(done);
+    std::optional<int>& steps = *growthStepsOf(done);
     steps.reset();
     if (!result.atClosure) {
         const auto generations = std::uint32_t(result.statistics.generations);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/Edit.h"
+
+#include <optional>
+#include <vector>
+
+namespace core {
+
+struct BrushPath;
+struct PenSample;
+
+// What of an edit is told bit by bit while it stands open, wherever its kind keeps it. Whoever
+// tells it needs no header of such a kind.
+
+/// The samples of a stroke of drill or laser; null for other edits.
+[[nodiscard]] std::vector<PenSample>* samplesOf(Edit& edit);
+[[nodiscard]] const std::vector<PenSample>* samplesOf(const Edit& edit);
+
+/// The way of a brush that paints, carves or shuts to growth; null for other edits.
+[[nodiscard]] BrushPath* brushPathOf(Edit& edit);
+[[nodiscard]] const BrushPath* brushPathOf(const Edit& edit);
+
+/// How many steps a growth is to go, or one under other limits; null for other edits.
+[[nodiscard]] std::optional<int>* growthStepsOf(Edit& edit);
+[[nodiscard]] const std::optional<int>* growthStepsOf(const Edit& edit);
+
+} // namespace core
