@@ -6,7 +6,6 @@
 #include "app/steps/SteadySession.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/session/StepFindings.h"
 #include "ui/base/RevisionText.h"

@@ -41,7 +41,7 @@ using Ticket = std::uint64_t;
 // Each kind X says beside its rule whether one could begin in a volume (checkEdit()):
 //   Result<void> checkSound(const X&, const BrickGrid&)    Errors: InvalidField
 // and stands in the list of one family, each of which is carried out by one part of an engine: none
-// that is missing in either compiles (gpu/engine/EditWork.h).
+// that is missing in either compiles (gpu/engine/BeginWork.h).
 
 /// Take a label out of its plane: every voxel that holds it becomes 0, and every seed word that
 /// bears it, a member's or a pending seed's, becomes seedWord::unvisited. So no growth goes on from

@@ -51,7 +51,7 @@ void CommandQueue::setWakeUp(std::function<void()> wakeUp)
     m_wakeUp = std::move(wakeUp);
 }
 
-core::GrowthProgress CommandQueue::progress() const
+core::GrowthProgress CommandQueue::growthProgress() const
 {
     const std::lock_guard lock(m_mutex);
     return m_progress;

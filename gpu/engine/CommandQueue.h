@@ -13,22 +13,25 @@
 
 namespace gpu {
 
-/// Between the session's thread and the engine's: commands in, results out, as core::EditEngine has
-/// it. Any thread, but for what says otherwise.
-class CommandQueue {
+/// The session's side of the engine: commands in, results out, as core::EditEngine has it. What
+/// carries them out stands behind it (GpuEditEngine) and takes them on the engine's thread. Any
+/// thread, but for what says otherwise.
+class CommandQueue : public core::EditEngine {
 public:
+    core::Ticket submit(core::EngineCommand command) final;
+    [[nodiscard]] std::vector<core::EngineResult> collect() final;
+    void finish() final;
+    void setWakeUp(std::function<void()> wakeUp) final;
+    [[nodiscard]] core::GrowthProgress growthProgress() const final;
+
+protected:
     struct Waiting {
         core::Ticket ticket = 0;
         core::EngineCommand command;
     };
 
     explicit CommandQueue(EngineThread& thread);
-
-    core::Ticket submit(core::EngineCommand command);
-    [[nodiscard]] std::vector<core::EngineResult> collect();
-    void finish();
-    void setWakeUp(std::function<void()> wakeUp);
-    [[nodiscard]] core::GrowthProgress progress() const;
+    ~CommandQueue() override = default;
 
     /// Takes the next command unless it has to wait for steps of a growth. Engine thread.
     /// @param open null: none is

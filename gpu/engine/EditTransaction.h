@@ -3,7 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/engine/EngineCommands.h"
-#include "gpu/engine/EditWork.h"
+#include "gpu/engine/BeginWork.h"
 #include "gpu/fields/BeforeImages.h"
 
 #include <memory>

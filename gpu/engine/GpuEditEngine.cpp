@@ -13,14 +13,14 @@
 namespace gpu {
 
 GpuEditEngine::GpuEditEngine(const EditContext& context)
-    : m_thread(context.thread)
+    : CommandQueue(context.thread)
+    , m_thread(context.thread)
     , m_textures(context.textures)
     , m_programs(context.shaders)
     , m_fieldPrograms(context.shaders)
     , m_idleWork(m_programs, m_fieldPrograms)
     , m_picks(context.shaders)
     , m_foresight(context.textures)
-    , m_queue(context.thread)
 {
 }
 
@@ -89,32 +89,7 @@ void GpuEditEngine::lose(const core::Error& why)
         return;
     m_idleWork.stop();
     m_lost = why;
-    m_queue.deliver({.error = why}); // nobody may be asking
-}
-
-core::Ticket GpuEditEngine::submit(core::EngineCommand command)
-{
-    return m_queue.submit(std::move(command));
-}
-
-std::vector<core::EngineResult> GpuEditEngine::collect()
-{
-    return m_queue.collect();
-}
-
-void GpuEditEngine::finish()
-{
-    m_queue.finish();
-}
-
-void GpuEditEngine::setWakeUp(std::function<void()> wakeUp)
-{
-    m_queue.setWakeUp(std::move(wakeUp));
-}
-
-core::GrowthProgress GpuEditEngine::growthProgress() const
-{
-    return m_queue.progress();
+    deliver({.error = why}); // nobody may be asking
 }
 
 void GpuEditEngine::showSegments(const std::bitset<256>& labels)
@@ -163,8 +138,8 @@ bool GpuEditEngine::work()
 
 bool GpuEditEngine::workUnguarded()
 {
-    CommandQueue::Waiting next;
-    if (m_queue.takeNext(next, m_transaction.get())) {
+    Waiting next;
+    if (takeNext(next, m_transaction.get())) {
         carryOut(next);
         publishProgress();
         return true;
@@ -225,13 +200,13 @@ bool GpuEditEngine::growthIsDue()
         return false;
     if (m_transaction->generationsPerSecond() <= 0.0)
         return true;
-    return m_queue.isDue(m_nextGeneration);
+    return isDue(m_nextGeneration);
 }
 
 void GpuEditEngine::growOneSlice()
 {
     const double pace = m_transaction->generationsPerSecond();
-    const bool paced = pace > 0.0 && !m_queue.inHurry();
+    const bool paced = pace > 0.0 && !inHurry();
     const Clock::time_point start = Clock::now();
     m_transaction->advance(paced ? 1 : m_ringsPerSlice);
     const double milliseconds = millisecondsSince(start);
@@ -250,10 +225,10 @@ void GpuEditEngine::growOneSlice()
 
 void GpuEditEngine::publishProgress()
 {
-    m_queue.publish(m_transaction ? m_transaction->progress() : core::GrowthProgress{});
+    publish(m_transaction ? m_transaction->progress() : core::GrowthProgress{});
 }
 
-void GpuEditEngine::carryOut(CommandQueue::Waiting& next)
+void GpuEditEngine::carryOut(Waiting& next)
 {
     const Clock::time_point start = Clock::now();
     Outcome outcome = attempt(next.command);
@@ -267,7 +242,7 @@ void GpuEditEngine::carryOut(CommandQueue::Waiting& next)
         result.error = outcome.error();
     result.ticket = next.ticket;
     result.statistics.milliseconds += milliseconds;
-    m_queue.deliver(std::move(result));
+    deliver(std::move(result));
 }
 
 /// A command that throws has changed nothing, and an open edit that it belongs to is taken back.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EditEngine.h"
 #include "gpu/engine/CommandQueue.h"
 #include "gpu/engine/EditTransaction.h"
 #include "gpu/engine/EngineThread.h"
@@ -16,9 +15,9 @@
 
 namespace gpu {
 
-/// core::EditEngine by compute shaders. Commands wait in a queue that the engine thread works off,
-/// one slice at a time; a growth runs in batches between which other commands and frames are
-/// served.
+/// core::EditEngine by compute shaders. Commands wait in a queue (CommandQueue) that the engine
+/// thread works off, one slice at a time; a growth runs in batches between which other commands and
+/// frames are served.
 ///
 /// Where the GPU refuses memory or a command, what was asked is refused and every brick put back
 /// (gl/GlFailure.h): no result without an error is of an edit that failed. Where even that fails,
@@ -26,7 +25,7 @@ namespace gpu {
 /// result of no command, and everything is refused from then on.
 ///
 /// The EditEngine members belong to the session's thread, the EditWorker members to the engine's.
-class GpuEditEngine final : public core::EditEngine, public EditWorker {
+class GpuEditEngine final : public CommandQueue, public EditWorker {
 public:
     /// Construct and destroy it on the engine thread. Throws ShaderError.
     explicit GpuEditEngine(const EditContext& context);
@@ -34,11 +33,6 @@ public:
 
     core::Result<void> openVolume(
         const glm::ivec3& size, std::span<const std::uint16_t> codes) override;
-    core::Ticket submit(core::EngineCommand command) override;
-    [[nodiscard]] std::vector<core::EngineResult> collect() override;
-    void finish() override;
-    void setWakeUp(std::function<void()> wakeUp) override;
-    [[nodiscard]] core::GrowthProgress growthProgress() const override;
 
     bool work() override; ///< throws nothing
     void showSegments(const std::bitset<256>& labels) override;
@@ -66,7 +60,7 @@ private:
     void abandon(const core::Error& why);
     bool workUnguarded();
     void followUpLater(const core::Error& why);
-    void carryOut(CommandQueue::Waiting& next);
+    void carryOut(Waiting& next);
     void publishProgress();
     [[nodiscard]] core::Result<void> checkKeys(std::span<const core::BrickKey> keys) const;
 
@@ -124,8 +118,6 @@ private:
     int m_followUpsFailed = 0; ///< one after the other
     int m_ringsPerSlice = GrowthKernel::ringsPerBatch;
     Clock::time_point m_nextGeneration;
-
-    CommandQueue m_queue; ///< any thread
 };
 
 } // namespace gpu

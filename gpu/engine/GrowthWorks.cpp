@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "gpu/engine/BeginWork.h"
 #include "gpu/engine/EditTransaction.h"
-#include "gpu/engine/EditWork.h"
 #include "gpu/kernels/growth/GrowthKernel.h"
 #include "gpu/kernels/shrink/CutGrown.h"
 #include "gpu/kernels/shrink/ShrinkKernel.h"

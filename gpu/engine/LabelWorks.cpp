@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/engine/EditWork.h"
+#include "gpu/engine/BeginWork.h"
 #include "gpu/kernels/cut/LayerWriter.h"
 
 #include <utility>

@@ -10,8 +10,6 @@
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/parts/BrushPath.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/sculpt/SculptEdits.h"
@@ -49,10 +47,7 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
         return edit;
     if (const auto* shrink = std::get_if<ShrinkGrowth>(&*edit))
         m_firstGeneration = shrink->generation;
-    if (const auto* drill = m_edit.as<DrillStroke>())
-        m_path.emplace(*drill, std::get<DrillCut>(*edit));
-    if (const auto* laser = m_edit.as<LaserStroke>())
-        m_path.emplace(*laser, std::get<LaserCut>(*edit));
+    m_path = DrillPathSampler::along(m_edit, *edit);
     return edit;
 }
 

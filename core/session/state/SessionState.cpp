@@ -3,9 +3,6 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/chunks/Chunks.h"
-#include "core/edits/kinds/growth/SeedStroke.h"
-#include "core/edits/kinds/surface/WriteBack.h"
 #include "core/session/names/RowName.h"
 
 #include <QJsonDocument>

@@ -132,7 +132,21 @@ void CapsuleKernel::setFrame(Program& each) const
         .set("shift", m_frame.shift);
 }
 
-void CapsuleKernel::extend(const std::vector<core::Capsule>& capsules)
+core::Result<void> CapsuleKernel::extend(const core::EngineExtension& extension)
+{
+    const auto* path = std::get_if<core::CapsulePath>(&extension);
+    if (!path)
+        return EditWork::extend(extension);
+    follow(path->capsules);
+    return {};
+}
+
+bool CapsuleKernel::join(core::EngineExtension& earlier, core::EngineExtension& next) const
+{
+    return joinPieces(earlier, next, &core::CapsulePath::capsules);
+}
+
+void CapsuleKernel::follow(const std::vector<core::Capsule>& capsules)
 {
     // Neither the order nor the company of pieces matters, so a long path comes in parts.
     for (std::size_t first = 0; first < capsules.size(); first += piecesAtOnce) {

@@ -4,6 +4,7 @@
 #include "core/engine/EngineCommands.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
+#include "gpu/kernels/work/EditWork.h"
 
 #include <set>
 #include <variant>
@@ -29,9 +30,9 @@ private:
 };
 
 /// One stroke of a brush while the pen is down: paint (PaintLabel), shut to growth (PaintBarrier)
-/// or carve (CapsuleCut); rules in core/sculpt/CapsuleSweep.h. extend() looks at the bricks near
-/// the new pieces of path only, and in each brick at the pieces near it. Engine thread only.
-class CapsuleKernel {
+/// or carve (CapsuleCut); rules in core/sculpt/CapsuleSweep.h. It looks at the bricks near the new
+/// pieces of path only, and in each brick at the pieces near it. Engine thread only.
+class CapsuleKernel final : public EditWork {
 public:
     CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::PaintLabel& paint);
@@ -40,10 +41,10 @@ public:
     CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::CapsuleCut& cut);
 
-    void extend(const std::vector<core::Capsule>& capsules);
-
-    /// What was changed.
-    [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const;
+    core::Result<void> extend(const core::EngineExtension& extension) override;
+    [[nodiscard]] bool join(
+        core::EngineExtension& earlier, core::EngineExtension& next) const override;
+    [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const override;
 
 private:
     /// Bricks near some pieces, each with those that it has to look at.
@@ -51,6 +52,7 @@ private:
         std::vector<std::uint32_t> bricks; ///< ascending
         std::vector<std::vector<std::uint32_t>> near; ///< by brick: numbers of pieces
     };
+    void follow(const std::vector<core::Capsule>& capsules);
     void extendBy(const std::vector<core::Capsule>& capsules);
     /// Of a stroke that erases or restores: the brick holds nothing.
     [[nodiscard]] bool nothingToTakeAway(std::uint32_t brick) const;

@@ -102,7 +102,31 @@ void DrillKernel::deepen(const Press& press)
     }
 }
 
-void DrillKernel::extend(const std::vector<core::DrillSample>& samples)
+core::Result<void> DrillKernel::extend(const core::EngineExtension& extension)
+{
+    const auto* path = std::get_if<core::DrillPath>(&extension);
+    if (!path)
+        return EditWork::extend(extension);
+    follow(path->samples);
+    return {};
+}
+
+bool DrillKernel::join(core::EngineExtension& earlier, core::EngineExtension& next) const
+{
+    return joinPieces(earlier, next, &core::DrillPath::samples);
+}
+
+std::vector<core::BrickKey> DrillKernel::touchedKeys() const
+{
+    return keysOf(core::Field::Coverage, m_cut.layer, m_cutter.touchedBricks());
+}
+
+void DrillKernel::finish(core::EngineResult& result)
+{
+    result.statistics.searchedTo = m_caster.searchedTo();
+}
+
+void DrillKernel::follow(const std::vector<core::DrillSample>& samples)
 {
     for (std::size_t next = 0; next < samples.size();) {
         std::vector<Press> presses;

@@ -6,6 +6,7 @@
 #include "gpu/kernels/cut/MaskColumns.h"
 #include "gpu/kernels/cut/MaskPrograms.h"
 #include "gpu/kernels/cut/SurfaceCaster.h"
+#include "gpu/kernels/work/EditWork.h"
 
 #include <map>
 #include <vector>
@@ -14,23 +15,19 @@ namespace gpu {
 
 /// One drill stroke while the pen is down (rules: core/sculpt/DrillCut.h).
 ///
-/// extend() casts the elements that the mask reaches for the first time, cuts below those that went
-/// deeper and brings radiation up to date there. Cost ∝ what the piece of path touches. Engine
-/// thread only.
-class DrillKernel {
+/// A piece of path casts the elements that the mask reaches for the first time, cuts below those
+/// that went deeper and brings radiation up to date there. Cost ∝ what it touches. Engine thread
+/// only.
+class DrillKernel final : public EditWork {
 public:
     DrillKernel(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::DrillCut& cut);
 
-    void extend(const std::vector<core::DrillSample>& samples);
-
-    /// How deep the surface was looked for.
-    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_caster.searchedTo(); }
-    /// Bricks whose coverage was changed.
-    [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const
-    {
-        return m_cutter.touchedBricks();
-    }
+    core::Result<void> extend(const core::EngineExtension& extension) override;
+    [[nodiscard]] bool join(
+        core::EngineExtension& earlier, core::EngineExtension& next) const override;
+    [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const override;
+    void finish(core::EngineResult& result) override;
 
 private:
     struct Element {
@@ -50,6 +47,7 @@ private:
         std::vector<Touch> touched;
     };
 
+    void follow(const std::vector<core::DrillSample>& samples);
     [[nodiscard]] Press press(const core::DrillSample& sample);
     void castNew();
     void deepen(const Press& press);

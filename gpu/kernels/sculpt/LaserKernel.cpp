@@ -67,7 +67,31 @@ LaserKernel::LaserKernel(
     setHidden(m_programs.cut, cut.frame.hidden);
 }
 
-void LaserKernel::extend(const std::vector<core::DrillSample>& samples)
+core::Result<void> LaserKernel::extend(const core::EngineExtension& extension)
+{
+    const auto* path = std::get_if<core::DrillPath>(&extension);
+    if (!path)
+        return EditWork::extend(extension);
+    follow(path->samples);
+    return {};
+}
+
+bool LaserKernel::join(core::EngineExtension& earlier, core::EngineExtension& next) const
+{
+    return joinPieces(earlier, next, &core::DrillPath::samples);
+}
+
+std::vector<core::BrickKey> LaserKernel::touchedKeys() const
+{
+    return keysOf(core::Field::Coverage, m_cut.layer, m_writer.touchedBricks());
+}
+
+void LaserKernel::finish(core::EngineResult& result)
+{
+    result.statistics.searchedTo = m_caster.searchedTo();
+}
+
+void LaserKernel::follow(const std::vector<core::DrillSample>& samples)
 {
     std::map<Place, Press> more;
     std::vector<glm::ivec2> fresh;

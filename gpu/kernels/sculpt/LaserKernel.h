@@ -5,6 +5,7 @@
 #include "gpu/fields/bricks/PlaneBricks.h"
 #include "gpu/kernels/cut/CoverageWriter.h"
 #include "gpu/kernels/cut/SurfaceCaster.h"
+#include "gpu/kernels/work/EditWork.h"
 
 #include <map>
 #include <set>
@@ -24,22 +25,18 @@ struct LaserPrograms {
 
 /// One stroke of the laser while the pen is down (rules: core/sculpt/LaserCut.h).
 ///
-/// extend() makes the beams that are new, lays those that are new or went deeper and brings
+/// A piece of path makes the beams that are new, lays those that are new or went deeper and brings
 /// radiation up to date there. Cost ∝ these beams. Engine thread only.
-class LaserKernel {
+class LaserKernel final : public EditWork {
 public:
     LaserKernel(LaserPrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::LaserCut& cut);
 
-    void extend(const std::vector<core::DrillSample>& samples);
-
-    /// How deep the surface was looked for.
-    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_caster.searchedTo(); }
-    /// Bricks whose coverage was changed.
-    [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const
-    {
-        return m_writer.touchedBricks();
-    }
+    core::Result<void> extend(const core::EngineExtension& extension) override;
+    [[nodiscard]] bool join(
+        core::EngineExtension& earlier, core::EngineExtension& next) const override;
+    [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const override;
+    void finish(core::EngineResult& result) override;
 
 private:
     /// What the samples that lie in one element say.
@@ -56,6 +53,7 @@ private:
     };
     using Place = std::pair<int, int>; ///< of an element
 
+    void follow(const std::vector<core::DrillSample>& samples);
     void makeBeams(const std::vector<glm::ivec2>& elements);
     void findGradients(std::vector<Beam>& fresh, const std::vector<std::int32_t>& surfaces);
     void findExits(std::vector<Beam>& fresh, const std::vector<glm::ivec3>& feet);

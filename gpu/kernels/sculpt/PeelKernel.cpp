@@ -16,15 +16,35 @@ PeelKernel::PeelKernel(
 {
 }
 
+core::Result<void> PeelKernel::extend(const core::EngineExtension& extension)
+{
+    const auto* depth = std::get_if<core::PeelDepth>(&extension);
+    if (!depth)
+        return EditWork::extend(extension);
+    if (depth->depth < 0)
+        return core::failure(
+            core::ErrorCode::InvalidField, QStringLiteral("depth"), QStringLiteral("is below 0"));
+    setDepth(depth->depth);
+    return {};
+}
+
+/// Changed at any depth.
+std::vector<core::BrickKey> PeelKernel::touchedKeys() const
+{
+    return keysOf(core::Field::Coverage, m_peel.layer, m_cutter.touchedBricks());
+}
+
+void PeelKernel::finish(core::EngineResult& result)
+{
+    result.statistics.searchedTo = m_cast.searchedTo;
+}
+
 void PeelKernel::setDepth(std::int32_t depth)
 {
     if (depth == m_depth)
         return;
     if (depth < m_depth) {
-        std::vector<core::BrickKey> keys;
-        for (const std::uint32_t brick : m_cutter.touchedBricks())
-            keys.push_back({core::Field::Coverage, m_peel.layer, brick});
-        m_before.restore(std::move(keys));
+        m_before.restore(touchedKeys());
         m_columns.clear();
     }
     m_depth = depth;

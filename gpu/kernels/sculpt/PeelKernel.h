@@ -4,6 +4,7 @@
 #include "core/sculpt/MaskPeel.h"
 #include "gpu/kernels/cut/ColumnCutter.h"
 #include "gpu/kernels/cut/MaskPrograms.h"
+#include "gpu/kernels/work/EditWork.h"
 
 namespace gpu {
 
@@ -12,22 +13,18 @@ namespace gpu {
 ///
 /// A depth costs the offset surface, on the processor, and the bricks under the mask; a lesser
 /// depth than before puts them back first.
-class PeelKernel {
+class PeelKernel final : public EditWork {
 public:
     PeelKernel(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::MaskPeel& peel);
 
-    void setDepth(std::int32_t depth);
-
-    /// How deep the surface was looked for.
-    [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_cast.searchedTo; }
-    /// Bricks whose coverage was changed at any depth.
-    [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const
-    {
-        return m_cutter.touchedBricks();
-    }
+    core::Result<void> extend(const core::EngineExtension& extension) override;
+    [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const override;
+    void finish(core::EngineResult& result) override;
 
 private:
+    void setDepth(std::int32_t depth);
+
     VoxelFields& m_fields;
     BeforeImages& m_before;
     core::MaskPeel m_peel;

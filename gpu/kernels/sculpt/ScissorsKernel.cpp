@@ -5,7 +5,7 @@
 
 namespace gpu {
 
-Scissored cutWithScissors(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,
+ScissorsKernel::ScissorsKernel(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,
     const core::MaskScissors& scissors)
 {
     MaskColumns columns(scissors.frame, fields.grid());
@@ -28,9 +28,20 @@ Scissored cutWithScissors(MaskPrograms& programs, VoxelFields& fields, BeforeIma
                 columns.set(element, column);
         }
     }
-    std::vector<std::uint32_t> changed = cutter.lay(columns);
+    const std::vector<std::uint32_t> changed = cutter.lay(columns);
     fields.noteChanged(core::Field::Coverage, changed);
-    return {std::move(changed), cast.searchedTo};
+    m_changed = keysOf(core::Field::Coverage, scissors.layer, changed);
+    m_searchedTo = cast.searchedTo;
+}
+
+std::vector<core::BrickKey> ScissorsKernel::touchedKeys() const
+{
+    return m_changed;
+}
+
+void ScissorsKernel::finish(core::EngineResult& result)
+{
+    result.statistics.searchedTo = m_searchedTo;
 }
 
 } // namespace gpu

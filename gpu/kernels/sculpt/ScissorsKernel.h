@@ -4,15 +4,23 @@
 #include "core/sculpt/MaskScissors.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/kernels/cut/MaskPrograms.h"
+#include "gpu/kernels/work/EditWork.h"
 
 namespace gpu {
 
-/// Carries out core::MaskScissors, as one gather over the bricks below the mask.
-struct Scissored {
-    std::vector<std::uint32_t> bricks; ///< that changed
-    std::optional<std::int32_t> searchedTo{}; ///< how deep the surface was looked for
+/// Carries out core::MaskScissors, as one gather over the bricks below the mask; begun, it is done.
+/// Engine thread only.
+class ScissorsKernel final : public EditWork {
+public:
+    ScissorsKernel(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,
+        const core::MaskScissors& scissors);
+
+    [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const override;
+    void finish(core::EngineResult& result) override;
+
+private:
+    std::vector<core::BrickKey> m_changed;
+    std::optional<std::int32_t> m_searchedTo; ///< how deep the surface was looked for
 };
-[[nodiscard]] Scissored cutWithScissors(MaskPrograms& programs, VoxelFields& fields,
-    BeforeImages& before, const core::MaskScissors& scissors);
 
 } // namespace gpu

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/engine/EditWork.h"
-
-#include "gpu/engine/EditTransaction.h"
+#include "gpu/kernels/work/EditWork.h"
 
 namespace gpu {
 
@@ -34,7 +32,8 @@ struct Misfits {
 
 core::Result<void> EditWork::extend(const core::EngineExtension& extension)
 {
-    return refusal("extension", std::visit(Misfits(), extension));
+    return core::failure(core::ErrorCode::InvalidField, QStringLiteral("extension"),
+        QLatin1String(std::visit(Misfits(), extension)));
 }
 
 bool EditWork::join(core::EngineExtension&, core::EngineExtension&) const

@@ -3,11 +3,8 @@
 
 #include "core/base/Result.h"
 #include "core/engine/EngineCommands.h"
-#include "gpu/engine/EditPrograms.h"
-#include "gpu/fields/BeforeImages.h"
-#include "gpu/fields/VoxelFields.h"
 
-#include <memory>
+#include <variant>
 #include <vector>
 
 namespace gpu {
@@ -47,23 +44,6 @@ public:
     [[nodiscard]] virtual core::GrowthProgress progress() const { return {}; }
 };
 
-/// What works have to do with.
-struct WorkContext {
-    EditPrograms& programs;
-    VoxelFields& fields;
-    BeforeImages& before;
-};
-
-using BegunWork = core::Result<std::unique_ptr<EditWork>>;
-
-// One for each family of edits, which knows all kinds of it: what is missing does not compile. The
-// edit is sound (core::checkEdit()). Errors: InvalidField, with nothing changed.
-
-BegunWork beginWork(core::GrowthEdits::Pointer edit, const WorkContext& context);
-BegunWork beginWork(core::StrokeEdits::Pointer edit, const WorkContext& context);
-BegunWork beginWork(core::WholeEdits::Pointer edit, const WorkContext& context);
-BegunWork beginWork(core::LabelWrites::Pointer edit, const WorkContext& context);
-
 /// These bricks of one field and plane.
 [[nodiscard]] std::vector<core::BrickKey> keysOf(
     core::Field field, std::uint8_t plane, const std::vector<std::uint32_t>& bricks);
@@ -71,6 +51,17 @@ BegunWork beginWork(core::LabelWrites::Pointer edit, const WorkContext& context)
 template <class Path> void append(Path& path, const Path& more)
 {
     path.insert(path.end(), more.begin(), more.end());
+}
+/// Puts the next piece of a path behind an earlier one, extensions of one kind.
+/// @return whether that is a kind of such pieces
+template <class Piece, class Path>
+[[nodiscard]] bool joinPieces(
+    core::EngineExtension& earlier, core::EngineExtension& next, Path Piece::*path)
+{
+    auto* first = std::get_if<Piece>(&earlier);
+    if (first)
+        append(first->*path, std::get<Piece>(next).*path);
+    return first != nullptr;
 }
 
 } // namespace gpu
