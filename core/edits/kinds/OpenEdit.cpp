@@ -5,9 +5,11 @@
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/engine/EngineCommands.h"
 
 #include <utility>
 
@@ -24,6 +26,23 @@ const std::vector<PenSample>* samplesOf(const Edit& edit)
 std::vector<PenSample>* samplesOf(Edit& edit)
 {
     return const_cast<std::vector<PenSample>*>(samplesOf(std::as_const(edit)));
+}
+
+std::optional<DrillPathSampler> samplerOf(const Edit& edit, const EngineEdit& begun)
+{
+    if (const auto* drill = edit.as<DrillStroke>())
+        return DrillPathSampler(*drill, std::get<DrillCut>(begun));
+    if (const auto* laser = edit.as<LaserStroke>())
+        return DrillPathSampler(*laser, std::get<LaserCut>(begun));
+    return std::nullopt;
+}
+
+bool* byTimeOf(Edit& edit)
+{
+    if (auto* drill = edit.as<DrillStroke>())
+        return &drill->byTime;
+    auto* laser = edit.as<LaserStroke>();
+    return laser ? &laser->byTime : nullptr;
 }
 
 const BrushPath* brushPathOf(const Edit& edit)

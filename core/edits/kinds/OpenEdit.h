@@ -8,7 +8,9 @@
 
 namespace core {
 
+class DrillPathSampler;
 struct BrushPath;
+struct EngineEdit;
 struct PenSample;
 
 // What of an edit is told bit by bit while it stands open, wherever its kind keeps it. Whoever
@@ -17,6 +19,13 @@ struct PenSample;
 /// The samples of a stroke of drill or laser; null for other edits.
 [[nodiscard]] std::vector<PenSample>* samplesOf(Edit& edit);
 [[nodiscard]] const std::vector<PenSample>* samplesOf(const Edit& edit);
+
+/// What makes the path of such samples, in a stroke that begins with this command; none for other
+/// edits.
+[[nodiscard]] std::optional<DrillPathSampler> samplerOf(const Edit& edit, const EngineEdit& begun);
+
+/// Whether such samples are looked at by time (DrillPathSampler.h); null for other edits.
+[[nodiscard]] bool* byTimeOf(Edit& edit);
 
 /// The way of a brush that paints, carves or shuts to growth; null for other edits.
 [[nodiscard]] BrushPath* brushPathOf(Edit& edit);
