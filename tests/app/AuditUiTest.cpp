@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/window/Application.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/session/SessionKeyframes.h"
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionFile.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/series/SyntheticSeries.h"
 #include "ui/base/AuthorName.h"
@@ -97,23 +97,23 @@ private:
         return wait([this] { return session().idle() && window().views().refined(); });
     }
     /// From where the 3D view looks, at a part of its height right of and above the middle.
-    [[nodiscard]] core::DrillStroke drill(double right, double up)
+    [[nodiscard]] core::Edit drill(double right, double up)
     {
         const ui::Camera& camera = view().camera();
-        core::DrillStroke stroke;
-        stroke.view = {.eyeLps = camera.eyeLps(),
-            .targetLps = camera.targetLps,
-            .up = camera.up,
-            .heightMm = camera.heightMm};
-        stroke.mask.radiusMm = camera.heightMm / 20.0;
-        stroke.depthMm = camera.heightMm / 10.0;
-        stroke.surfaceThreshold = m_application->workspace().volumeDisplay().surfaceThreshold;
+        std::vector<core::PenSample> samples;
         for (int i = 0; i <= 6; ++i)
-            stroke.samples.push_back({.xMm = (right + 0.01 * i) * camera.heightMm,
+            samples.push_back({.xMm = (right + 0.01 * i) * camera.heightMm,
                 .yMm = up * camera.heightMm,
                 .pressure = 1.0,
                 .tSeconds = 0.01 * i});
-        return stroke;
+        return test::drillWith({.view = core::OrthographicView{.eyeLps = camera.eyeLps(),
+                                    .targetLps = camera.targetLps,
+                                    .up = camera.up,
+                                    .heightMm = camera.heightMm},
+            .radiusMm = camera.heightMm / 20.0,
+            .depthMm = camera.heightMm / 10.0,
+            .surfaceThreshold = m_application->workspace().volumeDisplay().surfaceThreshold,
+            .samples = samples});
     }
     [[nodiscard]] bool apply(const core::Edit& edit)
     {

@@ -6,8 +6,6 @@
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/pieces/PastePiece.h"
-#include "core/edits/kinds/sculpt/LaserStroke.h"
-#include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "tests/support/cases/EngineCases.h"
@@ -15,6 +13,7 @@
 #include "tests/support/cases/growth/RealGrowths.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/FigurePanels.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SculptStage.h"
@@ -298,10 +297,10 @@ private Q_SLOTS:
         gpu::VolumeScene scene = sceneOf(view);
         scene.surfaceThreshold = 66.0;
         const std::vector<glm::dvec2> outline = ellipse({0.0, 8.0}, {74.0, 62.0});
-        PeelCut peel{.layer = 1, .view = view, .polygonMm = outline, .depthMm = 15.0};
-        peel.surfaceThreshold = 66.0;
-        peel.throughGaps = true;
-        QCOMPARE(figure.does(peel), QString());
+        QCOMPARE(figure.does(test::peelWith(
+                     {.view = view, .depthMm = 15.0, .surfaceThreshold = 66.0, .throughGaps = true},
+                     outline)),
+            QString());
         const GrowBox upper{.fromLps = figure.place({0, 0, 75}),
             .toLps = figure.place(glm::dvec3(figure.geometry().size - 1))};
         QCOMPARE(figure.does(segment("White matter", ivory)), QString());
@@ -373,12 +372,12 @@ private Q_SLOTS:
         scene.surfaceThreshold = 226.0;
         figure.shows(scene);
         std::vector<Edit> edits = growth->edits;
-        LaserStroke laser{
-            .layer = 1, .view = viewFrom(towardsViewer, figure.place({160, 179, 10}), 62.0)};
-        laser.mask.radiusMm = 7.5;
-        laser.depthMm = 2.4;
-        laser.surfaceThreshold = 226.0;
-        laser.samples = {{}};
+        const Edit laser =
+            test::laserWith({.view = viewFrom(towardsViewer, figure.place({160, 179, 10}), 62.0),
+                .radiusMm = 7.5,
+                .depthMm = 2.4,
+                .surfaceThreshold = 226.0,
+                .samples = std::vector<PenSample>(1)});
         QCOMPARE(figure.does(laser), QString());
         QCOMPARE(figure.does(edits[0]), QString());
         QCOMPARE(figure.does(edits[1]), QString());
@@ -424,10 +423,11 @@ private Q_SLOTS:
         const std::vector<glm::dvec2> outline = ellipse({-4.0, -6.0}, {112.0, 44.0});
         figure.shows(scene);
         figure.sketched(view, outline, true);
-        PeelCut peel{.layer = 1, .view = view, .polygonMm = outline, .depthMm = 38.0};
-        peel.surfaceThreshold = -300.0;
-        peel.throughGaps = true;
-        QCOMPARE(figure.does(peel), QString());
+        QCOMPARE(
+            figure.does(test::peelWith(
+                {.view = view, .depthMm = 38.0, .surfaceThreshold = -300.0, .throughGaps = true},
+                outline)),
+            QString());
         figure.shows(scene);
 
         const GrowBox below{

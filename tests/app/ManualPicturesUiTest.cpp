@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/window/DemonstrationStudy.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/surface/MarkSurface.h"
@@ -9,6 +8,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ManualWindow.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SharedData.h"
 #include "ui/dialogs/export/ExportDialog.h"
@@ -53,22 +53,22 @@ private:
         return *window().findChild<ui::HistoryTimeline*>();
     }
     /// A stroke from where the 3D view looks, in parts of its height right of and above the middle.
-    [[nodiscard]] core::DrillStroke drill(
+    [[nodiscard]] core::Edit drill(
         const glm::dvec2& from, const glm::dvec2& to, double radiusMm, double depthMm)
     {
         const ui::Camera& camera = window().views().volume().camera();
-        core::DrillStroke stroke;
-        stroke.view = {.eyeLps = camera.eyeLps(),
-            .targetLps = camera.targetLps,
-            .up = camera.up,
-            .heightMm = camera.heightMm};
-        stroke.mask.radiusMm = radiusMm;
-        stroke.depthMm = depthMm;
-        stroke.surfaceThreshold = workspace().volumeDisplay().surfaceThreshold;
         const glm::dvec2 start = from * camera.heightMm;
         const glm::dvec2 end = to * camera.heightMm;
-        stroke.samples = {{start.x, start.y, 1.0, 0.0}, {end.x, end.y, 1.0, 0.4}};
-        return stroke;
+        const std::vector<core::PenSample> samples{
+            {start.x, start.y, 1.0, 0.0}, {end.x, end.y, 1.0, 0.4}};
+        return test::drillWith({.view = core::OrthographicView{.eyeLps = camera.eyeLps(),
+                                    .targetLps = camera.targetLps,
+                                    .up = camera.up,
+                                    .heightMm = camera.heightMm},
+            .radiusMm = radiusMm,
+            .depthMm = depthMm,
+            .surfaceThreshold = workspace().volumeDisplay().surfaceThreshold,
+            .samples = samples});
     }
     void unfoldBranches()
     {
@@ -233,11 +233,12 @@ private Q_SLOTS:
         apply(
             core::SpherePush{.path = {.radiusMm = 11.0, .pointsLps = {{4, -2, 34}, {2, -4, 27}}}});
         // Seen through a hole in the head.
-        core::DrillStroke hole = drill({0.0, 0.0}, {0.001, 0.0}, 34.0, 52.0);
+        const core::Edit hole = drill({0.0, 0.0}, {0.001, 0.0}, 34.0, 52.0);
         const glm::dvec3 middle(26, -20, 42);
-        hole.view.eyeLps += middle - hole.view.targetLps;
-        hole.view.targetLps = middle;
-        apply(hole);
+        core::OrthographicView view = test::factsOfStroke(hole).view;
+        view.eyeLps += middle - view.targetLps;
+        view.targetLps = middle;
+        apply(test::drillWith({.view = view}, hole));
         workspace().setCrosshairLps({24, -18, 42});
         workspace().refinement().setSettings(
             {.mode = ui::Refinement::Mode::Sphere, .radiusMm = 11.0});

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/growth/ShrinkSteps.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
@@ -49,9 +48,7 @@ QJsonArray script(const core::VolumeGeometry& geometry)
     QJsonArray steps = test::toJson({test::addSegment("Brain"), test::seedInBrain(1),
         test::growBrain(), test::addSegment("Air"), test::seedAt(2, {corner}),
         test::growBetween(-2000, -500), core::ShrinkSteps{.steps = 6}, test::drillAt(-6),
-        core::PaintStroke{.segment = 1,
-            .path = {.radiusMm = 6, .pointsLps = {middle, middle + glm::dvec3(4, 3, 2)}},
-            .overwriteUnlocked = true}});
+        test::paintOverAt(1, {middle, middle + glm::dvec3(4, 3, 2)}, 6.0)});
     for (const char* move : {"undo", "undo", "redo"})
         steps.append(QJsonObject{{key("edit"), key(move)}});
     return steps;

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/LaserStroke.h"
-#include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/servers/BurinProgram.h"
 
@@ -29,27 +27,28 @@ using Settings = std::vector<std::pair<const char*, const char*>>;
 /// A stroke of every tool, and back.
 std::vector<core::Edit> everyTool()
 {
-    const core::DrillStroke at = test::drillAt(-6).get<core::DrillStroke>();
-    core::DrillStroke rate = test::drillAt(5).get<core::DrillStroke>();
-    rate.mode = core::DrillMode::Rate;
-    rate.mask = {.kind = core::MaskShape::Kind::Rounded,
+    const core::Edit drill = test::drillAt(-6);
+    const test::StrokeFacts at = test::factsOfStroke(drill);
+    const core::MaskShape rounded{.kind = core::MaskShape::Kind::Rounded,
         .widthMm = 9.0,
         .heightMm = 6.0,
         .rotationDegrees = 30.0,
         .softnessMm = 1.0};
-    core::DrillStroke restore = test::drillAt(-4).get<core::DrillStroke>();
-    restore.restore = true;
-    core::LaserStroke laser;
-    laser.view = at.view;
-    laser.mask = {.kind = core::MaskShape::Kind::Ellipse, .widthMm = 8.0, .heightMm = 5.0};
-    laser.depthMm = 6.0;
-    laser.surfaceThreshold = at.surfaceThreshold;
-    laser.samples = {{.xMm = 0.0, .yMm = 7.0}, {.xMm = 4.0, .yMm = 8.0, .tSeconds = 0.1}};
-    core::PeelCut peel;
-    peel.view = at.view;
-    peel.polygonMm = {{-9.0, -9.0}, {7.0, -8.0}, {9.0, 2.0}, {-5.0, 3.0}};
-    peel.depthMm = 2.5;
-    peel.surfaceThreshold = at.surfaceThreshold;
+    const core::Edit rate =
+        test::drillWith({.mask = rounded, .mode = core::DrillMode::Rate}, test::drillAt(5));
+    const core::Edit restore = test::drillWith({.restore = true}, test::drillAt(-4));
+    const core::MaskShape ellipse{
+        .kind = core::MaskShape::Kind::Ellipse, .widthMm = 8.0, .heightMm = 5.0};
+    const std::vector<core::PenSample> path{
+        {.xMm = 0.0, .yMm = 7.0}, {.xMm = 4.0, .yMm = 8.0, .tSeconds = 0.1}};
+    const core::Edit laser = test::laserWith({.view = at.view,
+        .mask = ellipse,
+        .depthMm = 6.0,
+        .surfaceThreshold = at.surfaceThreshold,
+        .samples = path});
+    const core::Edit peel =
+        test::peelWith({.view = at.view, .depthMm = 2.5, .surfaceThreshold = at.surfaceThreshold},
+            {{-9.0, -9.0}, {7.0, -8.0}, {9.0, 2.0}, {-5.0, 3.0}});
     core::ScissorsCut scissors;
     scissors.view = at.view;
     scissors.polygonMm = {{2.0, 2.0}, {12.0, 4.0}, {6.0, 13.0}};
@@ -61,10 +60,9 @@ std::vector<core::Edit> everyTool()
     core::BrushStroke fill = carve;
     fill.path.radiusMm = 2.0;
     fill.restore = true;
-    core::PaintStroke paint{.segment = 1};
-    paint.path = carve.path;
+    const core::Edit paint = test::paintAt(1, carve.path.pointsLps, carve.path.radiusMm);
     return {test::addSegment("Brain"), test::addSegment("Skull"), test::seedInBrain(1),
-        test::growBrain(), at, rate, laser, restore, peel, scissors, carve, fill, paint,
+        test::growBrain(), drill, rate, laser, restore, peel, scissors, carve, fill, paint,
         core::ReviseStroke{.row = 5, .depthMm = 7.0}};
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "gpu/engine/GpuEngine.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/base/Theme.h"
 #include "ui/geometry/OrientationLetters.h"
@@ -339,13 +339,14 @@ void PicturesUiTest::continuedSessionLooksAsItWasLeft()
         QVERIFY(real.waitUntilRefined());
         untouched = pictures(real);
         core::EditSession& session = *real.workspace.session();
-        core::DrillStroke drill;
-        drill.view = {.eyeLps = {0.0, -500.0, 0.0}, .targetLps = {}, .up = {0.0, 0.0, 1.0}};
-        drill.mask.radiusMm = 12.0;
-        drill.depthMm = 15.0;
-        drill.surfaceThreshold = -350.0;
-        drill.samples = {{10.0, 10.0, 1.0, 0.0}, {-20.0, 10.0, 1.0, 0.4}};
-        QVERIFY(session.apply(drill));
+        const core::OrthographicView view{
+            .eyeLps = {0.0, -500.0, 0.0}, .targetLps = {}, .up = {0.0, 0.0, 1.0}};
+        const std::vector<core::PenSample> path{{10.0, 10.0, 1.0, 0.0}, {-20.0, 10.0, 1.0, 0.4}};
+        QVERIFY(session.apply(test::drillWith({.view = view,
+            .radiusMm = 12.0,
+            .depthMm = 15.0,
+            .surfaceThreshold = -350.0,
+            .samples = path})));
         QVERIFY(session.apply(test::newSegment(QStringLiteral("S"), 0x3388ff)));
         QVERIFY(session.apply(test::seedAt(1, {front.centreLps})));
         QVERIFY(session.apply(test::growBetween(400.0, 600.0)));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -9,6 +8,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SharedData.h"
 
@@ -111,13 +111,16 @@ void RunOracleTest::runsAlike()
     std::vector<glm::dvec3> seedsLps;
     for (const glm::ivec3& seed : seeds)
         seedsLps.push_back(geometry.toWorld(glm::dvec3(seed)));
-    DrillStroke drill;
-    drill.view.targetLps = geometry.toWorld(glm::dvec3(geometry.size) / 2.0);
-    drill.view.eyeLps = drill.view.targetLps + glm::dvec3(-150.0, -210.0, 60.0);
-    drill.mask.radiusMm = 9.0;
-    drill.depthMm = 12.0;
-    drill.surfaceThreshold = input.lower;
-    drill.samples = {{.xMm = -6.0, .yMm = 3.0, .pressure = 0.8}, {.xMm = 8.0, .yMm = -5.0}};
+    OrthographicView view;
+    view.targetLps = geometry.toWorld(glm::dvec3(geometry.size) / 2.0);
+    view.eyeLps = view.targetLps + glm::dvec3(-150.0, -210.0, 60.0);
+    const std::vector<PenSample> path{
+        {.xMm = -6.0, .yMm = 3.0, .pressure = 0.8}, {.xMm = 8.0, .yMm = -5.0}};
+    const Edit drill = test::drillWith({.view = view,
+        .radiusMm = 9.0,
+        .depthMm = 12.0,
+        .surfaceThreshold = input.lower,
+        .samples = path});
     const std::vector<Edit> edits{quantised(test::newSegment(QStringLiteral("Grown"), 0x40C080)),
         quantised(test::seedAt(1, seedsLps)),
         quantised(test::growBetween(input.lower, input.upper)), quantised(drill)};

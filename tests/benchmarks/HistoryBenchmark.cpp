@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/HistoryBenchmark.h"
 
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "gpu/engine/GpuEngine.h"
 #include "tests/benchmarks/SessionDriver.h"
 #include "tests/benchmarks/TorsoVolume.h"
 #include "tests/benchmarks/WholeImageUndo.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/TypicalStrokes.h"
 #include "ui/base/ErrorText.h"
@@ -45,21 +45,20 @@ core::Edit seedStroke()
 }
 
 /// From the front into the belly, with the tool's usual radius and depth: a curve of 60 mm.
-core::DrillStroke drillStroke(int number)
+core::Edit drillStroke(int number)
 {
-    core::DrillStroke stroke;
     const glm::dvec3 target((number % 5 - 2) * 45.0, 0.0, (number / 5 - 2) * 90.0 + 40.0);
-    stroke.view = {.eyeLps = target - glm::dvec3(0.0, 600.0, 0.0),
+    const core::OrthographicView view{.eyeLps = target - glm::dvec3(0.0, 600.0, 0.0),
         .targetLps = target,
         .up = {0.0, 0.0, 1.0},
         .heightMm = 400.0};
-    stroke.surfaceThreshold = -350.0;
+    std::vector<core::PenSample> samples;
     for (int i = 0; i < dabs; ++i)
-        stroke.samples.push_back({.xMm = double(i) - dabs / 2,
+        samples.push_back({.xMm = double(i) - dabs / 2,
             .yMm = 8.0 * std::sin(0.12 * i + number),
             .pressure = 0.6 + 0.4 * std::sin(0.05 * i),
             .tSeconds = i / 120.0});
-    return stroke;
+    return test::drillWith({.view = view, .surfaceThreshold = -350.0, .samples = samples});
 }
 
 double median(std::vector<double> values)
@@ -380,20 +379,19 @@ QString measureMemory(gpu::GpuEngine& engine, PeerReport& report)
     const auto begun = residentBytes();
     auto half = begun;
     for (int number = 0; number < strokes; ++number) {
-        core::DrillStroke stroke;
         const glm::dvec3 target(64.0);
-        stroke.view = {.eyeLps = target - glm::dvec3(0.0, 200.0, 0.0),
+        const core::OrthographicView view{.eyeLps = target - glm::dvec3(0.0, 200.0, 0.0),
             .targetLps = target,
             .up = {0.0, 0.0, 1.0},
             .heightMm = 150.0};
-        stroke.mask.radiusMm = 1.5;
-        stroke.depthMm = 4.0;
+        std::vector<core::PenSample> samples;
         const double x = (number % columns - columns / 2) * 1.2;
         const double y = (number / columns - columns / 2) * 1.2;
         for (int i = 0; i < 10; ++i)
-            stroke.samples.push_back(
+            samples.push_back(
                 {.xMm = x + 0.1 * i, .yMm = y, .pressure = 1.0, .tSeconds = i / 120.0});
-        driver->apply(stroke);
+        driver->apply(
+            test::drillWith({.view = view, .radiusMm = 1.5, .depthMm = 4.0, .samples = samples}));
         // What waits for the disk is no memory that stays.
         if (number % 100 == 99)
             driver->settle();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/SessionDriver.h"
 
-#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/engine/EditEngine.h"
 #include "core/session/SessionStorage.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "core/session/state/RecentSteps.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "ui/base/ErrorText.h"
 
 #include <QFile>
@@ -104,12 +105,10 @@ SessionDriver::Commit SessionDriver::apply(const core::Edit& edit)
     return timed([&] { note(m_session->apply(edit)); });
 }
 
-SessionDriver::Commit SessionDriver::stroke(const core::DrillStroke& stroke)
+SessionDriver::Commit SessionDriver::stroke(const core::Edit& stroke)
 {
-    core::DrillStroke begun = stroke;
-    begun.samples.clear();
-    note(m_session->begin(begun));
-    for (const core::PenSample& sample : stroke.samples) {
+    note(m_session->begin(test::begunStroke(stroke)));
+    for (const core::PenSample& sample : *core::penSamplesOf(stroke)) {
         m_session->extendDrill({sample});
         m_session->poll();
     }

@@ -27,7 +27,7 @@ public:
     };
     Commit apply(const core::Edit& edit);
     /// Under the pen: sample by sample; only what comes from pen-up on is timed.
-    Commit stroke(const core::DrillStroke& stroke);
+    Commit stroke(const core::Edit& stroke);
 
     // Until the voxels are in place.
     Commit undo();

@@ -2,6 +2,8 @@
 #include "core/edits/kinds/EditParts.h"
 
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/kinds/sculpt/DrillPathSampler.h"
+#include "core/engine/EngineCommands.h"
 
 #include <type_traits>
 #include <utility>
@@ -12,6 +14,9 @@ namespace {
 
 template <class E>
 concept hasPenSamples = std::is_same_v<decltype(E::samples), std::vector<PenSample>>;
+
+template <class E>
+concept isByTime = std::is_same_v<decltype(E::byTime), bool>;
 
 template <class E>
 concept hasBrushPath = std::is_same_v<decltype(E::path), BrushPath>;
@@ -41,10 +46,10 @@ template <class Part, class Take> const Part* partOfGrowth(const Edit& edit, con
 
 } // namespace
 
-std::vector<PenSample>* penSamplesOf(Edit& edit)
+const std::vector<PenSample>* penSamplesOf(const Edit& edit)
 {
     return visitEdit(
-        [](auto& known) -> std::vector<PenSample>* {
+        [](const auto& known) -> const std::vector<PenSample>* {
             if constexpr (hasPenSamples<std::decay_t<decltype(known)>>)
                 return &known.samples;
             else
@@ -53,16 +58,47 @@ std::vector<PenSample>* penSamplesOf(Edit& edit)
         edit);
 }
 
-BrushPath* brushPathOf(Edit& edit)
+std::vector<PenSample>* penSamplesOf(Edit& edit)
+{
+    return const_cast<std::vector<PenSample>*>(penSamplesOf(std::as_const(edit)));
+}
+
+bool* byTimeOf(Edit& edit)
 {
     return visitEdit(
-        [](auto& known) -> BrushPath* {
+        [](auto& known) -> bool* {
+            if constexpr (isByTime<std::decay_t<decltype(known)>>)
+                return &known.byTime;
+            else
+                return nullptr;
+        },
+        edit);
+}
+
+std::optional<DrillPathSampler> samplerOf(const Edit& edit, const EngineEdit& begun)
+{
+    if (const auto* drill = edit.as<DrillStroke>())
+        return DrillPathSampler(*drill, std::get<DrillCut>(begun));
+    if (const auto* laser = edit.as<LaserStroke>())
+        return DrillPathSampler(*laser, std::get<LaserCut>(begun));
+    return std::nullopt;
+}
+
+const BrushPath* brushPathOf(const Edit& edit)
+{
+    return visitEdit(
+        [](const auto& known) -> const BrushPath* {
             if constexpr (hasBrushPath<std::decay_t<decltype(known)>>)
                 return &known.path;
             else
                 return nullptr;
         },
         edit);
+}
+
+BrushPath* brushPathOf(Edit& edit)
+{
+    return const_cast<BrushPath*>(brushPathOf(std::as_const(edit)));
 }
 
 const GrowCriteria* growCriteriaOf(const Edit& edit)

@@ -8,7 +8,9 @@
 
 namespace core {
 
+class DrillPathSampler;
 struct BrushPath;
+struct EngineEdit;
 struct GrowCriteria;
 struct GrowGuard;
 struct PenSample;
@@ -19,9 +21,18 @@ struct PenSample;
 
 /// What the pen reported of a stroke of drill or laser.
 [[nodiscard]] std::vector<PenSample>* penSamplesOf(Edit& edit);
+[[nodiscard]] const std::vector<PenSample>* penSamplesOf(const Edit& edit);
+
+/// Whether such samples are looked at by time (DrillPathSampler.h).
+[[nodiscard]] bool* byTimeOf(Edit& edit);
+
+/// What makes the path of such samples, in a stroke that begins with this command; none for other
+/// edits.
+[[nodiscard]] std::optional<DrillPathSampler> samplerOf(const Edit& edit, const EngineEdit& begun);
 
 /// The way of a brush that paints, carves or shuts voxels to growth.
 [[nodiscard]] BrushPath* brushPathOf(Edit& edit);
+[[nodiscard]] const BrushPath* brushPathOf(const Edit& edit);
 
 // A growth says what it goes by and how far it goes: GrowSteps and ChangeInterval. One that goes on
 // (ResumeGrowth) has these only when it is named (RecentGrowth.h).

@@ -4,6 +4,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SparedSegments.h"
 #include "core/edits/kinds/EditKinds.h"
+#include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/layers/MergeLayers.h"
 #include "core/edits/kinds/layers/RemoveLayer.h"
@@ -245,6 +246,21 @@ bool startsOnSurface(const SculptEdit& edit)
     if (const auto* scissors = edit.as<ScissorsCut>())
         return scissors->depthMm || scissors->firstLayerOnly;
     return !edit.is<BrushStroke>();
+}
+
+const std::vector<glm::dvec2>* outlineOf(const SculptEdit& edit)
+{
+    return visitSculpt(
+        [](const auto& known) -> const std::vector<glm::dvec2>* {
+            using E = std::decay_t<decltype(known)>;
+            if constexpr (std::is_same_v<E, BrushStroke>)
+                return nullptr;
+            else if constexpr (isOneOf<E, DrillStroke, LaserStroke>)
+                return known.mask.polygonMm ? &*known.mask.polygonMm : nullptr;
+            else
+                return &known.polygonMm;
+        },
+        edit);
 }
 
 const SparedSegments* sparedBy(const Edit& edit)

@@ -47,6 +47,9 @@ private:
 /// Whether what is seen decides where it cuts.
 [[nodiscard]] bool startsOnSurface(const SculptEdit& edit);
 
+/// The outline that was drawn for it by hand; null: there is none.
+[[nodiscard]] const std::vector<glm::dvec2>* outlineOf(const SculptEdit& edit);
+
 /// What an edit that carves spares: its own list. Null: it carves nothing, or restores.
 [[nodiscard]] SparedSegments* sparedBy(Edit& edit);
 [[nodiscard]] const SparedSegments* sparedBy(const Edit& edit);

@@ -47,7 +47,7 @@ Result<EngineEdit> VoxelOperation::engineEdit(const Document& document)
         return edit;
     if (const auto* shrink = std::get_if<ShrinkGrowth>(&*edit))
         m_firstGeneration = shrink->generation;
-    m_path = DrillPathSampler::along(m_edit, *edit);
+    m_path = samplerOf(m_edit, *edit);
     return edit;
 }
 

@@ -2,9 +2,8 @@
 #include "core/sessionfile/records/RowText.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/LaserStroke.h"
 
 #include <QCryptographicHash>
 #include <QJsonDocument>
@@ -80,12 +79,8 @@ Result<HistoryRow> RowText::row() const
     if (auto* grow = known->as<GrowSteps>(); grow && !parsed(edit).contains(tellsHeld))
         grow->tellsHeld = false;
     // Rows from before there was a choice took samples for the corners of the path.
-    if (!parsed(edit).contains(QStringLiteral("byTime"))) {
-        if (auto* drill = known->as<DrillStroke>())
-            drill->byTime = false;
-        else if (auto* laser = known->as<LaserStroke>())
-            laser->byTime = false;
-    }
+    if (bool* byTime = byTimeOf(*known); byTime && !parsed(edit).contains(QLatin1String("byTime")))
+        *byTime = false;
     HistoryRow row;
     row.id = id;
     row.parent = parent;

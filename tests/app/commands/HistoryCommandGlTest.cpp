@@ -3,8 +3,6 @@
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
-#include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionKeyframes.h"
 #include "core/sessionfile/SessionFile.h"
@@ -13,6 +11,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
@@ -277,7 +276,7 @@ private Q_SLOTS:
     /// Pieces are part of what is seen: one that was moved beside the head is in the picture.
     void picturesShowPieces()
     {
-        const DrillStroke drill = test::drillAt(0).get<DrillStroke>();
+        const Edit drill = test::drillAt(0);
         const auto pictureAt = [this](const char* name, const std::vector<Edit>& edits) {
             if (run(recipe("p.json", {{key("edits"), toJson(edits)}}), name).status != 0)
                 qFatal("not carried out");
@@ -289,9 +288,8 @@ private Q_SLOTS:
                 [&png](const QByteArray& fetched) { png.set_value(fetched); });
             return QImage::fromData(png.get_future().get(), "PNG");
         };
-        BrushStroke half;
-        half.path.radiusMm = 14.0;
-        half.path.pointsLps = {drill.view.targetLps + glm::dvec3(0, 0, 14)};
+        const Edit half =
+            test::carveAt({test::factsOfStroke(drill).view.targetLps + glm::dvec3(0, 0, 14)}, 14.0);
         const Edit lift = CutPiece{.layer = 1, .name = QStringLiteral("Cap")};
         const QImage cut = pictureAt("cut.burin", {half, lift, test::addSegment("A")});
         const QImage away = pictureAt(

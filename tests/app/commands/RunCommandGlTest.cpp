@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/LaserStroke.h"
-#include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/session/EditSession.h"
 #include "core/sessionfile/SessionFile.h"
@@ -12,6 +9,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/workspace/InitialDisplay.h"
@@ -155,18 +153,16 @@ private Q_SLOTS:
     /// Issue 4: a stroke written by hand need not say what is seen.
     void aCutWithoutSurfaceStartsOnTheOneThatTheWindowShows()
     {
-        PeelCut peel;
-        peel.view = test::frontView();
-        peel.polygonMm = {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}};
+        const std::vector<glm::dvec2> outline{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}};
+        const Edit peel = test::peelWith({.view = test::frontView()}, outline);
         ScissorsCut scissors;
-        scissors.view = peel.view;
-        scissors.polygonMm = peel.polygonMm;
+        scissors.view = test::frontView();
+        scissors.polygonMm = outline;
         scissors.depthMm = 6.0;
-        const DrillStroke drill = test::drillAt(0).get<DrillStroke>();
-        LaserStroke laser;
-        laser.view = drill.view;
-        laser.mask = drill.mask;
-        laser.samples = drill.samples;
+        const Edit drill = test::drillAt(0);
+        const test::StrokeFacts said = test::factsOfStroke(drill);
+        const Edit laser =
+            test::laserWith({.view = said.view, .mask = said.mask, .samples = said.samples});
         QJsonArray edits;
         for (const QJsonValue& cut : toJson({drill, laser, peel, scissors, drill})) {
             QJsonObject edit = cut.toObject();

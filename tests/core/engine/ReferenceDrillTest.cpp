@@ -265,7 +265,7 @@ void ReferenceDrillTest::portionsMakeNoDifference()
         const glm::ivec3 size(30, 25, 20);
         const Codes codes = test::balls(size, 5, random);
         const Document document = test::randomDocument(size, random, i % 2);
-        const DrillStroke stroke = test::randomDrill(document, random);
+        const Edit stroke = test::randomDrill(document, random);
         const DrillCut cut = test::drillCutOf(stroke, document);
         std::vector<DrillSample> path = test::drillSamplesOf(stroke, cut);
         ReferenceEngine whole;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/ReferenceEngine.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -64,7 +63,7 @@ void ReferenceEngineTest::rollbackRestores()
         const Document document = test::randomDocument(size, random, false);
         ReferenceEngine engine;
         QVERIFY(engine.openVolume(size, test::balls(size, 4, random).values));
-        const DrillStroke stroke = test::randomDrill(document, random);
+        const Edit stroke = test::randomDrill(document, random);
         const DrillCut cut = test::drillCutOf(stroke, document);
         const DrillPath path{test::drillSamplesOf(stroke, cut)};
         submitWhole(engine, cut, {path});

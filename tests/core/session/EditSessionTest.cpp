@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
@@ -13,6 +13,8 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QRegularExpression>
@@ -203,10 +205,9 @@ private Q_SLOTS:
         Bench bench;
         bench.run(test::addSegment("A"));
         const QByteArray before = bench.session->stateHash();
-        DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
-        const std::vector<PenSample> samples = std::exchange(stroke.samples, {});
-        QVERIFY(bench.session->begin(stroke));
-        bench.session->extendDrill(samples);
+        const Edit stroke = test::drillAt(0);
+        QVERIFY(bench.session->begin(test::begunStroke(stroke)));
+        bench.session->extendDrill(*penSamplesOf(stroke));
         QVERIFY(bench.session->transactionOpen());
         QVERIFY(!bench.inner.fields().occupiedBricks().empty());
         bench.session->end(Ending::Rollback);
@@ -222,8 +223,8 @@ private Q_SLOTS:
         Bench bench;
         bench.run(test::addSegment("A"));
         bench.run(ChangeSegment{.segment = 1, .name = QStringLiteral("A")});
-        DrillStroke beside = test::drillAt(0).get<DrillStroke>();
-        for (PenSample& sample : beside.samples)
+        Edit beside = test::drillAt(0);
+        for (PenSample& sample : *penSamplesOf(beside))
             sample.xMm += 500;
         bench.run(beside);
         bench.run(test::growBrain()); // no seeds
@@ -238,9 +239,10 @@ private Q_SLOTS:
     void aStrokeInPiecesEqualsTheWhole()
     {
         QFETCH(bool, delayed);
-        DrillStroke stroke = test::drillAt(-8).get<DrillStroke>();
+        Edit stroke = test::drillAt(-8);
+        std::vector<PenSample>& samples = *penSamplesOf(stroke);
         for (int i = 0; i < 20; ++i)
-            stroke.samples.push_back({.xMm = -5 + i * 0.517,
+            samples.push_back({.xMm = -5 + i * 0.517,
                 .yMm = i * 0.311 - 2,
                 .pressure = 0.3 + 0.03 * i,
                 .tSeconds = 0.2 + 0.01 * i});
@@ -248,19 +250,17 @@ private Q_SLOTS:
         whole.run(stroke);
 
         Bench pieces(delayed);
-        DrillStroke begun = stroke;
-        begun.samples.clear();
-        QVERIFY(pieces.session->begin(begun));
-        for (std::size_t i = 0; i < stroke.samples.size(); i += 3) {
-            pieces.session->extendDrill({stroke.samples.begin() + std::ptrdiff_t(i),
-                stroke.samples.begin() + std::ptrdiff_t(std::min(i + 3, stroke.samples.size()))});
+        QVERIFY(pieces.session->begin(test::begunStroke(stroke)));
+        for (std::size_t i = 0; i < samples.size(); i += 3) {
+            pieces.session->extendDrill({samples.begin() + std::ptrdiff_t(i),
+                samples.begin() + std::ptrdiff_t(std::min(i + 3, samples.size()))});
             pieces.session->poll();
         }
         pieces.session->end(Ending::Commit);
         QVERIFY(pieces.session->settle());
         QCOMPARE(pieces.session->stateHash(), whole.session->stateHash());
         QCOMPARE(pieces.lastRow().name, whole.lastRow().name);
-        QCOMPARE(pieces.lastRow().edit.get<DrillStroke>().samples.size(), stroke.samples.size());
+        QCOMPARE(penSamplesOf(pieces.lastRow().edit)->size(), samples.size());
     }
 
     void aRunningGrowthIsClosedByWhateverComes_data()
@@ -294,7 +294,7 @@ private Q_SLOTS:
         QVERIFY(bench.session->settle());
         QVERIFY(!bench.session->transactionOpen());
         const HistoryRow& grown = bench.session->history().row(3);
-        QCOMPARE(grown.edit.get<GrowSteps>().steps, std::optional<int>(2));
+        QCOMPARE(*growStepsOf(grown.edit), std::optional<int>(2));
         QCOMPARE(grown.growthGeneration, 3u);
         if (what == 1)
             QCOMPARE(bench.session->stateHash(), seeded);
@@ -321,13 +321,13 @@ private Q_SLOTS:
         bench.session->extendGrowth({.steps = 1});
         bench.session->end(Ending::Commit);
         QVERIFY(bench.session->settle());
-        QCOMPARE(bench.lastRow().edit.get<GrowSteps>().steps, std::optional<int>(3));
+        QCOMPARE(*growStepsOf(bench.lastRow().edit), std::optional<int>(3));
         QCOMPARE(bench.lastRow().growthGeneration, 5u);
         QVERIFY(bench.session->begin(test::growBrain()));
         bench.session->extendGrowth({});
         bench.session->end(Ending::Commit);
         QVERIFY(bench.session->settle());
-        QVERIFY(!bench.lastRow().edit.get<GrowSteps>().steps);
+        QVERIFY(!*growStepsOf(bench.lastRow().edit));
     }
 
     void aGrowthIsScrubbed()
@@ -405,8 +405,7 @@ private Q_SLOTS:
         SeedStroke beside = test::seedInBrain(2).get<SeedStroke>();
         beside.pointsLps = {beside.pointsLps.back() + glm::dvec3(6, 0, 0)};
         bench.run(beside);
-        GrowSteps grow = test::growBrain().get<GrowSteps>();
-        grow.criteria.overwriteUnlocked = true;
+        const Edit grow = test::growBy({.lower = 0, .upper = 100, .overwriteUnlocked = true});
         bench.run(grow);
         QCOMPARE(bench.voxels(1), locked);
         QVERIFY(bench.voxels(2) > 10 * locked);
@@ -461,11 +460,9 @@ private Q_SLOTS:
         SeedStroke outside = test::seedInBrain(1).get<SeedStroke>();
         outside.pointsLps.push_back({1000, 0, 0});
         QCOMPARE(bench.session->apply(outside).error().code, ErrorCode::SeedOutsideVolume);
-        GrowSteps crossed = test::growBrain().get<GrowSteps>();
-        crossed.criteria.lower = 200;
-        QCOMPARE(bench.session->apply(crossed).error().code, ErrorCode::InvalidField);
-        DrillStroke empty = test::drillAt(0).get<DrillStroke>();
-        empty.samples.clear();
+        QCOMPARE(bench.session->apply(test::growBetween(200, 100)).error().code,
+            ErrorCode::InvalidField);
+        const Edit empty = test::begunStroke(test::drillAt(0));
         QCOMPARE(bench.session->apply(empty).error().code, ErrorCode::InvalidField);
         QVERIFY(!bench.session->begin(test::seedInBrain(1)));
         QVERIFY(bench.session->begin(test::drillAt(0)));

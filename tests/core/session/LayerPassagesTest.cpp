@@ -6,13 +6,13 @@
 #include "core/edits/kinds/layers/RemoveLayer.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
@@ -66,11 +66,9 @@ struct Bench {
     std::unique_ptr<EditSession> session;
 };
 
-DrillStroke drillInto(int layer, double xMm = 0)
+Edit drillInto(int layer, double xMm = 0)
 {
-    DrillStroke stroke = test::drillAt(xMm).get<DrillStroke>();
-    stroke.layer = layer;
-    return stroke;
+    return test::drillWith({.layer = layer}, test::drillAt(xMm));
 }
 
 const Edit second = AddLayer{.name = QStringLiteral("Approach")};

@@ -2,15 +2,13 @@
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/LaserStroke.h"
-#include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
@@ -71,41 +69,46 @@ Edit protect(int segment, bool on = true)
 /// A ball in the shell of bone that the drill goes through.
 PaintStroke paintIn(int segment, double radiusMm = 3.0)
 {
-    const DrillStroke drill = test::drillAt(0).get<DrillStroke>();
+    const OrthographicView view = test::factsOfStroke(test::drillAt(0)).view;
     PaintStroke paint{.segment = segment};
     paint.path.radiusMm = radiusMm;
-    const glm::dvec3 towards = glm::normalize(drill.view.targetLps - drill.view.eyeLps);
+    const glm::dvec3 towards = glm::normalize(view.targetLps - view.eyeLps);
     const VolumeGeometry geometry = test::smallStudy().volume.geometry;
     const glm::dvec3 middle = geometry.toWorld(glm::dvec3(geometry.size - 1) / 2.0);
     paint.path.pointsLps = {middle - 15.0 * towards};
     return paint;
 }
 
-DrillStroke deepDrill(double depthMm = 9.0)
+Edit deepDrill(double depthMm = 9.0)
 {
-    DrillStroke drill = test::drillAt(0).get<DrillStroke>();
-    drill.mask.radiusMm = 7.0;
-    drill.depthMm = depthMm;
-    drill.throughGaps = true;
-    return drill;
+    return test::drillWith(
+        {.radiusMm = 7.0, .depthMm = depthMm, .throughGaps = true}, test::drillAt(0));
+}
+
+/// What fills that again.
+Edit restoring()
+{
+    return test::drillWith({.restore = true}, deepDrill());
 }
 
 const Edit vessel = test::addSegment("Vessel");
 
 std::vector<Edit> cutsOfEveryTool()
 {
-    const DrillStroke drill = deepDrill();
-    LaserStroke laser{.view = drill.view, .mask = drill.mask, .depthMm = 9.0};
-    laser.surfaceThreshold = drill.surfaceThreshold;
-    laser.samples = drill.samples;
+    const test::StrokeFacts drill = test::factsOfStroke(deepDrill());
+    const Edit laser = test::laserWith({.view = drill.view,
+        .mask = drill.mask,
+        .depthMm = 9.0,
+        .surfaceThreshold = drill.surfaceThreshold,
+        .samples = drill.samples});
     const std::vector<glm::dvec2> outline{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}};
-    PeelCut peel{.view = drill.view, .polygonMm = outline, .depthMm = 9.0};
-    peel.surfaceThreshold = drill.surfaceThreshold;
+    const Edit peel = test::peelWith(
+        {.view = drill.view, .depthMm = 9.0, .surfaceThreshold = drill.surfaceThreshold}, outline);
     ScissorsCut scissors{.view = drill.view, .polygonMm = outline};
     scissors.surfaceThreshold = drill.surfaceThreshold;
     BrushStroke brush;
     brush.path = paintIn(1, 6.0).path;
-    return {drill, laser, peel, scissors, brush};
+    return {deepDrill(), laser, peel, scissors, brush};
 }
 
 } // namespace
@@ -147,28 +150,24 @@ private Q_SLOTS:
     void theEditNamesWhatItSpares()
     {
         Bench bench({vessel, paintIn(1), protect(1), deepDrill()});
-        const auto drill = bench.session->history().rows().back().edit.get<DrillStroke>();
-        QCOMPARE(*drill.spared, std::vector<int>{1});
+        const Edit drill = bench.session->history().rows().back().edit;
+        QCOMPARE(*test::factsOfStroke(drill).spared, std::vector<int>{1});
         const Bench again({vessel, paintIn(1), drill});
         QVERIFY(again.coverage().values == bench.coverage().values);
         bench.run(protect(1, false));
         bench.run(deepDrill());
-        const auto open = bench.session->history().rows().back().edit.get<DrillStroke>();
-        QVERIFY(!open.spared);
+        QVERIFY(!test::factsOfStroke(bench.session->history().rows().back().edit).spared);
         QVERIFY(bench.coverage().values != again.coverage().values);
-        DrillStroke unknown = deepDrill();
-        unknown.spared = std::vector<int>{1, 7};
+        const Edit unknown = test::drillWith({.spared = std::vector<int>{1, 7}}, deepDrill());
         QCOMPARE(bench.refusal(unknown), ErrorCode::UnknownSegment);
-        unknown.spared = std::vector<int>{1};
-        unknown.restore = true;
-        QCOMPARE(bench.refusal(unknown), ErrorCode::InvalidField);
+        const Edit idle = test::drillWith({.spared = std::vector<int>{1}}, restoring());
+        QCOMPARE(bench.refusal(idle), ErrorCode::InvalidField);
     }
 
     /// What was carved before it was protected comes back; what restores, spares nothing.
     void restoringFillsItToo()
     {
-        DrillStroke restore = deepDrill();
-        restore.restore = true;
+        const Edit restore = restoring();
         const std::vector<Edit> edits{vessel, paintIn(1), deepDrill(), restore};
         const std::vector<Edit> guarded{vessel, paintIn(1), deepDrill(), protect(1), restore};
         const Bench bench(guarded);
@@ -222,8 +221,7 @@ private Q_SLOTS:
     /// Older cuts that come back, or grow deeper, do not cut what is protected by now.
     void whatIsProtectedSinceIsNotCutByOlderSteps()
     {
-        DrillStroke restore = deepDrill();
-        restore.restore = true;
+        const Edit restore = restoring();
         Bench bench({deepDrill(), restore, vessel, paintIn(1), protect(1)});
         QCOMPARE(bench.refusal(test::revertRows({2})), ErrorCode::SegmentProtected);
         bench.run(protect(1, false));

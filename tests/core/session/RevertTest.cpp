@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/history/RevertRows.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
@@ -229,8 +228,9 @@ private Q_SLOTS:
                 block.codes.end(), std::size_t(size.x), std::uint16_t(isBone ? 2024 : 24));
         }
         const Edit before = test::drillAt(0);
-        DrillStroke behind = before.get<DrillStroke>();
-        behind.view.eyeLps.y += 400;
+        OrthographicView fromBehind = test::factsOfStroke(before).view;
+        fromBehind.eyeLps.y += 400;
+        const Edit behind = test::drillWith({.view = fromBehind}, before);
         for (const auto& [first, second] :
             {std::pair<Edit, Edit>(before, behind), std::pair<Edit, Edit>(behind, before)}) {
             Bench bench(block, {first, second});
@@ -241,8 +241,7 @@ private Q_SLOTS:
         // One that goes on where the other ended, or could have come there, does.
         Bench same(block, {test::drillAt(0), test::drillAt(0)});
         QVERIFY(same.refusal(RevertRows{{1}}).contains(QStringLiteral("wrote or read")));
-        DrillStroke deep = behind;
-        deep.depthMm = 80;
+        const Edit deep = test::drillWith({.depthMm = 80.0}, behind);
         Bench through(block, {test::drillAt(0), deep});
         QVERIFY(through.refusal(RevertRows{{1}}).contains(QStringLiteral("wrote or read")));
     }
@@ -252,16 +251,11 @@ private Q_SLOTS:
     {
         const glm::dvec3 middle = test::pointsInBrain().front();
         const glm::dvec3 other = middle + glm::dvec3(secondBallMm, 0, 0);
-        const auto painted = [](const glm::dvec3& at) {
-            PaintStroke paint{.segment = 1};
-            paint.path = {.radiusMm = 4, .pointsLps = {at}};
-            return paint;
-        };
+        const auto painted = [](const glm::dvec3& at) { return test::paintAt(1, {at}); };
         const Edit seed = test::seedAt(2, {other});
-        GrowSteps visible = test::growBrain(4).get<GrowSteps>();
-        visible.criteria.onlyVisible = true;
-        for (const Edit& grow : {test::growBrain(4), Edit(visible)}) {
-            const std::vector<Edit> rest{seed, grow};
+        for (const bool onlyVisible : {false, true}) {
+            const std::vector<Edit> rest{
+                seed, test::growBy({.lower = 0, .upper = 100, .onlyVisible = onlyVisible}, 4)};
             const std::vector<Edit> segments{test::addSegment("A"), test::addSegment("B")};
             const auto with = [&](const std::vector<Edit>& first) {
                 std::vector<Edit> all = segments;
@@ -281,7 +275,7 @@ private Q_SLOTS:
             Bench cutClose(twoBalls(), with({test::drillAt(secondBallMm)}));
             const bool refused =
                 cutClose.refusal(RevertRows{{3}}).contains(QStringLiteral("wrote or read"));
-            QCOMPARE(refused, grow.get<GrowSteps>().criteria.onlyVisible);
+            QCOMPARE(refused, onlyVisible);
             // Seeds that wait anywhere would have grown.
             Bench waiting(twoBalls(), with({test::seedInBrain(1)}));
             QVERIFY(waiting.refusal(RevertRows{{3}}).contains(QStringLiteral("wrote or read")));

@@ -6,13 +6,13 @@
 #include "core/edits/kinds/pieces/CutPiece.h"
 #include "core/edits/kinds/pieces/RemovePiece.h"
 #include "core/edits/kinds/pieces/SendPiecesHome.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
@@ -58,11 +58,9 @@ struct Bench {
     std::unique_ptr<EditSession> session;
 };
 
-DrillStroke drillInto(int layer)
+Edit drillInto(int layer)
 {
-    DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
-    stroke.layer = layer;
-    return stroke;
+    return test::drillWith({.layer = layer}, test::drillAt(0));
 }
 
 Edit mute(int layer, bool muted = true)
@@ -200,9 +198,7 @@ private Q_SLOTS:
             const Result<void> applied = bench.session->apply(drillInto(layer));
             QVERIFY(!applied);
             QCOMPARE(applied.error().arguments.value(0), QStringLiteral("drill.layer"));
-            DrillStroke stroke = drillInto(layer);
-            stroke.samples.clear();
-            QVERIFY(!bench.session->begin(stroke));
+            QVERIFY(!bench.session->begin(test::begunStroke(drillInto(layer))));
         }
         QVERIFY(!bench.session->transactionOpen());
         bench.run(drillInto(1));

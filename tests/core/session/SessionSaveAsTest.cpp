@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionDisplay.h"
 #include "core/session/SessionKeyframes.h"
@@ -10,6 +9,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/series/SessionFiles.h"
 
@@ -318,9 +318,8 @@ private Q_SLOTS:
         QCOMPARE(session.file(), m_target);
         QCOMPARE(session.whyReadOnly(), QStringLiteral("open in another window"));
         QCOMPARE(session.history().rows().size(), rows);
-        DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
-        QCOMPARE(session.apply(stroke).error().code, ErrorCode::SessionReadOnly);
-        stroke.samples.clear();
+        QCOMPARE(session.apply(test::drillAt(0)).error().code, ErrorCode::SessionReadOnly);
+        const Edit stroke = test::begunStroke(test::drillAt(0));
         QCOMPARE(session.begin(stroke).error().code, ErrorCode::SessionReadOnly);
         QCOMPARE(session.begin(stroke).error().arguments,
             (QStringList{m_target, QStringLiteral("open in another window")}));

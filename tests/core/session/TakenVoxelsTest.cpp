@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
@@ -55,12 +55,7 @@ namespace {
 constexpr int painted = 1;
 constexpr int grown = 2;
 
-GrowSteps takingAll()
-{
-    GrowSteps grow = test::growBrain().get<GrowSteps>();
-    grow.criteria.overwriteUnlocked = true;
-    return grow;
-}
+const GrowCriteria takingAll{.lower = 0, .upper = 100, .overwriteUnlocked = true};
 
 } // namespace
 
@@ -80,7 +75,7 @@ void TakenVoxelsTest::init()
     m_painted = voxels(painted);
     QVERIFY(m_painted > 50);
     run(seed);
-    run(takingAll());
+    run(test::growBy(takingAll));
     QCOMPARE(voxels(painted), 0);
 }
 
@@ -117,7 +112,7 @@ void TakenVoxelsTest::shrinkingReturnsThemInAReopenedSession()
 
 void TakenVoxelsTest::aNarrowerIntervalReturnsThem()
 {
-    ChangeInterval narrow{.criteria = takingAll().criteria};
+    ChangeInterval narrow{.criteria = takingAll};
     narrow.criteria.lower = narrow.criteria.upper = 99.0;
     const std::int64_t all = voxels(grown);
     run(narrow);
@@ -127,7 +122,7 @@ void TakenVoxelsTest::aNarrowerIntervalReturnsThem()
     for (const QChar each : m_session->history().rows().back().name)
         digits += each.isDigit() || each == u'−' || each == u'+' ? QString(each) : QString();
     QVERIFY2(digits.endsWith(QStringLiteral("9999−%1").arg(all)), qPrintable(digits));
-    ChangeInterval wide{.criteria = takingAll().criteria};
+    ChangeInterval wide{.criteria = takingAll};
     run(wide);
     QCOMPARE(voxels(painted), 0);
 }

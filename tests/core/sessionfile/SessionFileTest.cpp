@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/SessionFile.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionKeyframes.h"
 #include "core/session/SessionStorage.h"
@@ -10,6 +10,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/series/SessionFiles.h"
 
@@ -144,10 +145,9 @@ private Q_SLOTS:
         QVERIFY(session->settle());
         const QByteArray hash = session->stateHash();
         // What a crash would leave behind at this moment, with a stroke under the pen.
-        DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
-        stroke.samples.clear();
-        QVERIFY(session->begin(stroke));
-        session->extendDrill(test::drillAt(0).get<DrillStroke>().samples);
+        const Edit stroke = test::drillAt(0);
+        QVERIFY(session->begin(test::begunStroke(stroke)));
+        session->extendDrill(*penSamplesOf(stroke));
         const QString copy = m_folder->filePath(QStringLiteral("copy.burin"));
         for (const char* suffix : {"", "-wal"})
             QVERIFY(QFile::copy(m_path + QLatin1String(suffix), copy + QLatin1String(suffix)));

@@ -2,7 +2,6 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/growth/SeedWord.h"
@@ -13,6 +12,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 
 #include <QtTest>
 
@@ -143,8 +143,8 @@ void EngineConformanceGlTest::orderAndBatchesDoNotMatter()
         EngineEdit edit;
         std::vector<EngineExtension> path;
         if (tool.startsWith("drill")) {
-            DrillStroke stroke = test::randomDrill(document, random);
-            stroke.mode = mode;
+            const Edit stroke =
+                test::drillWith({.mode = mode}, test::randomDrill(document, random));
             const DrillCut cut = test::drillCutOf(stroke, document);
             for (const DrillSample& sample : test::drillSamplesOf(stroke, cut))
                 path.push_back(DrillPath{{sample}});

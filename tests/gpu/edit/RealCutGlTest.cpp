@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
-#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/growth/SeedWord.h"
 #include "tests/support/cases/EngineConformance.h"
 #include "tests/support/cases/growth/CutPromises.h"
@@ -71,10 +70,10 @@ core::Document RealCutGlTest::grow(const test::RealGrowth& real)
     for (const core::Edit& edit : real.edits) {
         if (edit.is<core::AddSegment>())
             (void)core::applyToDocument(edit, document);
-        else if (const auto* seeds = edit.as<core::SeedStroke>())
-            apply(*core::seedPlacement(*seeds, document));
-        else if (const auto* grown = edit.as<core::GrowSteps>()) {
-            core::submitWhole(engine, *core::growBurst(*grown, document), {core::GrowAdvance{}});
+        else if (edit.is<core::SeedStroke>())
+            apply(*core::engineEditOf(edit, document));
+        else if (edit.is<core::GrowSteps>()) {
+            core::submitWhole(engine, *core::engineEditOf(edit, document), {core::GrowAdvance{}});
             m_generation = test::lastResult(engine).generation;
         }
     }

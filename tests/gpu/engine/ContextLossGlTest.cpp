@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "gpu/engine/GpuEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/LosingGl.h"
@@ -56,7 +55,7 @@ public:
             submitWhole(m_engine, burst(), {GrowAdvance{}});
             break;
         case Kind::Drill: {
-            const DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
+            const Edit stroke = test::drillAt(0);
             const DrillCut cut = test::drillCutOf(stroke, m_document);
             submitWhole(m_engine, cut, {DrillPath{test::drillSamplesOf(stroke, cut)}});
             break;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/kinds/chunks/Chunks.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
-#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"
 #include "core/session/questions/Touch.h"
@@ -17,6 +15,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/TestVolumes.h"
 
 #include <QElapsedTimer>
@@ -99,15 +98,10 @@ private Q_SLOTS:
             return m_session->apply(
                 SeedStroke{.segment = 1, .pointsLps = {geometry.toWorld(glm::dvec3(size / 2))}});
         });
-        step("grow", [&] {
-            return m_session->apply(
-                GrowSteps{.criteria = {.lower = 0.0, .upper = 65535.0}, .steps = 5});
-        });
+        step("grow", [&] { return m_session->apply(test::growBetween(0.0, 65535.0, 5)); });
         step("shrink", [&] { return m_session->apply(ShrinkSteps{.steps = 3}); });
         step("paint", [&] {
-            return m_session->apply(PaintStroke{.segment = 1,
-                .path = {.pointsLps = {geometry.toWorld(glm::dvec3(size / 3))}},
-                .erase = true});
+            return m_session->apply(test::eraseAt(1, {geometry.toWorld(glm::dvec3(size / 3))}));
         });
         step("undo only here",
             [&] { return m_session->apply(RevertRows{{m_session->history().position()}}); });

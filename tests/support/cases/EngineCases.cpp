@@ -116,7 +116,7 @@ std::vector<glm::dvec2> randomOutline(double reachMm, Random& random)
 
 core::PeelCut randomPeel(const core::Document& document, Random& random)
 {
-    const core::DrillStroke from = randomDrill(document, random);
+    const auto from = randomDrill(document, random).get<core::DrillStroke>();
     const double reachMm = from.mask.radiusMm;
     core::PeelCut peel;
     peel.layer = from.layer;
@@ -135,7 +135,7 @@ core::PeelCut randomPeel(const core::Document& document, Random& random)
 
 core::ScissorsCut randomScissors(const core::Document& document, Random& random)
 {
-    const core::DrillStroke from = randomDrill(document, random);
+    const auto from = randomDrill(document, random).get<core::DrillStroke>();
     core::ScissorsCut cut;
     cut.layer = from.layer;
     cut.view = from.view;
@@ -174,7 +174,7 @@ core::HiddenSides randomHidden(const core::Document& document, Random& random)
 
 core::LaserStroke randomLaser(const core::Document& document, Random& random)
 {
-    const core::DrillStroke from = randomDrill(document, random);
+    const auto from = randomDrill(document, random).get<core::DrillStroke>();
     core::LaserStroke laser;
     laser.layer = from.layer;
     laser.view = from.view;
@@ -194,7 +194,7 @@ core::LaserStroke randomLaser(const core::Document& document, Random& random)
     return laser;
 }
 
-core::DrillStroke randomDrill(const core::Document& document, Random& random)
+core::Edit randomDrill(const core::Document& document, Random& random)
 {
     const core::VolumeGeometry& geometry = document.volumes.front().geometry;
     const glm::dvec3 extent = glm::dvec3(geometry.size) * geometry.spacingMm();
@@ -228,18 +228,17 @@ core::DrillStroke randomDrill(const core::Document& document, Random& random)
     return stroke;
 }
 
-core::DrillCut drillCutOf(const core::DrillStroke& stroke, const core::Document& document)
+core::DrillCut drillCutOf(const core::Edit& drill, const core::Document& document)
 {
-    auto cut = core::drillCut(stroke, document);
+    auto cut = core::drillCut(drill.get<core::DrillStroke>(), document);
     if (!cut)
         throw std::invalid_argument(cut.error().arguments.join(QStringLiteral(": ")).toStdString());
     return *cut;
 }
 
-std::vector<core::DrillSample> drillSamplesOf(
-    const core::DrillStroke& stroke, const core::DrillCut& cut)
+std::vector<core::DrillSample> drillSamplesOf(const core::Edit& drill, const core::DrillCut& cut)
 {
-    return core::drillPath(stroke, cut);
+    return core::drillPath(drill.get<core::DrillStroke>(), cut);
 }
 
 void appendBurst(

@@ -19,7 +19,7 @@ namespace test {
 [[nodiscard]] core::Document randomDocument(const glm::ivec3& size, Random& random, bool sheared);
 
 /// A drill stroke at a document's volume from a random direction, with a random path.
-[[nodiscard]] core::DrillStroke randomDrill(const core::Document& document, Random& random);
+[[nodiscard]] core::Edit randomDrill(const core::Document& document, Random& random);
 
 /// The same of the laser.
 [[nodiscard]] core::LaserStroke randomLaser(const core::Document& document, Random& random);
@@ -39,11 +39,10 @@ namespace test {
 [[nodiscard]] core::PeelCut randomPeel(const core::Document& document, Random& random);
 [[nodiscard]] core::ScissorsCut randomScissors(const core::Document& document, Random& random);
 
-/// The engine's form of a stroke; the stroke must be valid.
-[[nodiscard]] core::DrillCut drillCutOf(
-    const core::DrillStroke& stroke, const core::Document& document);
+/// The engine's form of a drill stroke; it must be valid.
+[[nodiscard]] core::DrillCut drillCutOf(const core::Edit& drill, const core::Document& document);
 [[nodiscard]] std::vector<core::DrillSample> drillSamplesOf(
-    const core::DrillStroke& stroke, const core::DrillCut& cut);
+    const core::Edit& drill, const core::DrillCut& cut);
 
 /// Steps for a growth of so many steps in one go.
 void appendBurst(std::vector<EngineStep>& steps, const core::GrowBurst& burst, int count,

@@ -2,21 +2,17 @@
 #include "tests/support/cases/StrokeHashes.h"
 
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/SurfaceEdit.h"
-#include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/parts/BrushPath.h"
-#include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 #include "core/session/EditSession.h"
+#include "tests/support/scenes/CutEdits.h"
 
 #include <QTemporaryDir>
 
@@ -65,29 +61,19 @@ QByteArray settledHash(EditSession& session)
 /// As the pen tells a stroke and the panel a growth; nothing for edits that are made at once.
 bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending ending)
 {
-    const auto* drill = edit.as<core::DrillStroke>();
-    const auto* laser = edit.as<core::LaserStroke>();
-    if (drill || laser) {
-        core::Edit stroke = edit;
-        std::vector<core::PenSample>& told = drill ? stroke.get<core::DrillStroke>().samples
-                                                   : stroke.get<core::LaserStroke>().samples;
-        const std::vector<core::PenSample> samples = std::exchange(told, {});
-        require(session.begin(stroke), "begin");
+    if (const std::vector<core::PenSample>* told = core::penSamplesOf(edit)) {
+        const std::vector<core::PenSample>& samples = *told;
+        require(session.begin(begunStroke(edit)), "begin");
         for (std::size_t first = 0; first < samples.size(); first += 2) {
             const std::size_t last = std::min(first + 2, samples.size());
             session.extendDrill(
                 {samples.begin() + std::ptrdiff_t(first), samples.begin() + std::ptrdiff_t(last)});
             session.poll();
         }
-    } else if (edit.is<core::PaintStroke>() || edit.is<core::BarrierStroke>()
-        || edit.is<core::BrushStroke>()) {
+    } else if (const core::BrushPath* way = core::brushPathOf(edit)) {
+        const core::BrushPath& whole = *way;
         core::Edit first = edit;
-        auto* paint = first.as<core::PaintStroke>();
-        auto* barrier = first.as<core::BarrierStroke>();
-        core::BrushPath& path = paint ? paint->path
-            : barrier                 ? barrier->path
-                                      : first.get<core::BrushStroke>().path;
-        const core::BrushPath whole = path;
+        core::BrushPath& path = *core::brushPathOf(first);
         const std::vector<glm::dvec3>& points = whole.pointsLps;
         path.pointsLps.resize(1);
         path.lifts.clear();
@@ -136,9 +122,9 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         session.poll();
         require(session.begin(edit), "begin again");
         session.poll();
-    } else if (const auto* grow = edit.as<core::GrowSteps>()) {
-        require(session.begin(*grow), "begin");
-        const int steps = grow->steps.value_or(core::GrowAdvance::toClosure);
+    } else if (edit.is<core::GrowSteps>()) {
+        require(session.begin(edit), "begin");
+        const int steps = core::growStepsOf(edit)->value_or(core::GrowAdvance::toClosure);
         if (steps > 1) {
             session.extendGrowth({.steps = 1});
             session.poll();

@@ -4,6 +4,7 @@
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
@@ -51,6 +52,25 @@ core::Edit paintAt(int segment, std::vector<glm::dvec3> pointsLps, double radius
 {
     return core::PaintStroke{
         .segment = segment, .path = {.radiusMm = radiusMm, .pointsLps = std::move(pointsLps)}};
+}
+
+core::Edit paintOverAt(int segment, std::vector<glm::dvec3> pointsLps, double radiusMm)
+{
+    return core::PaintStroke{.segment = segment,
+        .path = {.radiusMm = radiusMm, .pointsLps = std::move(pointsLps)},
+        .overwriteUnlocked = true};
+}
+
+core::Edit eraseAt(int segment, std::vector<glm::dvec3> pointsLps, double radiusMm)
+{
+    return core::PaintStroke{.segment = segment,
+        .path = {.radiusMm = radiusMm, .pointsLps = std::move(pointsLps)},
+        .erase = true};
+}
+
+core::Edit carveAt(std::vector<glm::dvec3> pointsLps, double radiusMm)
+{
+    return core::BrushStroke{.path = {.radiusMm = radiusMm, .pointsLps = std::move(pointsLps)}};
 }
 
 core::Edit revertRows(std::vector<std::int64_t> rows)

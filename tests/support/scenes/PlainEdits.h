@@ -34,6 +34,13 @@ namespace test {
 /// With a ball, in one stroke through these points.
 [[nodiscard]] core::Edit paintAt(
     int segment, std::vector<glm::dvec3> pointsLps, double radiusMm = 4.0);
+/// Over other segments too.
+[[nodiscard]] core::Edit paintOverAt(
+    int segment, std::vector<glm::dvec3> pointsLps, double radiusMm = 4.0);
+[[nodiscard]] core::Edit eraseAt(
+    int segment, std::vector<glm::dvec3> pointsLps, double radiusMm = 4.0);
+/// Out of layer 1, likewise.
+[[nodiscard]] core::Edit carveAt(std::vector<glm::dvec3> pointsLps, double radiusMm = 4.0);
 [[nodiscard]] core::Edit revertRows(std::vector<std::int64_t> rows);
 
 } // namespace test

@@ -3,7 +3,7 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/session/EditSession.h"
@@ -26,15 +26,16 @@ namespace {
 using core::RowId;
 
 /// At 120 Hz: some seconds of a pen, enough for a transaction of a hundred kilobytes.
-core::DrillStroke longDrill(Random& random)
+core::Edit longDrill(Random& random)
 {
-    core::DrillStroke stroke = drillAt(-8.0 + 16.0 * randomUnit(random)).get<core::DrillStroke>();
-    const core::PenSample first = stroke.samples.front();
+    core::Edit stroke = drillAt(-8.0 + 16.0 * randomUnit(random));
+    std::vector<core::PenSample>& path = *core::penSamplesOf(stroke);
+    const core::PenSample first = path.front();
     const int samples = randomInt(random, 400, 1600);
     const double turn = 0.002 + 0.01 * randomUnit(random);
-    stroke.samples.clear();
+    path.clear();
     for (int i = 0; i < samples; ++i)
-        stroke.samples.push_back({.xMm = first.xMm + 4.0 * std::sin(turn * i),
+        path.push_back({.xMm = first.xMm + 4.0 * std::sin(turn * i),
             .yMm = first.yMm + 4.0 * std::sin(1.7 * turn * i),
             .pressure = 0.4 + 0.6 * randomUnit(random),
             .tSeconds = i / 120.0});

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/MaskShape.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "ui/tools/sculpt/DrillOptions.h"
 #include "ui/tools/sculpt/LaserTool.h"
 #include "ui/tools/sculpt/MaskPresetMenu.h"
@@ -117,10 +116,7 @@ public:
         pen.release(at({0.0, 0.0}), m_milliseconds += 8);
         if (!session().settle() || rows() == 0)
             return {};
-        const core::Edit& edit = session().history().rows().back().edit;
-        if (const auto* stroke = edit.as<core::LaserStroke>())
-            return stroke->mask;
-        return edit.get<core::DrillStroke>().mask;
+        return test::factsOfStroke(session().history().rows().back().edit).mask;
     }
     core::MaskShape press()
     {

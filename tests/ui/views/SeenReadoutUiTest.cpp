@@ -4,10 +4,10 @@
 #include "core/document/Piece.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/window/StatusLine.h"
 
@@ -100,13 +100,13 @@ private Q_SLOTS:
     void onAPieceItIsTheTruePlace()
     {
         ReadoutFixture fixture;
-        core::DrillStroke lid;
-        lid.view = {
+        const core::OrthographicView view{
             .eyeLps = {0, -200, 0}, .targetLps = {0, 0, 0}, .up = {0, 0, 1}, .heightMm = 80};
-        lid.mask.radiusMm = 8.0;
-        lid.depthMm = 6.0;
-        lid.surfaceThreshold = 300.0;
-        lid.samples = {{0.0, 0.0, 1.0, 0.0}};
+        const core::Edit lid = test::drillWith({.view = view,
+            .radiusMm = 8.0,
+            .depthMm = 6.0,
+            .surfaceThreshold = 300.0,
+            .samples = std::vector<core::PenSample>{{0.0, 0.0, 1.0, 0.0}}});
         core::EditSession& session = *fixture.workspace.session();
         QVERIFY(session.apply(lid));
         QVERIFY(session.settle());

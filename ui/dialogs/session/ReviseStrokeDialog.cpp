@@ -4,7 +4,7 @@
 #include "core/document/Document.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/schema/HistorySchema.h"
-#include "core/edits/sculpt/SculptVisit.h"
+#include "core/edits/sculpt/SculptEdits.h"
 #include "core/history/StandingStrokes.h"
 
 #include <QCheckBox>
@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 namespace ui {
 
@@ -34,27 +33,11 @@ double lengthOf(const std::vector<glm::dvec2>& outline)
     return length;
 }
 
-const std::vector<glm::dvec2>* outlineOf(const core::SculptEdit& edit)
-{
-    return core::visitSculpt(
-        [](const auto& known) -> const std::vector<glm::dvec2>* {
-            using E = std::decay_t<decltype(known)>;
-            if constexpr (std::is_same_v<E, core::BrushStroke>)
-                return nullptr;
-            else if constexpr (std::is_same_v<E,
-                                   core::DrillStroke> || std::is_same_v<E, core::LaserStroke>)
-                return known.mask.polygonMm ? &*known.mask.polygonMm : nullptr;
-            else
-                return &known.polygonMm;
-        },
-        edit);
-}
-
 /// How many times as large as it was drawn an outline counts now.
 double factorOf(const core::SculptEdit& now, const core::SculptEdit& drawn)
 {
-    const auto* const outline = outlineOf(now);
-    const auto* const before = outlineOf(drawn);
+    const auto* const outline = core::outlineOf(now);
+    const auto* const before = core::outlineOf(drawn);
     if (!outline || !before || lengthOf(*before) <= 0.0)
         return 1.0;
     // Factors are kept in 1024ths.

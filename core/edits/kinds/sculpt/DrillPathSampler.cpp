@@ -3,13 +3,11 @@
 
 #include "core/edits/engine/MaskFrames.h"
 #include "core/edits/fields/Quantum.h"
-#include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/MaskShape.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
-#include "core/engine/EngineCommands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,15 +69,6 @@ DrillPathSampler::DrillPathSampler(const LaserStroke& stroke, const LaserCut& cu
     , m_grid(std::max(cut.frame.pitch / 4, 1))
     , m_spacing(pointSpacing(stroke.mask, cut.frame.pitch))
 {
-}
-
-std::optional<DrillPathSampler> DrillPathSampler::along(const Edit& stroke, const EngineEdit& begun)
-{
-    if (const auto* drill = stroke.as<DrillStroke>())
-        return DrillPathSampler(*drill, std::get<DrillCut>(begun));
-    if (const auto* laser = stroke.as<LaserStroke>())
-        return DrillPathSampler(*laser, std::get<LaserCut>(begun));
-    return std::nullopt;
 }
 
 std::vector<DrillSample> DrillPathSampler::add(const std::vector<PenSample>& samples)

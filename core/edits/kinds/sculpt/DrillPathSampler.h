@@ -8,9 +8,7 @@
 
 namespace core {
 
-class Edit;
 struct DrillStroke;
-struct EngineEdit;
 struct LaserStroke;
 struct PenSample;
 
@@ -29,9 +27,6 @@ class DrillPathSampler {
 public:
     DrillPathSampler(const DrillStroke& stroke, const DrillCut& cut);
     DrillPathSampler(const LaserStroke& stroke, const LaserCut& cut);
-    /// Of a stroke of either and the command that it begins with; none: the edit is no such stroke.
-    [[nodiscard]] static std::optional<DrillPathSampler> along(
-        const Edit& stroke, const EngineEdit& begun);
 
     [[nodiscard]] std::vector<DrillSample> add(const std::vector<PenSample>& samples);
     /// The pen is lifted: what is left since the last look. Once, at the end.

@@ -12,7 +12,6 @@
 #include "core/edits/kinds/pieces/PastePiece.h"
 #include "core/edits/kinds/pieces/RemovePiece.h"
 #include "core/edits/kinds/pieces/SendPiecesHome.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
@@ -20,6 +19,7 @@
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 
 #include <QJsonDocument>
@@ -233,19 +233,17 @@ private Q_SLOTS:
     void aStrokeNeedsALayerThatIsSeen()
     {
         Document document = furnished();
-        DrillStroke stroke;
-        stroke.view = bookmark("Front").view;
-        stroke.samples = {{}};
-        stroke.layer = 2;
+        const auto stroke = [view = bookmark("Front").view](int layer) {
+            return test::drillWith(
+                {.layer = layer, .view = view, .samples = std::vector<PenSample>(1)});
+        };
         document.volumes.front().geometry.size = {10, 10, 10};
         document.volumes.front().geometry.indexToWorld = glm::dmat4(1.0);
-        QVERIFY(checkAgainst(document, stroke));
-        stroke.layer = 3;
-        QCOMPARE(checkAgainst(document, stroke).error().arguments.value(0),
+        QVERIFY(checkAgainst(document, stroke(2)));
+        QCOMPARE(checkAgainst(document, stroke(3)).error().arguments.value(0),
             QStringLiteral("drill.layer"));
-        stroke.layer = 2;
         QVERIFY(applyToDocument(ChangeLayer{.layer = 2, .muted = true}, document));
-        const Result<void> muted = checkAgainst(document, stroke);
+        const Result<void> muted = checkAgainst(document, stroke(2));
         QVERIFY(!muted);
         QVERIFY(muted.error().arguments.value(1).contains(QStringLiteral("'Approach' is muted")));
     }
@@ -351,7 +349,7 @@ private Q_SLOTS:
         QVERIFY(changedPart(MoveLayer{}) == What::Layers);
         QVERIFY(changedPart(AddBookmark{}) == What::Bookmarks);
         QVERIFY(changedPart(SendPiecesHome{}) == What::Pieces);
-        QVERIFY(!changedPart(DrillStroke{}) && !changedPart(RevertRows{}));
+        QVERIFY(!changedPart(test::drillWith({})) && !changedPart(RevertRows{}));
         QVERIFY(changesDocumentOnly(ChangeLayer{}) && changesDocumentOnly(RemoveBookmark{}));
         QVERIFY(!changesDocumentOnly(RemoveSegment{})
             && !changesDocumentOnly(test::growBetween(0.0, 1.0)));

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/MaskShape.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QJsonDocument>
@@ -124,7 +125,7 @@ private Q_SLOTS:
         const Result<Edit> edit = editFromJson(json);
         QVERIFY2(edit, edit ? "" : qPrintable(edit.error().arguments.join(u' ')));
         QCOMPARE(editToJson(*edit)[QLatin1String("mask")], json[QLatin1String("mask")]);
-        QVERIFY(drillCut(edit->get<DrillStroke>(), initialDocument(test::smallStudy().volume)));
+        QVERIFY(engineEditOf(*edit, initialDocument(test::smallStudy().volume)));
     }
 
     void isRefused_data()
@@ -160,14 +161,16 @@ private Q_SLOTS:
     void tinyOnesAreRefused()
     {
         const Document document = initialDocument(test::smallStudy().volume);
-        DrillStroke stroke = test::drillAt(0).get<DrillStroke>();
-        stroke.mask.polygonMm = {{{0, 0}, {0.2, 0}, {0.1, 0.1}}};
-        const Result<DrillCut> cut = drillCut(stroke, document);
+        const auto cutWith = [&document](const std::vector<glm::dvec2>& polygonMm) {
+            return engineEditOf(
+                test::drillWith({.mask = MaskShape{.polygonMm = polygonMm}}, test::drillAt(0)),
+                document);
+        };
+        const Result<EngineEdit> cut = cutWith({{0, 0}, {0.2, 0}, {0.1, 0.1}});
         QVERIFY(!cut);
         QCOMPARE(cut.error().arguments.value(0), QStringLiteral("drill.mask"));
         QVERIFY(cut.error().arguments.value(1).contains(QStringLiteral("too small")));
-        stroke.mask.polygonMm = {{{0, 0}, {20, 20}, {10, 10}}}; // there and back
-        QVERIFY(!drillCut(stroke, document));
+        QVERIFY(!cutWith({{0, 0}, {20, 20}, {10, 10}})); // there and back
     }
 };
 

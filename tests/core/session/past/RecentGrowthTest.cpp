@@ -3,7 +3,6 @@
 
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/session/EditSession.h"
@@ -59,9 +58,9 @@ public:
     {
         return {segment, {ramp().volume.geometry.toWorld({x, 3, 2})}};
     }
-    [[nodiscard]] static GrowSteps grow(double upper, std::optional<int> steps = {})
+    [[nodiscard]] static Edit grow(double upper, std::optional<int> steps = {})
     {
-        return {.criteria = {.lower = 0.0, .upper = upper}, .steps = steps};
+        return test::growBetween(0.0, upper, steps);
     }
     [[nodiscard]] static ChangeInterval interval(double upper, std::optional<int> steps = {})
     {

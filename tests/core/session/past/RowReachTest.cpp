@@ -2,7 +2,6 @@
 #include "core/session/past/RowReach.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
@@ -10,6 +9,7 @@
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 
 #include <QTest>
@@ -21,7 +21,7 @@ using namespace core;
 namespace {
 
 EngineResult resultOf(
-    reference::ReferenceEngine& engine, const DrillStroke& stroke, const Document& document)
+    reference::ReferenceEngine& engine, const Edit& stroke, const Document& document)
 {
     const DrillCut cut = test::drillCutOf(stroke, document);
     const Ticket ticket = submitWhole(engine, cut, {DrillPath{test::drillSamplesOf(stroke, cut)}});
@@ -66,8 +66,7 @@ private Q_SLOTS:
             const glm::ivec3 size(test::randomInt(random, 90, 200), rows, slices);
             const Document document = test::randomDocument(size, random, number % 2 != 0);
             const std::vector<std::uint16_t> codes = test::balls(size, 9, random).values;
-            DrillStroke stroke = test::randomDrill(document, random);
-            stroke.layer = 1;
+            const Edit stroke = test::drillWith({.layer = 1}, test::randomDrill(document, random));
             reference::ReferenceEngine engine;
             QVERIFY(engine.openVolume(size, codes));
             const EngineResult result = resultOf(engine, stroke, document);
@@ -118,8 +117,7 @@ private Q_SLOTS:
     {
         test::Random random{9};
         const Document document = test::randomDocument({64, 48, 48}, random, false);
-        DrillStroke stroke = test::randomDrill(document, random);
-        stroke.layer = 1;
+        const Edit stroke = test::drillWith({.layer = 1}, test::randomDrill(document, random));
         const RowReach reach(stroke, document, {});
         const BrickGrid grid{document.volumes.front().geometry.size};
         int covered = 0;

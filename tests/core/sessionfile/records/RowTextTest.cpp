@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/records/RowText.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 
 #include <QTest>
 
@@ -78,16 +78,17 @@ private Q_SLOTS:
     void aDrillFromBeforeKeepsItsCorners()
     {
         HistoryRow row = grownRow(growth(true));
-        row.edit = DrillStroke{.view = {.targetLps = {0, 0, 9}}, .samples = {{.pressure = 1.0}}};
+        row.edit = test::drillWith({.view = OrthographicView{.targetLps = {0, 0, 9}},
+            .samples = std::vector<PenSample>{{.pressure = 1.0}}});
         RowText text = RowText::of(row);
-        QVERIFY(text.row()->edit.get<DrillStroke>().byTime);
+        QVERIFY(test::factsOfStroke(text.row()->edit).byTime);
         QJsonObject edit = parsed(text.edit);
         QVERIFY(edit.value(QStringLiteral("byTime")).toBool());
         edit.remove(QStringLiteral("byTime"));
         text.edit = compact(edit);
         const Result<HistoryRow> back = text.row();
         QVERIFY(back);
-        QVERIFY(!back->edit.get<DrillStroke>().byTime);
+        QVERIFY(!test::factsOfStroke(back->edit).byTime);
     }
 
     void anUnknownEditIsRefused()

@@ -3,9 +3,9 @@
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/scenes/CutEdits.h"
 
 #include <algorithm>
 #include <array>
@@ -342,8 +342,7 @@ std::vector<EngineCase> capsuleCases(int randomCount)
     {
         Scene scene("carve and restore beside a drill", 24, size);
         scene.made.codes = constantVolume(size, tissueCode);
-        core::DrillStroke drill = randomDrill(scene.document, scene.random);
-        drill.layer = 1;
+        const core::Edit drill = drillWith({.layer = 1}, randomDrill(scene.document, scene.random));
         const core::DrillCut cut = drillCutOf(drill, scene.document);
         appendWhole(scene.made.steps, cut, {core::DrillPath{drillSamplesOf(drill, cut)}});
         for (int i = 0; i < 6; ++i) {

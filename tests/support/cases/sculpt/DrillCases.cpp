@@ -28,7 +28,7 @@ struct Scene {
     {
     }
 
-    [[nodiscard]] DrillStroke stroke() { return randomDrill(document, random); }
+    [[nodiscard]] DrillStroke stroke() { return randomDrill(document, random).get<DrillStroke>(); }
 
     /// In pieces of a few samples; what is cut so far is read in between.
     void append(const DrillCut& cut, const std::vector<DrillSample>& path,

@@ -2,11 +2,11 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/scenes/CutEdits.h"
 
 #include <algorithm>
 
@@ -114,7 +114,7 @@ EngineCase randomLasering(int number)
             made.steps.push_back(Undo{});
             break;
         case 1: {
-            const core::DrillStroke stroke = randomDrill(scene, random);
+            const core::Edit stroke = randomDrill(scene, random);
             const core::DrillCut cut = drillCutOf(stroke, scene);
             appendWhole(made.steps, cut, {DrillPath{drillSamplesOf(stroke, cut)}});
             break;
@@ -217,12 +217,11 @@ std::vector<EngineCase> laserCases(int randomCount)
         laser.hidden = {{{side, glm::dot(side, middle)}, {-towards, glm::dot(-towards, middle)}}};
         EngineCase made{
             QByteArray("half of it hidden, ") + tool, constantVolume(size, tissueCode), {}};
-        core::DrillStroke drill;
-        drill.view = laser.view;
-        drill.mask = laser.mask;
-        drill.surfaceThreshold = laser.surfaceThreshold;
-        drill.samples = laser.samples;
-        drill.hidden = laser.hidden;
+        const core::Edit drill = drillWith({.view = laser.view,
+            .mask = laser.mask,
+            .surfaceThreshold = laser.surfaceThreshold,
+            .samples = laser.samples,
+            .hidden = laser.hidden});
         core::PeelCut peel;
         peel.view = laser.view;
         peel.polygonMm = {{-5.0, -5.0}, {5.0, -5.0}, {5.0, 5.0}, {-5.0, 5.0}};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/EngineCases.h"
-
-#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "tests/support/scenes/CutEdits.h"
 
 #include <initializer_list>
 
@@ -49,8 +48,7 @@ Bytes ball(const glm::ivec3& size, const glm::dvec3& middle, double radius)
 
 void appendStroke(EngineCase& made, const core::Document& document, Random& random, int layer)
 {
-    core::DrillStroke stroke = randomDrill(document, random);
-    stroke.layer = layer;
+    const core::Edit stroke = drillWith({.layer = layer}, randomDrill(document, random));
     const core::DrillCut cut = drillCutOf(stroke, document);
     appendWhole(made.steps, cut, {core::DrillPath{drillSamplesOf(stroke, cut)}},
         random() % 6 ? core::Ending::Commit : core::Ending::Rollback);
@@ -130,7 +128,7 @@ std::vector<EngineCase> layerCases(int randomCount)
 
     EngineCase open{"muting while an edit is open", shells(size), {}};
     appendStroke(open, document, random, 1);
-    const core::DrillStroke stroke = randomDrill(document, random);
+    const core::Edit stroke = randomDrill(document, random);
     const core::DrillCut cut = drillCutOf(stroke, document);
     open.steps.push_back(command(core::BeginEdit{cut}));
     open.steps.push_back(muted({1}));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "tests/support/cases/EngineCases.h"
@@ -82,7 +81,7 @@ EngineCase randomPeeling(int number)
             made.steps.push_back(Undo{});
             break;
         case 3: {
-            const core::DrillStroke stroke = randomDrill(scene, random);
+            const core::Edit stroke = randomDrill(scene, random);
             const core::DrillCut cut = drillCutOf(stroke, scene);
             appendWhole(made.steps, cut, {core::DrillPath{drillSamplesOf(stroke, cut)}});
             break;

@@ -2,7 +2,6 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
@@ -39,7 +38,7 @@ void appendCut(EngineCase& made, int tool, const core::Document& scene, Random& 
     const core::Ending ending = random() % 6 ? core::Ending::Commit : core::Ending::Rollback;
     const core::SparedLabels spared = randomSpared(random);
     if (tool == 0) {
-        const core::DrillStroke stroke = randomDrill(scene, random);
+        const core::Edit stroke = randomDrill(scene, random);
         core::DrillCut cut = drillCutOf(stroke, scene);
         cut.frame.spared = spared;
         appendWhole(made.steps, cut, {core::DrillPath{drillSamplesOf(stroke, cut)}}, ending);

@@ -2,12 +2,12 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/Chunks.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 #include <initializer_list>
 
@@ -55,8 +55,8 @@ void addChunkStrokes(std::vector<StrokeCase>& cases, const core::LoadedVolume& v
     cases.push_back({"undo only a chunk", volume,
         after({wide, one, core::AddLayer{.name = QStringLiteral("Other")}}),
         core::RevertRows{{row}}});
-    cases.push_back({"growth after chunks", volume, after({wide, removed}),
-        core::GrowSteps{.criteria = {.lower = 0, .upper = 1000}, .steps = 3}});
+    cases.push_back(
+        {"growth after chunks", volume, after({wide, removed}), growBetween(0, 1000, 3)});
     cases.push_back(
         {"delete what is divided", volume, after({near, one}), core::RemoveSegment{.segment = 1}});
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/layers/AddLayer.h"
@@ -15,19 +14,16 @@
 #include "core/edits/kinds/pieces/PastePiece.h"
 #include "core/edits/kinds/pieces/RemovePiece.h"
 #include "core/edits/kinds/pieces/SendPiecesHome.h"
-#include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
+#include "tests/support/scenes/CutEdits.h"
 
 #include "core/brick/VoxelRuns.h"
 
@@ -79,20 +75,19 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     const core::Edit& seeds = scene.seeds;
     const core::Edit& others = scene.others;
     const core::Edit& lock = scene.lock;
-    const core::GrowSteps& some = scene.some;
-    const core::GrowSteps& all = scene.all;
-    const core::GrowSteps& over = scene.over;
-    const core::DrillStroke& drill = scene.drill;
-    const core::DrillStroke& beside = scene.beside;
-    const core::DrillStroke& drillBack = scene.drillBack;
-    const core::PaintStroke& paint = scene.paint;
-    const core::PaintStroke& taker = scene.taker;
-    const core::BrushStroke& brush = scene.brush;
-    const core::PeelCut& peel = scene.peel;
+    const core::Edit& some = scene.some;
+    const core::Edit& all = scene.all;
+    const core::Edit& over = scene.over;
+    const core::Edit& drill = scene.drill;
+    const core::Edit& beside = scene.beside;
+    const core::Edit& drillBack = scene.drillBack;
+    const core::Edit& paint = scene.paint;
+    const core::Edit& taker = scene.taker;
+    const core::Edit& brush = scene.brush;
+    const core::Edit& peel = scene.peel;
     const core::VolumeGeometry& geometry = scene.document.volumes.front().geometry;
 
-    core::DrillStroke other = drill;
-    other.layer = 2;
+    const core::Edit other = drillWith({.layer = 2}, drill);
     const core::Edit layer = core::AddLayer{.name = QStringLiteral("Other")};
     const core::Edit mute = core::ChangeLayer{.layer = 1, .muted = true};
     const core::Edit bookmark = bookmarkOf(drill);
@@ -180,7 +175,7 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
         core::RevertRows{{3}}});
     cases.push_back({"revise a drill on a carved segment", volume,
         {first, seeds, all, core::SegmentToLayer{.segment = 1, .layer = 1}, drill, beside},
-        core::ReviseStroke{.row = 5, .radiusMm = drill.mask.radiusMm * 1.5}});
+        core::ReviseStroke{.row = 5, .radiusMm = factsOfStroke(drill).mask.radiusMm * 1.5}});
     cases.push_back({"remove a bookmark", volume, {bookmark}, core::RemoveBookmark{.bookmark = 1}});
 }
 
@@ -189,8 +184,8 @@ void addPieceStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     const core::LoadedVolume& volume = scene.volume;
     const core::Edit& first = scene.first;
     const core::Edit& seeds = scene.seeds;
-    const core::GrowSteps& all = scene.all;
-    const core::DrillStroke& drill = scene.drill;
+    const core::Edit& all = scene.all;
+    const core::Edit& drill = scene.drill;
 
     const core::Edit lift = core::CutPiece{.layer = 1, .name = QStringLiteral("Lid")};
     const core::Edit aside = core::ChangePiece{.piece = 1,
@@ -212,12 +207,8 @@ void addPieceStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"protect a segment", volume, {first}, shield});
     cases.push_back(
         {"drill beside a protected segment", volume, {first, seeds, all, shield}, drill});
-    cases.push_back(
-        {"restore a protected segment", volume, {first, seeds, all, drill, shield}, [&drill] {
-             core::DrillStroke filled = drill;
-             filled.restore = true;
-             return filled;
-         }()});
+    cases.push_back({"restore a protected segment", volume, {first, seeds, all, drill, shield},
+        drillWith({.restore = true}, drill)});
     const core::AddMeasurement length{
         .fromLps = glm::dvec3(1, 2, 3), .toLps = glm::dvec3(4, 6, 3), .piece = {}};
     core::AddMeasurement onPiece = length;

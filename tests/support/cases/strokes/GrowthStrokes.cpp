@@ -9,7 +9,6 @@
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/history/RevertRows.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
@@ -25,11 +24,11 @@ void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     const core::Edit& seeds = scene.seeds;
     const core::Edit& others = scene.others;
     const core::Edit& lock = scene.lock;
-    const core::GrowSteps& some = scene.some;
-    const core::GrowSteps& all = scene.all;
-    const core::GrowSteps& none = scene.none;
-    const core::GrowSteps& over = scene.over;
-    const core::DrillStroke& drill = scene.drill;
+    const core::Edit& some = scene.some;
+    const core::Edit& all = scene.all;
+    const core::Edit& none = scene.none;
+    const core::Edit& over = scene.over;
+    const core::Edit& drill = scene.drill;
     const glm::ivec3& size = scene.document.volumes.front().geometry.size;
 
     cases.push_back({"add a segment", volume, {}, first});
@@ -79,7 +78,7 @@ void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         point = document.volumes.front().geometry.toWorld(voxel);
     }
     const core::PlugLeak plug{.pointLps = here.pointsLps.front()};
-    core::GrowSteps guarded = over;
+    auto guarded = over.get<core::GrowSteps>();
     guarded.guard = {.factor = 1.5, .voxels = 4, .generations = 6};
     cases.push_back({"shrinking here", volume, {first, seeds, over}, here});
     cases.push_back({"shrinking only here", volume, {first, seeds, over}, onlyHere});
@@ -112,7 +111,7 @@ void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {"another interval by strokes", volume, {first, seeds, more, byStroke}, interval(0, 700)});
     cases.push_back(
         {"resume by strokes", volume, {first, seeds, byStroke, more}, core::ResumeGrowth{}});
-    core::GrowSteps rolling = over;
+    auto rolling = over.get<core::GrowSteps>();
     rolling.criteria.passage = 2.5 * document.volumes.front().geometry.spacingMm().x;
     cases.push_back({"growth through passages of a width", volume, {first, seeds}, rolling});
     cases.push_back({"growth of two through passages of a width", volume,

@@ -2,9 +2,7 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/history/RevertRows.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
 
@@ -18,13 +16,13 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     const core::Edit& seeds = scene.seeds;
     const core::Edit& others = scene.others;
     const core::Edit& lock = scene.lock;
-    const core::GrowSteps& some = scene.some;
-    const core::GrowSteps& all = scene.all;
-    const core::DrillStroke& drill = scene.drill;
-    const core::PaintStroke& paint = scene.paint;
-    const core::PaintStroke& eraser = scene.eraser;
-    const core::PaintStroke& slice = scene.slice;
-    const core::PaintStroke& taker = scene.taker;
+    const core::Edit& some = scene.some;
+    const core::Edit& all = scene.all;
+    const core::Edit& drill = scene.drill;
+    const core::Edit& paint = scene.paint;
+    const core::Edit& eraser = scene.eraser;
+    const core::Edit& slice = scene.slice;
+    const core::Edit& taker = scene.taker;
     const core::VolumeGeometry& geometry = scene.document.volumes.front().geometry;
 
     cases.push_back({"paint", volume, {first}, paint});
@@ -35,7 +33,7 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"growth from paint", volume, {first, slice}, all});
     cases.push_back({"growth after erasing", volume, {first, seeds, some, eraser}, all});
     cases.push_back({"undo only paint", volume, {first, paint, drill}, core::RevertRows{{2}}});
-    core::PaintStroke dab = paint;
+    auto dab = paint.get<core::PaintStroke>();
     dab.segment = 2;
     dab.path.radiusMm = 2.0;
     dab.path.lifts.clear();

@@ -9,13 +9,14 @@
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/layers/ChangeLayer.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "tests/support/cases/strokes/StrokeScene.h"
+#include "tests/support/scenes/CutEdits.h"
 
 #include <array>
 #include <optional>
@@ -116,8 +117,7 @@ StrokeCase randomLists(int number)
                 made.before.push_back(core::RemoveBookmark{.bookmark = ++removed});
             break;
         default: {
-            core::DrillStroke stroke = randomDrill(scene, random);
-            stroke.layer = layer;
+            const core::Edit stroke = drillWith({.layer = layer}, randomDrill(scene, random));
             if (!muted[std::size_t(layer)])
                 made.before.push_back(stroke);
             break;
@@ -162,17 +162,15 @@ core::Edit randomEdit(const core::Document& document, Random& random)
         stroke.layer = 1;
         return stroke;
     }
-    default: {
-        core::DrillStroke stroke = randomDrill(document, random);
-        stroke.layer = 1; // the layer that a session begins with
-        return stroke;
-    }
+    default:
+        // The layer that a session begins with.
+        return drillWith({.layer = 1}, randomDrill(document, random));
     }
 }
 
 } // namespace
 
-core::SeedStroke randomSeeds(const core::Document& document, int segment, Random& random)
+core::Edit randomSeeds(const core::Document& document, int segment, Random& random)
 {
     const core::VolumeGeometry& geometry = document.volumes.front().geometry;
     core::SeedStroke seeds{segment, {}};

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
+#include "tests/support/scenes/CutEdits.h"
 
 namespace test {
 
@@ -18,10 +17,11 @@ void addDrillStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     const core::LoadedVolume& volume = scene.volume;
     const core::Edit& first = scene.first;
     const core::Edit& seeds = scene.seeds;
-    const core::GrowSteps& some = scene.some;
-    const core::GrowSteps& all = scene.all;
-    const core::DrillStroke& drill = scene.drill;
-    const core::DrillStroke& beside = scene.beside;
+    const core::Edit& some = scene.some;
+    const core::Edit& all = scene.all;
+    const core::Edit& drill = scene.drill;
+    const core::Edit& beside = scene.beside;
+    const StrokeFacts said = factsOfStroke(drill);
 
     cases.push_back({"drill", volume, {}, drill});
     cases.push_back({"drill in a drill", volume, {drill}, drill});
@@ -34,12 +34,12 @@ void addDrillStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {first, drill, seeds, core::RevertRows{{2}}}, core::RevertRows{{4}}});
 
     cases.push_back({"revise a drill", volume, {first, drill, seeds, beside, all},
-        core::ReviseStroke{.row = 2, .radiusMm = drill.mask.radiusMm * 1.5}});
+        core::ReviseStroke{.row = 2, .radiusMm = said.mask.radiusMm * 1.5}});
     cases.push_back({"remove a drill", volume, {drill, beside, drill},
         core::ReviseStroke{.row = 1, .removed = true}});
     cases.push_back({"revise a revised drill", volume,
         {drill, beside, core::ReviseStroke{.row = 1, .removed = true}},
-        core::ReviseStroke{.row = 1, .depthMm = 0.5 * drill.depthMm}});
+        core::ReviseStroke{.row = 1, .depthMm = 0.5 * said.depthMm}});
 }
 
 void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
@@ -47,29 +47,30 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     const core::LoadedVolume& volume = scene.volume;
     const core::Edit& first = scene.first;
     const core::Edit& seeds = scene.seeds;
-    const core::GrowSteps& all = scene.all;
-    const core::DrillStroke& drill = scene.drill;
-    const core::DrillStroke& drillBack = scene.drillBack;
-    const core::BrushStroke& brush = scene.brush;
-    const core::BrushStroke& back = scene.back;
-    const core::PeelCut& peel = scene.peel;
-    const core::PeelCut& peelBack = scene.peelBack;
+    const core::Edit& all = scene.all;
+    const core::Edit& drill = scene.drill;
+    const core::Edit& drillBack = scene.drillBack;
+    const core::Edit& brush = scene.brush;
+    const core::Edit& back = scene.back;
+    const core::Edit& peel = scene.peel;
+    const core::Edit& peelBack = scene.peelBack;
+    const StrokeFacts said = factsOfStroke(drill);
 
     cases.push_back({"carve brush", volume, {drill}, brush});
     cases.push_back({"restore", volume, {drill, brush}, back});
     cases.push_back({"restore what is whole", volume, {}, back});
     cases.push_back({"drill after the brush", volume, {brush, back}, drill});
     cases.push_back({"revise a drill below the brush", volume, {drill, brush, back, drill},
-        core::ReviseStroke{.row = 1, .radiusMm = drill.mask.radiusMm * 1.5}});
+        core::ReviseStroke{.row = 1, .radiusMm = said.mask.radiusMm * 1.5}});
     cases.push_back({"remove a drill below the brush", volume, {drill, brush, back},
         core::ReviseStroke{.row = 1, .removed = true}});
     cases.push_back(
         {"undo only the brush", volume, {first, brush, seeds, all}, core::RevertRows{{2}}});
 
     core::ScissorsCut scissors;
-    scissors.view = drill.view;
+    scissors.view = said.view;
     scissors.polygonMm = {{-6.0, -20.0}, {6.0, -20.0}, {6.0, 20.0}, {-6.0, 20.0}};
-    scissors.surfaceThreshold = drill.surfaceThreshold;
+    scissors.surfaceThreshold = said.surfaceThreshold;
     core::ScissorsCut shallow = scissors;
     shallow.depthMm = 5.0;
     core::ScissorsCut layerOnly = scissors;
@@ -82,15 +83,15 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"restore by drilling", volume, {peel, drill}, drillBack});
     cases.push_back({"undo only a peel", volume, {first, peel, seeds, all}, core::RevertRows{{2}}});
     cases.push_back({"revise a drill below a peel", volume, {drill, peel, drillBack, shallow},
-        core::ReviseStroke{.row = 1, .radiusMm = drill.mask.radiusMm * 1.5}});
+        core::ReviseStroke{.row = 1, .radiusMm = said.mask.radiusMm * 1.5}});
     cases.push_back({"remove a drill below a peel", volume, {drill, peel, peelBack, drill},
         core::ReviseStroke{.row = 1, .removed = true}});
 
-    core::DrillStroke soft = drill;
-    soft.mask.softnessMm = 0.6 * soft.mask.radiusMm;
-    cases.push_back({"drill with a soft edge", volume, {}, soft});
+    core::MaskShape soft = said.mask;
+    soft.softnessMm = 0.6 * soft.radiusMm;
+    cases.push_back({"drill with a soft edge", volume, {}, drillWith({.mask = soft}, drill)});
     cases.push_back({"soften a drill below others", volume, {drill, peel, brush, drill},
-        core::ReviseStroke{.row = 1, .softnessMm = soft.mask.softnessMm}});
+        core::ReviseStroke{.row = 1, .softnessMm = soft.softnessMm}});
     cases.push_back({"revise a brush", volume, {drill, brush, peel, drill},
         core::ReviseStroke{.row = 2, .radiusMm = 8.0}});
     cases.push_back({"remove a restoring brush", volume, {drill, brush, back, shallow},
@@ -107,26 +108,25 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {first, brush, core::ReviseStroke{.row = 2, .radiusMm = 8.0}, seeds},
         core::RevertRows{{3}}});
     core::LaserStroke laser;
-    laser.view = drill.view;
-    laser.mask = drill.mask;
-    laser.surfaceThreshold = drill.surfaceThreshold;
-    laser.samples = drill.samples;
+    laser.view = said.view;
+    laser.mask = said.mask;
+    laser.surfaceThreshold = said.surfaceThreshold;
+    laser.samples = said.samples;
     laser.depthMm = 4.0;
     core::LaserStroke laserBack = laser;
     laserBack.restore = true;
     laserBack.depthMm = 2.0;
     core::LaserStroke laserClipped = laser;
-    laserClipped.hidden = {{{drill.view.targetLps - drill.view.eyeLps, 0.0}}};
+    laserClipped.hidden = {{{said.view.targetLps - said.view.eyeLps, 0.0}}};
     core::HiddenSide& side = laserClipped.hidden->front();
     side.normalLps = -glm::normalize(side.normalLps); // what lies before the target
-    side.offsetMm = glm::dot(side.normalLps, drill.view.targetLps);
-    core::DrillStroke drillClipped = drill;
-    drillClipped.hidden = laserClipped.hidden;
-    core::PeelCut peelClipped = peel;
+    side.offsetMm = glm::dot(side.normalLps, said.view.targetLps);
+    const core::Edit drillClipped = drillWith({.hidden = laserClipped.hidden}, drill);
+    auto peelClipped = peel.get<core::PeelCut>();
     peelClipped.hidden = laserClipped.hidden;
     core::ScissorsCut scissorsClipped = scissors;
     scissorsClipped.hidden = laserClipped.hidden;
-    core::BrushStroke brushClipped = brush;
+    auto brushClipped = brush.get<core::BrushStroke>();
     brushClipped.hidden = laserClipped.hidden;
     cases.push_back({"laser", volume, {}, laser});
     cases.push_back({"laser in a drill", volume, {drill}, laser});
@@ -139,7 +139,7 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back(
         {"undo only a laser", volume, {first, laser, seeds, all}, core::RevertRows{{2}}});
     cases.push_back({"revise a drill below a laser", volume, {drill, laser, laserBack, shallow},
-        core::ReviseStroke{.row = 1, .radiusMm = drill.mask.radiusMm * 1.5}});
+        core::ReviseStroke{.row = 1, .radiusMm = said.mask.radiusMm * 1.5}});
     cases.push_back({"revise a laser", volume, {laser, drill, laserBack},
         core::ReviseStroke{.row = 1, .depthMm = 7.0, .softnessMm = 1.5}});
     cases.push_back({"remove a drill below a laser", volume, {drill, laser, drill},

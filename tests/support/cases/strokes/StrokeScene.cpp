@@ -13,6 +13,7 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "tests/support/cases/strokes/RandomStrokes.h"
+#include "tests/support/scenes/CutEdits.h"
 
 namespace test {
 
@@ -25,7 +26,7 @@ core::LoadedVolume loaded(const core::Document& document, const Codes& codes)
     return made;
 }
 
-core::AddSegment segmentNamed(const char* name)
+core::Edit segmentNamed(const char* name)
 {
     core::AddSegment segment;
     segment.name = QLatin1String(name);
@@ -33,12 +34,13 @@ core::AddSegment segmentNamed(const char* name)
     return segment;
 }
 
-core::AddBookmark bookmarkOf(const core::DrillStroke& stroke)
+core::Edit bookmarkOf(const core::Edit& drill)
 {
+    const core::OrthographicView view = factsOfStroke(drill).view;
     core::AddBookmark bookmark;
     bookmark.name = QStringLiteral("From there");
-    bookmark.view = stroke.view;
-    bookmark.crosshairLps = stroke.view.targetLps;
+    bookmark.view = view;
+    bookmark.crosshairLps = view.targetLps;
     return bookmark;
 }
 
@@ -52,7 +54,7 @@ StrokeScene strokeScene()
     const core::Edit second = segmentNamed("Second");
     const core::Edit seeds = randomSeeds(document, 1, random);
     const core::Edit others = randomSeeds(document, 2, random);
-    core::DrillStroke drill = randomDrill(document, random);
+    auto drill = randomDrill(document, random).get<core::DrillStroke>();
     drill.layer = 1;
     drill.mask = {.radiusMm = drill.mask.radiusMm};
     drill.mode = core::DrillMode::Limit;

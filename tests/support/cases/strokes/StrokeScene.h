@@ -2,13 +2,6 @@
 #pragma once
 
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
-#include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/PeelCut.h"
-#include "core/edits/kinds/segments/AddSegment.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
-#include "core/edits/kinds/views/Bookmarks.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/StrokeCases.h"
 
@@ -23,26 +16,27 @@ struct StrokeScene {
     core::Edit seeds;
     core::Edit others;
     core::Edit lock;
-    core::GrowSteps some;
-    core::GrowSteps all;
-    core::GrowSteps none;
-    core::GrowSteps over;
-    core::DrillStroke drill;
-    core::DrillStroke beside;
-    core::DrillStroke drillBack;
-    core::PaintStroke paint;
-    core::PaintStroke eraser;
-    core::PaintStroke slice;
-    core::PaintStroke taker;
-    core::BrushStroke brush;
-    core::BrushStroke back;
-    core::PeelCut peel;
-    core::PeelCut peelBack;
+    core::Edit some;
+    core::Edit all;
+    core::Edit none;
+    core::Edit over;
+    core::Edit drill;
+    core::Edit beside;
+    core::Edit drillBack;
+    core::Edit paint;
+    core::Edit eraser;
+    core::Edit slice;
+    core::Edit taker;
+    core::Edit brush;
+    core::Edit back;
+    core::Edit peel;
+    core::Edit peelBack;
 };
 [[nodiscard]] StrokeScene strokeScene();
 
 [[nodiscard]] core::LoadedVolume loaded(const core::Document& document, const Codes& codes);
-[[nodiscard]] core::AddSegment segmentNamed(const char* name);
-[[nodiscard]] core::AddBookmark bookmarkOf(const core::DrillStroke& stroke);
+[[nodiscard]] core::Edit segmentNamed(const char* name);
+/// Of the view that a drill stroke was made in.
+[[nodiscard]] core::Edit bookmarkOf(const core::Edit& drill);
 
 } // namespace test

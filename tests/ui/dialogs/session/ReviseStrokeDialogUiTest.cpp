@@ -2,13 +2,12 @@
 #include "ui/dialogs/session/ReviseStrokeDialog.h"
 
 #include "core/edits/kinds/history/ReviseStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/MaskShape.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/panels/history/StrokeRevision.h"
 
@@ -27,11 +26,9 @@ using Kind = core::MaskShape::Kind;
 
 namespace {
 
-core::DrillStroke drillWith(const core::MaskShape& mask)
+core::Edit drillWith(const core::MaskShape& mask)
 {
-    core::DrillStroke drill = test::drillAt(0).get<core::DrillStroke>();
-    drill.mask = mask;
-    return drill;
+    return test::drillWith({.mask = mask}, test::drillAt(0));
 }
 
 core::ScissorsCut scissors()
@@ -42,15 +39,14 @@ core::ScissorsCut scissors()
     return cut;
 }
 
-core::LaserStroke laser()
+core::Edit laser()
 {
-    const core::DrillStroke drill = test::drillAt(0).get<core::DrillStroke>();
-    core::LaserStroke laser;
-    laser.view = drill.view;
-    laser.mask.polygonMm = {{-3.0, -2.0}, {3.0, -2.0}, {0.0, 2.0}};
-    laser.surfaceThreshold = drill.surfaceThreshold;
-    laser.samples = drill.samples;
-    return laser;
+    const test::StrokeFacts drill = test::factsOfStroke(test::drillAt(0));
+    const std::vector<glm::dvec2> outline{{-3.0, -2.0}, {3.0, -2.0}, {0.0, 2.0}};
+    return test::laserWith({.view = drill.view,
+        .mask = core::MaskShape{.polygonMm = outline},
+        .surfaceThreshold = drill.surfaceThreshold,
+        .samples = drill.samples});
 }
 
 /// The real window over a history of cuts, and their menu's doings.

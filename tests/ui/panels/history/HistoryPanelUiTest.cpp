@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/history/ReviseStroke.h"
-#include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/session/StepFindings.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/dialogs/session/ReviseStrokeDialog.h"
@@ -79,8 +77,7 @@ private Q_SLOTS:
     {
         Panel panel;
         core::EditSession& session = panel.session();
-        core::DrillStroke second = test::drillAt(1).get<core::DrillStroke>();
-        second.mask.radiusMm = 3.0;
+        const core::Edit second = test::drillWith({.radiusMm = 3.0}, test::drillAt(1));
         panel.applyAll({test::drillAt(0), second});
         const auto answer = [&panel](const std::function<void(ui::ReviseStrokeDialog&)>& act) {
             const QPointer<ui::ReviseStrokeDialog> dialog =
@@ -150,14 +147,11 @@ private Q_SLOTS:
     {
         Panel panel;
         core::EditSession& session = panel.session();
-        const core::DrillStroke drill = test::drillAt(0).get<core::DrillStroke>();
-        core::PeelCut peel;
-        peel.view = drill.view;
-        peel.polygonMm = {{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}};
-        peel.surfaceThreshold = drill.surfaceThreshold;
-        core::BrushStroke brush;
-        brush.path.pointsLps = {drill.view.targetLps};
-        panel.applyAll({drill, peel, brush});
+        const test::StrokeFacts drill = test::factsOfStroke(test::drillAt(0));
+        const core::Edit peel =
+            test::peelWith({.view = drill.view, .surfaceThreshold = drill.surfaceThreshold},
+                {{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}});
+        panel.applyAll({test::drillAt(0), peel, test::carveAt({drill.view.targetLps})});
         const auto change = [&panel](int place, const QStringList& fields, const char* field,
                                 double value) {
             choose(panel.list, place, tr("Change stroke …"));

@@ -2,11 +2,11 @@
 #include "ui/tools/growth/SeedTool.h"
 
 #include "core/edits/kinds/growth/SeedStroke.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/tools/aim/PickQuestion.h"
 #include "ui/views/ViewGrid.h"
@@ -139,14 +139,13 @@ private Q_SLOTS:
         SeedFixture fixture;
         ui::VolumeView& view = fixture.window.views().volume();
         view.lookFrom({0.0, -1.0, 0.0});
-        core::DrillStroke hole;
-        hole.view = ui::orthographicView(std::get<gpu::VolumeScene>(view.context().scene));
-        hole.mask.radiusMm = 6.0;
-        hole.depthMm = 40.0;
-        hole.throughGaps = true;
-        hole.surfaceThreshold = 300.0;
-        hole.samples = {{0.0, 0.0, 1.0, 0.0}};
-        QVERIFY(fixture.session().apply(hole));
+        QVERIFY(fixture.session().apply(test::drillWith(
+            {.view = ui::orthographicView(std::get<gpu::VolumeScene>(view.context().scene)),
+                .radiusMm = 6.0,
+                .depthMm = 40.0,
+                .surfaceThreshold = 300.0,
+                .throughGaps = true,
+                .samples = std::vector<core::PenSample>{{0.0, 0.0, 1.0, 0.0}}})));
         QVERIFY(fixture.session().settle());
         const auto rows = fixture.session().history().rows().size();
         fixture.sketch(view, {-1, 0}, {1, 0});

@@ -5,12 +5,11 @@
 #include "core/edits/EditQuantise.h"
 #include "core/edits/engine/HiddenSides.h"
 #include "core/edits/kinds/parts/HiddenSides.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "ui/tools/sculpt/CarveBrushTool.h"
 #include "ui/tools/sculpt/PeelTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"
@@ -61,9 +60,9 @@ public:
     ui::VolumeView& view;
 };
 
-const core::DrillStroke& lastDrill(PressFixture& fixture)
+const core::Edit& lastEdit(PressFixture& fixture)
 {
-    return fixture.session().history().rows().back().edit.get<core::DrillStroke>();
+    return fixture.session().history().rows().back().edit;
 }
 
 std::unique_ptr<ui::Tool> toolNamed(const QByteArray& name, ui::Workspace& workspace)
@@ -102,14 +101,14 @@ private Q_SLOTS:
         QCOMPARE(fixture.rows(), std::size_t(1));
         const auto& row = fixture.session().history().rows().back();
         QVERIFY(row.name.startsWith(QStringLiteral("Laser 15.0 mm, ")));
-        const auto& laser = row.edit.get<core::LaserStroke>();
+        const test::StrokeFacts laser = test::factsOfStroke(row.edit);
         QCOMPARE(laser.depthMm, 15.0);
         QCOMPARE(laser.mask.radiusMm, 3.0);
         QVERIFY(laser.byTime && !laser.restore && !laser.hidden);
         QVERIFY(glm::distance(laser.view.targetLps, scene.targetLps) < 1e-2);
         const QByteArray hash = fixture.session().stateHash();
         test::WorkspaceFixture recipe;
-        recipe.apply(laser);
+        recipe.apply(row.edit);
         QCOMPARE(recipe.session().stateHash(), hash);
     }
 
@@ -170,7 +169,7 @@ private Q_SLOTS:
         tool.release(sample, context); // whether the answer was there or not
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.rows(), std::size_t(1));
-        const core::DrillStroke& edit = lastDrill(fixture);
+        const test::StrokeFacts edit = test::factsOfStroke(lastEdit(fixture));
         const glm::dvec3 way = glm::normalize(edit.view.targetLps - edit.view.eyeLps);
         const bool eitherSide = ui::Workspace::Sweep(sweep) == ui::Workspace::Sweep::LeftRight;
         const double cosine = glm::dot(way, expected);
@@ -185,7 +184,7 @@ private Q_SLOTS:
         // A recipe says the same.
         const QByteArray hash = fixture.session().stateHash();
         test::WorkspaceFixture recipe;
-        recipe.apply(edit);
+        recipe.apply(lastEdit(fixture));
         QCOMPARE(recipe.session().stateHash(), hash);
     }
 

@@ -3,7 +3,6 @@
 #include "ui/tools/sculpt/PieceTool.h"
 
 #include "core/edits/kinds/growth/SeedStroke.h"
-#include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
@@ -47,10 +46,7 @@ public:
         workspace.setActiveTool(&tool);
         view.lookFrom({0.0, -1.0, 0.0});
         QCoreApplication::sendPostedEvents(); // layouts and frames are posted events
-        core::BrushStroke stroke;
-        stroke.path.radiusMm = 8.0;
-        stroke.path.pointsLps = {{-6, 0, 14}, {6, 0, 14}};
-        apply(stroke);
+        apply(test::carveAt({{-6, 0, 14}, {6, 0, 14}}, 8.0));
     }
     void apply(const core::Edit& edit)
     {

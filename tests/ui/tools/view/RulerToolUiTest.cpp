@@ -4,13 +4,13 @@
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
 #include "core/edits/kinds/pieces/RemovePiece.h"
-#include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/Pieces.h"
 
@@ -137,10 +137,7 @@ private Q_SLOTS:
     void onAPieceItIsTheTrueLength()
     {
         Fixture fixture;
-        core::BrushStroke all;
-        all.path.radiusMm = 26.0;
-        all.path.pointsLps = {{0, 0, 0}};
-        fixture.apply(all);
+        fixture.apply(test::carveAt({{0, 0, 0}}, 26.0));
         core::CutPiece lift;
         lift.name = QStringLiteral("Ball");
         lift.pivotLps = glm::dvec3(0.0);
