@@ -73,6 +73,8 @@ private:
 
 template <class E> EditDocumentation document()
 {
+    static_assert(editSchema::editName<E> && editSchema::editMeaning<E>,
+        "an edit X needs editName<X> and editMeaning<X> in the schema of its family");
     EditDocumentation result;
     result.name = QLatin1String(editSchema::editName<E>);
     result.meaning = QString::fromUtf8(editSchema::editMeaning<E>);

@@ -27,6 +27,8 @@ template <class E> void checkKind()
         QVERIFY2(effects.changes && effects.task != EditTask::Engine, name.constData());
     if (effects.task == EditTask::Document)
         QVERIFY2(effects.onlyDocument && !effects.standsOpen, name.constData());
+    if (effects.writesTo)
+        QVERIFY2(effects.fills.label || effects.fills.added, name.constData());
     if (effects.takesVoxelsOrNothing)
         QVERIFY2(effects.task == EditTask::Engine && effects.fills.added, name.constData());
 }
