@@ -4,6 +4,7 @@
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
@@ -59,12 +60,6 @@ QJsonArray script(const core::VolumeGeometry& geometry)
 
 const QStringList exported{
     QStringLiteral("o.nii.gz"), QStringLiteral("o.seg.nrrd"), QStringLiteral("o.stl")};
-
-QByteArray read(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 /// What a line of `burin run` promises.
 QString promise(const QJsonObject& line)
@@ -159,7 +154,7 @@ long MemoryFailureGlTest::countOf(long least, bool ours)
         return count;
     makeFolder();
     const Outcome outcome = carryOut(refusing(0, least, ours));
-    count = outcome.status == 0 ? read(path("count.txt")).trimmed().toLong() : 0;
+    count = outcome.status == 0 ? test::bytesOf(path("count.txt")).trimmed().toLong() : 0;
     return count;
 }
 
@@ -177,7 +172,7 @@ void MemoryFailureGlTest::initTestCase()
     m_hashes = hashes(history("s.burin"));
     QVERIFY(m_hashes.size() >= 8);
     for (const QString& name : exported)
-        m_exported += read(path(qPrintable(name)));
+        m_exported += test::bytesOf(path(qPrintable(name)));
     QVERIFY(!m_exported.contains(QByteArray()));
 }
 
@@ -227,7 +222,7 @@ void MemoryFailureGlTest::checkWhole(const Outcome& outcome, bool replayed)
     for (qsizetype i = 0; i < exported.size(); ++i) {
         const QString file = path(qPrintable(exported[i]));
         if (QFile::exists(file))
-            QVERIFY2(read(file) == m_exported[i], qPrintable(exported[i]));
+            QVERIFY2(test::bytesOf(file) == m_exported[i], qPrintable(exported[i]));
     }
     if (outcome.status == 0 || outcome.status == 1) {
         QStringList left = QDir(path("")).entryList(QDir::Files | QDir::Hidden);

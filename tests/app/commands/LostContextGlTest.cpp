@@ -2,6 +2,7 @@
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 
@@ -12,12 +13,6 @@ using test::key;
 using test::Outcome;
 
 namespace {
-
-QByteArray read(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 /// What the lines tell, but for how long it took and where files lie.
 QStringList told(const Outcome& outcome)
@@ -59,10 +54,13 @@ private:
     [[nodiscard]] Outcome carryOut(const test::Surroundings& around) const;
     [[nodiscard]] Outcome replay(const test::Surroundings& around) const;
     /// How many looks for errors there were in the last run, and how many contexts were lost.
-    [[nodiscard]] int looks() const { return read(path("count.txt")).split(' ').value(0).toInt(); }
+    [[nodiscard]] int looks() const
+    {
+        return test::bytesOf(path("count.txt")).split(' ').value(0).toInt();
+    }
     [[nodiscard]] int lost() const
     {
-        return read(path("count.txt")).trimmed().split(' ').value(1).toInt();
+        return test::bytesOf(path("count.txt")).trimmed().split(' ').value(1).toInt();
     }
     [[nodiscard]] static bool saysSo(const Outcome& outcome)
     {
@@ -140,14 +138,14 @@ void LostContextGlTest::initTestCase()
     QVERIFY(m_looks > 100);
     m_told = told(outcome);
     m_hashes = hashes(history("s.burin"));
-    m_mask = read(path("mask.nii.gz"));
-    m_carved = read(path("carved.nii.gz"));
+    m_mask = test::bytesOf(path("mask.nii.gz"));
+    m_carved = test::bytesOf(path("carved.nii.gz"));
     QVERIFY(!m_mask.isEmpty() && !m_carved.isEmpty());
     const Outcome replayed = replay(losing(0));
     QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
     m_replayLooks = looks();
     m_replayTold = told(replayed);
-    m_again = read(path("again.nii.gz"));
+    m_again = test::bytesOf(path("again.nii.gz"));
     QVERIFY(!m_again.isEmpty());
 }
 
@@ -175,8 +173,8 @@ void LostContextGlTest::aRecipeComesToTheSame()
     QVERIFY(looks() < first || (onAndOn ? lost() >= 1 : lost() == 1));
     qInfo("%d contexts lost in %d looks", lost(), looks());
     QCOMPARE(hashes(history("s.burin")), m_hashes);
-    QCOMPARE(read(path("mask.nii.gz")), m_mask);
-    QCOMPARE(read(path("carved.nii.gz")), m_carved);
+    QCOMPARE(test::bytesOf(path("mask.nii.gz")), m_mask);
+    QCOMPARE(test::bytesOf(path("carved.nii.gz")), m_carved);
     QCOMPARE(told(outcome), m_told);
     const Outcome verified = test::burin({key("replay"), path("s.burin"), key("--verify")});
     QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
@@ -200,7 +198,7 @@ void LostContextGlTest::aReplayComesToTheSame()
     QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
     QVERIFY(looks() < first || lost() >= 1);
     QCOMPARE(told(outcome), m_replayTold);
-    QCOMPARE(read(path("again.nii.gz")), m_again);
+    QCOMPARE(test::bytesOf(path("again.nii.gz")), m_again);
 }
 
 /// A processor that is reset each time: a few tries, then an end in words; what is done stays.
