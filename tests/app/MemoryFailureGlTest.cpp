@@ -79,14 +79,6 @@ QStringList promises(const Outcome& outcome)
     return all;
 }
 
-QStringList hashes(const QJsonObject& history)
-{
-    QStringList all;
-    for (const QJsonValue& row : history[key("commands")].toArray())
-        all += row.toObject()[key("hashAfter")].toString();
-    return all;
-}
-
 } // namespace
 
 /// Memory is refused while a session is worked in, at any place: the step is refused and everything
@@ -169,7 +161,7 @@ void MemoryFailureGlTest::initTestCase()
     QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
     m_promised = promises(outcome);
     QCOMPARE(m_promised.size(), m_steps.size());
-    m_hashes = hashes(history("s.burin"));
+    m_hashes = hashes("s.burin");
     QVERIFY(m_hashes.size() >= 8);
     for (const QString& name : exported)
         m_exported += test::bytesOf(path(qPrintable(name)));
@@ -196,7 +188,7 @@ void MemoryFailureGlTest::checkWhole(const Outcome& outcome, bool replayed)
     const bool isBegun = QFileInfo(path("s.burin")).size() > 0
         || (QFile::exists(path("s.burin")) && (outcome.status == 0 || outcome.status == 1));
     if (isBegun) {
-        QStringList there = hashes(history("s.burin"));
+        QStringList there = hashes("s.burin");
         // A row that was told and not carried out to its end is so when it is opened next.
         if (!there.isEmpty() && there.last().isEmpty())
             there.removeLast();

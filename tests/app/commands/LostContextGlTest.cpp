@@ -24,14 +24,6 @@ QStringList told(const Outcome& outcome)
     return all;
 }
 
-QStringList hashes(const QJsonObject& history)
-{
-    QStringList all;
-    for (const QJsonValue& row : history[key("commands")].toArray())
-        all += row.toObject()[key("hashAfter")].toString();
-    return all;
-}
-
 } // namespace
 
 /// The graphics driver loses its context while a command works: the context is made anew, and what
@@ -137,7 +129,7 @@ void LostContextGlTest::initTestCase()
     m_looks = looks();
     QVERIFY(m_looks > 100);
     m_told = told(outcome);
-    m_hashes = hashes(history("s.burin"));
+    m_hashes = hashes("s.burin");
     m_mask = test::bytesOf(path("mask.nii.gz"));
     m_carved = test::bytesOf(path("carved.nii.gz"));
     QVERIFY(!m_mask.isEmpty() && !m_carved.isEmpty());
@@ -172,7 +164,7 @@ void LostContextGlTest::aRecipeComesToTheSame()
     // How often is looked depends on how fast pictures are drawn.
     QVERIFY(looks() < first || (onAndOn ? lost() >= 1 : lost() == 1));
     qInfo("%d contexts lost in %d looks", lost(), looks());
-    QCOMPARE(hashes(history("s.burin")), m_hashes);
+    QCOMPARE(hashes("s.burin"), m_hashes);
     QCOMPARE(test::bytesOf(path("mask.nii.gz")), m_mask);
     QCOMPARE(test::bytesOf(path("carved.nii.gz")), m_carved);
     QCOMPARE(told(outcome), m_told);
@@ -211,7 +203,7 @@ void LostContextGlTest::endsWithTheReason()
     QVERIFY2(last.contains(key("every step so far is in its session")), qPrintable(last));
     QVERIFY(lost() >= 3 && lost() <= 8);
     QVERIFY(!outcome.lines.isEmpty());
-    QStringList there = hashes(history("s.burin"));
+    QStringList there = hashes("s.burin");
     QVERIFY(!there.isEmpty());
     if (there.last().isEmpty())
         there.removeLast(); // told, and carried out again when it is opened next
