@@ -4,6 +4,7 @@
 #include "core/export/common/ExportFormats.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/Pen.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SharedData.h"
 #include "tests/support/series/SyntheticSeries.h"
@@ -235,12 +236,6 @@ Run burin(const QStringList& arguments)
     return run;
 }
 
-QByteArray contents(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 } // namespace
 
 class MainJobUiTest : public QObject {
@@ -374,8 +369,9 @@ private Q_SLOTS:
             QCOMPARE(run.lines[i][text("name")].toString(), rows[i]);
         }
         QCOMPARE(hashes.back().toLatin1(), finalHash);
-        QVERIFY(!contents(base + text(".nii.gz")).isEmpty());
-        QCOMPARE(contents(base + text("-recipe.nii.gz")), contents(base + text(".nii.gz")));
+        QVERIFY(!test::bytesOf(base + text(".nii.gz")).isEmpty());
+        QCOMPARE(
+            test::bytesOf(base + text("-recipe.nii.gz")), test::bytesOf(base + text(".nii.gz")));
 
         // The window's own session replays from scratch.
         const QDir sessions(m_folder.filePath(text("state/burin/sessions")));

@@ -3,6 +3,7 @@
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
@@ -57,12 +58,6 @@ QJsonArray script(const core::VolumeGeometry& geometry)
 const QStringList exported{
     QStringLiteral("o.nii.gz"), QStringLiteral("o.seg.nrrd"), QStringLiteral("o.stl")};
 
-QByteArray read(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 /// What a line of `burin run` promises.
 QString promise(const QJsonObject& line)
 {
@@ -78,14 +73,6 @@ QStringList promises(const Outcome& outcome)
     for (const QJsonObject& line : outcome.lines)
         if (const QString one = promise(line); !one.isEmpty())
             all += one;
-    return all;
-}
-
-QStringList hashes(const QJsonObject& history)
-{
-    QStringList all;
-    for (const QJsonValue& row : history[key("commands")].toArray())
-        all += row.toObject()[key("hashAfter")].toString();
     return all;
 }
 
@@ -156,7 +143,7 @@ long MemoryFailureGlTest::countOf(long least, bool ours)
         return count;
     makeFolder();
     const Outcome outcome = carryOut(refusing(0, least, ours));
-    count = outcome.status == 0 ? read(path("count.txt")).trimmed().toLong() : 0;
+    count = outcome.status == 0 ? test::bytesOf(path("count.txt")).trimmed().toLong() : 0;
     return count;
 }
 
@@ -171,10 +158,10 @@ void MemoryFailureGlTest::initTestCase()
     QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
     m_promised = promises(outcome);
     QCOMPARE(m_promised.size(), m_steps.size());
-    m_hashes = hashes(history("s.burin"));
+    m_hashes = hashes("s.burin");
     QVERIFY(m_hashes.size() >= 8);
     for (const QString& name : exported)
-        m_exported += read(path(qPrintable(name)));
+        m_exported += test::bytesOf(path(qPrintable(name)));
     QVERIFY(!m_exported.contains(QByteArray()));
 }
 
@@ -198,7 +185,7 @@ void MemoryFailureGlTest::checkWhole(const Outcome& outcome, bool replayed)
     const bool isBegun = QFileInfo(path("s.burin")).size() > 0
         || (QFile::exists(path("s.burin")) && (outcome.status == 0 || outcome.status == 1));
     if (isBegun) {
-        QStringList there = hashes(history("s.burin"));
+        QStringList there = hashes("s.burin");
         // A row that was told and not carried out to its end is so when it is opened next.
         if (!there.isEmpty() && there.last().isEmpty())
             there.removeLast();
@@ -224,7 +211,7 @@ void MemoryFailureGlTest::checkWhole(const Outcome& outcome, bool replayed)
     for (qsizetype i = 0; i < exported.size(); ++i) {
         const QString file = path(qPrintable(exported[i]));
         if (QFile::exists(file))
-            QVERIFY2(read(file) == m_exported[i], qPrintable(exported[i]));
+            QVERIFY2(test::bytesOf(file) == m_exported[i], qPrintable(exported[i]));
     }
     if (outcome.status == 0 || outcome.status == 1) {
         QStringList left = QDir(path("")).entryList(QDir::Files | QDir::Hidden);

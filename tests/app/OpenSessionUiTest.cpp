@@ -5,6 +5,7 @@
 #include "core/sessionfile/SessionStudy.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/series/SessionFiles.h"
@@ -27,12 +28,6 @@
 namespace {
 
 constexpr int patience = 120000; ///< ms; only a hang takes that long
-
-QByteArray contents(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 void write(const QString& path, const QByteArray& bytes)
 {
@@ -149,12 +144,12 @@ private Q_SLOTS:
         QCOMPARE(window.messages().findChild<QPushButton*>()->text(),
             QStringLiteral("Choose its study …"));
         // Another series, other voxels under the same name, nothing at all: refused, and asked on.
-        const QByteArray untouched = contents(session());
+        const QByteArray untouched = test::bytesOf(session());
         const auto refused = [&](const QString& place, const char* why) {
             asked.clear();
             opener.openSession(session(), place);
             return asked.wait(patience) && bar().contains(QLatin1String(why))
-                && !application->workspace().session() && contents(session()) == untouched;
+                && !application->workspace().session() && test::bytesOf(session()) == untouched;
         };
         QVERIFY2(refused(path("other"), "no volume has its series and size"), qPrintable(bar()));
         QVERIFY2(refused(path("tampered"), "its voxels are others"), qPrintable(bar()));
@@ -229,7 +224,7 @@ private Q_SLOTS:
             test::runSql(file, "PRAGMA user_version=99");
         else
             test::runSql(file, "UPDATE row SET name='Something else' WHERE id=2");
-        const QByteArray before = contents(file);
+        const QByteArray before = test::bytesOf(file);
         const Outcome outcome = open({file});
         QCOMPARE(outcome.status, 1);
         QCOMPARE(complaints(outcome).size(), 1);
@@ -237,7 +232,7 @@ private Q_SLOTS:
                 && outcome.complaint.contains(words),
             qPrintable(outcome.complaint));
         QVERIFY(!QFile::exists(path("shot.png")));
-        QCOMPARE(contents(file), before);
+        QCOMPARE(test::bytesOf(file), before);
         // What was salvaged goes again, as nothing was done with it.
         QCOMPARE(QDir(path("case")).entryList({QStringLiteral("bad*")}, QDir::Files).size(), 1);
     }

@@ -2,6 +2,7 @@
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 
@@ -13,12 +14,6 @@ using test::Outcome;
 
 namespace {
 
-QByteArray read(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 /// What the lines tell, but for how long it took and where files lie.
 QStringList told(const Outcome& outcome)
 {
@@ -26,14 +21,6 @@ QStringList told(const Outcome& outcome)
     for (const QJsonObject& line : outcome.lines)
         all += line[key("edit")].toString() + u' ' + line[key("row")].toVariant().toString() + u' '
             + line[key("name")].toString() + u' ' + line[key("hash")].toString();
-    return all;
-}
-
-QStringList hashes(const QJsonObject& history)
-{
-    QStringList all;
-    for (const QJsonValue& row : history[key("commands")].toArray())
-        all += row.toObject()[key("hashAfter")].toString();
     return all;
 }
 
@@ -59,10 +46,13 @@ private:
     [[nodiscard]] Outcome carryOut(const test::Surroundings& around) const;
     [[nodiscard]] Outcome replay(const test::Surroundings& around) const;
     /// How many looks for errors there were in the last run, and how many contexts were lost.
-    [[nodiscard]] int looks() const { return read(path("count.txt")).split(' ').value(0).toInt(); }
+    [[nodiscard]] int looks() const
+    {
+        return test::bytesOf(path("count.txt")).split(' ').value(0).toInt();
+    }
     [[nodiscard]] int lost() const
     {
-        return read(path("count.txt")).trimmed().split(' ').value(1).toInt();
+        return test::bytesOf(path("count.txt")).trimmed().split(' ').value(1).toInt();
     }
     [[nodiscard]] static bool saysSo(const Outcome& outcome)
     {
@@ -139,15 +129,15 @@ void LostContextGlTest::initTestCase()
     m_looks = looks();
     QVERIFY(m_looks > 100);
     m_told = told(outcome);
-    m_hashes = hashes(history("s.burin"));
-    m_mask = read(path("mask.nii.gz"));
-    m_carved = read(path("carved.nii.gz"));
+    m_hashes = hashes("s.burin");
+    m_mask = test::bytesOf(path("mask.nii.gz"));
+    m_carved = test::bytesOf(path("carved.nii.gz"));
     QVERIFY(!m_mask.isEmpty() && !m_carved.isEmpty());
     const Outcome replayed = replay(losing(0));
     QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
     m_replayLooks = looks();
     m_replayTold = told(replayed);
-    m_again = read(path("again.nii.gz"));
+    m_again = test::bytesOf(path("again.nii.gz"));
     QVERIFY(!m_again.isEmpty());
 }
 
@@ -174,9 +164,9 @@ void LostContextGlTest::aRecipeComesToTheSame()
     // How often is looked depends on how fast pictures are drawn.
     QVERIFY(looks() < first || (onAndOn ? lost() >= 1 : lost() == 1));
     qInfo("%d contexts lost in %d looks", lost(), looks());
-    QCOMPARE(hashes(history("s.burin")), m_hashes);
-    QCOMPARE(read(path("mask.nii.gz")), m_mask);
-    QCOMPARE(read(path("carved.nii.gz")), m_carved);
+    QCOMPARE(hashes("s.burin"), m_hashes);
+    QCOMPARE(test::bytesOf(path("mask.nii.gz")), m_mask);
+    QCOMPARE(test::bytesOf(path("carved.nii.gz")), m_carved);
     QCOMPARE(told(outcome), m_told);
     const Outcome verified = test::burin({key("replay"), path("s.burin"), key("--verify")});
     QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
@@ -200,7 +190,7 @@ void LostContextGlTest::aReplayComesToTheSame()
     QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
     QVERIFY(looks() < first || lost() >= 1);
     QCOMPARE(told(outcome), m_replayTold);
-    QCOMPARE(read(path("again.nii.gz")), m_again);
+    QCOMPARE(test::bytesOf(path("again.nii.gz")), m_again);
 }
 
 /// A processor that is reset each time: a few tries, then an end in words; what is done stays.
@@ -213,7 +203,7 @@ void LostContextGlTest::endsWithTheReason()
     QVERIFY2(last.contains(key("every step so far is in its session")), qPrintable(last));
     QVERIFY(lost() >= 3 && lost() <= 8);
     QVERIFY(!outcome.lines.isEmpty());
-    QStringList there = hashes(history("s.burin"));
+    QStringList there = hashes("s.burin");
     QVERIFY(!there.isEmpty());
     if (there.last().isEmpty())
         there.removeLast(); // told, and carried out again when it is opened next

@@ -2,6 +2,7 @@
 #include "core/study/StudyLoader.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/ImageFiles.h"
 #include "tests/support/series/OpenedVolume.h"
@@ -26,12 +27,6 @@ namespace {
 constexpr int columns = 21;
 constexpr int rows = 18;
 const QString spacing = QStringLiteral("+spacing=1x1x1");
-
-QByteArray bytesOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 /// A little-endian classic TIFF of one directory, entry by entry.
 class TiffBytes {
@@ -106,7 +101,7 @@ private:
         const QString file = path(QStringLiteral("sound.tif"));
         if (!writeTiff(file, {picture<std::uint16_t>(0, columns, rows)}, options))
             qFatal("no TIFF");
-        const QByteArray bytes = bytesOf(file);
+        const QByteArray bytes = test::bytesOf(file);
         QFile::remove(file);
         return bytes;
     }

@@ -7,6 +7,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/series/SessionFiles.h"
@@ -21,12 +22,6 @@
 using namespace core;
 
 namespace {
-
-QByteArray read(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 void put(QByteArray& bytes, qsizetype at, std::uint32_t value, int size)
 {
@@ -127,7 +122,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, sql);
         test::runSql(m_path, sql);
-        const QByteArray before = read(m_path);
+        const QByteArray before = test::bytesOf(m_path);
         for (const auto access : {SessionAccess::ReadWrite, SessionAccess::PrivateCopy}) {
             const auto opened = SessionFile::open(m_path, access);
             QVERIFY(!opened);
@@ -135,7 +130,7 @@ private Q_SLOTS:
             QVERIFY2(opened.error().arguments.value(1).contains(u"no part of a session"),
                 qPrintable(opened.error().arguments.join(u' ')));
         }
-        QCOMPARE(read(m_path), before);
+        QCOMPARE(test::bytesOf(m_path), before);
         // What it holds of a session is offered as a new file.
         const Result<SessionContents> contents = checkSession(m_path);
         QVERIFY(contents);
@@ -149,7 +144,7 @@ private Q_SLOTS:
         QVERIFY((*session)->apply(test::drillAt(1)));
         QVERIFY((*session)->settle());
         QCOMPARE((*session)->history().rows().size(), test::manyEdits().size() + 1);
-        QCOMPARE(read(m_path), before);
+        QCOMPARE(test::bytesOf(m_path), before);
     }
 
     void whatOnlyLooksLikeASessionIsRefused_data()
@@ -174,7 +169,7 @@ private Q_SLOTS:
         QFETCH(QStringList, sql);
         for (const QString& statement : sql)
             test::runSql(m_path, statement);
-        const QByteArray before = read(m_path);
+        const QByteArray before = test::bytesOf(m_path);
         for (const auto access :
             {SessionAccess::ReadWrite, SessionAccess::SoundPart, SessionAccess::PrivateCopy}) {
             const auto opened = SessionFile::open(m_path, access);
@@ -182,7 +177,7 @@ private Q_SLOTS:
             QCOMPARE(opened.error().code, ErrorCode::UnsupportedFormat);
         }
         QVERIFY(!previewSession(m_path));
-        QCOMPARE(read(m_path), before);
+        QCOMPARE(test::bytesOf(m_path), before);
     }
 
     /// Where a session says that its study is, is looked only if it can be there.
@@ -214,7 +209,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, table);
         makeEndless(m_path, table);
-        const QByteArray before = read(m_path);
+        const QByteArray before = test::bytesOf(m_path);
         QElapsedTimer clock;
         clock.start();
         for (const auto access : {SessionAccess::ReadWrite, SessionAccess::PrivateCopy}) {
@@ -228,7 +223,7 @@ private Q_SLOTS:
         QVERIFY(!contents || !contents->isWhole());
         static_cast<void>(previewSession(m_path));
         QVERIFY2(clock.elapsed() < 60'000, qPrintable(QString::number(clock.elapsed())));
-        QCOMPARE(read(m_path), before);
+        QCOMPARE(test::bytesOf(m_path), before);
     }
 
     void whatIsTooLargeIsNotRead()

@@ -9,6 +9,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/faults/FileSizeLimit.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
@@ -46,12 +47,6 @@ Result<void> openSession(Opened& opened, const QString& path)
         return tl::unexpected(session.error());
     opened.session = *std::move(session);
     return {};
-}
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 QStringList filesIn(const QTemporaryDir& folder)
@@ -294,12 +289,12 @@ private Q_SLOTS:
             {std::pair{6, "session format 6"}, std::pair{4, "format 4"}, std::pair{1, "format 1"},
                 std::pair{0, "format 0"}, std::pair{-1, "format -1"}}) {
             test::runSql(m_path, QStringLiteral("PRAGMA user_version=%1").arg(version));
-            const QByteArray before = contentOf(m_path);
+            const QByteArray before = test::bytesOf(m_path);
             Opened opened;
             const Result<void> result = openSession(opened, m_path);
             QCOMPARE(result.error().code, ErrorCode::UnsupportedFormat);
             QVERIFY(result.error().arguments.value(1).contains(QLatin1String(word)));
-            QCOMPARE(contentOf(m_path), before);
+            QCOMPARE(test::bytesOf(m_path), before);
         }
     }
 

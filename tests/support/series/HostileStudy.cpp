@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/series/HostileStudy.h"
+#include "tests/support/program/FileBytes.h"
 
 #include "tests/support/series/HostileDicom.h"
 #include "tests/support/series/SyntheticSeries.h"
 #include "tests/support/servers/Python.h"
 
-#include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
@@ -14,12 +14,6 @@ namespace test {
 
 namespace {
 
-QByteArray contents(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 /// A small image of a series of its own.
 QByteArray honestImage()
 {
@@ -27,7 +21,7 @@ QByteArray honestImage()
     SyntheticSeries series;
     series.size = {16, 12, 1};
     series.seriesUid = QStringLiteral("2.25.666");
-    return contents(writeSeries(series, folder.path()).front());
+    return bytesOf(writeSeries(series, folder.path()).front());
 }
 
 } // namespace

@@ -36,22 +36,6 @@ sockaddr_in loopback(int port)
     return address;
 }
 
-/// A socket on a port that the system chooses; -1 if there is none.
-int listening(int& port)
-{
-    const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in address = loopback(0);
-    socklen_t size = sizeof address;
-    auto* general = reinterpret_cast<sockaddr*>(&address);
-    if (::bind(socket, general, size) != 0 || ::listen(socket, 8) != 0
-        || ::getsockname(socket, general, &size) != 0) {
-        ::close(socket);
-        return -1;
-    }
-    port = ntohs(address.sin_port);
-    return socket;
-}
-
 int connected(int port)
 {
     const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
@@ -84,9 +68,7 @@ bool writeAll(int socket, const char* bytes, ssize_t size)
 
 int freePort()
 {
-    int port = 0;
-    ::close(listening(port));
-    return port;
+    return LocalListener().port();
 }
 
 TlsFiles TlsFiles::make(const QString& folder)
@@ -255,7 +237,6 @@ FaultyWire::FaultyWire(int serverPort, Fault fault, std::int64_t afterBytes)
     : m_serverPort(serverPort)
     , m_fault(fault)
     , m_left(afterBytes)
-    , m_listener(listening(m_port))
     , m_thread([this] { work(); })
 {
 }
@@ -264,16 +245,14 @@ FaultyWire::~FaultyWire()
 {
     m_ending = true;
     m_thread.join();
-    ::close(m_listener);
 }
 
 void FaultyWire::work()
 {
     while (!m_ending) {
-        pollfd waiting{m_listener, POLLIN, 0};
-        if (::poll(&waiting, 1, 20) < 1)
+        const int client = m_listener.accepted();
+        if (client < 0)
             continue;
-        const int client = ::accept4(m_listener, nullptr, nullptr, SOCK_CLOEXEC);
         const bool isDead = m_left <= 0 && m_fault == Fault::Cut;
         const int server = isDead ? -1 : connected(m_serverPort);
         if (server >= 0)

@@ -3,6 +3,7 @@
 
 #include "core/dicomweb/WebNode.h"
 #include "core/pacs/PacsNode.h"
+#include "tests/support/servers/LocalListener.h"
 
 #include <QProcess>
 #include <QString>
@@ -85,7 +86,7 @@ public:
     FaultyWire& operator=(const FaultyWire&) = delete;
     ~FaultyWire();
 
-    [[nodiscard]] int port() const { return m_port; }
+    [[nodiscard]] int port() const { return m_listener.port(); }
 
 private:
     void work();
@@ -95,8 +96,7 @@ private:
     int m_serverPort;
     Fault m_fault;
     std::int64_t m_left;
-    int m_port = 0;
-    int m_listener = -1; ///< which finds the port
+    LocalListener m_listener;
     std::atomic<bool> m_ending = false;
     std::thread m_thread; ///< last: it uses all of the above
 };

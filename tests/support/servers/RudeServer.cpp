@@ -6,8 +6,6 @@
 #include <array>
 #include <utility>
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -79,33 +77,20 @@ void RudeServer::Client::reset() const
 
 RudeServer::RudeServer(std::function<void(const Client&)> talk)
     : m_talk(std::move(talk))
-    , m_listener(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0))
+    , m_thread([this] { work(); })
 {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    auto* general = reinterpret_cast<sockaddr*>(&address);
-    if (::bind(m_listener, general, size) == 0 && ::listen(m_listener, 8) == 0
-        && ::getsockname(m_listener, general, &size) == 0)
-        m_port = ntohs(address.sin_port);
-    m_thread = std::thread([this] { work(); });
 }
 
 RudeServer::~RudeServer()
 {
     m_ending = true;
     m_thread.join();
-    ::close(m_listener);
 }
 
 void RudeServer::work()
 {
     while (!m_ending) {
-        pollfd waiting{m_listener, POLLIN, 0};
-        if (::poll(&waiting, 1, 20) < 1)
-            continue;
-        const int socket = ::accept4(m_listener, nullptr, nullptr, SOCK_CLOEXEC);
+        const int socket = m_listener.accepted();
         if (socket < 0)
             continue;
         m_talks.emplace_back([this, socket] {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tests/support/servers/LocalListener.h"
+
 #include <QByteArray>
 
 #include <atomic>
@@ -45,14 +47,13 @@ public:
     RudeServer& operator=(const RudeServer&) = delete;
     ~RudeServer();
 
-    [[nodiscard]] int port() const { return m_port; }
+    [[nodiscard]] int port() const { return m_listener.port(); }
 
 private:
     void work();
 
     std::function<void(const Client&)> m_talk;
-    int m_port = 0;
-    int m_listener = -1;
+    LocalListener m_listener;
     std::atomic<bool> m_ending = false;
     std::vector<std::thread> m_talks; ///< of the thread below
     std::thread m_thread; ///< last: it uses all of the above

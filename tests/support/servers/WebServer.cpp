@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -38,29 +36,19 @@ qsizetype lengthIn(const QByteArray& head)
 
 WebServer::WebServer(Answer answer)
     : m_answer(std::move(answer))
-    , m_listener(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0))
+    , m_thread([this] { work(); })
 {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    auto* general = reinterpret_cast<sockaddr*>(&address);
-    if (::bind(m_listener, general, size) == 0 && ::listen(m_listener, 8) == 0
-        && ::getsockname(m_listener, general, &size) == 0)
-        m_port = ntohs(address.sin_port);
-    m_thread = std::thread([this] { work(); });
 }
 
 WebServer::~WebServer()
 {
     m_ending = true;
     m_thread.join();
-    ::close(m_listener);
 }
 
 QUrl WebServer::url() const
 {
-    return QUrl(QStringLiteral("http://127.0.0.1:%1/dicom-web").arg(m_port));
+    return QUrl(QStringLiteral("http://127.0.0.1:%1/dicom-web").arg(m_listener.port()));
 }
 
 std::vector<QByteArray> WebServer::questions() const
@@ -72,10 +60,7 @@ std::vector<QByteArray> WebServer::questions() const
 void WebServer::work()
 {
     while (!m_ending) {
-        pollfd waiting{m_listener, POLLIN, 0};
-        if (::poll(&waiting, 1, 20) < 1)
-            continue;
-        const int client = ::accept4(m_listener, nullptr, nullptr, SOCK_CLOEXEC);
+        const int client = m_listener.accepted();
         if (client < 0)
             continue;
         converse(client);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tests/support/servers/LocalListener.h"
+
 #include <QByteArray>
 #include <QUrl>
 
@@ -46,8 +48,7 @@ private:
     void converse(int client);
 
     Answer m_answer;
-    int m_port = 0;
-    int m_listener = -1;
+    LocalListener m_listener;
     mutable std::mutex m_mutex;
     std::vector<QByteArray> m_questions;
     std::atomic<bool> m_ending = false;

@@ -3,6 +3,7 @@
 #include "core/export/common/SegmentStatistics.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SyntheticSeries.h"
 #include "tests/support/servers/Python.h"
@@ -236,42 +237,38 @@ void ExportStatisticsTest::aReportAndItsSegComeAndGoTogether()
     Measured on(ramp());
     on.at(1, 1, 1) = 1;
     on.at(3, 1, 1) = 2;
-    const auto read = [](const QString& path) {
-        QFile file(path);
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    };
     // A slice of the study of that name.
     const QString slice = on.study.volume.sources.front().file;
     const QString named = QFileInfo(slice).dir().filePath(QStringLiteral("IM1-seg.dcm"));
     QVERIFY(QFile::rename(slice, named));
     on.study.volume.sources.front().file = named;
-    const QByteArray bytes = read(named);
+    const QByteArray bytes = test::bytesOf(named);
     ExportRequest request = on.request(ExportFormat::Sr, "a.dcm");
     request.file = QFileInfo(slice).dir().filePath(QStringLiteral("IM1.dcm"));
     for (const bool force : {false, true}) {
         request.force = force;
         QVERIFY(!exportMask(on.study.volume, request, {}));
-        QCOMPARE(read(named), bytes);
+        QCOMPARE(test::bytesOf(named), bytes);
         QVERIFY(!QFile::exists(request.file));
     }
     // Called off, or with a report that cannot take its name, both old files are as they were.
     request = on.request(ExportFormat::Sr, "b.dcm");
     QVERIFY(exportMask(on.study.volume, request, {}));
-    const QByteArray report = read(on.file("b.dcm"));
-    const QByteArray seg = read(on.file("b-seg.dcm"));
+    const QByteArray report = test::bytesOf(on.file("b.dcm"));
+    const QByteArray seg = test::bytesOf(on.file("b-seg.dcm"));
     request.force = true;
     Progress cancelled;
     cancelled.cancel();
     QVERIFY(!exportMask(on.study.volume, request, cancelled));
-    QCOMPARE(read(on.file("b.dcm")), report);
-    QCOMPARE(read(on.file("b-seg.dcm")), seg);
+    QCOMPARE(test::bytesOf(on.file("b.dcm")), report);
+    QCOMPARE(test::bytesOf(on.file("b-seg.dcm")), seg);
     QVERIFY(QFile::remove(on.file("b.dcm")));
     QVERIFY(QDir(on.folder.path()).mkdir(QStringLiteral("b.dcm")));
     QVERIFY(!exportMask(on.study.volume, request, {}));
-    QCOMPARE(read(on.file("b-seg.dcm")), seg);
+    QCOMPARE(test::bytesOf(on.file("b-seg.dcm")), seg);
     QVERIFY(QDir(on.folder.path()).rmdir(QStringLiteral("b.dcm")));
     QVERIFY(exportMask(on.study.volume, request, {}));
-    QVERIFY(read(on.file("b-seg.dcm")) != seg);
+    QVERIFY(test::bytesOf(on.file("b-seg.dcm")) != seg);
 }
 
 void ExportStatisticsTest::aNumberThatIsWrongIsFound()

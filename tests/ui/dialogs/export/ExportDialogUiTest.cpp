@@ -8,6 +8,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/series/SmallSeries.h"
@@ -122,12 +123,6 @@ void answer(QMessageBox::StandardButton with)
             qFatal("nothing is asked");
         box->button(with)->click();
     });
-}
-
-QByteArray contents(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 } // namespace
@@ -259,7 +254,7 @@ private Q_SLOTS:
         const QString report = dialog.findChild<QLabel*>(text("exportReport"))->text();
         QVERIFY2(report.contains(QStringLiteral("✓")), qPrintable(report));
         const QByteArray sum =
-            QCryptographicHash::hash(contents(file), QCryptographicHash::Sha256).toHex();
+            QCryptographicHash::hash(test::bytesOf(file), QCryptographicHash::Sha256).toHex();
         QVERIFY2(report.contains(QString::fromLatin1(sum)), qPrintable(report));
         QVERIFY(!dialog.running());
         test::look(dialog.grab(), qPrintable(QStringLiteral("export-%1.png").arg(format)));
@@ -316,11 +311,11 @@ private Q_SLOTS:
         answer(QMessageBox::No);
         button(dialog, "exportStart").click();
         QVERIFY(!dialog.running());
-        QCOMPARE(contents(path), QByteArray("mine"));
+        QCOMPARE(test::bytesOf(path), QByteArray("mine"));
         answer(QMessageBox::Yes);
         button(dialog, "exportStart").click();
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 60000);
-        QVERIFY(contents(path) != QByteArray("mine"));
+        QVERIFY(test::bytesOf(path) != QByteArray("mine"));
     }
 
     void writesNothingOfASessionThatIsClosedWhileItAsks()
