@@ -5,6 +5,7 @@
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
+#include "core/titles/TitleJson.h"
 
 #include <QCryptographicHash>
 #include <QJsonDocument>
@@ -68,7 +69,8 @@ RowText RowText::of(const HistoryRow& row)
         .growthGeneration = row.growthGeneration,
         .at = row.origin.at.toUTC().toString(Qt::ISODateWithMs),
         .author = row.origin.author,
-        .program = row.origin.program};
+        .program = row.origin.program,
+        .title = row.title ? titleText(*row.title) : QString()};
 }
 
 Result<HistoryRow> RowText::row() const
@@ -96,6 +98,7 @@ Result<HistoryRow> RowText::row() const
     row.origin = {.at = QDateTime::fromString(at, Qt::ISODateWithMs).toUTC(),
         .author = author,
         .program = program};
+    row.title = titleFromText(title, name);
     return row;
 }
 
