@@ -29,7 +29,8 @@ QString nothingChanged(const core::Edit& edit, const core::EditSession& session)
     const std::optional<core::SketchedSeeds>& seeds = session.findings().sketchedSeeds();
     if (!edit.is<core::SeedStroke>() || !seeds || seeds->voxels == 0)
         return name;
-    return name + QStringLiteral(": ") + core::sketchedText(*seeds, session.document());
+    return name + QStringLiteral(": ")
+        + core::canonicalName(core::sketchedTitle(*seeds, session.document()));
 }
 
 /// One line for an edit that is carried out and on disk; an edit that changed nothing has no row.

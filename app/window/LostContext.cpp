@@ -4,6 +4,7 @@
 #include "core/repair/SeriesRepair.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/window/MainWindow.h"
 #include "ui/workspace/Workspace.h"
@@ -28,7 +29,7 @@ QString whatIsKept(core::EditSession& session)
     return position == 0
         ? QStringLiteral("Every step is in its session, which stands at its beginning")
         : QStringLiteral("Every step is in its session, which stands at '%1'")
-              .arg(session.history().row(position).name);
+              .arg(ui::nameOf(session.history().row(position)));
 }
 
 QString sentenceFor(const core::Error& error, core::EditSession& session)

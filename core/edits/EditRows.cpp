@@ -10,9 +10,9 @@ namespace core {
 namespace {
 
 template <class E>
-concept saysItsName = requires
+concept saysItsTitle = requires
 {
-    static_cast<QString (*)(const E&, const RowFacts&)>(&rowName);
+    static_cast<RowTitle (*)(const E&, const RowFacts&)>(&rowTitle);
 };
 
 template <class E>
@@ -23,13 +23,13 @@ concept saysItsReach = requires
 
 } // namespace
 
-QString nameOf(const Edit& edit, const RowFacts& row)
+RowTitle titleOf(const Edit& edit, const RowFacts& row)
 {
     return visitEdit(
         [&row](const auto& known) {
-            static_assert(saysItsName<std::decay_t<decltype(known)>>,
-                "an edit X needs QString rowName(const X&, const RowFacts&)");
-            return rowName(known, row);
+            static_assert(saysItsTitle<std::decay_t<decltype(known)>>,
+                "an edit X needs RowTitle rowTitle(const X&, const RowFacts&)");
+            return rowTitle(known, row);
         },
         edit);
 }

@@ -4,11 +4,13 @@
 #include "core/delta/EditStatistics.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/history/RowOrigin.h"
+#include "core/titles/RowTitle.h"
 
 #include <QByteArray>
 #include <QString>
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,7 +22,10 @@ using RowId = std::int64_t; ///< 1, 2, 3 …; 0 stands for the beginning
 struct HistoryRow {
     RowId id = 0;
     RowId parent = 0;
-    QString name; ///< for people: "Drill 6.2 mm, 214 bricks"
+    QString name; ///< for people: "Drill 6.2 mm, 214 bricks"; what the chain covers
+    /// What the name says, to be worded in another language; none: the row is of before there were
+    /// titles, or its file holds none that is its.
+    std::optional<RowTitle> title{};
     Edit edit; ///< quantised; what replay applies
     EditStatistics statistics;
     RowOrigin origin;

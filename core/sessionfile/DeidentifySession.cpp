@@ -27,13 +27,40 @@ bool namesPatient(const QString& text, const QStringList& words)
     return false;
 }
 
+/// Each text that a title holds, its own or of titles inside of it.
+template <class Use> void useTexts(RowTitle& title, const Use& use)
+{
+    for (TitleArgument& argument : title.arguments) {
+        if (auto* text = std::get_if<QString>(&argument))
+            use(*text);
+        else if (auto* titles = std::get_if<std::vector<RowTitle>>(&argument))
+            for (RowTitle& each : *titles)
+                useTexts(each, use);
+    }
+    for (RowTitle& each : title.then)
+        useTexts(each, use);
+}
+
+bool namesPatient(std::optional<RowTitle> title, const QStringList& words)
+{
+    bool names = false;
+    if (title)
+        useTexts(*title, [&](const QString& text) { names |= namesPatient(text, words); });
+    return names;
+}
+
 /// Its file's name alone, of a mask that was imported: the folder may be named after the patient.
 HistoryRow neutral(HistoryRow row, const Deidentifier& by)
 {
     if (auto* mask = row.edit.as<ImportMask>(); mask && !mask->file.isEmpty()) {
         const QFileInfo named(mask->file);
         mask->file = QStringLiteral("mask.") + named.completeSuffix();
-        row.name.replace(named.fileName(), mask->file);
+        const auto rename = [&](QString& text) { text.replace(named.fileName(), mask->file); };
+        rename(row.name);
+        if (row.title)
+            useTexts(*row.title, rename);
+        if (row.title && canonicalName(*row.title) != row.name)
+            row.title.reset();
     }
     row.origin.author.clear();
     switch (by.options().dates) {
@@ -55,7 +82,8 @@ Result<void> copySteps(SessionFile& from, const SessionContents& contents, Sessi
     for (const HistoryRow& row : contents.rows) {
         const HistoryRow copied = neutral(row, by);
         const RowText text = RowText::of(copied);
-        if (namesPatient(text.name, by.words()) || namesPatient(text.edit, by.words()))
+        if (namesPatient(text.name, by.words()) || namesPatient(text.edit, by.words())
+            || namesPatient(copied.title, by.words()))
             return failure(ErrorCode::UnsupportedFormat, file,
                 QStringLiteral("step %1 holds a word of the patient's name or numbers, and no step "
                                "can be rewritten")

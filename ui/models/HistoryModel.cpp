@@ -4,6 +4,7 @@
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "ui/base/CountText.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QLocale>
@@ -26,10 +27,14 @@ struct RowText {
     QString detail;
 };
 
-RowText textOf(const core::HistoryRow& row)
+RowText shownOf(const core::HistoryRow& row)
 {
     const bool hasFigures =
         !core::changesDocumentOnly(row.edit) || core::taskOf(row.edit) == core::EditTask::Surface;
+    if (row.title && hasFigures && !row.title->then.empty())
+        return {textOf(core::headlineOf(*row.title)), textOf(row.title->then.back())};
+    if (row.title)
+        return {textOf(*row.title), {}};
     const qsizetype comma = hasFigures ? row.name.lastIndexOf(QLatin1String(", ")) : -1;
     if (comma < 0)
         return {row.name, {}};
@@ -161,7 +166,7 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
 
 QVariant HistoryModel::headingData(const HistoryEntry& entry, int role) const
 {
-    const QString last = textOf(history()->row(entry.row)).name;
+    const QString last = shownOf(history()->row(entry.row)).name;
     const QString steps = counted(entry.steps, tr("1 step"), tr("%1 steps"));
     switch (role) {
     case Qt::AccessibleTextRole:
@@ -174,7 +179,7 @@ QVariant HistoryModel::headingData(const HistoryEntry& entry, int role) const
     case Qt::ToolTipRole:
         return tr("Branch: %1, last '%2'\n"
                   "The arrow shows its steps, a double click goes to its end")
-            .arg(steps, history()->row(entry.row).name);
+            .arg(steps, nameOf(history()->row(entry.row)));
     case VoxelsRole:
         return false;
     default:
@@ -187,14 +192,14 @@ QVariant HistoryModel::rowData(const HistoryEntry& entry, int role) const
     const core::HistoryRow* row = entry.row == 0 ? nullptr : &history()->row(entry.row);
     switch (role) {
     case Qt::AccessibleTextRole:
-        return row ? row->name : tr("Study opened");
+        return row ? nameOf(*row) : tr("Study opened");
     case Qt::DisplayRole:
-        return row ? textOf(*row).name : tr("Study opened");
+        return row ? shownOf(*row).name : tr("Study opened");
     case Qt::ToolTipRole:
-        return row ? tr("%1\nDouble click goes to the state after this step").arg(row->name)
+        return row ? tr("%1\nDouble click goes to the state after this step").arg(nameOf(*row))
                    : tr("Double click goes back to the beginning");
     case DetailRole:
-        return row ? textOf(*row).detail : QString();
+        return row ? shownOf(*row).detail : QString();
     case VoxelsRole:
         return row && !core::changedPart(row->edit);
     default:

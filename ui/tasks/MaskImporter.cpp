@@ -7,6 +7,7 @@
 #include "core/meshfile/MeshReader.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QFileDialog>
@@ -97,7 +98,7 @@ void MaskImporter::apply(const core::Result<core::ReadImport>& read, const QStri
             if (!guard)
                 return;
             if (session->history().rows().size() > rows)
-                Q_EMIT guard->imported(session->history().rows().back().name, notes);
+                Q_EMIT guard->imported(nameOf(session->history().rows().back()), notes);
             else
                 Q_EMIT guard->nothingTaken(path);
         });

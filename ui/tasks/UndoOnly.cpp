@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
@@ -23,7 +24,7 @@ void undoOnlyLast(Workspace& workspace, const core::Touch& touch, const QString&
                 shared->say(Workspace::tr("There is no step to undo %1").arg(place));
                 return;
             }
-            const QString name = now->history().row(row).name;
+            const QString name = nameOf(now->history().row(row));
             if (const auto applied = now->apply(core::RevertRows{{row}}); !applied)
                 shared->fail(applied.error());
             else

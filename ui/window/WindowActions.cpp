@@ -2,6 +2,7 @@
 #include "ui/window/WindowActions.h"
 
 #include "core/edits/kinds/layers/ChangeLayer.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/KeysDialog.h"
 #include "ui/dialogs/PenTesterDialog.h"
@@ -178,7 +179,7 @@ void addEditActions(MainWindow& window)
                 if (!workspace.session() || !workspace.session()->history().canUndo())
                     return QStringLiteral("Undo");
                 const core::History& history = workspace.session()->history();
-                return QStringLiteral("Undo: %1").arg(history.row(history.position()).name);
+                return QStringLiteral("Undo: %1").arg(nameOf(history.row(history.position())));
             }});
     actions.add({.id = QStringLiteral("edit.redo"),
         .text = QStringLiteral("Redo"),
@@ -204,7 +205,7 @@ void addEditActions(MainWindow& window)
                 if (!workspace.session() || !workspace.session()->history().canRedo())
                     return QStringLiteral("Redo");
                 const core::History& history = workspace.session()->history();
-                return QStringLiteral("Redo: %1").arg(history.row(history.redoTarget()).name);
+                return QStringLiteral("Redo: %1").arg(nameOf(history.row(history.redoTarget())));
             }});
     actions.add({.id = QStringLiteral("edit.author"),
         .text = QStringLiteral("Name in the audit trail …"),

@@ -16,8 +16,9 @@ namespace core {
 //     Errors: UnknownSegment, SegmentLocked, InvalidField; nothing is changed then.
 //   EditEffects effects(const X&)
 //     Who carries it out, and what follows from that it was (EditEffects.h).
-//   QString rowName(const X&, const RowFacts&)
-//     Its row's name for people; part of the hash chain, so an old one must come out as it was.
+//   RowTitle rowTitle(const X&, const RowFacts&)
+//     What its row says to people, as a code with arguments (core/titles). The name that is made of
+//     it is part of the hash chain, so an old one must come out as it was.
 //   EditReach reach(const X&, const ReachFacts&)
 //     What its result depends on: rather too much than too little (EditReach.h).
 //   Result<EngineEdit> engineEdit(const X&, const Document&)
@@ -31,5 +32,6 @@ struct EditReach;
 struct EngineEdit;
 struct ReachFacts;
 struct RowFacts;
+struct RowTitle;
 
 } // namespace core

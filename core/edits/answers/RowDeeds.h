@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QString>
-#include <QStringList>
+#include "core/titles/RowTitle.h"
 
 #include <optional>
+#include <utility>
 
 namespace core::rowWords {
 
-// Names of rows that change what a list of the document says: all that is different then, "Rename
+// Titles of rows that change what a list of the document says: all that is different then, "Rename
 // segment 1 to 'Bone', recolour it, lock it".
 
 /// What was done, one after the other; the first says to what.
 class Deeds {
 public:
     /// @param alone "Lock segment 'A'", @param further "lock it"
-    void add(const QString& alone, const QString& further)
+    void add(RowTitle alone, RowTitle further)
     {
-        m_deeds += m_deeds.isEmpty() ? alone : further;
+        if (m_title.code == RowTitleCode::Nothing)
+            m_title = std::move(alone);
+        else
+            m_title.then.push_back(std::move(further));
     }
-    [[nodiscard]] QString text() const { return m_deeds.join(QStringLiteral(", ")); }
+    [[nodiscard]] const RowTitle& title() const { return m_title; }
 
 private:
-    QStringList m_deeds;
+    RowTitle m_title;
 };
 
 template <class T> [[nodiscard]] bool differs(const std::optional<T>& value, const T* before)

@@ -5,28 +5,19 @@
 
 namespace core::rowWords {
 
-QString grouped(std::int64_t count)
+RowTitle figure(RowTitleCode code, std::int64_t count)
 {
-    QString digits = QString::number(count);
-    for (qsizetype place = digits.size() - 3; place > 0; place -= 3)
-        digits.insert(place, QLatin1Char(' '));
-    return digits;
+    return {.code = code, .arguments = {TitleCount{count}}};
 }
 
-QString counted(std::int64_t count, const char* noun)
+RowTitle flowTitle(std::int64_t gained, std::int64_t lost)
 {
-    return grouped(count) + QLatin1Char(' ') + QLatin1String(noun)
-        + (count == 1 ? QString() : QStringLiteral("s"));
-}
-
-QString quoted(const QString& name)
-{
-    return QLatin1Char('\'') + name + QLatin1Char('\'');
-}
-
-QString millimetres(double mm)
-{
-    return QString::number(mm, 'f', 1) + QStringLiteral(" mm");
+    if (gained <= 0)
+        return figure(RowTitleCode::FlowOut, lost);
+    if (lost <= 0)
+        return figure(RowTitleCode::FlowIn, gained);
+    return {
+        .code = RowTitleCode::FlowInAndOut, .arguments = {TitleCount{gained}, TitleCount{lost}}};
 }
 
 QString segmentName(int label, const Document& document)
@@ -38,18 +29,18 @@ QString segmentName(int label, const Document& document)
 QString layerName(int id, const Document& document)
 {
     const SculptLayer* layer = document.layer(id);
-    return quoted(layer ? layer->name : QString::number(id));
+    return layer ? layer->name : QString::number(id);
 }
 
 QString pieceName(int id, const Document& document)
 {
     const Piece* piece = document.piece(id);
-    return quoted(piece ? piece->name : QString::number(id));
+    return piece ? piece->name : QString::number(id);
 }
 
 QString targetName(const SegmentChoice& choice, const Document& document)
 {
-    return quoted(choice.segment ? segmentName(*choice.segment, document) : choice.name);
+    return choice.segment ? segmentName(*choice.segment, document) : choice.name;
 }
 
 } // namespace core::rowWords

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/Document.h"
+#include "core/titles/RowTitle.h"
 
 #include <QString>
 
@@ -13,18 +14,18 @@ struct SegmentChoice;
 
 namespace core::rowWords {
 
-// What names of rows are put together from (rowName() of an edit).
+// What titles of rows are put together from (rowTitle() of an edit).
 
-[[nodiscard]] QString grouped(std::int64_t count); ///< 18204 → "18 204"
-[[nodiscard]] QString counted(std::int64_t count, const char* noun); ///< "1 voxel", "2 voxels"
-[[nodiscard]] QString quoted(const QString& name);
-[[nodiscard]] QString millimetres(double mm); ///< "42.0 mm"
-/// Bare; the number where there is no such segment.
+/// How many of what the code says: 2 and Voxels for "2 voxels".
+[[nodiscard]] RowTitle figure(RowTitleCode code, std::int64_t count);
+/// "+12 −3 voxels", or one of both; "−0 voxels" where there is none.
+[[nodiscard]] RowTitle flowTitle(std::int64_t gained, std::int64_t lost);
+
+// Names; the number where there is none.
 [[nodiscard]] QString segmentName(int label, const Document& document);
-/// In quotes, likewise.
 [[nodiscard]] QString layerName(int id, const Document& document);
 [[nodiscard]] QString pieceName(int id, const Document& document);
-/// Of a segment that receives voxels, in quotes.
+/// Of a segment that receives voxels.
 [[nodiscard]] QString targetName(const SegmentChoice& choice, const Document& document);
 
 } // namespace core::rowWords

@@ -4,25 +4,12 @@
 #include "core/edits/answers/RowWords.h"
 #include "core/growth/SeedWord.h"
 
-#include <QStringList>
-
-#include <algorithm>
 #include <set>
 #include <tuple>
 
 namespace core {
 
 using namespace rowWords;
-
-namespace {
-
-/// "1 was a seed", "2 were seeds".
-QString either(std::int64_t count, const char* one, const char* more)
-{
-    return grouped(count) + QLatin1Char(' ') + QLatin1String(count == 1 ? one : more);
-}
-
-} // namespace
 
 SketchedSeeds sketchedSeeds(const SeedPlacement& stroke, const std::vector<std::uint32_t>& before)
 {
@@ -55,35 +42,42 @@ SketchedSeeds sketchedSeeds(const SeedPlacement& stroke, const std::vector<std::
     return seeds;
 }
 
-QString sketchedText(const SketchedSeeds& seeds, const Document& document)
+RowTitle sketchedTitle(const SketchedSeeds& seeds, const Document& document)
 {
-    const QString voxels = counted(seeds.voxels, "voxel");
-    const QString why = whyNotTaken(seeds, document);
-    return (seeds.taken == seeds.voxels
-                   ? voxels
-                   : QStringLiteral("%1 of %2").arg(grouped(seeds.taken), voxels))
-        + (why.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(why));
+    const bool all = seeds.taken == seeds.voxels;
+    RowTitle title = figure(all ? RowTitleCode::Voxels : RowTitleCode::VoxelsOf, seeds.voxels);
+    if (!all)
+        title.arguments.push_back(TitleCount{seeds.taken});
+    if (!seeds.isPlain()) {
+        title.code = all ? RowTitleCode::VoxelsBecause : RowTitleCode::VoxelsOfBecause;
+        title.arguments.push_back(asArgument(whyNotTaken(seeds, document)));
+    }
+    return title;
 }
 
-QString whyNotTaken(const SketchedSeeds& seeds, const Document& document)
+RowTitle whyNotTaken(const SketchedSeeds& seeds, const Document& document)
 {
-    QStringList reasons;
+    if (seeds.isPlain())
+        return {};
+    std::vector<RowTitle> reasons;
+    const auto add = [&](RowTitleCode code, int label, std::int64_t count) {
+        reasons.push_back(
+            {.code = code, .arguments = {TitleCount{count}, segmentName(label, document)}});
+    };
     for (const auto& [label, count] : seeds.members)
-        reasons += either(count, "belongs to ", "belong to ") + quoted(segmentName(label, document))
-            + (label == seeds.segment ? QStringLiteral(" already") : QString());
+        add(label == seeds.segment ? RowTitleCode::BelongAlready : RowTitleCode::BelongTo, label,
+            count);
     for (const auto& [label, count] : seeds.waiting) {
         if (label == seeds.segment)
-            reasons += either(count, "is a seed already", "are seeds already");
+            reasons.push_back(figure(RowTitleCode::SeedsAlready, count));
         else
-            reasons += either(count, "is a seed of ", "are seeds of ")
-                + quoted(segmentName(label, document));
+            add(RowTitleCode::SeedsOfAnother, label, count);
     }
     if (seeds.barriers > 0)
-        reasons += either(seeds.barriers, "is shut by a barrier", "are shut by a barrier");
+        reasons.push_back(figure(RowTitleCode::ShutByBarrier, seeds.barriers));
     for (const auto& [label, count] : seeds.replaced)
-        reasons += either(count, "was a seed of ", "were seeds of ")
-            + quoted(segmentName(label, document));
-    return reasons.join(QStringLiteral("; ")); // a comma would end a row's title
+        add(RowTitleCode::WereSeedsOf, label, count);
+    return {.code = RowTitleCode::Reasons, .arguments = {reasons}};
 }
 
 } // namespace core

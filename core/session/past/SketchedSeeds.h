@@ -4,8 +4,7 @@
 #include "core/brick/BrickGrid.h"
 #include "core/document/Document.h"
 #include "core/growth/GrowthCommands.h"
-
-#include <QString>
+#include "core/titles/RowTitle.h"
 
 #include <cstdint>
 #include <map>
@@ -24,6 +23,12 @@ struct SketchedSeeds {
     std::map<int, std::int64_t> waiting; ///< stay seeds that wait already, by label
     std::int64_t barriers = 0; ///< stay shut
     std::map<int, std::int64_t> replaced; ///< of those taken: were seeds of another, by label
+
+    /// All became seeds, of nobody else.
+    [[nodiscard]] bool isPlain() const
+    {
+        return members.empty() && waiting.empty() && barriers <= 0 && replaced.empty();
+    }
 };
 
 /// @param before the seed words of the stroke's voxels before it, in their order
@@ -31,8 +36,8 @@ struct SketchedSeeds {
     const SeedPlacement& stroke, const std::vector<std::uint32_t>& before);
 
 /// "5 voxels", "3 of 5 voxels (2 belong to 'Skull')", "2 voxels (1 was a seed of 'Skull')".
-[[nodiscard]] QString sketchedText(const SketchedSeeds& seeds, const Document& document);
-/// What stands in the brackets of that; empty: all became seeds, of nobody else.
-[[nodiscard]] QString whyNotTaken(const SketchedSeeds& seeds, const Document& document);
+[[nodiscard]] RowTitle sketchedTitle(const SketchedSeeds& seeds, const Document& document);
+/// What stands in the brackets of that; of plain ones it says nothing.
+[[nodiscard]] RowTitle whyNotTaken(const SketchedSeeds& seeds, const Document& document);
 
 } // namespace core

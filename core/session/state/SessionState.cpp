@@ -3,7 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/session/names/RowName.h"
+#include "core/session/names/TitleOfRow.h"
 
 #include <QJsonDocument>
 
@@ -43,13 +43,15 @@ SessionState::SessionState(EditEngine& lentEngine, Volume volume)
 /// A row for what was carried out, in memory and on its way to disk.
 RowId SessionState::append(const Edit& edit, const ChangeFacts& facts,
     const EditStatistics& statistics, std::optional<std::uint32_t> generation,
-    const QString& remark)
+    const std::optional<RowTitle>& remark)
 {
-    HistoryRow row;
-    row.name = rowName(edit, statistics, facts, document, history,
+    RowTitle title = titleOfRow(edit, statistics, facts, document, history,
         edit.is<SeedStroke>() ? lastSketched : std::nullopt);
-    if (!remark.isEmpty())
-        row.name += QStringLiteral(", ") + remark;
+    if (remark)
+        title.then.push_back(*remark);
+    HistoryRow row;
+    row.name = canonicalName(title);
+    row.title = std::move(title);
     if (generation)
         document.growths.front().generation = *generation;
     const std::optional<RefinedSurface> surfaceBefore = document.surface;
@@ -91,8 +93,8 @@ void SessionState::commit(
     tellCommitted(edit);
 }
 
-void SessionState::commitSurface(
-    const Edit& edit, std::shared_ptr<const SurfaceStep> step, const QString& remark)
+void SessionState::commitSurface(const Edit& edit, std::shared_ptr<const SurfaceStep> step,
+    const std::optional<RowTitle>& remark)
 {
     EditStatistics statistics;
     statistics.verticesChanged = std::int64_t(step->mesh.vertices.size());

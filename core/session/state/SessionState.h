@@ -45,9 +45,9 @@ public:
     /// memory and on its way to disk.
     void commit(const Edit& edit, EngineResult&& result, std::optional<std::uint32_t> generation);
     /// An edit of the surface was carried out: a row for it. The surface is as the step left it.
-    /// @param remark what the row's name says besides, or nothing
-    void commitSurface(
-        const Edit& edit, std::shared_ptr<const SurfaceStep> step, const QString& remark = {});
+    /// @param remark what the row's title says at its end, or nothing
+    void commitSurface(const Edit& edit, std::shared_ptr<const SurfaceStep> step,
+        const std::optional<RowTitle>& remark = {});
     void completeSurface(RowId row, std::shared_ptr<const SurfaceStep> step);
     /// A row of an opened session was carried out again, because it lacked its second half.
     void complete(RowId row, EngineResult&& result);
@@ -111,7 +111,7 @@ public:
 
 private:
     RowId append(const Edit& edit, const ChangeFacts& facts, const EditStatistics& statistics,
-        std::optional<std::uint32_t> generation, const QString& remark = {});
+        std::optional<std::uint32_t> generation, const std::optional<RowTitle>& remark = {});
     void tellCommitted(const Edit& edit);
     void takeIn(const ChangeFacts& facts);
     void placeDocument();

@@ -60,12 +60,14 @@ std::vector<TemplateContour> contoursOf(const ApplyTemplate& shape)
 
 /// In how many of the mask's voxels a surface is off: "0.74 % off". What is not nothing is not told
 /// as nothing.
-QString offText(const MeasuredFit& fit)
+RowTitle offTitle(const MeasuredFit& fit)
 {
     constexpr double least = 0.01;
     const double percent = 100.0 * double(fit.voxelsOff) / double(fit.voxels);
-    return fit.voxelsOff == 0 ? QStringLiteral("0 % off")
-                              : QStringLiteral("%1 % off").arg(std::max(percent, least), 0, 'f', 2);
+    return {.code = RowTitleCode::PercentOff,
+        .arguments = {fit.voxelsOff == 0
+                ? TitleDecimal{.value = 0.0, .decimals = 0}
+                : TitleDecimal{.value = std::max(percent, least), .decimals = 2}}};
 }
 
 /// How far an edge is looked for, times the tool's radius.
@@ -272,7 +274,7 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const LaySurface& edit, Endin
     Outcome outcome = stepOf(std::move(delta),
         SurfaceStep::TargetChange{.before = m_surface.followed(),
             .after = {.voxels = std::move(voxels), .faceAreaMm2 = faceAreaMm2}});
-    outcome.remark = offText(*fit);
+    outcome.remark = offTitle(*fit);
     return outcome;
 }
 

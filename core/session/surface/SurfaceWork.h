@@ -20,8 +20,7 @@
 #include "core/engine/EngineCommands.h"
 #include "core/refine/tools/SurfaceStroke.h"
 #include "core/session/surface/SurfaceAgreement.h"
-
-#include <QString>
+#include "core/titles/RowTitle.h"
 
 #include <memory>
 #include <optional>
@@ -37,7 +36,7 @@ public:
     struct Outcome {
         std::shared_ptr<const SurfaceStep> step; ///< the surface is as that leaves it
         std::optional<EngineEdit> voxels; ///< the engine has to do
-        QString remark{}; ///< what the row's name says besides
+        std::optional<RowTitle> remark{}; ///< what the row's title says at its end
     };
 
     /// What it reads of the volume.

@@ -4,6 +4,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/titles/TitleJson.h"
 
 #include <QCryptographicHash>
 #include <QJsonDocument>
@@ -67,7 +68,8 @@ RowText RowText::of(const HistoryRow& row)
         .growthGeneration = row.growthGeneration,
         .at = row.origin.at.toUTC().toString(Qt::ISODateWithMs),
         .author = row.origin.author,
-        .program = row.origin.program};
+        .program = row.origin.program,
+        .title = row.title ? titleText(*row.title) : QString()};
 }
 
 Result<HistoryRow> RowText::row() const
@@ -91,6 +93,7 @@ Result<HistoryRow> RowText::row() const
     row.origin = {.at = QDateTime::fromString(at, Qt::ISODateWithMs).toUTC(),
         .author = author,
         .program = program};
+    row.title = titleFromText(title, name);
     return row;
 }
 

@@ -22,6 +22,7 @@ struct RowText {
     QString at; ///< ISO 8601, UTC, with milliseconds; empty: nobody recorded it
     QString author;
     QString program;
+    QString title; ///< compact JSON; empty: none is kept. No hash covers it
 
     [[nodiscard]] static RowText of(const HistoryRow& row);
     /// Without the second half of the row. Errors: those of editFromJson().

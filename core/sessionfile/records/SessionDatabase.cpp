@@ -77,8 +77,7 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(const QString& 
     // The tables are made in rollback mode, so that the file alone is a session from the start.
     const bool made = database->transaction([&database] {
         return createSessionTables(database->m_connection)
-            && database->run(QStringLiteral("PRAGMA application_id=%1").arg(applicationId))
-            && database->run(QStringLiteral("PRAGMA user_version=%1").arg(schemaVersion));
+            && database->run(QStringLiteral("PRAGMA application_id=%1").arg(applicationId));
     });
     if (!made)
         return database->failed();
@@ -189,20 +188,20 @@ Result<void> SessionDatabase::checkFormat()
         return failure(
             ErrorCode::UnsupportedFormat, m_path, QStringLiteral("it is no session of Burin"));
     const int version = m_connection.number("user_version");
-    if (version != schemaVersion)
+    if (version < SessionFormat::oldest || version > SessionFormat::newest)
         return failure(ErrorCode::UnsupportedFormat, m_path,
-            version > schemaVersion
+            version > SessionFormat::newest
                 ? QStringLiteral("a newer Burin wrote it (session format %1; this one reads %2)")
                       .arg(version)
-                      .arg(int(schemaVersion))
+                      .arg(int(SessionFormat::newest))
                 : QStringLiteral("sessions of format %1 are not known here").arg(version));
-    return checkSchema();
+    return checkSchema(version);
 }
 
-Result<void> SessionDatabase::checkSchema()
+Result<void> SessionDatabase::checkSchema(int format)
 {
     SchemaDeviations deviations;
-    if (!readSchemaDeviations(m_connection, deviations))
+    if (!readSchemaDeviations(m_connection, format, deviations))
         return failed();
     // Of one that is cut off what is there is read.
     if (!m_loss.cutOff.isEmpty())
@@ -265,6 +264,11 @@ bool SessionDatabase::query(const QString& sql, const QVariantList& values,
 bool SessionDatabase::transaction(const std::function<bool()>& work)
 {
     return m_connection.transaction(work);
+}
+
+bool SessionDatabase::makeRoomForTitles()
+{
+    return core::makeRoomForTitles(m_connection);
 }
 
 bool SessionDatabase::copyInto(const QString& path)

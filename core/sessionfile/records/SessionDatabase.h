@@ -23,7 +23,6 @@ namespace core {
 class SessionDatabase {
 public:
     static constexpr int applicationId = 0x4275726E; // "Burn"
-    static constexpr int schemaVersion = 5;
 
     /// @pre the file exists and is empty
     static Result<std::unique_ptr<SessionDatabase>> create(const QString& path);
@@ -41,6 +40,8 @@ public:
         const std::function<bool(const QSqlQuery&)>& take);
     /// @p work in one transaction, which is rolled back when it returns false.
     bool transaction(const std::function<bool()>& work);
+    /// Before a row is written, in its transaction: a file of before gets the table of titles.
+    bool makeRoomForTitles();
     /// Looks through the structure of a file of usual size (PRAGMA quick_check), which is done by
     /// itself before one is written. What is wrong with it is noted in loss(). Errors, where the
     /// file is to be written: SessionDamaged.
@@ -64,7 +65,7 @@ private:
     [[nodiscard]] Result<QString> copyPrivately();
     [[nodiscard]] Result<void> connect(const QString& name, const QString& options);
     [[nodiscard]] Result<void> checkFormat();
-    [[nodiscard]] Result<void> checkSchema();
+    [[nodiscard]] Result<void> checkSchema(int format);
     [[nodiscard]] Result<void> beginWriting();
     [[nodiscard]] tl::unexpected<Error> failed() const;
 

@@ -13,6 +13,7 @@ namespace core {
 
 namespace {
 
+/// What a session holds since its first format that is read here.
 const char* const tables[]{
     R"(CREATE TABLE source (id INTEGER PRIMARY KEY CHECK (id = 1), json TEXT NOT NULL,
         images TEXT, imagesSha256 TEXT, headers BLOB))",
@@ -27,6 +28,8 @@ const char* const tables[]{
     "CREATE TABLE keyframe (row INTEGER PRIMARY KEY, at TEXT NOT NULL, png BLOB NOT NULL)",
     "CREATE TABLE pixels (piece INTEGER PRIMARY KEY, sha256 TEXT NOT NULL, bytes BLOB NOT NULL)",
 };
+/// What rows say, for people of any language: by row, in no hash.
+const char* const titleTable = "CREATE TABLE title (row INTEGER PRIMARY KEY, json TEXT NOT NULL)";
 
 /// What is copied into another session.
 struct CopiedTable {
@@ -41,23 +44,52 @@ const CopiedTable copiedTables[]{
     {"visited", "parent, child"},
     {"state", "key, value"},
     {"keyframe", "row, at, png"},
+    {"title", "row, json"},
 };
+
+bool noteFormat(SqliteConnection& connection)
+{
+    return connection.run(QStringLiteral("PRAGMA user_version=%1").arg(SessionFormat::newest));
+}
+
+QString nameOf(const QString& table)
+{
+    return table.section(QLatin1Char(' '), 2, 2);
+}
+
+bool hasTable(SqliteConnection& connection, const char* name, bool& has)
+{
+    has = false;
+    return connection.query(
+        QStringLiteral("SELECT 1 FROM main.sqlite_master WHERE type='table' AND name=?"),
+        {QLatin1String(name)}, [&has](const QSqlQuery&) { return has = true; });
+}
 
 } // namespace
 
 bool createSessionTables(SqliteConnection& connection)
 {
     return std::all_of(std::begin(tables), std::end(tables),
-        [&connection](const char* table) { return connection.run(QLatin1String(table)); });
+               [&connection](const char* table) { return connection.run(QLatin1String(table)); })
+        && connection.run(QLatin1String(titleTable)) && noteFormat(connection);
 }
 
-bool readSchemaDeviations(SqliteConnection& connection, SchemaDeviations& deviations)
+bool makeRoomForTitles(SqliteConnection& connection)
+{
+    bool there = false;
+    return hasTable(connection, "title", there)
+        && (there || (connection.run(QLatin1String(titleTable)) && noteFormat(connection)));
+}
+
+bool readSchemaDeviations(SqliteConnection& connection, int format, SchemaDeviations& deviations)
 {
     std::map<QString, QString> ours;
     for (const char* table : tables) {
         const QString text = QLatin1String(table);
-        ours[text.section(QLatin1Char(' '), 2, 2)] = text;
+        ours[nameOf(text)] = text;
     }
+    if (format >= SessionFormat::withTitles)
+        ours[nameOf(QLatin1String(titleTable))] = QLatin1String(titleTable);
     return connection.query(
         QStringLiteral("SELECT type, name, substr(sql, 1, 2000) FROM sqlite_master"), {},
         [&](const QSqlQuery& answer) {
@@ -80,6 +112,12 @@ bool copyHistoryTables(SqliteConnection& connection, const QString& target)
         return false;
     const bool copied = connection.transaction([&connection] {
         for (const CopiedTable& table : copiedTables) {
+            bool there = false;
+            if (!hasTable(connection, table.name, there))
+                return false;
+            // One of before has no titles.
+            if (!there && table.name == QLatin1String("title"))
+                continue;
             if (!connection.run(QStringLiteral("INSERT INTO target.%1 (%2) SELECT %2 FROM main.%1")
                                     .arg(QLatin1String(table.name), QLatin1String(table.columns))))
                 return false;

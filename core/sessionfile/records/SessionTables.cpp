@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/records/SessionTables.h"
 
+#include "core/titles/TitleJson.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QSqlQuery>
@@ -110,6 +112,7 @@ Result<SessionContents> SessionTables::read()
     contents.chainEnd = m_chains.back();
     readState(contents);
     readKeyframes(contents);
+    readTitles(contents);
     contents.holdsImages = holdsImages();
     const SessionLoss& loss = m_database->loss();
     contents.cutOff = !loss.cutOff.isEmpty() ? loss.cutOff
@@ -157,7 +160,7 @@ Result<void> SessionTables::addRow(const RowText& row)
                    {sqlId(row.id), sqlId(row.parent), row.name, row.edit, row.statistics,
                        row.growthGeneration, sqlText(row.at, told), sqlText(row.author, told),
                        sqlText(row.program, told), chain})
-            && writePosition(row.id)
+            && writeTitle(row) && writePosition(row.id)
             && writeState(endKey, QStringLiteral("%1 %2").arg(row.id).arg(chain));
     });
     if (stands)
@@ -216,6 +219,14 @@ Result<void> SessionTables::write(const std::function<bool()>& work)
     if (m_database->transaction(work))
         return {};
     return failure(ErrorCode::FileUnwritable, m_path, m_database->reason());
+}
+
+bool SessionTables::writeTitle(const RowText& row)
+{
+    return row.title.isEmpty()
+        || (m_database->makeRoomForTitles()
+            && m_database->run(QStringLiteral("INSERT OR REPLACE INTO title VALUES (?, ?)"),
+                {sqlId(row.id), row.title}));
 }
 
 bool SessionTables::writePosition(RowId position)
@@ -452,6 +463,21 @@ void SessionTables::readKeyframes(SessionContents& contents)
                 contents.keyframes.push_back({.row = row,
                     .at = QDateTime::fromString(at, Qt::ISODateWithMs).toUTC(),
                     .png = {}});
+            return true;
+        });
+}
+
+/// Names are what counts: of a row whose title is not there, or not its own, the name is shown.
+void SessionTables::readTitles(SessionContents& contents)
+{
+    m_database->query(QStringLiteral("SELECT row, iif(length(json) > %1, NULL, json) FROM title")
+                          .arg(TitleLimits::letters),
+        {}, [&contents](const QSqlQuery& answer) {
+            const RowId id = answer.value(0).toLongLong();
+            if (id > 0 && id <= RowId(contents.rows.size())) {
+                HistoryRow& row = contents.rows[std::size_t(id - 1)];
+                row.title = titleFromText(answer.value(1).toString(), row.name);
+            }
             return true;
         });
 }

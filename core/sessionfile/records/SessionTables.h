@@ -45,6 +45,7 @@ public:
 private:
     [[nodiscard]] tl::unexpected<Error> damaged(RowId row, const QString& reason) const;
     [[nodiscard]] Result<void> write(const std::function<bool()>& work);
+    bool writeTitle(const RowText& row);
     bool writePosition(RowId position);
     bool writeState(const QString& key, const QString& value);
 
@@ -60,6 +61,7 @@ private:
     /// Whether the last row is the one that @p end says. @return why that cannot be told
     [[nodiscard]] QString checkEnd(const QString& end, SessionContents& contents);
     void readKeyframes(SessionContents& contents);
+    void readTitles(SessionContents& contents);
     [[nodiscard]] SessionDamage damageAt(RowId row, const QString& reason);
 
     QString m_path;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
+#include "core/sessionfile/SessionSalvage.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -94,6 +95,11 @@ private Q_SLOTS:
         const QString difference = test::differenceFromGold(
             name + QStringLiteral(".txt"), steps + u'\n' + test::rowsOf(file));
         QVERIFY2(difference.isEmpty(), qPrintable(difference));
+        // What each row says is kept beside its name.
+        const Result<SessionContents> kept = checkSession(file);
+        QVERIFY(kept && kept->isWhole());
+        for (const HistoryRow& row : kept->rows)
+            QVERIFY2(row.title && canonicalName(*row.title) == row.name, qPrintable(row.name));
         if (qEnvironmentVariableIsSet("BURIN_RECORD_GOLD")) {
             QFile::remove(gold(name + QStringLiteral(".burin")));
             QVERIFY(QFile::copy(file, gold(name + QStringLiteral(".burin"))));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/edits/EditJson.h"
-#include "core/edits/answers/RowWords.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/surface/DropSurface.h"
@@ -12,6 +11,7 @@
 #include "core/session/SessionSurface.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "core/session/surface/SurfaceWriteBack.h"
+#include "core/titles/TitleLanguage.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/program/TestProgram.h"
@@ -202,8 +202,7 @@ void SurfaceBarrierTest::growthStaysOnItsSide()
     const Mask before = bench.heldBy(1);
     bench.run(SurfaceBarrier{});
     QCOMPARE(bench.lastRow().name,
-        QStringLiteral("Barrier around surface, %1 voxels")
-            .arg(rowWords::grouped(count(bench.shell))));
+        QStringLiteral("Barrier around surface, %1 voxels").arg(grouped(count(bench.shell))));
     QVERIFY(bench.heldBy(1) == before); // no voxel was taken from anybody
     bench.run(growth(connectivity));
     QVERIFY(bench.heldBy(2) == bench.inside);

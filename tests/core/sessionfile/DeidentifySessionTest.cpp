@@ -75,6 +75,8 @@ private Q_SLOTS:
         QCOMPARE(contents->rows.size(), std::size_t(2));
         QCOMPARE(contents->rows.back().stateHash, hash);
         QVERIFY(!contents->rows.back().origin.at.isValid());
+        for (const HistoryRow& row : contents->rows)
+            QVERIFY(row.title && canonicalName(*row.title) == row.name);
         // It goes on where the study is, wherever that lies and whatever it is called now.
         reference::ReferenceEngine engine;
         const auto opened = EditSession::open(engine, test::smallStudy(), to);

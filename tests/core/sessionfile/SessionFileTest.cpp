@@ -286,7 +286,7 @@ private Q_SLOTS:
     {
         makeSession(m_path);
         for (const auto& [version, word] :
-            {std::pair{6, "session format 6"}, std::pair{4, "format 4"}, std::pair{1, "format 1"},
+            {std::pair{7, "session format 7"}, std::pair{4, "format 4"}, std::pair{1, "format 1"},
                 std::pair{0, "format 0"}, std::pair{-1, "format -1"}}) {
             test::runSql(m_path, QStringLiteral("PRAGMA user_version=%1").arg(version));
             const QByteArray before = test::bytesOf(m_path);

@@ -5,6 +5,7 @@
 #include "core/history/StandingStrokes.h"
 #include "core/session/StepFindings.h"
 #include "ui/base/RevisionText.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/dialogs/session/ReviseStrokeDialog.h"
 #include "ui/workspace/Workspace.h"
 
@@ -57,8 +58,8 @@ void StrokeRevision::change(core::RowId row)
     if (!stroke)
         return;
     const core::HistoryRow& drawn = session.history().row(row);
-    auto* dialog = new ReviseStrokeDialog(
-        *stroke, *core::sculptEdit(drawn.edit), drawn.name, session.document(), m_window->window());
+    auto* dialog = new ReviseStrokeDialog(*stroke, *core::sculptEdit(drawn.edit), nameOf(drawn),
+        session.document(), m_window->window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     // The study may be closed while it stands open.
     connect(&m_workspace, &Workspace::sessionChanged, dialog, &QDialog::reject);

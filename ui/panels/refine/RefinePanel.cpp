@@ -2,6 +2,7 @@
 #include "ui/panels/refine/RefinePanel.h"
 
 #include "core/refine/deform/RefineSurface.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/refine/DoubtsSection.h"
@@ -228,7 +229,7 @@ QString RefinePanel::asLaidText() const
     core::RowId id = history.position();
     while (id != 0 && !history.row(id).edit.is<core::LaySurface>())
         id = history.row(id).parent;
-    return id == 0 ? QString() : history.row(id).name;
+    return id == 0 ? QString() : nameOf(history.row(id));
 }
 
 void RefinePanel::show()

@@ -10,6 +10,7 @@
 #include "ui/workspace/Workspace.h"
 
 #include "core/edits/kinds/growth/SeedStroke.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/SeenVoxels.h"
 
@@ -191,16 +192,16 @@ void SeedTool::tellOf(const core::SeedStroke& stroke, const QString& done)
 {
     const core::EditSession& session = *workspace().session();
     const std::optional<core::SketchedSeeds>& seeds = session.findings().sketchedSeeds();
-    const QString why = seeds ? core::whyNotTaken(*seeds, session.document()) : QString();
-    if (why.isEmpty()) {
+    if (!seeds || seeds->isPlain()) {
         workspace().say(done);
         return;
     }
     const core::Segment* segment = session.document().segment(stroke.segment);
     const QString name = segment ? segment->name : QString::number(stroke.segment);
+    const QString why = textOf(core::whyNotTaken(*seeds, session.document()));
     if (seeds->taken > 0)
-        workspace().say(
-            tr("Seeds for %1: %2").arg(name, core::sketchedText(*seeds, session.document())));
+        workspace().say(tr("Seeds for %1: %2")
+                            .arg(name, textOf(core::sketchedTitle(*seeds, session.document()))));
     else if (stroke.takenLps)
         workspace().say(tr("The seed of %1 was taken away, but not set anew: %2").arg(name, why));
     else

@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/SketchedVoxels.h"
 #include "ui/tools/growth/ShrinkForesight.h"
@@ -92,7 +93,7 @@ void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)
         // What was refused has been told already.
         const core::History& history = tool->workspace().session()->history();
         if (history.rows().size() > rows)
-            tool->workspace().say(history.rows().back().name);
+            tool->workspace().say(nameOf(history.rows().back()));
     });
 }
 

@@ -30,23 +30,15 @@ EditEffects effects(const ChunkToggle& edit)
         .boundToStudy = true};
 }
 
-QString rowName(const ChunkToggle& edit, const RowFacts& row)
+RowTitle rowTitle(const ChunkToggle& edit, const RowFacts& row)
 {
     const Segment* segment = row.document.segment(edit.segment);
     const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    const std::int64_t gained = flow.gained;
-    const std::int64_t lost = flow.lost;
-    QStringList figures;
-    if (gained > 0)
-        figures += QLatin1Char('+') + grouped(gained);
-    if (lost > 0 || gained == 0)
-        figures += QStringLiteral("−") + grouped(lost);
-    const QString name = quoted(segmentName(edit.segment, row.document));
-    const QString what = gained > 0 && lost > 0 ? QStringLiteral("Toggle chunks of ")
-        : gained > 0                            ? QStringLiteral("Add chunks to ")
-                                                : QStringLiteral("Take chunks from ");
-    return what + name + QStringLiteral(", ") + figures.join(QLatin1Char(' '))
-        + QStringLiteral(" voxels");
+    return {.code = flow.gained > 0 && flow.lost > 0 ? RowTitleCode::ToggleChunks
+            : flow.gained > 0                        ? RowTitleCode::AddChunks
+                                                     : RowTitleCode::TakeChunks,
+        .arguments = {segmentName(edit.segment, row.document)},
+        .then = {flowTitle(flow.gained, flow.lost)}};
 }
 
 /// The labels and seed words of the bricks that the chunks lie in.

@@ -30,7 +30,7 @@ struct ChunkToggle {
 [[nodiscard]] Result<void> check(const ChunkToggle& edit, const Document& document);
 Result<bool> apply(const ChunkToggle& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChunkToggle& edit);
-[[nodiscard]] QString rowName(const ChunkToggle& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ChunkToggle& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ChunkToggle& edit, const ReachFacts& row);
 
 } // namespace core

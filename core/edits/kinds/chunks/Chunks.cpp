@@ -40,10 +40,11 @@ EditEffects effects(const Chunks& edit)
         .boundToStudy = edit.owners.has_value()};
 }
 
-QString rowName(const Chunks& edit, const RowFacts& row)
+RowTitle rowTitle(const Chunks& edit, const RowFacts& row)
 {
-    return QStringLiteral("Divide around %1 into chunks, %2")
-        .arg(quoted(segmentName(edit.segment, row.document)), millimetres(edit.marginMm));
+    return {.code = RowTitleCode::DivideAround,
+        .arguments = {segmentName(edit.segment, row.document)},
+        .then = {{.code = RowTitleCode::Millimetres, .arguments = {inMm(edit.marginMm)}}}};
 }
 
 EditReach reach(const Chunks&, const ReachFacts& row)

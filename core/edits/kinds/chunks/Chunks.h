@@ -30,7 +30,7 @@ struct Chunks {
 [[nodiscard]] Result<void> check(const Chunks& edit, const Document& document);
 Result<bool> apply(const Chunks& edit, Document& document);
 [[nodiscard]] EditEffects effects(const Chunks& edit);
-[[nodiscard]] QString rowName(const Chunks& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const Chunks& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const Chunks& edit, const ReachFacts& row);
 
 } // namespace core

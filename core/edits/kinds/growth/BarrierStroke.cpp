@@ -44,11 +44,11 @@ Result<EngineEdit> engineEdit(const BarrierStroke& edit, const Document& documen
     return engineEditFrom(paintBarrier(edit, document));
 }
 
-QString rowName(const BarrierStroke& edit, const RowFacts& row)
+RowTitle rowTitle(const BarrierStroke& edit, const RowFacts& row)
 {
-    return QStringLiteral("%1 %2, %3")
-        .arg(edit.erase ? QStringLiteral("Open barrier") : QStringLiteral("Barrier"),
-            millimetres(edit.path.radiusMm), counted(row.facts.seedWordsChanged, "voxel"));
+    return {.code = edit.erase ? RowTitleCode::OpenBarrier : RowTitleCode::Barrier,
+        .arguments = {inMm(edit.path.radiusMm)},
+        .then = {figure(RowTitleCode::Voxels, row.facts.seedWordsChanged)}};
 }
 
 EditReach reach(const BarrierStroke& edit, const ReachFacts& row)

@@ -17,7 +17,7 @@ struct BarrierStroke {
 [[nodiscard]] Result<void> check(const BarrierStroke& edit, const Document& document);
 Result<bool> apply(const BarrierStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const BarrierStroke& edit);
-[[nodiscard]] QString rowName(const BarrierStroke& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const BarrierStroke& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const BarrierStroke& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const BarrierStroke& edit, const Document& document);
 

@@ -48,26 +48,23 @@ Result<EngineEdit> engineEdit(const ChangeInterval& edit, const Document& docume
 }
 
 /// "Recover 120 … 300 HU, +2 104 voxels"; the name says what was done.
-QString rowName(const ChangeInterval& change, const RowFacts& row)
+RowTitle rowTitle(const ChangeInterval& change, const RowFacts& row)
 {
     const std::int64_t gained = row.facts.labelsGrown;
     const std::int64_t lost = row.facts.labelsLost;
-    const QString what = change.fromSeeds.value_or(false) ? QStringLiteral("Grow anew from seeds")
-        : gained > 0 && lost > 0                          ? QStringLiteral("Recover and withdraw")
-        : lost > 0                                        ? QStringLiteral("Withdraw to")
-                                                          : QStringLiteral("Recover");
-    QStringList figures;
-    if (gained > 0)
-        figures += QLatin1Char('+') + grouped(gained);
-    if (lost > 0)
-        figures += QStringLiteral("−") + grouped(lost);
+    const TitleArgument interval = asArgument(intervalTitle(change.criteria, row.document));
     if (row.facts.empty())
-        return QStringLiteral("Interval %1, no voxel")
-            .arg(intervalText(change.criteria, row.document));
-    return QStringLiteral("%1 %2, %3")
-        .arg(what, intervalText(change.criteria, row.document),
-            figures.isEmpty() ? counted(row.facts.seedWordsChanged, "seed voxel")
-                              : figures.join(QLatin1Char(' ')) + QStringLiteral(" voxels"));
+        return {.code = RowTitleCode::Interval,
+            .arguments = {interval},
+            .then = {{.code = RowTitleCode::NoVoxel}}};
+    return {.code = change.fromSeeds.value_or(false) ? RowTitleCode::GrowAnew
+            : gained > 0 && lost > 0                 ? RowTitleCode::RecoverAndWithdraw
+            : lost > 0                               ? RowTitleCode::WithdrawTo
+                                                     : RowTitleCode::Recover,
+        .arguments = {interval},
+        .then = {gained > 0 || lost > 0
+                ? flowTitle(gained, lost)
+                : figure(RowTitleCode::SeedVoxels, row.facts.seedWordsChanged)}};
 }
 
 EditReach reach(const ChangeInterval& edit, const ReachFacts& row)

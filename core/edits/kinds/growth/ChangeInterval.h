@@ -27,7 +27,7 @@ struct ChangeInterval {
 [[nodiscard]] Result<void> check(const ChangeInterval& edit, const Document& document);
 Result<bool> apply(const ChangeInterval& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChangeInterval& edit);
-[[nodiscard]] QString rowName(const ChangeInterval& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ChangeInterval& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ChangeInterval& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ChangeInterval& edit, const Document& document);
 

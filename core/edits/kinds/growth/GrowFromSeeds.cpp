@@ -110,10 +110,19 @@ Result<EngineEdit> engineEdit(const GrowFromSeeds& edit, const Document& documen
     return engineEditFrom(spreadLabels(edit, document));
 }
 
-QString rowName(const GrowFromSeeds&, const RowFacts& row)
+RowTitle rowTitle(const GrowFromSeeds&, const RowFacts& row)
 {
-    return QStringLiteral("Grow %1from seeds, +%2")
-        .arg(whatGrew(row.facts, row.document), counted(row.statistics.voxelsChanged, "voxel"));
+    const GrownSegments grown = grownSegments(row.facts, row.document);
+    RowTitle title{.code = RowTitleCode::GrowFromSeeds,
+        .then = {figure(RowTitleCode::VoxelsGained, row.statistics.voxelsChanged)}};
+    if (grown.count == 1) {
+        title.code = RowTitleCode::GrowSegmentFromSeeds;
+        title.arguments = {grown.name};
+    } else if (grown.count > 1) {
+        title.code = RowTitleCode::GrowSegmentsFromSeeds;
+        title.arguments = {TitleCount{grown.count}};
+    }
+    return title;
 }
 
 EditReach reach(const GrowFromSeeds&, const ReachFacts& row)

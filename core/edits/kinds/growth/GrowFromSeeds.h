@@ -26,7 +26,7 @@ struct GrowFromSeeds {
 [[nodiscard]] Result<void> check(const GrowFromSeeds& edit, const Document& document);
 Result<bool> apply(const GrowFromSeeds& edit, Document& document);
 [[nodiscard]] EditEffects effects(const GrowFromSeeds& edit);
-[[nodiscard]] QString rowName(const GrowFromSeeds& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const GrowFromSeeds& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const GrowFromSeeds& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const GrowFromSeeds& edit, const Document& document);
 

@@ -53,15 +53,26 @@ int grownSteps(std::uint32_t first, const EditStatistics& statistics, const Chan
     return statistics.generations - (facts.admittedSeedsAt(first + 1) ? 1 : 0);
 }
 
-QString rowName(const GrowSteps& grow, const RowFacts& row)
+RowTitle rowTitle(const GrowSteps& grow, const RowFacts& row)
 {
     if (row.facts.empty())
-        return QStringLiteral("Grow %1, no voxel").arg(intervalText(grow.criteria, row.document));
+        return {.code = RowTitleCode::GrowInterval,
+            .arguments = {asArgument(intervalTitle(grow.criteria, row.document))},
+            .then = {{.code = RowTitleCode::NoVoxel}}};
     const Growth* before = row.document.growth(0);
-    const int steps = grownSteps(before ? before->generation : 0, row.statistics, row.facts);
-    return QStringLiteral("Grow %1%2, +%3")
-        .arg(whatGrew(row.facts, row.document), counted(steps, "step"),
-            counted(row.statistics.voxelsChanged, "voxel"));
+    const TitleCount steps{grownSteps(before ? before->generation : 0, row.statistics, row.facts)};
+    const GrownSegments grown = grownSegments(row.facts, row.document);
+    RowTitle title{.code = RowTitleCode::GrowSteps,
+        .arguments = {steps},
+        .then = {figure(RowTitleCode::VoxelsGained, row.statistics.voxelsChanged)}};
+    if (grown.count == 1) {
+        title.code = RowTitleCode::GrowSegmentSteps;
+        title.arguments = {steps, grown.name};
+    } else if (grown.count > 1) {
+        title.code = RowTitleCode::GrowSegmentsSteps;
+        title.arguments = {steps, TitleCount{grown.count}};
+    }
+    return title;
 }
 
 EditReach reach(const GrowSteps& edit, const ReachFacts& row)

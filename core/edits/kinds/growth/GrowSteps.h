@@ -26,7 +26,7 @@ struct GrowSteps {
 [[nodiscard]] Result<void> check(const GrowSteps& edit, const Document& document);
 Result<bool> apply(const GrowSteps& edit, Document& document);
 [[nodiscard]] EditEffects effects(const GrowSteps& edit);
-[[nodiscard]] QString rowName(const GrowSteps& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const GrowSteps& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const GrowSteps& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const GrowSteps& edit, const Document& document);
 

@@ -104,29 +104,32 @@ Result<CutGrowth> cutAt(const std::vector<glm::dvec3>& pointsLps, CutGrowth::How
     return command;
 }
 
-QString whatGrew(const ChangeFacts& facts, const Document& document)
+GrownSegments grownSegments(const ChangeFacts& facts, const Document& document)
 {
     std::bitset<256> grew;
     for (const LabelFlow& flow : facts.flows) {
         if (flow.gained > 0)
             grew.set(flow.label);
     }
-    if (grew.none())
-        return {};
-    if (grew.count() > 1)
-        return counted(std::int64_t(grew.count()), "segment") + QLatin1Char(' ');
+    GrownSegments grown{.count = std::int64_t(grew.count())};
+    if (grown.count != 1)
+        return grown;
     int label = 1;
     while (!grew.test(std::size_t(label)))
         ++label;
-    return QStringLiteral("'%1' ").arg(segmentName(label, document));
+    grown.name = segmentName(label, document);
+    return grown;
 }
 
-QString intervalText(const GrowCriteria& criteria, const Document& document)
+RowTitle intervalTitle(const GrowCriteria& criteria, const Document& document)
 {
-    const QString unit = document.volumes.front().unit;
-    return QStringLiteral("%1 … %2%3")
-        .arg(QString::number(criteria.lower, 'g', 6), QString::number(criteria.upper, 'g', 6),
-            unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
+    RowTitle title{.code = RowTitleCode::Range,
+        .arguments = {TitleDigits{criteria.lower}, TitleDigits{criteria.upper}}};
+    if (const QString& unit = document.volumes.front().unit; !unit.isEmpty()) {
+        title.code = RowTitleCode::RangeInUnit;
+        title.arguments.push_back(unit);
+    }
+    return title;
 }
 
 EditReach reachOfGrowth(const GrowCriteria& criteria, const ReachFacts& row)

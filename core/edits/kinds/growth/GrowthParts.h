@@ -5,9 +5,11 @@
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/answers/EditReach.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/titles/RowTitle.h"
 
 #include <QString>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -35,10 +37,13 @@ struct GrowGuard;
 [[nodiscard]] Result<CutGrowth> cutAt(const std::vector<glm::dvec3>& pointsLps, CutGrowth::How how,
     const Document& document, const QString& field);
 
-/// "'Brain' ", "2 segments ", or nothing if only seeds became members.
-[[nodiscard]] QString whatGrew(const ChangeFacts& facts, const Document& document);
+struct GrownSegments {
+    std::int64_t count = 0; ///< 0: only seeds became members
+    QString name{}; ///< of the one, where it is one
+};
+[[nodiscard]] GrownSegments grownSegments(const ChangeFacts& facts, const Document& document);
 /// "120 … 300 HU"
-[[nodiscard]] QString intervalText(const GrowCriteria& criteria, const Document& document);
+[[nodiscard]] RowTitle intervalTitle(const GrowCriteria& criteria, const Document& document);
 
 /// Of a growth by criteria: every seed word of its plane, since a burst goes on from all members,
 /// wherever they are; and the labels (with "only visible" the coverage too) of the voxels it asked,

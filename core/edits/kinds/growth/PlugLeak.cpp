@@ -37,9 +37,10 @@ Result<EngineEdit> engineEdit(const PlugLeak& edit, const Document& document)
     return engineEditFrom(cutGrowth(edit, document));
 }
 
-QString rowName(const PlugLeak&, const RowFacts& row)
+RowTitle rowTitle(const PlugLeak&, const RowFacts& row)
 {
-    return QStringLiteral("Plug leak, −%1").arg(counted(row.statistics.voxelsChanged, "voxel"));
+    return {.code = RowTitleCode::PlugLeak,
+        .then = {figure(RowTitleCode::VoxelsLost, row.statistics.voxelsChanged)}};
 }
 
 EditReach reach(const PlugLeak&, const ReachFacts& row)

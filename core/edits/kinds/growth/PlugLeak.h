@@ -17,7 +17,7 @@ struct PlugLeak {
 [[nodiscard]] Result<void> check(const PlugLeak& edit, const Document& document);
 Result<bool> apply(const PlugLeak& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PlugLeak& edit);
-[[nodiscard]] QString rowName(const PlugLeak& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const PlugLeak& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const PlugLeak& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const PlugLeak& edit, const Document& document);
 

@@ -33,9 +33,9 @@ Result<EngineEdit> engineEdit(const ResumeGrowth&, const Document&)
 }
 
 /// It is kept as the growth that it was.
-QString rowName(const ResumeGrowth& edit, const RowFacts& row)
+RowTitle rowTitle(const ResumeGrowth& edit, const RowFacts& row)
 {
-    return rowName(GrowSteps{.steps = edit.steps}, row);
+    return rowTitle(GrowSteps{.steps = edit.steps}, row);
 }
 
 EditReach reach(const ResumeGrowth&, const ReachFacts& row)

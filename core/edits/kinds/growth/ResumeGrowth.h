@@ -15,7 +15,7 @@ struct ResumeGrowth {
 [[nodiscard]] Result<void> check(const ResumeGrowth& edit, const Document& document);
 Result<bool> apply(const ResumeGrowth& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ResumeGrowth& edit);
-[[nodiscard]] QString rowName(const ResumeGrowth& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ResumeGrowth& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ResumeGrowth& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ResumeGrowth& edit, const Document& document);
 

@@ -62,20 +62,22 @@ Result<EngineEdit> engineEdit(const SeedStroke& edit, const Document& document)
     return engineEditFrom(seedPlacement(edit, document));
 }
 
-QString rowName(const SeedStroke& stroke, const RowFacts& row)
+RowTitle rowTitle(const SeedStroke& stroke, const RowFacts& row)
 {
     const QString segment = segmentName(stroke.segment, row.document);
-    if (stroke.takenLps && stroke.pointsLps.size() == stroke.takenLps->size())
-        return QStringLiteral("Move %1 of '%2'")
-                   .arg(counted(std::int64_t(stroke.pointsLps.size()), "seed"), segment)
-            + (row.sketched && !row.sketched->whyNotTaken.isEmpty()
-                    ? QStringLiteral(", ") + row.sketched->text
-                    : QString());
-    const QString voxels = counted(row.facts.seedWordsChanged, "voxel");
+    if (stroke.takenLps && stroke.pointsLps.size() == stroke.takenLps->size()) {
+        RowTitle title{.code = RowTitleCode::MoveSeeds,
+            .arguments = {TitleCount{std::int64_t(stroke.pointsLps.size())}, segment}};
+        if (row.sketched && !row.sketched->isPlain)
+            title.then = {row.sketched->became};
+        return title;
+    }
+    const RowTitle voxels = figure(RowTitleCode::Voxels, row.facts.seedWordsChanged);
     if (stroke.pointsLps.empty())
-        return QStringLiteral("Take seeds of '%1' away, %2").arg(segment, voxels);
-    return QStringLiteral("Seed stroke for '%1', %2")
-        .arg(segment, row.sketched ? row.sketched->text : voxels);
+        return {.code = RowTitleCode::TakeSeedsAway, .arguments = {segment}, .then = {voxels}};
+    return {.code = RowTitleCode::SeedStroke,
+        .arguments = {segment},
+        .then = {row.sketched ? row.sketched->became : voxels}};
 }
 
 /// The seed words of the bricks that its points lie in.

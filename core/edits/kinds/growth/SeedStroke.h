@@ -24,7 +24,7 @@ struct SeedStroke {
 [[nodiscard]] Result<void> check(const SeedStroke& edit, const Document& document);
 Result<bool> apply(const SeedStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SeedStroke& edit);
-[[nodiscard]] QString rowName(const SeedStroke& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const SeedStroke& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const SeedStroke& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const SeedStroke& edit, const Document& document);
 

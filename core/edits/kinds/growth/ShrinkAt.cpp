@@ -42,11 +42,10 @@ Result<EngineEdit> engineEdit(const ShrinkAt& edit, const Document& document)
     return engineEditFrom(cutGrowth(edit, document));
 }
 
-QString rowName(const ShrinkAt& edit, const RowFacts& row)
+RowTitle rowTitle(const ShrinkAt& edit, const RowFacts& row)
 {
-    return QStringLiteral("Shrink %1, −%2")
-        .arg(edit.onlyHere ? QStringLiteral("only here") : QStringLiteral("here"),
-            counted(row.statistics.voxelsChanged, "voxel"));
+    return {.code = edit.onlyHere ? RowTitleCode::ShrinkOnlyHere : RowTitleCode::ShrinkHere,
+        .then = {figure(RowTitleCode::VoxelsLost, row.statistics.voxelsChanged)}};
 }
 
 EditReach reach(const ShrinkAt&, const ReachFacts& row)

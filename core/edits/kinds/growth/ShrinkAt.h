@@ -22,7 +22,7 @@ struct ShrinkAt {
 [[nodiscard]] Result<void> check(const ShrinkAt& edit, const Document& document);
 Result<bool> apply(const ShrinkAt& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ShrinkAt& edit);
-[[nodiscard]] QString rowName(const ShrinkAt& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ShrinkAt& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ShrinkAt& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ShrinkAt& edit, const Document& document);
 

@@ -49,12 +49,12 @@ Result<EngineEdit> engineEdit(const ShrinkSteps& edit, const Document& document)
     return engineEditFrom(shrinkGrowth(edit, document));
 }
 
-QString rowName(const ShrinkSteps& edit, const RowFacts& row)
+RowTitle rowTitle(const ShrinkSteps& edit, const RowFacts& row)
 {
-    return QStringLiteral("Shrink %1, −%2")
-        .arg(edit.steps ? counted(row.statistics.generations, "step")
-                        : QStringLiteral("to the seeds"),
-            counted(row.statistics.voxelsChanged, "voxel"));
+    RowTitle title = edit.steps ? figure(RowTitleCode::ShrinkSteps, row.statistics.generations)
+                                : RowTitle{.code = RowTitleCode::ShrinkToSeeds};
+    title.then = {figure(RowTitleCode::VoxelsLost, row.statistics.voxelsChanged)};
+    return title;
 }
 
 EditReach reach(const ShrinkSteps&, const ReachFacts& row)

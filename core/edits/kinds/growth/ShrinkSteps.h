@@ -17,7 +17,7 @@ struct ShrinkSteps {
 [[nodiscard]] Result<void> check(const ShrinkSteps& edit, const Document& document);
 Result<bool> apply(const ShrinkSteps& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ShrinkSteps& edit);
-[[nodiscard]] QString rowName(const ShrinkSteps& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ShrinkSteps& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ShrinkSteps& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ShrinkSteps& edit, const Document& document);
 

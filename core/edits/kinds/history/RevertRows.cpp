@@ -25,15 +25,16 @@ EditEffects effects(const RevertRows&)
     return {.task = EditTask::History, .standsOpen = false, .boundToStudy = true};
 }
 
-QString rowName(const RevertRows& edit, const RowFacts& row)
+RowTitle rowTitle(const RevertRows& edit, const RowFacts& row)
 {
-    const QString what = edit.rows.size() == 1
-        ? QLatin1Char('\'') + row.past.titleOf(edit.rows.front()) + QLatin1Char('\'')
-        : counted(std::int64_t(edit.rows.size()), "step");
+    RowTitle title = edit.rows.size() == 1
+        ? RowTitle{.code = RowTitleCode::UndoOnly,
+            .arguments = {asArgument(row.past.headlineOf(edit.rows.front()))}}
+        : figure(RowTitleCode::UndoOnlySteps, std::int64_t(edit.rows.size()));
     const std::int64_t voxels = row.statistics.voxelsChanged;
-    return QStringLiteral("Undo only ") + what + QStringLiteral(", ")
-        + (voxels > 0 ? counted(voxels, "voxel")
-                      : counted(row.facts.seedWordsChanged, "seed voxel"));
+    title.then = {voxels > 0 ? figure(RowTitleCode::Voxels, voxels)
+                             : figure(RowTitleCode::SeedVoxels, row.facts.seedWordsChanged)};
+    return title;
 }
 
 /// The bricks of the rows that it took back.

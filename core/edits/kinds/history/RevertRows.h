@@ -17,7 +17,7 @@ struct RevertRows {
 [[nodiscard]] Result<void> check(const RevertRows& edit, const Document& document);
 Result<bool> apply(const RevertRows& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RevertRows& edit);
-[[nodiscard]] QString rowName(const RevertRows& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const RevertRows& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const RevertRows& edit, const ReachFacts& row);
 
 } // namespace core

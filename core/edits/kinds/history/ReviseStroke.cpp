@@ -25,45 +25,57 @@ EditEffects effects(const ReviseStroke&)
     return {.task = EditTask::History, .standsOpen = false, .boundToStudy = true};
 }
 
-QString rowName(const ReviseStroke& edit, const RowFacts& row)
+namespace {
+
+RowTitle fromTo(RowTitleCode code, double from, double to)
 {
-    const StrokeParameters drawn = row.past.cutOf(edit.row);
-    const QString title = QLatin1Char('\'') + row.past.titleOf(edit.row) + QLatin1Char('\'');
-    QString what;
-    if (edit.removed) {
-        what = QStringLiteral("Remove ") + title;
-    } else {
-        const auto mm = [](double value) { return QString::number(value, 'f', 1); };
-        QStringList changes;
-        if (edit.radiusMm)
-            changes +=
-                QStringLiteral("radius %1 → %2 mm").arg(mm(*drawn.radiusMm), mm(*edit.radiusMm));
-        if (edit.sideMm)
-            changes += QStringLiteral("side %1 → %2 mm").arg(mm(*drawn.sideMm), mm(*edit.sideMm));
-        if (edit.widthMm)
-            changes +=
-                QStringLiteral("width %1 → %2 mm").arg(mm(*drawn.widthMm), mm(*edit.widthMm));
-        if (edit.heightMm)
-            changes +=
-                QStringLiteral("height %1 → %2 mm").arg(mm(*drawn.heightMm), mm(*edit.heightMm));
-        if (edit.factor)
-            changes += QStringLiteral("outline × %1").arg(QString::number(*edit.factor, 'g', 4));
-        if (edit.depthMm)
-            changes +=
-                QStringLiteral("depth %1 → %2 mm").arg(mm(*drawn.depthMm), mm(*edit.depthMm));
-        if (edit.softnessMm)
-            changes += QStringLiteral("soft edge %1 → %2 mm")
-                           .arg(mm(*drawn.softnessMm), mm(*edit.softnessMm));
-        if (edit.layer)
-            changes += QStringLiteral("layer %1 → %2").arg(drawn.layer).arg(*edit.layer);
-        if (edit.throughGaps)
-            changes += *edit.throughGaps ? QStringLiteral("through gaps")
-                                         : QStringLiteral("stopping at gaps");
-        what = QStringLiteral("Revise ") + title + QStringLiteral(": ")
-            + (changes.isEmpty() ? QStringLiteral("as it was drawn")
-                                 : changes.join(QStringLiteral(" and ")));
-    }
-    return what + QStringLiteral(", ") + counted(row.statistics.voxelsChanged, "voxel");
+    return {.code = code, .arguments = {inMm(from), inMm(to)}};
+}
+
+/// What is different from how it was drawn.
+std::vector<RowTitle> changesOf(const ReviseStroke& edit, const StrokeParameters& drawn)
+{
+    std::vector<RowTitle> changes;
+    if (edit.radiusMm)
+        changes.push_back(fromTo(RowTitleCode::RadiusTo, *drawn.radiusMm, *edit.radiusMm));
+    if (edit.sideMm)
+        changes.push_back(fromTo(RowTitleCode::SideTo, *drawn.sideMm, *edit.sideMm));
+    if (edit.widthMm)
+        changes.push_back(fromTo(RowTitleCode::WidthTo, *drawn.widthMm, *edit.widthMm));
+    if (edit.heightMm)
+        changes.push_back(fromTo(RowTitleCode::HeightTo, *drawn.heightMm, *edit.heightMm));
+    if (edit.factor)
+        changes.push_back({.code = RowTitleCode::OutlineTimes,
+            .arguments = {TitleDigits{.value = *edit.factor, .digits = 4}}});
+    if (edit.depthMm)
+        changes.push_back(fromTo(RowTitleCode::DepthTo, *drawn.depthMm, *edit.depthMm));
+    if (edit.softnessMm)
+        changes.push_back(fromTo(RowTitleCode::SoftEdgeTo, *drawn.softnessMm, *edit.softnessMm));
+    if (edit.layer)
+        changes.push_back({.code = RowTitleCode::LayerTo,
+            .arguments = {TitleNumber{drawn.layer}, TitleNumber{*edit.layer}}});
+    if (edit.throughGaps)
+        changes.push_back(
+            {.code = *edit.throughGaps ? RowTitleCode::ThroughGaps : RowTitleCode::StoppingAtGaps});
+    return changes;
+}
+
+} // namespace
+
+RowTitle rowTitle(const ReviseStroke& edit, const RowFacts& row)
+{
+    const TitleArgument stroke = asArgument(row.past.headlineOf(edit.row));
+    RowTitle title{.code = RowTitleCode::RemoveStroke,
+        .arguments = {stroke},
+        .then = {figure(RowTitleCode::Voxels, row.statistics.voxelsChanged)}};
+    if (edit.removed)
+        return title;
+    const std::vector<RowTitle> changes = changesOf(edit, row.past.cutOf(edit.row));
+    title.code = changes.empty() ? RowTitleCode::ReviseAsDrawn : RowTitleCode::ReviseStroke;
+    if (!changes.empty())
+        title.arguments.push_back(
+            asArgument({.code = RowTitleCode::Changes, .arguments = {changes}}));
+    return title;
 }
 
 /// The bricks that it wrote. It also folds in what lay hidden there, which RevertOperation looks

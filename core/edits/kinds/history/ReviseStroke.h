@@ -28,7 +28,7 @@ struct ReviseStroke {
 [[nodiscard]] Result<void> check(const ReviseStroke& edit, const Document& document);
 Result<bool> apply(const ReviseStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ReviseStroke& edit);
-[[nodiscard]] QString rowName(const ReviseStroke& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ReviseStroke& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ReviseStroke& edit, const ReachFacts& row);
 
 } // namespace core

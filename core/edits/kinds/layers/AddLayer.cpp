@@ -8,8 +8,6 @@
 
 namespace core {
 
-using namespace rowWords;
-
 namespace {
 
 constexpr int lastLayer = 254; // 255 is where strokes of the past are tried (PastCoverage)
@@ -37,9 +35,9 @@ EditEffects effects(const AddLayer&)
     return documentEffects(DocumentChange::What::Layers);
 }
 
-QString rowName(const AddLayer& edit, const RowFacts&)
+RowTitle rowTitle(const AddLayer& edit, const RowFacts&)
 {
-    return QStringLiteral("Add layer ") + quoted(edit.name);
+    return {.code = RowTitleCode::AddLayer, .arguments = {edit.name}};
 }
 
 EditReach reach(const AddLayer&, const ReachFacts& row)

@@ -15,7 +15,7 @@ struct AddLayer {
 [[nodiscard]] Result<void> check(const AddLayer& edit, const Document& document);
 Result<bool> apply(const AddLayer& edit, Document& document);
 [[nodiscard]] EditEffects effects(const AddLayer& edit);
-[[nodiscard]] QString rowName(const AddLayer& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const AddLayer& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const AddLayer& edit, const ReachFacts& row);
 
 } // namespace core

@@ -33,27 +33,31 @@ EditEffects effects(const ChangeLayer&)
     return documentEffects(DocumentChange::What::Layers);
 }
 
-QString rowName(const ChangeLayer& edit, const RowFacts& row)
+RowTitle rowTitle(const ChangeLayer& edit, const RowFacts& row)
 {
     const Document& document = row.document;
     const SculptLayer* before = document.layer(edit.layer);
     const QString name = layerName(edit.layer, document);
     Deeds deeds;
     if (differs(edit.name, before ? &before->name : nullptr))
-        deeds.add(QStringLiteral("Rename layer %1 to %2").arg(name, quoted(*edit.name)), {});
+        deeds.add({.code = RowTitleCode::RenameLayer, .arguments = {name, *edit.name}}, {});
     if (differs(edit.solo, before ? &before->solo : nullptr)) {
         if (*edit.solo)
-            deeds.add(QStringLiteral("Solo layer ") + name, QStringLiteral("solo it"));
+            deeds.add({.code = RowTitleCode::SoloLayer, .arguments = {name}},
+                {.code = RowTitleCode::SoloIt});
         else
-            deeds.add(QStringLiteral("End solo of layer ") + name, QStringLiteral("end its solo"));
+            deeds.add({.code = RowTitleCode::EndSolo, .arguments = {name}},
+                {.code = RowTitleCode::EndItsSolo});
     }
     if (differs(edit.muted, before ? &before->muted : nullptr)) {
         if (*edit.muted)
-            deeds.add(QStringLiteral("Mute layer ") + name, QStringLiteral("mute it"));
+            deeds.add({.code = RowTitleCode::MuteLayer, .arguments = {name}},
+                {.code = RowTitleCode::MuteIt});
         else
-            deeds.add(QStringLiteral("Unmute layer ") + name, QStringLiteral("unmute it"));
+            deeds.add({.code = RowTitleCode::UnmuteLayer, .arguments = {name}},
+                {.code = RowTitleCode::UnmuteIt});
     }
-    return deeds.text();
+    return deeds.title();
 }
 
 EditReach reach(const ChangeLayer&, const ReachFacts& row)

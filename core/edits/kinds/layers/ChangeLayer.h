@@ -20,7 +20,7 @@ struct ChangeLayer {
 [[nodiscard]] Result<void> check(const ChangeLayer& edit, const Document& document);
 Result<bool> apply(const ChangeLayer& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChangeLayer& edit);
-[[nodiscard]] QString rowName(const ChangeLayer& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ChangeLayer& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ChangeLayer& edit, const ReachFacts& row);
 
 } // namespace core

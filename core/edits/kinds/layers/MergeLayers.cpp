@@ -56,10 +56,10 @@ Result<EngineEdit> engineEdit(const MergeLayers& edit, const Document& document)
     return EngineEdit(foldLayer(edit));
 }
 
-QString rowName(const MergeLayers& edit, const RowFacts& row)
+RowTitle rowTitle(const MergeLayers& edit, const RowFacts& row)
 {
-    return QStringLiteral("Merge layer %1 into %2")
-        .arg(layerName(edit.from, row.document), layerName(edit.into, row.document));
+    return {.code = RowTitleCode::MergeLayers,
+        .arguments = {layerName(edit.from, row.document), layerName(edit.into, row.document)}};
 }
 
 /// All of their coverage.

@@ -17,7 +17,7 @@ struct MergeLayers {
 [[nodiscard]] Result<void> check(const MergeLayers& edit, const Document& document);
 Result<bool> apply(const MergeLayers& edit, Document& document);
 [[nodiscard]] EditEffects effects(const MergeLayers& edit);
-[[nodiscard]] QString rowName(const MergeLayers& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const MergeLayers& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const MergeLayers& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const MergeLayers& edit, const Document& document);
 

@@ -30,11 +30,10 @@ EditEffects effects(const MoveLayer&)
     return documentEffects(DocumentChange::What::Layers);
 }
 
-QString rowName(const MoveLayer& edit, const RowFacts& row)
+RowTitle rowTitle(const MoveLayer& edit, const RowFacts& row)
 {
-    return QStringLiteral("Move layer %1 to place %2")
-        .arg(layerName(edit.layer, row.document))
-        .arg(edit.place);
+    return {.code = RowTitleCode::MoveLayer,
+        .arguments = {layerName(edit.layer, row.document), TitleNumber{edit.place}}};
 }
 
 EditReach reach(const MoveLayer&, const ReachFacts& row)

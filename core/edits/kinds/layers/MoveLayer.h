@@ -14,7 +14,7 @@ struct MoveLayer {
 [[nodiscard]] Result<void> check(const MoveLayer& edit, const Document& document);
 Result<bool> apply(const MoveLayer& edit, Document& document);
 [[nodiscard]] EditEffects effects(const MoveLayer& edit);
-[[nodiscard]] QString rowName(const MoveLayer& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const MoveLayer& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const MoveLayer& edit, const ReachFacts& row);
 
 } // namespace core

@@ -47,9 +47,9 @@ Result<EngineEdit> engineEdit(const RemoveLayer& edit, const Document& document)
     return EngineEdit(foldLayer(edit));
 }
 
-QString rowName(const RemoveLayer& edit, const RowFacts& row)
+RowTitle rowTitle(const RemoveLayer& edit, const RowFacts& row)
 {
-    return QStringLiteral("Delete layer ") + layerName(edit.layer, row.document);
+    return {.code = RowTitleCode::DeleteLayer, .arguments = {layerName(edit.layer, row.document)}};
 }
 
 /// All of its coverage.

@@ -15,7 +15,7 @@ struct RemoveLayer {
 [[nodiscard]] Result<void> check(const RemoveLayer& edit, const Document& document);
 Result<bool> apply(const RemoveLayer& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RemoveLayer& edit);
-[[nodiscard]] QString rowName(const RemoveLayer& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const RemoveLayer& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const RemoveLayer& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const RemoveLayer& edit, const Document& document);
 

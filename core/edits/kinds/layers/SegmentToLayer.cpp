@@ -46,11 +46,11 @@ Result<EngineEdit> engineEdit(const SegmentToLayer& edit, const Document& docume
     return engineEditFrom(coverLabel(edit, document));
 }
 
-QString rowName(const SegmentToLayer& edit, const RowFacts& row)
+RowTitle rowTitle(const SegmentToLayer& edit, const RowFacts& row)
 {
-    return QStringLiteral("Segment %1 to layer %2, %3")
-        .arg(quoted(segmentName(edit.segment, row.document)), layerName(edit.layer, row.document),
-            counted(row.statistics.voxelsChanged, "voxel"));
+    return {.code = RowTitleCode::SegmentToLayer,
+        .arguments = {segmentName(edit.segment, row.document), layerName(edit.layer, row.document)},
+        .then = {figure(RowTitleCode::Voxels, row.statistics.voxelsChanged)}};
 }
 
 /// The labels and seed words of the segment's plane, and the layer's coverage.

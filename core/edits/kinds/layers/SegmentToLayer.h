@@ -16,7 +16,7 @@ struct SegmentToLayer {
 [[nodiscard]] Result<void> check(const SegmentToLayer& edit, const Document& document);
 Result<bool> apply(const SegmentToLayer& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SegmentToLayer& edit);
-[[nodiscard]] QString rowName(const SegmentToLayer& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const SegmentToLayer& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const SegmentToLayer& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const SegmentToLayer& edit, const Document& document);
 

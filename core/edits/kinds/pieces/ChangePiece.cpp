@@ -36,42 +36,42 @@ EditEffects effects(const ChangePiece&)
     return documentEffects(DocumentChange::What::Pieces);
 }
 
-QString rowName(const ChangePiece& edit, const RowFacts& row)
+RowTitle rowTitle(const ChangePiece& edit, const RowFacts& row)
 {
     const Document& document = row.document;
     const Piece* piece = document.piece(edit.piece);
     const QString name = pieceName(edit.piece, document);
     Deeds deeds;
     if (differs(edit.name, piece ? &piece->name : nullptr))
-        deeds.add(QStringLiteral("Rename piece %1 to %2").arg(name, quoted(*edit.name)), {});
+        deeds.add({.code = RowTitleCode::RenamePiece, .arguments = {name, *edit.name}}, {});
     const PiecePose before = piece ? piece->pose : PiecePose();
     const PiecePose pose{.offsetMm = edit.offsetMm.value_or(before.offsetMm),
         .rotationDegrees = edit.rotationDegrees.value_or(before.rotationDegrees),
         .zoom = edit.zoom.value_or(before.zoom)};
     if (pose == before)
-        return deeds.text();
+        return deeds.title();
     if (pose.isHome()) {
-        deeds.add(QStringLiteral("Send piece %1 home").arg(name), QStringLiteral("send it home"));
-        return deeds.text();
+        deeds.add({.code = RowTitleCode::SendPieceHome, .arguments = {name}},
+            {.code = RowTitleCode::SendItHome});
+        return deeds.title();
     }
     // What it differs in from where it was: that is what the hand did.
     if (pose.offsetMm != before.offsetMm) {
-        const QString far = millimetres(glm::length(pose.offsetMm));
-        deeds.add(
-            QStringLiteral("Move piece %1 %2").arg(name, far), QStringLiteral("move it ") + far);
+        const TitleArgument far = inMm(glm::length(pose.offsetMm));
+        deeds.add({.code = RowTitleCode::MovePiece, .arguments = {name, far}},
+            {.code = RowTitleCode::MoveIt, .arguments = {far}});
     }
     if (pose.rotationDegrees != before.rotationDegrees) {
-        const QString angle =
-            QString::number(std::lround(glm::length(pose.rotationDegrees))) + QStringLiteral("°");
-        deeds.add(QStringLiteral("Turn piece %1 %2").arg(name, angle),
-            QStringLiteral("turn it ") + angle);
+        const TitleArgument angle = TitleNumber{std::lround(glm::length(pose.rotationDegrees))};
+        deeds.add({.code = RowTitleCode::TurnPiece, .arguments = {name, angle}},
+            {.code = RowTitleCode::TurnIt, .arguments = {angle}});
     }
     if (pose.zoom != before.zoom) {
-        const QString factor = QString::number(pose.zoom, 'g', 3) + QStringLiteral("×");
-        deeds.add(QStringLiteral("Zoom piece %1 %2").arg(name, factor),
-            QStringLiteral("zoom it ") + factor);
+        const TitleArgument factor = TitleDigits{.value = pose.zoom, .digits = 3};
+        deeds.add({.code = RowTitleCode::ZoomPiece, .arguments = {name, factor}},
+            {.code = RowTitleCode::ZoomIt, .arguments = {factor}});
     }
-    return deeds.text();
+    return deeds.title();
 }
 
 EditReach reach(const ChangePiece&, const ReachFacts& row)

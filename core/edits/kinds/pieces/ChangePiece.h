@@ -23,7 +23,7 @@ struct ChangePiece {
 [[nodiscard]] Result<void> check(const ChangePiece& edit, const Document& document);
 Result<bool> apply(const ChangePiece& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChangePiece& edit);
-[[nodiscard]] QString rowName(const ChangePiece& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ChangePiece& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ChangePiece& edit, const ReachFacts& row);
 
 } // namespace core

@@ -35,10 +35,10 @@ EditEffects effects(const CutPiece& edit)
     return documentEffects(DocumentChange::What::Pieces, edit.pivotLps.has_value());
 }
 
-QString rowName(const CutPiece& edit, const RowFacts& row)
+RowTitle rowTitle(const CutPiece& edit, const RowFacts& row)
 {
-    return QStringLiteral("Lift %1 off layer %2")
-        .arg(quoted(edit.name), layerName(edit.layer, row.document));
+    return {.code = RowTitleCode::LiftPiece,
+        .arguments = {edit.name, layerName(edit.layer, row.document)}};
 }
 
 EditReach reach(const CutPiece&, const ReachFacts& row)

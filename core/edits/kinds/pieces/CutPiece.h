@@ -21,7 +21,7 @@ struct CutPiece {
 [[nodiscard]] Result<void> check(const CutPiece& edit, const Document& document);
 Result<bool> apply(const CutPiece& edit, Document& document);
 [[nodiscard]] EditEffects effects(const CutPiece& edit);
-[[nodiscard]] QString rowName(const CutPiece& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const CutPiece& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const CutPiece& edit, const ReachFacts& row);
 
 } // namespace core

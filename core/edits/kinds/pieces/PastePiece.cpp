@@ -31,10 +31,10 @@ EditEffects effects(const PastePiece& edit)
     return documentEffects(DocumentChange::What::Pieces, edit.pivotLps.has_value());
 }
 
-QString rowName(const PastePiece& edit, const RowFacts& row)
+RowTitle rowTitle(const PastePiece& edit, const RowFacts& row)
 {
-    return QStringLiteral("Paste segment %1 as piece %2")
-        .arg(quoted(segmentName(edit.segment, row.document)), quoted(edit.name));
+    return {.code = RowTitleCode::PastePiece,
+        .arguments = {segmentName(edit.segment, row.document), edit.name}};
 }
 
 EditReach reach(const PastePiece&, const ReachFacts& row)

@@ -23,7 +23,7 @@ struct PastePiece {
 [[nodiscard]] Result<void> check(const PastePiece& edit, const Document& document);
 Result<bool> apply(const PastePiece& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PastePiece& edit);
-[[nodiscard]] QString rowName(const PastePiece& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const PastePiece& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const PastePiece& edit, const ReachFacts& row);
 
 } // namespace core

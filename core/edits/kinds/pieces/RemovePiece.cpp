@@ -29,9 +29,9 @@ EditEffects effects(const RemovePiece&)
     return documentEffects(DocumentChange::What::Pieces);
 }
 
-QString rowName(const RemovePiece& edit, const RowFacts& row)
+RowTitle rowTitle(const RemovePiece& edit, const RowFacts& row)
 {
-    return QStringLiteral("Remove piece ") + pieceName(edit.piece, row.document);
+    return {.code = RowTitleCode::RemovePiece, .arguments = {pieceName(edit.piece, row.document)}};
 }
 
 EditReach reach(const RemovePiece&, const ReachFacts& row)

@@ -13,7 +13,7 @@ struct RemovePiece {
 [[nodiscard]] Result<void> check(const RemovePiece& edit, const Document& document);
 Result<bool> apply(const RemovePiece& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RemovePiece& edit);
-[[nodiscard]] QString rowName(const RemovePiece& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const RemovePiece& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const RemovePiece& edit, const ReachFacts& row);
 
 } // namespace core

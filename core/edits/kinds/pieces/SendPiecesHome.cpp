@@ -28,9 +28,9 @@ EditEffects effects(const SendPiecesHome&)
     return documentEffects(DocumentChange::What::Pieces);
 }
 
-QString rowName(const SendPiecesHome&, const RowFacts&)
+RowTitle rowTitle(const SendPiecesHome&, const RowFacts&)
 {
-    return QStringLiteral("Send all pieces home");
+    return {.code = RowTitleCode::SendPiecesHome};
 }
 
 EditReach reach(const SendPiecesHome&, const ReachFacts& row)

@@ -11,7 +11,7 @@ struct SendPiecesHome { };
 [[nodiscard]] Result<void> check(const SendPiecesHome& edit, const Document& document);
 Result<bool> apply(const SendPiecesHome& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SendPiecesHome& edit);
-[[nodiscard]] QString rowName(const SendPiecesHome& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const SendPiecesHome& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const SendPiecesHome& edit, const ReachFacts& row);
 
 } // namespace core

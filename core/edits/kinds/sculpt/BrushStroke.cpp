@@ -52,11 +52,11 @@ Result<EngineEdit> engineEdit(const BrushStroke& edit, const Document& document)
     return engineEditFrom(capsuleCut(edit, document));
 }
 
-QString rowName(const BrushStroke& edit, const RowFacts& row)
+RowTitle rowTitle(const BrushStroke& edit, const RowFacts& row)
 {
-    return QStringLiteral("%1 %2, %3")
-        .arg(edit.restore ? QStringLiteral("Restore brush") : QStringLiteral("Carve brush"),
-            millimetres(edit.path.radiusMm), counted(row.statistics.voxelsChanged, "voxel"));
+    return {.code = edit.restore ? RowTitleCode::RestoreBrush : RowTitleCode::CarveBrush,
+        .arguments = {inMm(edit.path.radiusMm)},
+        .then = {figure(RowTitleCode::Voxels, row.statistics.voxelsChanged)}};
 }
 
 /// The coverage of its own layer in the bricks under the brush, and what it spares there.

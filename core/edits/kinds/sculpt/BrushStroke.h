@@ -22,7 +22,7 @@ struct BrushStroke {
 [[nodiscard]] Result<void> check(const BrushStroke& edit, const Document& document);
 Result<bool> apply(const BrushStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const BrushStroke& edit);
-[[nodiscard]] QString rowName(const BrushStroke& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const BrushStroke& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const BrushStroke& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const BrushStroke& edit, const Document& document);
 

@@ -8,7 +8,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/MaskFrames.h"
 #include "core/edits/kinds/sculpt/CutParts.h"
-#include "core/edits/kinds/sculpt/PressedName.h"
+#include "core/edits/kinds/sculpt/PressedTitle.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 
 #include <algorithm>
@@ -99,9 +99,14 @@ Result<EngineEdit> engineEdit(const DrillStroke& edit, const Document& document)
     return engineEditFrom(drillCut(edit, document));
 }
 
-QString rowName(const DrillStroke& edit, const RowFacts& row)
+RowTitle rowTitle(const DrillStroke& edit, const RowFacts& row)
 {
-    return pressedName(edit, {"Drill ", "Restore "}, row.statistics);
+    return pressedTitle(edit,
+        {.carve = RowTitleCode::Drill,
+            .carveByRate = RowTitleCode::DrillRate,
+            .restore = RowTitleCode::RestoreDrill,
+            .restoreByRate = RowTitleCode::RestoreDrillRate},
+        row.statistics);
 }
 
 EditReach reach(const DrillStroke& edit, const ReachFacts& row)

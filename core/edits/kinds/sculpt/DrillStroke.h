@@ -37,7 +37,7 @@ struct DrillStroke {
 [[nodiscard]] Result<void> check(const DrillStroke& edit, const Document& document);
 Result<bool> apply(const DrillStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const DrillStroke& edit);
-[[nodiscard]] QString rowName(const DrillStroke& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const DrillStroke& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const DrillStroke& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const DrillStroke& edit, const Document& document);
 

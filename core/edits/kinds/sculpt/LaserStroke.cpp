@@ -8,7 +8,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/MaskFrames.h"
 #include "core/edits/kinds/sculpt/CutParts.h"
-#include "core/edits/kinds/sculpt/PressedName.h"
+#include "core/edits/kinds/sculpt/PressedTitle.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "core/sculpt/LaserCut.h"
 
@@ -118,9 +118,14 @@ Result<EngineEdit> engineEdit(const LaserStroke& edit, const Document& document)
     return engineEditFrom(laserCut(edit, document));
 }
 
-QString rowName(const LaserStroke& edit, const RowFacts& row)
+RowTitle rowTitle(const LaserStroke& edit, const RowFacts& row)
 {
-    return pressedName(edit, {"Laser ", "Restore laser "}, row.statistics);
+    return pressedTitle(edit,
+        {.carve = RowTitleCode::Laser,
+            .carveByRate = RowTitleCode::LaserRate,
+            .restore = RowTitleCode::RestoreLaser,
+            .restoreByRate = RowTitleCode::RestoreLaserRate},
+        row.statistics);
 }
 
 /// As of a drill, and as far as its beams reach sideways.

@@ -36,7 +36,7 @@ struct LaserStroke {
 [[nodiscard]] Result<void> check(const LaserStroke& edit, const Document& document);
 Result<bool> apply(const LaserStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const LaserStroke& edit);
-[[nodiscard]] QString rowName(const LaserStroke& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const LaserStroke& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const LaserStroke& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const LaserStroke& edit, const Document& document);
 

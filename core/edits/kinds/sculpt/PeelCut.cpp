@@ -70,11 +70,11 @@ Result<EngineEdit> engineEdit(const PeelCut& edit, const Document& document)
 }
 
 /// "Peel 4.0 mm, 214 bricks".
-QString rowName(const PeelCut& peel, const RowFacts& row)
+RowTitle rowTitle(const PeelCut& peel, const RowFacts& row)
 {
-    return (peel.restore ? QStringLiteral("Restore peel ") : QStringLiteral("Peel "))
-        + QStringLiteral("%1 mm, ").arg(QString::number(peel.depthMm, 'f', 1))
-        + counted(row.statistics.bricks, "brick");
+    return {.code = peel.restore ? RowTitleCode::RestorePeel : RowTitleCode::Peel,
+        .arguments = {inMm(peel.depthMm)},
+        .then = {figure(RowTitleCode::Bricks, row.statistics.bricks)}};
 }
 
 EditReach reach(const PeelCut& edit, const ReachFacts& row)

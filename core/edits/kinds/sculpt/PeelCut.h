@@ -34,7 +34,7 @@ struct PeelCut {
 [[nodiscard]] Result<void> check(const PeelCut& edit, const Document& document);
 Result<bool> apply(const PeelCut& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PeelCut& edit);
-[[nodiscard]] QString rowName(const PeelCut& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const PeelCut& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const PeelCut& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const PeelCut& edit, const Document& document);
 

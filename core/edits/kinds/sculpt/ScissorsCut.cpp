@@ -66,16 +66,32 @@ Result<EngineEdit> engineEdit(const ScissorsCut& edit, const Document& document)
     return engineEditFrom(maskScissors(edit, document));
 }
 
-/// "Carve scissors 12.0 mm deep, 214 bricks".
-QString rowName(const ScissorsCut& cut, const RowFacts& row)
+namespace {
+
+RowTitleCode titleCode(const ScissorsCut& cut)
 {
-    QString name =
-        cut.restore ? QStringLiteral("Restore scissors") : QStringLiteral("Carve scissors");
+    if (cut.restore && cut.depthMm)
+        return cut.firstLayerOnly ? RowTitleCode::RestoreScissorsDeepFirst
+                                  : RowTitleCode::RestoreScissorsDeep;
+    if (cut.restore)
+        return cut.firstLayerOnly ? RowTitleCode::RestoreScissorsFirst
+                                  : RowTitleCode::RestoreScissors;
     if (cut.depthMm)
-        name += QStringLiteral(" %1 mm deep").arg(QString::number(*cut.depthMm, 'f', 1));
-    if (cut.firstLayerOnly)
-        name += QStringLiteral(" through the first layer");
-    return name + QStringLiteral(", ") + counted(row.statistics.bricks, "brick");
+        return cut.firstLayerOnly ? RowTitleCode::CarveScissorsDeepFirst
+                                  : RowTitleCode::CarveScissorsDeep;
+    return cut.firstLayerOnly ? RowTitleCode::CarveScissorsFirst : RowTitleCode::CarveScissors;
+}
+
+} // namespace
+
+/// "Carve scissors 12.0 mm deep, 214 bricks".
+RowTitle rowTitle(const ScissorsCut& cut, const RowFacts& row)
+{
+    RowTitle title{
+        .code = titleCode(cut), .then = {figure(RowTitleCode::Bricks, row.statistics.bricks)}};
+    if (cut.depthMm)
+        title.arguments = {inMm(*cut.depthMm)};
+    return title;
 }
 
 EditReach reach(const ScissorsCut& edit, const ReachFacts& row)

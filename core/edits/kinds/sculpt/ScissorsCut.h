@@ -31,7 +31,7 @@ struct ScissorsCut {
 [[nodiscard]] Result<void> check(const ScissorsCut& edit, const Document& document);
 Result<bool> apply(const ScissorsCut& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ScissorsCut& edit);
-[[nodiscard]] QString rowName(const ScissorsCut& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ScissorsCut& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ScissorsCut& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ScissorsCut& edit, const Document& document);
 

@@ -44,9 +44,9 @@ EditEffects effects(const AddSegment&)
     return documentEffects(DocumentChange::What::Segments);
 }
 
-QString rowName(const AddSegment& edit, const RowFacts&)
+RowTitle rowTitle(const AddSegment& edit, const RowFacts&)
 {
-    return QStringLiteral("Add segment '%1'").arg(edit.name);
+    return {.code = RowTitleCode::AddSegment, .arguments = {edit.name}};
 }
 
 EditReach reach(const AddSegment&, const ReachFacts& row)

@@ -21,7 +21,7 @@ struct AddSegment {
 [[nodiscard]] Result<void> check(const AddSegment& edit, const Document& document);
 Result<bool> apply(const AddSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const AddSegment& edit);
-[[nodiscard]] QString rowName(const AddSegment& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const AddSegment& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const AddSegment& edit, const ReachFacts& row);
 
 /// The segment that receives voxels, where it is a new one; whether there is any. Only what takes

@@ -35,41 +35,45 @@ EditEffects effects(const ChangeSegment&)
     return documentEffects(DocumentChange::What::Segments);
 }
 
-QString rowName(const ChangeSegment& edit, const RowFacts& row)
+RowTitle rowTitle(const ChangeSegment& edit, const RowFacts& row)
 {
     const Document& document = row.document;
     const Segment* before = document.segment(edit.segment);
-    const QString name = quoted(segmentName(edit.segment, document));
+    const QString name = segmentName(edit.segment, document);
     Deeds deeds;
     if (differs(edit.name, before ? &before->name : nullptr))
-        deeds.add(
-            QStringLiteral("Rename segment %1 to %2").arg(edit.segment).arg(quoted(*edit.name)),
+        deeds.add({.code = RowTitleCode::RenameSegment,
+                      .arguments = {TitleNumber{edit.segment}, *edit.name}},
             {});
     if (differs(edit.code, before ? &before->code : nullptr)) {
+        const QString& meaning = edit.code->meaning;
         if (edit.code->isSet())
-            deeds.add(QStringLiteral("Code segment %1 as %2").arg(name, edit.code->meaning),
-                QStringLiteral("code it as ") + edit.code->meaning);
+            deeds.add({.code = RowTitleCode::CodeSegment, .arguments = {name, meaning}},
+                {.code = RowTitleCode::CodeIt, .arguments = {meaning}});
         else
-            deeds.add(QStringLiteral("Take the code from segment ") + name,
-                QStringLiteral("take its code away"));
+            deeds.add({.code = RowTitleCode::TakeCode, .arguments = {name}},
+                {.code = RowTitleCode::TakeItsCode});
     }
     if (differs(edit.rgb, before ? &before->rgb : nullptr))
-        deeds.add(QStringLiteral("Recolour segment ") + name, QStringLiteral("recolour it"));
+        deeds.add({.code = RowTitleCode::RecolourSegment, .arguments = {name}},
+            {.code = RowTitleCode::RecolourIt});
     if (differs(edit.locked, before ? &before->locked : nullptr)) {
         if (*edit.locked)
-            deeds.add(QStringLiteral("Lock segment ") + name, QStringLiteral("lock it"));
+            deeds.add({.code = RowTitleCode::LockSegment, .arguments = {name}},
+                {.code = RowTitleCode::LockIt});
         else
-            deeds.add(QStringLiteral("Unlock segment ") + name, QStringLiteral("unlock it"));
+            deeds.add({.code = RowTitleCode::UnlockSegment, .arguments = {name}},
+                {.code = RowTitleCode::UnlockIt});
     }
     if (differs(edit.uncarvable, before ? &before->uncarvable : nullptr)) {
         if (*edit.uncarvable)
-            deeds.add(QStringLiteral("Protect segment %1 from sculpting").arg(name),
-                QStringLiteral("protect it from sculpting"));
+            deeds.add({.code = RowTitleCode::ProtectSegment, .arguments = {name}},
+                {.code = RowTitleCode::ProtectIt});
         else
-            deeds.add(QStringLiteral("Let tools carve segment ") + name,
-                QStringLiteral("let tools carve it"));
+            deeds.add({.code = RowTitleCode::LetCarveSegment, .arguments = {name}},
+                {.code = RowTitleCode::LetCarveIt});
     }
-    return deeds.text();
+    return deeds.title();
 }
 
 EditReach reach(const ChangeSegment&, const ReachFacts& row)

@@ -24,7 +24,7 @@ struct ChangeSegment {
 [[nodiscard]] Result<void> check(const ChangeSegment& edit, const Document& document);
 Result<bool> apply(const ChangeSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChangeSegment& edit);
-[[nodiscard]] QString rowName(const ChangeSegment& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ChangeSegment& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ChangeSegment& edit, const ReachFacts& row);
 
 } // namespace core

@@ -211,18 +211,22 @@ Result<EngineEdit> engineEdit(const ImportMask& edit, const Document& document)
 }
 
 /// "Import 7 segments of liver.dcm, 12.3 mL"
-QString rowName(const ImportMask& mask, const RowFacts& row)
+RowTitle rowTitle(const ImportMask& mask, const RowFacts& row)
 {
     const qsizetype slash = mask.file.lastIndexOf(QLatin1Char('/'));
     const auto count = std::int64_t(mask.segments ? mask.segments->size() : 0);
     const double ml = double(row.statistics.voxelsChanged)
         * row.document.volumes.front().geometry.voxelVolumeMm3() / 1000.0;
-    QString what =
-        QStringLiteral("Import %1 of %2").arg(counted(count, "segment"), mask.file.mid(slash + 1));
-    if (mask.as)
-        what += QStringLiteral(" as ")
-            + quoted(mask.as->number ? segmentName(*mask.as->number, row.document) : mask.as->name);
-    return what + QStringLiteral(", %1 mL").arg(ml, 0, 'f', ml < 1.0 ? 3 : 1);
+    RowTitle title{.code = RowTitleCode::ImportMask,
+        .arguments = {TitleCount{count}, mask.file.mid(slash + 1)},
+        .then = {{.code = RowTitleCode::Millilitres,
+            .arguments = {TitleDecimal{.value = ml, .decimals = ml < 1.0 ? 3 : 1}}}}};
+    if (mask.as) {
+        title.code = RowTitleCode::ImportMaskAs;
+        title.arguments.push_back(
+            mask.as->number ? segmentName(*mask.as->number, row.document) : mask.as->name);
+    }
+    return title;
 }
 
 /// The labels and seed words of the bricks that it has voxels in.

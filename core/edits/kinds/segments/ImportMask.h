@@ -45,7 +45,7 @@ struct ImportMask {
 [[nodiscard]] Result<void> check(const ImportMask& edit, const Document& document);
 Result<bool> apply(const ImportMask& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ImportMask& edit);
-[[nodiscard]] QString rowName(const ImportMask& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ImportMask& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ImportMask& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ImportMask& edit, const Document& document);
 

@@ -48,18 +48,13 @@ Result<EngineEdit> engineEdit(const InvertSegment& edit, const Document& documen
     return engineEditFrom(mapLabels(edit, document));
 }
 
-/// "Invert segment 'Air', +18 204 −3 120 voxels"
-QString rowName(const InvertSegment& edit, const RowFacts& row)
+RowTitle rowTitle(const InvertSegment& edit, const RowFacts& row)
 {
     const Segment* segment = row.document.segment(edit.segment);
     const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    QStringList figures;
-    if (flow.gained > 0)
-        figures += QLatin1Char('+') + grouped(flow.gained);
-    if (flow.lost > 0)
-        figures += QStringLiteral("−") + grouped(flow.lost);
-    return QStringLiteral("Invert segment %1, %2 voxels")
-        .arg(quoted(segmentName(edit.segment, row.document)), figures.join(QLatin1Char(' ')));
+    return {.code = RowTitleCode::InvertSegment,
+        .arguments = {segmentName(edit.segment, row.document)},
+        .then = {flowTitle(flow.gained, flow.lost)}};
 }
 
 /// What other segments hold decides, too, and whose seeds lie where.

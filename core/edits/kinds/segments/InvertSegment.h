@@ -16,7 +16,7 @@ struct InvertSegment {
 [[nodiscard]] Result<void> check(const InvertSegment& edit, const Document& document);
 Result<bool> apply(const InvertSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const InvertSegment& edit);
-[[nodiscard]] QString rowName(const InvertSegment& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const InvertSegment& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const InvertSegment& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const InvertSegment& edit, const Document& document);
 

@@ -53,11 +53,11 @@ Result<EngineEdit> engineEdit(const LayerToSegment& edit, const Document& docume
     return engineEditFrom(labelCarved(edit, document));
 }
 
-QString rowName(const LayerToSegment& edit, const RowFacts& row)
+RowTitle rowTitle(const LayerToSegment& edit, const RowFacts& row)
 {
-    return QStringLiteral("Layer %1 to segment %2, +%3")
-        .arg(layerName(edit.layer, row.document), targetName(edit.target, row.document),
-            counted(row.statistics.voxelsChanged, "voxel"));
+    return {.code = RowTitleCode::LayerToSegment,
+        .arguments = {layerName(edit.layer, row.document), targetName(edit.target, row.document)},
+        .then = {figure(RowTitleCode::VoxelsGained, row.statistics.voxelsChanged)}};
 }
 
 /// The coverage of the layer, and the labels and seed words of the segment's plane, since what

@@ -18,7 +18,7 @@ struct LayerToSegment {
 [[nodiscard]] Result<void> check(const LayerToSegment& edit, const Document& document);
 Result<bool> apply(const LayerToSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const LayerToSegment& edit);
-[[nodiscard]] QString rowName(const LayerToSegment& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const LayerToSegment& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const LayerToSegment& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const LayerToSegment& edit, const Document& document);
 

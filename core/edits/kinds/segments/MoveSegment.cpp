@@ -28,11 +28,10 @@ EditEffects effects(const MoveSegment&)
     return documentEffects(DocumentChange::What::Segments);
 }
 
-QString rowName(const MoveSegment& edit, const RowFacts& row)
+RowTitle rowTitle(const MoveSegment& edit, const RowFacts& row)
 {
-    return QStringLiteral("Move segment '%1' to place %2")
-        .arg(rowWords::segmentName(edit.segment, row.document))
-        .arg(edit.place);
+    return {.code = RowTitleCode::MoveSegment,
+        .arguments = {rowWords::segmentName(edit.segment, row.document), TitleNumber{edit.place}}};
 }
 
 EditReach reach(const MoveSegment&, const ReachFacts& row)

@@ -14,7 +14,7 @@ struct MoveSegment {
 [[nodiscard]] Result<void> check(const MoveSegment& edit, const Document& document);
 Result<bool> apply(const MoveSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const MoveSegment& edit);
-[[nodiscard]] QString rowName(const MoveSegment& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const MoveSegment& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const MoveSegment& edit, const ReachFacts& row);
 
 } // namespace core

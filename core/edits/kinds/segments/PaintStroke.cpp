@@ -65,16 +65,18 @@ Result<EngineEdit> engineEdit(const PaintStroke& edit, const Document& document)
     return engineEditFrom(paintLabel(edit, document));
 }
 
-QString rowName(const PaintStroke& stroke, const RowFacts& row)
+RowTitle rowTitle(const PaintStroke& stroke, const RowFacts& row)
 {
     // What only makes seeds of painted voxels, or takes seeds away, changes no label.
     const std::int64_t voxels = row.statistics.voxelsChanged;
-    const QString count =
-        voxels > 0 ? counted(voxels, "voxel") : counted(row.facts.seedWordsChanged, "seed voxel");
-    return QStringLiteral("%1 %2 %3, %4%5")
-        .arg(stroke.erase ? QStringLiteral("Erase") : QStringLiteral("Paint"),
-            quoted(segmentName(stroke.segment, row.document)), millimetres(stroke.path.radiusMm),
-            stroke.erase ? QStringLiteral("−") : QStringLiteral("+"), count);
+    const std::int64_t seeds = row.facts.seedWordsChanged;
+    const bool erases = stroke.erase;
+    return {.code = erases ? RowTitleCode::Erase : RowTitleCode::Paint,
+        .arguments = {segmentName(stroke.segment, row.document), inMm(stroke.path.radiusMm)},
+        .then = {voxels > 0
+                ? figure(erases ? RowTitleCode::VoxelsLost : RowTitleCode::VoxelsGained, voxels)
+                : figure(erases ? RowTitleCode::SeedVoxelsLost : RowTitleCode::SeedVoxelsGained,
+                    seeds)}};
 }
 
 /// The labels and seed words of the bricks under the brush.

@@ -24,7 +24,7 @@ struct PaintStroke {
 [[nodiscard]] Result<void> check(const PaintStroke& edit, const Document& document);
 Result<bool> apply(const PaintStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PaintStroke& edit);
-[[nodiscard]] QString rowName(const PaintStroke& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const PaintStroke& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const PaintStroke& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const PaintStroke& edit, const Document& document);
 

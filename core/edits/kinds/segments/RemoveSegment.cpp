@@ -58,16 +58,17 @@ Result<EngineEdit> engineEdit(const RemoveSegment& edit, const Document& documen
     return engineEditFrom(eraseLabel(edit, document));
 }
 
-QString rowName(const RemoveSegment& edit, const RowFacts& row)
+RowTitle rowTitle(const RemoveSegment& edit, const RowFacts& row)
 {
     const std::int64_t seeds = row.facts.seedWordsChanged;
-    QString lost = QStringLiteral("empty");
+    RowTitle lost{.code = RowTitleCode::Empty};
     if (row.statistics.voxelsChanged > 0)
-        lost = QStringLiteral("−") + counted(row.statistics.voxelsChanged, "voxel");
+        lost = figure(RowTitleCode::VoxelsLost, row.statistics.voxelsChanged);
     else if (seeds > 0)
-        lost = QStringLiteral("−") + counted(seeds, "seed voxel");
-    return QStringLiteral("Delete segment %1, %2")
-        .arg(quoted(segmentName(edit.segment, row.document)), lost);
+        lost = figure(RowTitleCode::SeedVoxelsLost, seeds);
+    return {.code = RowTitleCode::DeleteSegment,
+        .arguments = {segmentName(edit.segment, row.document)},
+        .then = {lost}};
 }
 
 /// As of a growth, since its label must not come back without it.

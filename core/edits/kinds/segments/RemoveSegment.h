@@ -16,7 +16,7 @@ struct RemoveSegment {
 [[nodiscard]] Result<void> check(const RemoveSegment& edit, const Document& document);
 Result<bool> apply(const RemoveSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RemoveSegment& edit);
-[[nodiscard]] QString rowName(const RemoveSegment& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const RemoveSegment& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const RemoveSegment& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const RemoveSegment& edit, const Document& document);
 

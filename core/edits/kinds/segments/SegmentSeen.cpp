@@ -92,10 +92,11 @@ Result<EngineEdit> engineEdit(const SegmentSeen& edit, const Document& document)
     return engineEditFrom(labelSeen(edit, document));
 }
 
-QString rowName(const SegmentSeen& edit, const RowFacts& row)
+RowTitle rowTitle(const SegmentSeen& edit, const RowFacts& row)
 {
-    return QStringLiteral("Segment what is seen as %1, +%2")
-        .arg(targetName(edit.target, row.document), counted(row.statistics.voxelsChanged, "voxel"));
+    return {.code = RowTitleCode::SegmentSeen,
+        .arguments = {targetName(edit.target, row.document)},
+        .then = {figure(RowTitleCode::VoxelsGained, row.statistics.voxelsChanged)}};
 }
 
 /// The coverage of every layer, and the labels and seed words of the segment's plane, since what

@@ -24,7 +24,7 @@ struct SegmentSeen {
 [[nodiscard]] Result<void> check(const SegmentSeen& edit, const Document& document);
 Result<bool> apply(const SegmentSeen& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SegmentSeen& edit);
-[[nodiscard]] QString rowName(const SegmentSeen& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const SegmentSeen& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const SegmentSeen& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const SegmentSeen& edit, const Document& document);
 

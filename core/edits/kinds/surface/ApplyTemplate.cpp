@@ -26,11 +26,11 @@ EditEffects effects(const ApplyTemplate&)
     return surfaceEffects(true);
 }
 
-QString rowName(const ApplyTemplate& shape, const RowFacts& row)
+RowTitle rowTitle(const ApplyTemplate& shape, const RowFacts& row)
 {
-    return withVertices(QStringLiteral("Template of %1")
-                            .arg(counted(std::int64_t(shape.contoursLps.size()), "contour")),
-        row.statistics);
+    RowTitle title = figure(RowTitleCode::TemplateOf, std::int64_t(shape.contoursLps.size()));
+    title.then = {figure(RowTitleCode::Vertices, row.statistics.verticesChanged)};
+    return title;
 }
 
 EditReach reach(const ApplyTemplate&, const ReachFacts& row)

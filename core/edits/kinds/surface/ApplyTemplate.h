@@ -17,7 +17,7 @@ struct ApplyTemplate {
 [[nodiscard]] Result<void> check(const ApplyTemplate& edit, const Document& document);
 Result<bool> apply(const ApplyTemplate& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ApplyTemplate& edit);
-[[nodiscard]] QString rowName(const ApplyTemplate& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ApplyTemplate& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ApplyTemplate& edit, const ReachFacts& row);
 
 } // namespace core

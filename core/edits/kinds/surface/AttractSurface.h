@@ -14,7 +14,7 @@ struct AttractSurface {
 [[nodiscard]] Result<void> check(const AttractSurface& edit, const Document& document);
 Result<bool> apply(const AttractSurface& edit, Document& document);
 [[nodiscard]] EditEffects effects(const AttractSurface& edit);
-[[nodiscard]] QString rowName(const AttractSurface& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const AttractSurface& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const AttractSurface& edit, const ReachFacts& row);
 
 } // namespace core

@@ -9,25 +9,25 @@
 
 namespace core {
 
+using namespace rowWords;
+
 namespace {
 
-QString marksName(const ChangeMarks& change)
+RowTitleCode titleCode(const ChangeMarks& change)
 {
-    const QString word = markWord(change.mark);
-    const QString what = change.nearLps ? QStringLiteral("region") : QStringLiteral("marks");
     switch (change.way) {
     case ChangeMarks::Way::Grow:
-        return QStringLiteral("Grow %1 marks").arg(word);
+        return RowTitleCode::GrowMarks;
     case ChangeMarks::Way::Shrink:
-        return QStringLiteral("Shrink %1 marks").arg(word);
+        return RowTitleCode::ShrinkMarks;
     case ChangeMarks::Way::Invert:
-        return QStringLiteral("Invert %1 marks").arg(word);
+        return RowTitleCode::InvertMarks;
     case ChangeMarks::Way::Accept:
-        return QStringLiteral("Sign off %1 %2").arg(word, what);
+        return change.nearLps ? RowTitleCode::SignOffRegion : RowTitleCode::SignOffMarks;
     case ChangeMarks::Way::Clear:
         break;
     }
-    return QStringLiteral("Clear %1 %2").arg(word, what);
+    return change.nearLps ? RowTitleCode::ClearRegion : RowTitleCode::ClearMarks;
 }
 
 } // namespace
@@ -57,9 +57,11 @@ EditEffects effects(const ChangeMarks&)
     return surfaceEffects(false);
 }
 
-QString rowName(const ChangeMarks& change, const RowFacts& row)
+RowTitle rowTitle(const ChangeMarks& change, const RowFacts& row)
 {
-    return withVertices(marksName(change), row.statistics);
+    return {.code = titleCode(change),
+        .arguments = {asArgument(markTitle(change.mark))},
+        .then = {figure(RowTitleCode::Vertices, row.statistics.verticesChanged)}};
 }
 
 EditReach reach(const ChangeMarks&, const ReachFacts& row)

@@ -28,7 +28,7 @@ struct ChangeMarks {
 [[nodiscard]] Result<void> check(const ChangeMarks& edit, const Document& document);
 Result<bool> apply(const ChangeMarks& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChangeMarks& edit);
-[[nodiscard]] QString rowName(const ChangeMarks& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const ChangeMarks& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const ChangeMarks& edit, const ReachFacts& row);
 
 } // namespace core

@@ -9,8 +9,6 @@
 
 namespace core {
 
-using namespace rowWords;
-
 Result<void> check(const DropSurface& edit, const Document& document)
 {
     return checkApplied(edit, document);
@@ -28,9 +26,9 @@ EditEffects effects(const DropSurface&)
     return surfaceEffects(false);
 }
 
-QString rowName(const DropSurface&, const RowFacts&)
+RowTitle rowTitle(const DropSurface&, const RowFacts&)
 {
-    return QStringLiteral("Remove surface");
+    return {.code = RowTitleCode::RemoveSurface};
 }
 
 EditReach reach(const DropSurface&, const ReachFacts& row)

@@ -11,7 +11,7 @@ struct DropSurface { };
 [[nodiscard]] Result<void> check(const DropSurface& edit, const Document& document);
 Result<bool> apply(const DropSurface& edit, Document& document);
 [[nodiscard]] EditEffects effects(const DropSurface& edit);
-[[nodiscard]] QString rowName(const DropSurface& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const DropSurface& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const DropSurface& edit, const ReachFacts& row);
 
 } // namespace core

@@ -26,9 +26,10 @@ EditEffects effects(const FollowMask&)
     return surfaceEffects(false);
 }
 
-QString rowName(const FollowMask&, const RowFacts& row)
+RowTitle rowTitle(const FollowMask&, const RowFacts& row)
 {
-    return withVertices(QStringLiteral("Surface follows the mask"), row.statistics);
+    return {.code = RowTitleCode::FollowMask,
+        .then = {figure(RowTitleCode::Vertices, row.statistics.verticesChanged)}};
 }
 
 EditReach reach(const FollowMask&, const ReachFacts& row)

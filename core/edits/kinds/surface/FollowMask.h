@@ -11,7 +11,7 @@ struct FollowMask { };
 [[nodiscard]] Result<void> check(const FollowMask& edit, const Document& document);
 Result<bool> apply(const FollowMask& edit, Document& document);
 [[nodiscard]] EditEffects effects(const FollowMask& edit);
-[[nodiscard]] QString rowName(const FollowMask& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const FollowMask& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const FollowMask& edit, const ReachFacts& row);
 
 } // namespace core

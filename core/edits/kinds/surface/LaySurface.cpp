@@ -36,11 +36,11 @@ EditEffects effects(const LaySurface&)
     return surfaceEffects(false);
 }
 
-QString rowName(const LaySurface& lay, const RowFacts& row)
+RowTitle rowTitle(const LaySurface& lay, const RowFacts& row)
 {
-    return withVertices(
-        QStringLiteral("Surface of %1").arg(quoted(segmentName(lay.segment, row.document))),
-        row.statistics);
+    return {.code = RowTitleCode::SurfaceOf,
+        .arguments = {segmentName(lay.segment, row.document)},
+        .then = {figure(RowTitleCode::Vertices, row.statistics.verticesChanged)}};
 }
 
 EditReach reach(const LaySurface&, const ReachFacts& row)

@@ -19,7 +19,7 @@ struct LaySurface {
 [[nodiscard]] Result<void> check(const LaySurface& edit, const Document& document);
 Result<bool> apply(const LaySurface& edit, Document& document);
 [[nodiscard]] EditEffects effects(const LaySurface& edit);
-[[nodiscard]] QString rowName(const LaySurface& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const LaySurface& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const LaySurface& edit, const ReachFacts& row);
 
 } // namespace core

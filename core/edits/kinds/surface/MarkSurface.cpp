@@ -26,11 +26,12 @@ EditEffects effects(const MarkSurface&)
     return surfaceEffects(true);
 }
 
-QString rowName(const MarkSurface& mark, const RowFacts& row)
+RowTitle rowTitle(const MarkSurface& mark, const RowFacts& row)
 {
-    return withVertices(QStringLiteral("Mark %1, brush %2")
-                            .arg(markWord(mark.mark), millimetres(mark.path.radiusMm)),
-        row.statistics);
+    return {.code = RowTitleCode::Mark,
+        .arguments = {asArgument(markTitle(mark.mark))},
+        .then = {{.code = RowTitleCode::MarkBrush, .arguments = {inMm(mark.path.radiusMm)}},
+            figure(RowTitleCode::Vertices, row.statistics.verticesChanged)}};
 }
 
 EditReach reach(const MarkSurface&, const ReachFacts& row)

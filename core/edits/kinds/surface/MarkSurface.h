@@ -16,7 +16,7 @@ struct MarkSurface {
 [[nodiscard]] Result<void> check(const MarkSurface& edit, const Document& document);
 Result<bool> apply(const MarkSurface& edit, Document& document);
 [[nodiscard]] EditEffects effects(const MarkSurface& edit);
-[[nodiscard]] QString rowName(const MarkSurface& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const MarkSurface& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const MarkSurface& edit, const ReachFacts& row);
 
 } // namespace core

@@ -9,8 +9,6 @@
 
 namespace core {
 
-using namespace rowWords;
-
 Result<void> check(const PlaneScrape& edit, const Document& document)
 {
     return checkApplied(edit, document);
@@ -29,9 +27,9 @@ EditEffects effects(const PlaneScrape&)
     return surfaceEffects(true);
 }
 
-QString rowName(const PlaneScrape& scrape, const RowFacts& row)
+RowTitle rowTitle(const PlaneScrape& scrape, const RowFacts& row)
 {
-    return strokeName("Scrape", scrape.path, row.statistics);
+    return strokeTitle(RowTitleCode::Scrape, scrape.path, row.statistics);
 }
 
 EditReach reach(const PlaneScrape&, const ReachFacts& row)

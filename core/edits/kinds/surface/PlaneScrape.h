@@ -17,7 +17,7 @@ struct PlaneScrape {
 [[nodiscard]] Result<void> check(const PlaneScrape& edit, const Document& document);
 Result<bool> apply(const PlaneScrape& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PlaneScrape& edit);
-[[nodiscard]] QString rowName(const PlaneScrape& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const PlaneScrape& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const PlaneScrape& edit, const ReachFacts& row);
 
 } // namespace core

@@ -14,7 +14,7 @@ struct PointDrag {
 [[nodiscard]] Result<void> check(const PointDrag& edit, const Document& document);
 Result<bool> apply(const PointDrag& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PointDrag& edit);
-[[nodiscard]] QString rowName(const PointDrag& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const PointDrag& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const PointDrag& edit, const ReachFacts& row);
 
 } // namespace core

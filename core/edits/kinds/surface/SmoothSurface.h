@@ -14,7 +14,7 @@ struct SmoothSurface {
 [[nodiscard]] Result<void> check(const SmoothSurface& edit, const Document& document);
 Result<bool> apply(const SmoothSurface& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SmoothSurface& edit);
-[[nodiscard]] QString rowName(const SmoothSurface& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const SmoothSurface& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const SmoothSurface& edit, const ReachFacts& row);
 
 } // namespace core

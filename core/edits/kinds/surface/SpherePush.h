@@ -14,7 +14,7 @@ struct SpherePush {
 [[nodiscard]] Result<void> check(const SpherePush& edit, const Document& document);
 Result<bool> apply(const SpherePush& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SpherePush& edit);
-[[nodiscard]] QString rowName(const SpherePush& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const SpherePush& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const SpherePush& edit, const ReachFacts& row);
 
 } // namespace core

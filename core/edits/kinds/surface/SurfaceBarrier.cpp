@@ -27,11 +27,11 @@ EditEffects effects(const SurfaceBarrier&)
     return {.task = EditTask::Surface, .standsOpen = false};
 }
 
-QString rowName(const SurfaceBarrier& edit, const RowFacts& row)
+RowTitle rowTitle(const SurfaceBarrier& edit, const RowFacts& row)
 {
-    return QStringLiteral("%1, %2").arg(edit.erase ? QStringLiteral("Open barrier around surface")
-                                                   : QStringLiteral("Barrier around surface"),
-        counted(row.facts.seedWordsChanged, "voxel"));
+    return {.code = edit.erase ? RowTitleCode::OpenBarrierAroundSurface
+                               : RowTitleCode::BarrierAroundSurface,
+        .then = {figure(RowTitleCode::Voxels, row.facts.seedWordsChanged)}};
 }
 
 EditReach reach(const SurfaceBarrier&, const ReachFacts& row)

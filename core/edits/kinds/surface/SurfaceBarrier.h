@@ -16,7 +16,7 @@ struct SurfaceBarrier {
 [[nodiscard]] Result<void> check(const SurfaceBarrier& edit, const Document& document);
 Result<bool> apply(const SurfaceBarrier& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SurfaceBarrier& edit);
-[[nodiscard]] QString rowName(const SurfaceBarrier& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const SurfaceBarrier& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const SurfaceBarrier& edit, const ReachFacts& row);
 
 } // namespace core

@@ -26,31 +26,24 @@ EditEffects surfaceEffects(bool standsOpen)
         .boundToStudy = standsOpen};
 }
 
-QString markWord(SurfaceMark mark)
+RowTitle markTitle(SurfaceMark mark)
 {
     switch (mark) {
     case SurfaceMark::Green:
-        return QStringLiteral("green");
+        return {.code = RowTitleCode::Green};
     case SurfaceMark::Red:
-        return QStringLiteral("red");
+        return {.code = RowTitleCode::Red};
     case SurfaceMark::Yellow:
         break;
     }
-    return QStringLiteral("yellow");
+    return {.code = RowTitleCode::Yellow};
 }
 
-QString withVertices(const QString& title, const EditStatistics& statistics)
+RowTitle strokeTitle(RowTitleCode code, const SurfacePath& path, const EditStatistics& statistics)
 {
-    return title + QStringLiteral(", ")
-        + (statistics.verticesChanged == 1
-                ? QStringLiteral("1 vertex")
-                : QStringLiteral("%1 vertices").arg(grouped(statistics.verticesChanged)));
-}
-
-QString strokeName(const char* verb, const SurfacePath& path, const EditStatistics& statistics)
-{
-    return withVertices(
-        QLatin1String(verb) + QLatin1Char(' ') + millimetres(path.radiusMm), statistics);
+    return {.code = code,
+        .arguments = {inMm(path.radiusMm)},
+        .then = {figure(RowTitleCode::Vertices, statistics.verticesChanged)}};
 }
 
 } // namespace core

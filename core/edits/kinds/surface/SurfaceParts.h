@@ -6,8 +6,7 @@
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/refine/mesh/SurfaceMark.h"
-
-#include <QString>
+#include "core/titles/RowTitle.h"
 
 namespace core {
 
@@ -22,11 +21,10 @@ Result<bool> changeSurface(Document& document, bool deforms);
 /// Of what changes the surface, and no voxel. What stands open is a tool, which names places.
 [[nodiscard]] EditEffects surfaceEffects(bool standsOpen);
 
-[[nodiscard]] QString markWord(SurfaceMark mark);
-/// What it did, and to how much of the surface.
-[[nodiscard]] QString withVertices(const QString& title, const EditStatistics& statistics);
+/// "green"
+[[nodiscard]] RowTitle markTitle(SurfaceMark mark);
 /// "Sphere push 4.0 mm, 214 vertices"
-[[nodiscard]] QString strokeName(
-    const char* verb, const SurfacePath& path, const EditStatistics& statistics);
+[[nodiscard]] RowTitle strokeTitle(
+    RowTitleCode code, const SurfacePath& path, const EditStatistics& statistics);
 
 } // namespace core

@@ -27,9 +27,9 @@ EditEffects effects(const SpherePush&)
     return surfaceEffects(true);
 }
 
-QString rowName(const SpherePush& push, const RowFacts& row)
+RowTitle rowTitle(const SpherePush& push, const RowFacts& row)
 {
-    return strokeName("Sphere push", push.path, row.statistics);
+    return strokeTitle(RowTitleCode::SpherePush, push.path, row.statistics);
 }
 
 EditReach reach(const SpherePush&, const ReachFacts& row)
@@ -52,9 +52,9 @@ EditEffects effects(const PointDrag&)
     return surfaceEffects(true);
 }
 
-QString rowName(const PointDrag& drag, const RowFacts& row)
+RowTitle rowTitle(const PointDrag& drag, const RowFacts& row)
 {
-    return strokeName("Drag point", drag.path, row.statistics);
+    return strokeTitle(RowTitleCode::DragPoint, drag.path, row.statistics);
 }
 
 EditReach reach(const PointDrag&, const ReachFacts& row)
@@ -77,9 +77,9 @@ EditEffects effects(const SmoothSurface&)
     return surfaceEffects(true);
 }
 
-QString rowName(const SmoothSurface& smooth, const RowFacts& row)
+RowTitle rowTitle(const SmoothSurface& smooth, const RowFacts& row)
 {
-    return strokeName("Smooth surface", smooth.path, row.statistics);
+    return strokeTitle(RowTitleCode::SmoothSurface, smooth.path, row.statistics);
 }
 
 EditReach reach(const SmoothSurface&, const ReachFacts& row)
@@ -102,9 +102,9 @@ EditEffects effects(const AttractSurface&)
     return surfaceEffects(true);
 }
 
-QString rowName(const AttractSurface& attract, const RowFacts& row)
+RowTitle rowTitle(const AttractSurface& attract, const RowFacts& row)
 {
-    return strokeName("Attract to edge", attract.path, row.statistics);
+    return strokeTitle(RowTitleCode::AttractToEdge, attract.path, row.statistics);
 }
 
 EditReach reach(const AttractSurface&, const ReachFacts& row)

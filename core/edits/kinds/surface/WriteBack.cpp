@@ -34,12 +34,13 @@ EditEffects effects(const WriteBack&)
         .task = EditTask::Surface, .standsOpen = false, .changes = DocumentChange::What::Surface};
 }
 
-QString rowName(const WriteBack&, const RowFacts& row)
+RowTitle rowTitle(const WriteBack&, const RowFacts& row)
 {
-    return QStringLiteral("Write surface back to %1, %2")
-        .arg(quoted(row.document.surface ? segmentName(row.document.surface->segment, row.document)
-                                         : QString()),
-            counted(row.statistics.voxelsChanged, "voxel"));
+    return {.code = RowTitleCode::WriteBack,
+        .arguments = {row.document.surface
+                ? segmentName(row.document.surface->segment, row.document)
+                : QString()},
+        .then = {figure(RowTitleCode::Voxels, row.statistics.voxelsChanged)}};
 }
 
 EditReach reach(const WriteBack&, const ReachFacts& row)

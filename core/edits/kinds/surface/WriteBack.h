@@ -17,7 +17,7 @@ struct WriteBack {
 [[nodiscard]] Result<void> check(const WriteBack& edit, const Document& document);
 Result<bool> apply(const WriteBack& edit, Document& document);
 [[nodiscard]] EditEffects effects(const WriteBack& edit);
-[[nodiscard]] QString rowName(const WriteBack& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const WriteBack& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const WriteBack& edit, const ReachFacts& row);
 
 } // namespace core

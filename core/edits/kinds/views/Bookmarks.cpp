@@ -11,8 +11,6 @@
 
 namespace core {
 
-using namespace rowWords;
-
 Result<void> check(const AddBookmark& edit, const Document& document)
 {
     return checkApplied(edit, document);
@@ -35,9 +33,9 @@ EditEffects effects(const AddBookmark&)
     return documentEffects(DocumentChange::What::Bookmarks, true);
 }
 
-QString rowName(const AddBookmark& edit, const RowFacts&)
+RowTitle rowTitle(const AddBookmark& edit, const RowFacts&)
 {
-    return QStringLiteral("Bookmark ") + quoted(edit.name);
+    return {.code = RowTitleCode::Bookmark, .arguments = {edit.name}};
 }
 
 EditReach reach(const AddBookmark&, const ReachFacts& row)
@@ -66,11 +64,11 @@ EditEffects effects(const RemoveBookmark&)
     return documentEffects(DocumentChange::What::Bookmarks);
 }
 
-QString rowName(const RemoveBookmark& edit, const RowFacts& row)
+RowTitle rowTitle(const RemoveBookmark& edit, const RowFacts& row)
 {
     const CameraBookmark* bookmark = row.document.bookmark(edit.bookmark);
-    return QStringLiteral("Remove bookmark ")
-        + quoted(bookmark ? bookmark->name : QString::number(edit.bookmark));
+    return {.code = RowTitleCode::RemoveBookmark,
+        .arguments = {bookmark ? bookmark->name : QString::number(edit.bookmark)}};
 }
 
 EditReach reach(const RemoveBookmark&, const ReachFacts& row)

@@ -24,13 +24,13 @@ struct RemoveBookmark {
 [[nodiscard]] Result<void> check(const AddBookmark& edit, const Document& document);
 Result<bool> apply(const AddBookmark& edit, Document& document);
 [[nodiscard]] EditEffects effects(const AddBookmark& edit);
-[[nodiscard]] QString rowName(const AddBookmark& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const AddBookmark& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const AddBookmark& edit, const ReachFacts& row);
 
 [[nodiscard]] Result<void> check(const RemoveBookmark& edit, const Document& document);
 Result<bool> apply(const RemoveBookmark& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RemoveBookmark& edit);
-[[nodiscard]] QString rowName(const RemoveBookmark& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const RemoveBookmark& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const RemoveBookmark& edit, const ReachFacts& row);
 
 } // namespace core

@@ -11,8 +11,6 @@
 
 namespace core {
 
-using namespace rowWords;
-
 Result<void> check(const AddMeasurement& edit, const Document& document)
 {
     return checkApplied(edit, document);
@@ -37,9 +35,10 @@ EditEffects effects(const AddMeasurement&)
     return documentEffects(DocumentChange::What::Measurements, true);
 }
 
-QString rowName(const AddMeasurement& edit, const RowFacts&)
+RowTitle rowTitle(const AddMeasurement& edit, const RowFacts&)
 {
-    return QStringLiteral("Measure ") + millimetres(glm::distance(edit.fromLps, edit.toLps));
+    return {.code = RowTitleCode::Measure,
+        .arguments = {inMm(glm::distance(edit.fromLps, edit.toLps))}};
 }
 
 EditReach reach(const AddMeasurement&, const ReachFacts& row)
@@ -70,11 +69,13 @@ EditEffects effects(const RemoveMeasurement&)
     return documentEffects(DocumentChange::What::Measurements);
 }
 
-QString rowName(const RemoveMeasurement& edit, const RowFacts& row)
+RowTitle rowTitle(const RemoveMeasurement& edit, const RowFacts& row)
 {
     const Measurement* measurement = row.document.measurement(edit.measurement);
-    return QStringLiteral("Remove measurement ")
-        + (measurement ? millimetres(measurement->lengthMm()) : QString::number(edit.measurement));
+    if (!measurement)
+        return {.code = RowTitleCode::RemoveUnknownMeasurement,
+            .arguments = {TitleNumber{edit.measurement}}};
+    return {.code = RowTitleCode::RemoveMeasurement, .arguments = {inMm(measurement->lengthMm())}};
 }
 
 EditReach reach(const RemoveMeasurement&, const ReachFacts& row)

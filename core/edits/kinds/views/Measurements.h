@@ -23,13 +23,13 @@ struct RemoveMeasurement {
 [[nodiscard]] Result<void> check(const AddMeasurement& edit, const Document& document);
 Result<bool> apply(const AddMeasurement& edit, Document& document);
 [[nodiscard]] EditEffects effects(const AddMeasurement& edit);
-[[nodiscard]] QString rowName(const AddMeasurement& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const AddMeasurement& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const AddMeasurement& edit, const ReachFacts& row);
 
 [[nodiscard]] Result<void> check(const RemoveMeasurement& edit, const Document& document);
 Result<bool> apply(const RemoveMeasurement& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RemoveMeasurement& edit);
-[[nodiscard]] QString rowName(const RemoveMeasurement& edit, const RowFacts& row);
+[[nodiscard]] RowTitle rowTitle(const RemoveMeasurement& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const RemoveMeasurement& edit, const ReachFacts& row);
 
 } // namespace core

@@ -52,7 +52,8 @@ public:
     [[nodiscard]] QString lastName() const { return session->history().rows().back().name; }
     [[nodiscard]] QString why() const
     {
-        return whyNotTaken(*session->findings().sketchedSeeds(), session->document());
+        return canonicalName(
+            whyNotTaken(*session->findings().sketchedSeeds(), session->document()));
     }
 
     reference::ReferenceEngine engine; ///< outlives the session
@@ -106,8 +107,8 @@ private Q_SLOTS:
         QCOMPARE(bench.rows(), rows);
         QCOMPARE(bench.session->stateHash(), before);
         QCOMPARE(bench.why(), QStringLiteral("3 belong to 'A'"));
-        QCOMPARE(
-            sketchedText(*bench.session->findings().sketchedSeeds(), bench.session->document()),
+        QCOMPARE(canonicalName(sketchedTitle(
+                     *bench.session->findings().sketchedSeeds(), bench.session->document())),
             QStringLiteral("0 of 3 voxels (3 belong to 'A')"));
         // The next one does not repeat it.
         bench.run(bench.seeds(2, 20, 20));
