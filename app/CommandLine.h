@@ -3,7 +3,8 @@
 
 namespace app {
 
-/// The command line up to its verb: help, version, dispatch.
+/// The entry of the command line: handles help and version, finds the verb and runs its command.
+/// @return the exit status of the program
 int runCommandLine(int argc, char** argv);
 
 } // namespace app

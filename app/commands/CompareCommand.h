@@ -6,7 +6,7 @@
 namespace app {
 
 /// `burin compare MASK REFERENCE --study PATH [--series UID] [--repair REPAIRS] [--segment NAME]
-/// [--reference NAME] [--json]`: how far a mask is from the one that is held for the truth.
+/// [--reference NAME] [--json]`: measures how far a mask is from a reference mask.
 extern const Command compareCommand;
 
 } // namespace app

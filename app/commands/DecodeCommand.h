@@ -3,12 +3,12 @@
 
 namespace app {
 
-/// `burin --decode-worker`: started by Burin itself, for images of which it trusts no byte
-/// (core/fence/README.md). No command for people.
+/// `burin --decode-worker`: a process that Burin starts itself to decode images, because it trusts
+/// no byte of them (core/fence/README.md). It is not a command for users.
 [[nodiscard]] bool isDecoder(int argc, char** argv);
 int runDecoder();
 
-/// From now on this program decodes in processes of itself.
+/// Makes this program decode images in such processes from now on.
 void nameDecoders();
 
 } // namespace app

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// `burin demo DIR`: writes the demonstration study with its truth into a new folder.
+/// `burin demo DIR`: writes the demonstration study, with its reference mask, into a new folder.
 extern const Command demoCommand;
 
 } // namespace app

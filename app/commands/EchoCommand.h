@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// `burin echo NODE [--json]`: whether a DICOM node answers.
+/// `burin echo NODE [--json]`: tests whether a DICOM node answers.
 extern const Command echoCommand;
 
 } // namespace app

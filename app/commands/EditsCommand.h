@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// `burin edits [--json]`: what a recipe can hold, from the schema that parses it.
+/// `burin edits [--json]`: lists all edits that a recipe can hold, from the schema that parses it.
 extern const Command editsCommand;
 
 } // namespace app

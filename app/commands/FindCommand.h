@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// `burin find NODE [filters] [--json]`: the studies at a DICOM node, or the series of one.
+/// `burin find NODE [filters] [--json]`: lists the studies at a DICOM node, or the series of one.
 extern const Command findCommand;
 
 } // namespace app

@@ -5,7 +5,8 @@
 
 namespace app {
 
-/// `burin get NODE --study UID [--series UID] --to FOLDER [--move PORT] [--json]`: downloads.
+/// `burin get NODE --study UID [--series UID] --to FOLDER [--move PORT] [--json]`: downloads a
+/// study or series.
 extern const Command getCommand;
 
 } // namespace app

@@ -6,8 +6,8 @@
 namespace app {
 
 /// `burin mesh MASK --study PATH --out FILE [--series UID] [--repair REPAIRS] [--segment NAME]
-/// [--vertices NUMBER] [--space lps|ras] [--json] [--force]`: the surface that refinement begins
-/// with, of each segment of a mask, and what it is worth.
+/// [--vertices NUMBER] [--space lps|ras] [--json] [--force]`: writes, for each segment of a mask,
+/// the surface with which refinement begins, and measures its quality.
 extern const Command meshCommand;
 
 } // namespace app

@@ -7,10 +7,10 @@ namespace app {
 
 /// `burin run RECIPE.json --study PATH [--series UID] --session FILE.burin [--force | --append]
 /// [--apply-elsewhere] [--author NAME]`: carries out a recipe without a window and prints one line
-/// of JSON per step, once it is on disk. The rows say that NAME made them, else nobody. A recipe
-/// that is refused leaves no file behind. --append goes on with a session where it stands and finds
-/// its study by itself. A recipe that was recorded on another study is only listed, unless
-/// --apply-elsewhere is given; what is bound to places is left out.
+/// of JSON for each step, once the step is on disk. The rows name NAME as their author, or nobody.
+/// A recipe that is refused leaves no file behind. --append continues a session from its position
+/// and finds its study by itself. A recipe that was recorded on another study is only listed,
+/// unless --apply-elsewhere is given; then steps that are bound to places are left out.
 extern const Command runCommand;
 
 } // namespace app

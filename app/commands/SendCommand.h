@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// `burin send NODE PATH… [--json]`: stores DICOM files at a node.
+/// `burin send NODE PATH… [--json]`: sends DICOM files to a node.
 extern const Command sendCommand;
 
 } // namespace app

@@ -6,22 +6,23 @@
 
 namespace app {
 
-/// That a window is open, and why it ended: a file in the user's state folder that is locked as
-/// long as the window lives, and gone when it is closed. What one leaves that was not closed is
-/// told by the next. Holds one word, nothing of any study.
+/// A note that a window is open and, after a crash, why it ended: a file in the user's state folder
+/// that is locked while the window lives and removed when it is closed. A note that remains from a
+/// window which was not closed is reported by the next window. It holds one word and nothing about
+/// any study.
 class EndNote {
 public:
     static constexpr const char* outOfMemory = "memory";
     static constexpr const char* crashed = "crash";
 
-    /// Where no note can be made there is none.
+    /// If the file cannot be made, there is no note.
     EndNote();
     ~EndNote();
     EndNote(const EndNote&) = delete;
     EndNote& operator=(const EndNote&) = delete;
 
-    /// How the windows before ended that were not closed, as a sentence; told once. Empty: they
-    /// were.
+    /// A sentence about how earlier windows ended that were not closed; reported once. Empty if all
+    /// were closed.
     [[nodiscard]] static QString takeEarlier();
 
 private:

@@ -9,16 +9,16 @@
 
 namespace app {
 
-/// However a program with an event loop is told to end, what is open is closed. SIGTERM, SIGINT and
-/// SIGHUP leave the event loop, as closing the last window does, with the exit status that shells
-/// give to such an end (128 + signal); nothing is asked, since nobody may be there. When Qt ends
-/// the program itself (the display is gone), what is open is closed, and the program ends there
-/// with status 1.
+/// Closes what is open when a program with an event loop is told to end. SIGTERM, SIGINT and SIGHUP
+/// leave the event loop, as closing the last window does, with the exit status that shells give to
+/// such an end (128 + signal). The user is not asked, since nobody may be there. If Qt ends the
+/// program itself (the display is gone), what is open is closed, and the program exits with status
+/// 1.
 ///
 /// One per process, on the GUI thread, while the event loop runs.
 class OrderlyEnd : public QObject {
 public:
-    /// @param closesAll leaves what is open whole on disk; touches no window
+    /// @param closesAll closes what is open, so that it is complete on disk; touches no window
     explicit OrderlyEnd(std::function<void()> closesAll);
     ~OrderlyEnd() override;
     OrderlyEnd(const OrderlyEnd&) = delete;

@@ -3,15 +3,16 @@
 
 namespace app {
 
-/// From now on the program does not end without a word: what nobody catches, and a library that
-/// gives up (LLVM and Qt abort where they get no memory), is told in one sentence on stderr and in
-/// the window's note (EndNote.h). For want of memory it ends with status 1 and without a core dump;
-/// anything else is an error of the program, and ends it as it would without this.
+/// Makes sure that the program does not end without an explanation: an uncaught exception, or a
+/// library that aborts (LLVM and Qt do when they get no memory), is reported in one sentence on
+/// stderr and in the window's note (EndNote.h). If memory ran out the program exits with status 1
+/// and without a core dump; any other case is a bug, and ends the program as it would without this
+/// function.
 ///
-/// Nothing is closed: what is in a session's file is whole at any time.
+/// Nothing is closed, because a session's file is complete at any time.
 void watchForSuddenEnd();
 
-/// Where the reason is written besides: a file that is open; -1: nowhere.
+/// Sets a file descriptor to which the reason is also written; −1 for none.
 void noteSuddenEndIn(int descriptor);
 
 } // namespace app

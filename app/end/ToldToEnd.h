@@ -13,11 +13,11 @@
 
 namespace app {
 
-/// A command without an event loop that is told to end (SIGTERM, SIGINT, SIGHUP) ends in good
-/// order. Its work is called off, and it leaves as after any failure: the session closed, nothing
-/// staged left. Where that takes longer than a moment, since one step is not done, what was
-/// registered is closed from another thread and the process ends there. OrderlyEnd is the same for
-/// programs with an event loop. One per process.
+/// Ends a command without an event loop in an orderly way when it is told to end (SIGTERM, SIGINT,
+/// SIGHUP). Its work is cancelled, and it finishes as after any failure: the session is closed, and
+/// no staged file is left. If that takes longer than a moment, because a step is not done, what
+/// setClosing() has registered is closed from another thread and the process exits there.
+/// OrderlyEnd does the same for programs with an event loop. One per process.
 class ToldToEnd {
 public:
     ToldToEnd();
@@ -25,13 +25,14 @@ public:
     ToldToEnd& operator=(const ToldToEnd&) = delete;
     ~ToldToEnd();
 
-    /// Cancelled when the signal comes.
+    /// Is cancelled when the signal arrives; pass it to all work.
     [[nodiscard]] const core::Progress& progress() const { return m_progress; }
-    /// @param closing leaves what is open whole on disk, from another thread, while a step is under
-    /// way. Empty: nothing is open any more; waits where it is being closed
+    /// @param closing closes what is open, so that it is complete on disk; called on another thread
+    /// while a step is under way. Empty: nothing is open any more; then this call waits while
+    /// something is being closed
     void setClosing(std::function<void()> closing);
-    /// The exit status of a command that would end with @p usual: that of shells (128 + signal)
-    /// where it did not come to its end.
+    /// The exit status of a command that would otherwise end with @p usual: as shells have it (128
+    /// + signal) if the command was interrupted.
     [[nodiscard]] int status(int usual) const;
 
 private:
@@ -42,11 +43,11 @@ private:
     EndSignals m_signals;
     std::mutex m_mutex;
     std::condition_variable m_changed;
-    std::function<void()> m_closing; ///< under the mutex
-    bool m_leaving = false; ///< what was open is being closed; under the mutex
-    bool m_done = false; ///< under the mutex
-    /// Last: it uses all of the above. None: no thread could be started, signals end the program as
-    /// they always do.
+    std::function<void()> m_closing; ///< guarded by m_mutex
+    bool m_leaving = false; ///< what was open is being closed; guarded by m_mutex
+    bool m_done = false; ///< guarded by m_mutex
+    /// Last, because it uses all of the above. None if no thread could be started; then signals end
+    /// the program as usual.
     std::optional<core::TaskThread> m_thread;
 };
 

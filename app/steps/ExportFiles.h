@@ -12,13 +12,13 @@ namespace app {
 
 class SteadySession;
 
-/// The study that a session was made on, read from its files: what is carved is written with their
-/// values.
+/// A function that reads the study of a session from its files again: a carved volume is written
+/// with the original values.
 using ReadStudy = std::function<core::Result<core::LoadedVolume>()>;
 
-/// Writes each target as it stands at the session's position (of segments those that are shown and
-/// not empty) and prints one line of JSON per file. Cancelled, ContextLost: of the one that was
-/// under way nothing is left.
+/// Writes each target for the state at the session's position (segments only if they are shown and
+/// not empty) and prints one line of JSON per file. Errors include Cancelled and ContextLost: the
+/// file that was under way is then removed.
 [[nodiscard]] core::Result<void> exportFiles(const std::vector<core::RecipeExport>& targets,
     SteadySession& session, bool force, const ReadStudy& readStudy, const core::Progress& progress);
 

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// One object on one line of stdout, out of the program when this returns.
+/// Prints one object on one line of stdout, and flushes it before it returns.
 void printJsonLine(const QJsonObject& object);
 
 } // namespace app

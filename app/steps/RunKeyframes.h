@@ -18,17 +18,18 @@ namespace app {
 
 class SteadySession;
 
-/// Pictures of a session that is made without a window, by the window's rule
-/// (ui/settings/KeyframeRule): the 3D view as it opens on a study.
+/// Takes the pictures (keyframes) of a session that is made without a window, by the same rule as
+/// the window (ui/settings/KeyframeRule): they show the initial 3D view of the study.
 class RunKeyframes {
 public:
-    /// It is lent, and open. The engine knows the volume's geometry.
+    /// @param session outlives this object and is open; the engine knows the volume's geometry
     explicit RunKeyframes(SteadySession& session);
     ~RunKeyframes();
 
-    /// After every step; waits for the picture if one is due. @pre the session is settled
+    /// To be called after every step; waits for the picture if one is due.
+    /// @pre the session is settled
     void follow();
-    /// Before the session is closed; likewise.
+    /// To be called before the session is closed; waits likewise.
     void close();
 
 private:
@@ -38,11 +39,12 @@ private:
     gpu::FrameSource& m_frames;
     SteadySession& m_session;
     ui::KeyframeRule m_rule;
-    std::size_t m_rows = 0; ///< of the history, as last seen
+    std::size_t m_rows = 0; ///< number of history rows, as last seen
     std::mutex m_mutex;
     std::condition_variable m_arrived;
-    std::shared_ptr<const std::vector<std::uint8_t>> m_picture; ///< under m_mutex; none: refused
-    bool m_answered = false; ///< under m_mutex
+    /// Guarded by m_mutex; none if the picture was refused.
+    std::shared_ptr<const std::vector<std::uint8_t>> m_picture;
+    bool m_answered = false; ///< guarded by m_mutex
 };
 
 } // namespace app

@@ -7,15 +7,15 @@
 
 namespace app {
 
-/// Where the working sessions lie: $XDG_STATE_HOME/burin/sessions, else
-/// ~/.local/state/burin/sessions. Made if it is not there.
+/// The folder of the working sessions: $XDG_STATE_HOME/burin/sessions, else
+/// ~/.local/state/burin/sessions. Created if it does not exist.
 [[nodiscard]] QString sessionFolder();
 
-/// The working session of a volume: the same file whenever the same voxels of the same series are
-/// opened, from wherever. Its name says nothing about the patient.
+/// The file of a volume's working session: the same one whenever the same voxels of the same series
+/// are opened, from any place. Its name tells nothing about the patient.
 [[nodiscard]] QString sessionFile(const core::Volume& volume);
 
-/// Whether a file lies there: a working session, not a file of the user's own.
+/// Whether a file is in that folder: a working session, and not a file that the user has named.
 [[nodiscard]] bool isWorkingSession(const QString& file);
 
 } // namespace app

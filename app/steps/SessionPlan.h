@@ -17,33 +17,35 @@ struct SessionContents;
 
 namespace app {
 
-/// How an existing session file is gone on with, so that nothing in it is lost.
+/// How an existing session file is continued, so that nothing in it is lost.
 struct SessionPlan {
-    QString file; ///< the one to open: another one if that is damaged
-    QString whyReadOnly; ///< empty: it can be written
-    std::optional<core::Error> damage; ///< to be told: what is lost, and where work goes on
-    bool isNew = false; ///< the file was made now and may go again if nothing is done
-    QString damaged; ///< where the damaged file lies now; empty: none
-    /// Rows that opening the file carries out again, and the hashes that they must come to. Where
-    /// they do not, withdraw() the plan and make another without.
+    QString file; ///< the file to open; another one if the given file is damaged
+    QString whyReadOnly; ///< why it is opened read-only; empty if it can be written
+    std::optional<core::Error> damage; ///< to be reported: what is lost, and where work continues
+    bool isNew = false; ///< the file was just made, and may be removed if nothing is done in it
+    QString damaged; ///< present place of the damaged file; empty if none
+    /// Rows that are carried out again when the file is opened, and their expected hashes. If a row
+    /// does not reach its hash, withdraw() the plan and make another one without such rows.
     std::vector<std::pair<std::int64_t, QByteArray>> redo;
 };
 
-/// A damaged file keeps its bytes: what is sound goes into a new one beside it, or into the folder
-/// of working sessions. A damaged working session makes way for the new one and stays beside it.
-/// One that is in use or cannot be written is only looked at. Blocks while a damaged file is read.
+/// Makes a plan. A damaged file is not changed: its sound part goes into a new file beside it, or
+/// in the folder of working sessions. A damaged working session is renamed to make room for the new
+/// one and stays beside it. A file that is in use or cannot be written is opened read-only. Blocks
+/// while a damaged file is read.
 /// @param contents what core::checkSession() found
-/// @param redo whether rows may be carried out again whose difference alone is lost
-/// Errors: SessionDamaged where no place is left for the new file.
+/// @param redo whether rows of which only the difference is lost may be carried out again
+/// Errors: SessionDamaged if there is no place for the new file.
 [[nodiscard]] core::Result<SessionPlan> planFor(
     const QString& file, core::SessionContents contents, bool redo = true);
 
-/// Opens what a plan names. Errors: those of EditSession::open(), and SessionDamaged naming the
-/// damaged file where a row that was carried out again did not come to its hash.
+/// Opens the file of a plan. Errors: those of EditSession::open(), and SessionDamaged, naming the
+/// damaged file, if a row that was carried out again did not reach its hash.
 [[nodiscard]] core::Result<std::unique_ptr<core::EditSession>> openPlanned(core::EditEngine& engine,
     core::LoadedVolume loaded, const SessionPlan& plan, const std::function<void()>& wakeUp = {});
 
-/// Everything as it was before a plan around damage was made. @pre its file is not in use
+/// Undoes what planFor() has done about a damaged file.
+/// @pre the plan's file is not in use
 void withdraw(const SessionPlan& plan, const QString& file);
 
 } // namespace app

@@ -9,11 +9,11 @@ struct SessionContents;
 
 namespace app {
 
-// What commands do about a damaged session: they give what is sound of what was asked for, name the
-// rest in one sentence on stderr, and end with 0 if nothing that was asked for is lost, else
-// with 1.
+// How commands treat a damaged session: they deliver the sound part of what was requested, name the
+// rest in one sentence on stderr, and end with 0 if nothing that was requested is lost, else with
+// 1.
 
-/// Tells, where there is anything to tell, what core::checkSession() found damaged.
+/// Reports what core::checkSession() found damaged, if anything.
 void tellProblems(const QString& file, const core::SessionContents& contents);
 
 } // namespace app

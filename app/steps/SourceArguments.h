@@ -9,12 +9,12 @@
 
 namespace app {
 
-/// Options of every verb that talks to a source.
+/// The options of every verb that talks to a PACS source.
 [[nodiscard]] std::vector<Option> sourceOptions();
 
-/// The source that the first word (an address, or the name of one in the settings) and the options
-/// of sourceOptions() name. Logins come out of files and the environment: a command line is there
-/// for all to read. InvalidField, errors of core::WebLogin.
+/// The source that is named by the first word (an address, or the name of a source in the settings)
+/// and the options of sourceOptions(). Logins are read from files and the environment, because
+/// everybody can read a command line. Errors: InvalidField, those of core::WebLogin.
 [[nodiscard]] core::Result<core::PacsSource> sourceOf(const Arguments& arguments);
 
 } // namespace app

@@ -13,13 +13,14 @@ class GpuEngine;
 
 namespace app {
 
-/// The engine of a command, and the session on it. Where the graphics driver loses its context
-/// (ContextLost) both are made anew as they stood, which is told on stderr, and what was under way
-/// is done again; a few times, then that is the error.
+/// The engine of a command, with the session on it. If the graphics driver loses its context
+/// (ContextLost) both are made again in the same state, which is reported on stderr, and the
+/// interrupted work is repeated; after a few times that becomes an error.
 class SteadySession {
 public:
     using Session = std::unique_ptr<core::EditSession>;
-    /// Puts the study on an engine where nothing is open, and the session at its position.
+    /// A function that opens the study on an engine where nothing is open, and the session at its
+    /// position.
     using Open = std::function<core::Result<Session>(gpu::GpuEngine&)>;
 
     SteadySession();
@@ -27,32 +28,35 @@ public:
     SteadySession(const SteadySession&) = delete;
     SteadySession& operator=(const SteadySession&) = delete;
 
-    /// Starts the engine. Once, before all else. Errors: those of GpuEngine::create().
+    /// Starts the engine; call it once, before everything else. Errors: those of
+    /// GpuEngine::create().
     core::Result<void> start();
-    /// @param first called once more where the context is lost meanwhile
-    /// @param again the session as it stands: after it has been closed on an engine that was lost
+    /// @param first called again if the context is lost meanwhile
+    /// @param again opens the session in its present state, after it was closed because an engine
+    /// was lost
     core::Result<void> open(const Open& first, Open again);
-    /// Does @p work, which is done from its beginning where the context is lost meanwhile; it finds
-    /// out by session() how far it had come. Errors: its own, and those of @p again of open(); then
-    /// no session may be open.
+    /// Does @p work, which is repeated from its beginning if the context is lost meanwhile; it
+    /// learns from session() how far it had come. Errors: those of the work, and those of @p again
+    /// of open(); after an error possibly no session is open.
     core::Result<void> carryOut(const std::function<core::Result<void>()>& work);
 
     [[nodiscard]] bool isOpen() const { return m_session != nullptr; }
-    /// Another one after each carryOut(). @pre isOpen()
+    /// The session; it may be another object after each carryOut().
+    /// @pre isOpen()
     [[nodiscard]] core::EditSession& session() const { return *m_session; }
     [[nodiscard]] gpu::GpuEngine& engine() const { return *m_engine; } ///< @pre start()
-    /// How many rows its history has, or had when it was last open.
+    /// The number of rows in its history, now or when it was last open.
     [[nodiscard]] std::size_t rowCount() const;
-    /// The session's file is whole after it.
+    /// Closes the session; its file is complete afterwards.
     void close();
 
 private:
     core::Result<void> openAnew(const Open& how);
 
     std::unique_ptr<gpu::GpuEngine> m_engine;
-    Session m_session; ///< after the engine, which it borrows
+    Session m_session; ///< declared after the engine, which it uses
     Open m_again;
-    std::size_t m_rows = 0; ///< when it was closed
+    std::size_t m_rows = 0; ///< number of rows when it was closed
 };
 
 } // namespace app

@@ -19,7 +19,8 @@ class Workspace;
 
 namespace app {
 
-/// The workstation: engine, workspace and window, wired. One per process, on the GUI thread.
+/// The workstation: creates engine, workspace and window and connects them. One per process, on the
+/// GUI thread.
 class Application : public QObject {
     Q_OBJECT
 
@@ -39,49 +40,52 @@ private:
     void makeWindow();
     void addDoctor();
     void addExport();
-    /// The study's own working session: continued, or begun.
+    /// Opens a study with its own working session, which is continued or begun.
     void openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path);
-    /// A session file that somebody named.
+    /// Opens a session file that the user named.
     void openSession(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& file,
         const std::shared_ptr<const core::SessionContents>& contents);
-    /// Beside the GUI thread; @p then hears how take() ended.
+    /// Makes the session on another thread; @p then is called with the result of take().
     void make(const std::shared_ptr<core::LoadedVolume>& loaded, SessionOpening::Wish wish,
         const std::function<void(const core::Result<void>&)>& then);
-    /// Into the window. @p file that was asked for. Cancelled also where it is opened once more
-    /// (SessionPlan::redo).
+    /// Moves an opened session into the window.
+    /// @param file that was requested
+    /// Errors include Cancelled, also if the session is opened once more (SessionPlan::redo).
     core::Result<void> take(SessionOpening& opening, const QString& file);
-    /// What is to be known of a session that was gone on with. @return whether anything had to be
-    /// told
+    /// Tells the user what must be known about a session that was continued.
+    /// @return whether there was anything
     bool tellOfSession(const SessionOpening& opening, const QString& file);
-    /// A study was opened that has a session already: the user sees what came of it, and may begin
-    /// anew.
+    /// Tells the user that the opened study already had a session, with the choice to begin a new
+    /// one.
     void tellThatItGoesOn(const QString& path, const QString& series);
-    /// The open session is closed and put beside, to be found on the start page; its study opens
+    /// Closes the open session, which is kept and listed on the start page, and opens its study
     /// with a new one.
     void beginAnew(const QString& path, const QString& series);
-    /// The engine holds one volume at a time: the old session closes its file first. Errors:
-    /// Cancelled (it holds steps that are on no disk, and the user stays with them).
+    /// Closes the old session, because the engine holds one volume at a time. Errors: Cancelled (it
+    /// holds steps that are on no disk, and the user keeps it open).
     core::Result<void> makeRoom();
     void tell(const core::Error& error);
-    /// That the images come out of the session file.
+    /// Tells the user that the images were read from the session file.
     void tellWhereImagesAre(const core::Error& whyNotFromStudy, const QString& file);
     void tellWhyNot(
         const core::Error& error, const QString& file, const QString& path, const QString& series);
-    /// A session that was opened and closed without an edit leaves no file.
+    /// Removes the file of a session that was opened and closed without an edit.
     void forgetUnusedSession();
     void followSaved(const QString& before, const QString& now);
     void wake(); ///< any thread
     void poll();
 
-    // The engine outlives whoever borrows it: members go in reverse order.
+    // Members are destroyed in reverse order, so the engine outlives everything that uses it.
     std::unique_ptr<gpu::GpuEngine> m_engine;
     std::atomic<bool> m_pollQueued = false;
     QString m_sessionFile;
-    QSet<QString> m_notRedone; ///< files whose rows did not come to their hashes again
-    bool m_goesOn = false; ///< the open session had steps when it was opened, and nothing was amiss
-    std::size_t m_rowsWhenOpened = 0; ///< of that session
-    QString m_goesOnSentence; ///< that the bar says of it, while it does; empty: nothing
-    /// Of a file that was made for this session: how many rows it began with. None: it stays.
+    /// Files whose rows did not reach their hashes when carried out again.
+    QSet<QString> m_notRedone;
+    bool m_goesOn = false; ///< the open session had steps when it was opened, and no problem
+    std::size_t m_rowsWhenOpened = 0; ///< number of rows of that session when it was opened
+    QString m_goesOnSentence; ///< the message about it in the bar while it is shown; else empty
+    /// For a file that was made for this session: the number of rows it began with. None: the file
+    /// stays.
     std::optional<std::size_t> m_rowsAtFirst;
     std::unique_ptr<ui::Workspace> m_workspace;
     std::unique_ptr<ui::MainWindow> m_window;

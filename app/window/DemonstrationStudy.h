@@ -9,10 +9,10 @@
 
 namespace app {
 
-/// Where the demonstration study lies between runs: the user's cache folder.
+/// The folder of the demonstration study between runs, in the user's cache.
 [[nodiscard]] QString demonstrationFolder();
 
-/// Writes it there unless it is there already, and loads it. Blocking; a few seconds the first
+/// Writes the study there unless it exists, and loads it. Blocking; takes a few seconds the first
 /// time.
 [[nodiscard]] core::Result<core::LoadedVolume> loadDemonstration(
     const core::Progress& progress, const core::EarlySliceListener& early = {});

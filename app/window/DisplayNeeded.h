@@ -5,8 +5,9 @@
 
 namespace app {
 
-/// Around the making of a QApplication: where there is no display that a window can be shown on, Qt
-/// ends the program by abort(). Meanwhile that is said in one sentence, and it ends with status 1.
+/// To be alive while a QApplication is constructed: without a display Qt ends the program by
+/// abort(). While an object of this class exists, that is reported in one sentence instead, and the
+/// program exits with status 1.
 class DisplayNeeded {
 public:
     DisplayNeeded();

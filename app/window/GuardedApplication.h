@@ -9,15 +9,17 @@
 
 namespace app {
 
-/// Nothing that is thrown while an event is handled goes through Qt's event loop: it is told to the
-/// rescue, once the stack is unwound. Where that throws as well, the program ends with status 1.
+/// An application that catches what is thrown while an event is handled, so that no exception
+/// passes through Qt's event loop. The exception is passed to the rescue function, once the stack
+/// is unwound. If that throws as well, the program exits with status 1.
 class GuardedApplication : public QApplication {
 public:
     using QApplication::QApplication;
 
     bool notify(QObject* receiver, QEvent* event) override;
 
-    /// @param rescue closes what is open and says why. Lives as long as this or until replaced
+    /// @param rescue closes what is open and tells why; must live until it is replaced or this
+    /// object ends
     void setRescue(std::function<void(const core::Error&)> rescue);
 
 private:

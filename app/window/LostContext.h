@@ -15,23 +15,24 @@ class MainWindow;
 
 namespace app {
 
-/// What the window does where the graphics driver loses its context (ContextLost), however that
-/// comes out: the study is closed, whole on disk, and the user is told why and offered to open it
-/// again where it stood. The engine is made anew by whatever is opened next (SessionOpening).
+/// Handles the loss of the graphics driver's context (ContextLost) in the window, wherever it is
+/// noticed: the study is closed, complete on disk, and the user is told why and offered to open it
+/// again in the same state. The engine is made again by whatever is opened next (SessionOpening).
 class LostContext : public QObject {
     Q_OBJECT
 
 public:
-    /// @param closeStudy of the window; its error: the user stays with what is on no disk
+    /// @param closeStudy closes the study of the window; an error means that the user keeps it
+    /// because of steps that are on no disk
     LostContext(
         ui::MainWindow& window, std::function<core::Result<void>()> closeStudy, QObject* parent);
 
 private:
     struct Offer {
         QString sentence;
-        QString session; ///< its file; it may be gone, where no step had been done
+        QString session; ///< its file; it may not exist, if no step had been done
         QString study;
-        QString series; ///< with the repair behind it
+        QString series; ///< with the repair appended
     };
 
     void note(const core::Error& error);
@@ -41,8 +42,8 @@ private:
 
     ui::MainWindow& m_window;
     std::function<core::Result<void>()> m_closeStudy;
-    bool m_isClosing = false; ///< or about to
-    std::optional<Offer> m_offer; ///< that stands, until something is opened
+    bool m_isClosing = false; ///< or is about to close
+    std::optional<Offer> m_offer; ///< the present offer, until something is opened
 };
 
 } // namespace app

@@ -21,20 +21,21 @@ class GpuEngine;
 
 namespace app {
 
-/// A session on its way into the window: made beside the GUI thread, which never waits for GL. One
-/// that nobody takes closes its file, and leaves none that was made for it.
+/// A session that is being opened for the window on another thread, because the GUI thread never
+/// waits for GL. If nobody takes the session its file is closed, and a file that was made for it is
+/// removed.
 struct SessionOpening {
     struct Wish {
-        QString file; ///< gone on with as planFor() says; one that is not there is begun
-        /// What is sound of it; null: not looked into yet.
+        QString file; ///< continued as planFor() plans it; if it does not exist it is made
+        /// Its sound part; null if it was not checked yet.
         std::shared_ptr<const core::SessionContents> contents;
         bool redo = true; ///< of planFor()
         std::function<void()> wakeUp; ///< of the session
     };
 
-    /// The engine, made anew where its context is lost, takes the volume in, and the file is begun
-    /// or gone on with. Blocks for as long; any thread, one call at a time, while no session uses
-    /// the engine.
+    /// Opens the volume on the engine, which is made again if its context is lost, and begins or
+    /// continues the file. Blocks until that is done; any thread, one call at a time, while no
+    /// session uses the engine.
     [[nodiscard]] static std::shared_ptr<SessionOpening> make(
         gpu::GpuEngine& engine, core::LoadedVolume loaded, const Wish& wish);
 
@@ -43,12 +44,13 @@ struct SessionOpening {
     SessionOpening& operator=(const SessionOpening&) = delete;
     ~SessionOpening();
 
-    /// Errors: of planFor(), openPlanned(), core::checkSession(), EditSession::create() and
-    /// GpuEngine::renew().
+    /// The session. Errors: those of planFor(), openPlanned(), core::checkSession(),
+    /// EditSession::create() and GpuEngine::renew().
     core::Result<std::unique_ptr<core::EditSession>> session = nullptr;
     QString file; ///< of the session
-    std::shared_ptr<const core::SessionContents> contents; ///< of the file there was; null: none
-    std::optional<SessionPlan> plan; ///< likewise
+    /// Contents of the existing file; null if there was none.
+    std::shared_ptr<const core::SessionContents> contents;
+    std::optional<SessionPlan> plan; ///< the plan for the existing file; none if there was none
     std::optional<core::Error> notFromStudy; ///< of the volume
 };
 

@@ -8,17 +8,17 @@
 
 namespace core {
 
-/// Whether a file is an archive of files: zip and 7z by their first bytes, tar (also packed) by its
-/// name as well. Volumes that are packed by themselves (.nii.gz) are none.
+/// Whether a file is an archive of files: zip and 7z are recognised by their first bytes, tar (also
+/// compressed) by its name as well. A compressed single volume (.nii.gz) is not an archive.
 [[nodiscard]] bool isArchive(const QString& path);
 
-/// Writes all that an archive holds below @p folder, which must be there. Names stay as they are as
-/// far as they lead nowhere else; links and devices are left out, folders are for their owner only.
+/// Unpacks an archive into @p folder, which must exist. Names are kept as far as they stay inside
+/// the folder; links and devices are left out; folders are accessible to their owner only.
 ///
-/// Stops where an archive unpacks to more than a hundred times its own size and more than a
-/// gigabyte, to more than the disk has room for, or to more files than a study has.
-/// Any thread. Errors: FileUnreadable (also for a password), UnsupportedFormat, FileUnwritable,
-/// Cancelled; all but the last name the archive.
+/// Stops if the content exceeds a hundred times the size of the archive and a gigabyte, if it
+/// exceeds the free space on the disk, or if there are more files than in any study. Any thread.
+/// Errors: FileUnreadable (also for a password), UnsupportedFormat, FileUnwritable, Cancelled; all
+/// but the last name the archive.
 [[nodiscard]] Result<void> unpackArchive(
     const QString& path, const QString& folder, const Progress& progress);
 

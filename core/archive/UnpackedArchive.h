@@ -8,16 +8,16 @@
 
 namespace core {
 
-/// Where archives lie unpacked, in the user's cache. Settable for tests.
+/// The folder in the user's cache that contains unpacked archives. Can be set for tests.
 [[nodiscard]] QString archiveCacheFolder();
 void setArchiveCacheFolder(const QString& folder);
 
-/// What an archive holds, as a folder: unpacked when it is asked for the first time, found again as
-/// long as the archive is the same (place, size, time of change).
+/// The content of an archive as a folder. It is unpacked at the first request and found again as
+/// long as the archive is the same (path, size, time of modification).
 ///
-/// A folder appears only whole. Those that this process has asked for stay until it ends; of the
-/// others the ones least recently used go once all together take more than @p mostBytes.
-/// Any thread. Errors: those of unpackArchive(), FileUnwritable.
+/// A folder appears only when it is complete. Folders that this process has requested are kept
+/// until it ends; of the others, the least recently used are removed when all together exceed @p
+/// mostBytes. Any thread. Errors: those of unpackArchive(), FileUnwritable.
 [[nodiscard]] Result<QString> unpackedArchive(
     const QString& path, const Progress& progress, qint64 mostBytes = qint64(20) << 30);
 

@@ -16,30 +16,33 @@
 
 namespace core {
 
-/// Work beside the thread that this lives in, one task after the other as they were started, on a
-/// thread that is there while there is work. What comes of a task is told here, by the event loop:
-/// never while start() is under way, never once the task was cancelled or its context is gone.
+/// Runs tasks on a background thread, one after the other, and reports their results on the thread
+/// in which this object lives, through its event loop. A result is never reported during start(),
+/// and not after the task was cancelled or its context destroyed. The thread exists while there is
+/// work.
 ///
-/// Declare it last among the members that its tasks use: they end with it. All functions are of the
-/// thread that it was made on.
+/// Declare it last among the members that its tasks use, since it ends the tasks. All functions are
+/// called on the thread on which it was created.
 class Background {
     struct State;
 
 public:
-    /// Something to be carried out on the thread that Background lives in.
+    /// Something to be done on the thread in which Background lives.
     using Tell = std::function<void()>;
-    /// Has a task tell something before it is done, as its progress is told. Of its thread.
+    /// Lets a task report something before it is done, in order with its progress. Called on the
+    /// task's thread.
     using Meanwhile = std::function<void(Tell)>;
 
-    /// One that was started; it goes on without this. Copies are of the same task.
+    /// A task that was started; the task does not depend on this object. Copies refer to the same
+    /// task.
     class Task {
     public:
         Task() = default; ///< none
-        /// Nothing of it is told any more; what came of it goes at once.
+        /// Suppresses all further reports; the result is destroyed at once.
         void cancel();
-        /// Asks it to end early. What comes of it then is told.
+        /// Asks the task to end early. Its result is still reported.
         void stop();
-        /// What comes of it will be told.
+        /// Whether its result will be reported.
         [[nodiscard]] bool running() const;
 
     private:
@@ -51,16 +54,17 @@ public:
     Background() = default;
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
-    /// Cancels, and waits until the task that is under way has noticed. Tells nothing.
+    /// Cancels all tasks and waits until the running one has ended. Reports nothing.
     ~Background();
 
-    /// @param context lives in the thread of this; without it nothing is told
-    /// @param does called on the other thread with as many as it takes of its Progress and
-    ///     Meanwhile; returns a Result, another value or nothing
-    /// @param done takes that as a Result; what @p does threw is its error, and OutOfMemory where
-    ///     there is no thread for it
-    /// @param progressed told of its progress, here
-    /// What @p does and @p done hold may end on either thread.
+    /// Starts a task.
+    /// @param context lives in this thread; nothing is reported after it was destroyed
+    /// @param does called on the other thread with Progress and Meanwhile, as far as it takes them;
+    /// returns a Result, another value or nothing
+    /// @param done receives that as a Result; an exception of @p does is its error, and so is
+    /// OutOfMemory if no thread can be started
+    /// @param progressed receives the progress, on this thread
+    /// What @p does and @p done hold may be destroyed on either thread.
     template <class Does, class Done>
     Task start(QObject* context, Does does, Done done, Progress::Listener progressed = {})
     {
@@ -82,18 +86,18 @@ public:
             [done](const Error& error) { done(Outcome(tl::unexpected<Error>(error))); },
             std::move(progressed));
     }
-    /// The same; whatever was started before is cancelled.
+    /// The same after cancelling everything started before.
     template <class Does, class Done>
     Task replace(QObject* context, Does does, Done done, Progress::Listener progressed = {})
     {
         cancel();
         return start(context, std::move(does), std::move(done), std::move(progressed));
     }
-    /// All that was started.
+    /// Cancels everything that was started.
     void cancel();
-    /// Waits until all that was started is done, and tells it before it returns.
+    /// Waits until everything that was started is done, and reports the results before it returns.
     void finish();
-    /// Something of it will be told.
+    /// Whether anything will be reported.
     [[nodiscard]] bool busy() const;
 
 private:
@@ -122,9 +126,9 @@ private:
     void tellLater(const std::shared_ptr<State>& state, Tell tell);
     void settle(const std::shared_ptr<State>& state);
 
-    QObject m_here; ///< what comes from the thread comes as its events, which end with it
-    std::vector<std::shared_ptr<State>> m_states; ///< by start; some are over
-    std::optional<TaskThread> m_thread; ///< last: it uses all of the above
+    QObject m_here; ///< receives events from the thread; they end with it
+    std::vector<std::shared_ptr<State>> m_states; ///< in the order of starting; some are over
+    std::optional<TaskThread> m_thread; ///< last, since it uses all of the above
 };
 
 } // namespace core

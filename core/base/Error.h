@@ -6,7 +6,7 @@
 
 namespace core {
 
-/// What went wrong. The sentence for a person is made by ui::errorText() from code and arguments.
+/// The kind of a failure. ui::errorText() makes the sentence for the user from code and arguments.
 enum class ErrorCode {
     // Files and folders: argument 0 is the path, argument 1 (optional) the reason.
     FileNotFound,
@@ -15,7 +15,7 @@ enum class ErrorCode {
     FileExists,
     FileUnwritable,
     FolderEmpty,
-    TooManyFiles, ///< below the folder; argument 1: how many are looked through
+    TooManyFiles, ///< below the folder; argument 1: the number that is searched at most
     NoImages,
     UnsupportedFormat,
     InvalidGeometry,
@@ -30,35 +30,36 @@ enum class ErrorCode {
     SegmentLocked, ///< argument 0: its name; none: every segment is
     SegmentProtected, ///< from sculpting; argument 0: its name
     InvalidRecipe,
-    // Export: argument 0 is the file, argument 1 what does not agree.
+    // Export: argument 0 is the file, argument 1 what does not match.
     ExportMismatch,
     SegmentNotCoded,
     NothingToExport,
-    SeedsStay, ///< of a growth, and what was painted; argument 0: how many were to be taken back
-    NothingGrown, ///< where a growth was to be taken back
+    /// seeds and painted voxels of a growth cannot be removed; argument 0: how many were requested
+    SeedsStay,
+    NothingGrown, ///< at the places where a growth was to be removed
     StepsEntangled, ///< argument 0: why steps cannot be undone alone
     // Session: argument 0 is the file, argument 1 the reason.
     SessionDamaged,
     SessionMismatch,
-    SessionUnwritten, ///< work goes on in memory; argument 1 is what the disk said
-    SessionReadOnly, ///< it is looked at only; argument 1: why
+    SessionUnwritten, ///< work continues in memory; argument 1: the error of the disk
+    SessionReadOnly, ///< it was opened for viewing; argument 1: why
     StudyMissing, ///< argument 1: where the session's study was
     // Machine.
     GraphicsUnavailable,
     OutOfMemory,
-    EngineLost, ///< its voxels are not the session's any more; argument 0: why
-    ContextLost, ///< the graphics driver gave its context up, and all in it; argument 0: why
+    EngineLost, ///< its voxels no longer match the session; argument 0: why
+    ContextLost, ///< the graphics driver lost the context and everything in it; argument 0: why
     Cancelled,
     Internal,
-    // Other machines (PACS): argument 0 is the node, as PacsNode::name() has it.
+    // Other machines (PACS): argument 0 is the node, as PacsNode::name() returns it.
     NodeUnreachable, ///< argument 1: why
-    NodeRejects, ///< the association; argument 1: why
-    NodeRefuses, ///< argument 1: the service or kind of object that it does not take
-    NodeTimeout, ///< argument 1: after how many seconds without a sign of life
-    NodeLost, ///< the connection ended before the work did; argument 1 (optional): why
-    NodeNonsense, ///< what it says is not DICOM; argument 1: what
-    NodeFailed, ///< it says that it could not; argument 1: what it was asked; 2: its status
-    NodeHasNone, ///< argument 1: of what
+    NodeRejects, ///< it rejects the association; argument 1: why
+    NodeRefuses, ///< argument 1: the service or kind of object that it does not accept
+    NodeTimeout, ///< argument 1: after how many seconds without a response
+    NodeLost, ///< the connection ended before the work was done; argument 1 (optional): why
+    NodeNonsense, ///< its answer is not DICOM; argument 1: what is wrong
+    NodeFailed, ///< it reports a failure; argument 1: the request; 2: its status
+    NodeHasNone, ///< argument 1: what it does not have
     TransferIncomplete, ///< argument 1: how many of how many are missing; 2 (optional): why
 };
 

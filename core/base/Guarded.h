@@ -8,13 +8,14 @@
 
 namespace core {
 
-/// What is being handled, as a value; only inside a catch block. Memory or a thread that cannot be
-/// had: OutOfMemory, with what was needed where that is known. Anything else: Internal, with what
-/// it says. Throws nothing.
+/// Converts the current exception to an error; only inside a catch block. Memory or a thread that
+/// is not available gives OutOfMemory, with what was needed if that is known. Anything else gives
+/// Internal, with its message. Throws nothing.
 [[nodiscard]] Error errorBeingHandled() noexcept;
 
-/// Calls @p work, which returns nothing or a Result; what it throws is its error. Between code that
-/// may throw and whoever waits for a Result: at the top of every thread, command and task.
+/// Calls @p work, which returns nothing or a Result, and converts what it throws to an error. It is
+/// used between code that may throw and code that expects a Result: at the top of every thread,
+/// command and task.
 template <class Work> [[nodiscard]] auto guarded(Work&& work)
 {
     using Returned = std::invoke_result_t<Work>;

@@ -6,11 +6,11 @@
 
 namespace core {
 
-/// Asks the system for large pages, where it has them, below memory that is about to be written for
-/// the first time: sixty thousand page faults of a volume become a hundred. Changes nothing else.
+/// Asks the system for large pages for memory that is about to be written for the first time: a
+/// volume then needs a hundred page faults instead of sixty thousand. It changes nothing else.
 void useLargePages(void* memory, std::size_t bytes);
 
-/// An empty vector to so many zeros, in large pages.
+/// Resizes an empty vector to @p count zeros, in large pages.
 template <class Value> void resizeInLargePages(std::vector<Value>& values, std::size_t count)
 {
     values.reserve(count);

@@ -5,8 +5,8 @@
 
 namespace core {
 
-/// Messages for the log never hold a patient's name, identifiers or file paths at the default
-/// level.
+/// The logging category. At the default level, messages never contain a patient's name, identifiers
+/// or file paths.
 Q_DECLARE_LOGGING_CATEGORY(log)
 
 } // namespace core

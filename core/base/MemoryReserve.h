@@ -6,8 +6,7 @@
 
 namespace core {
 
-/// The program may not take so much more memory: what its own operator new throws
-/// (app/Allocation.cpp).
+/// Thrown by the program's operator new when it may not take more memory (app/Allocation.cpp).
 class MemoryRefused : public std::bad_alloc {
 public:
     explicit MemoryRefused(std::size_t bytes)
@@ -21,16 +20,17 @@ private:
     std::size_t m_bytes;
 };
 
-/// Keeps some address space that nobody uses, so that there is memory to tell with, and to close
-/// what is open, once there is none. Again when that is done.
+/// Reserves some address space, so that errors can be reported and files closed when memory runs
+/// out. To be called again when that is done.
 void keepMemoryReserve() noexcept;
-/// Gives it up: memory was refused. Any thread, also in a signal handler.
+/// Releases it because memory was refused. Any thread, also in a signal handler.
 void giveUpMemoryReserve() noexcept;
-/// Memory was refused since the program began, or since the reserve was kept again.
+/// Whether memory was refused since the program began, or since keepMemoryReserve() was last
+/// called.
 [[nodiscard]] bool memoryWasRefused() noexcept;
-/// Whether a piece of memory of some size cannot be had right now. Also in a signal handler.
+/// Whether memory of a certain size is not available now. Also in a signal handler.
 [[nodiscard]] bool isMemoryShort() noexcept;
-/// How much of its address space the program has taken; 0: not known.
+/// How much address space the program has taken; 0: unknown.
 [[nodiscard]] std::size_t addressSpaceBytes() noexcept;
 
 } // namespace core

@@ -8,7 +8,7 @@
 
 namespace core {
 
-/// How long work tells where it is and learns that it is no longer wanted.
+/// How long work reports its progress and learns that it was cancelled.
 ///
 /// The worker calls report() and asks cancelled(); any thread may call cancel().
 class Progress {

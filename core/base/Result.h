@@ -9,7 +9,8 @@
 
 namespace core {
 
-/// A value, or why there is none. `tl::expected` because clang 14 cannot compile `std::expected`.
+/// A value, or the reason why there is none. `tl::expected` because clang 14 cannot compile
+/// `std::expected`.
 template <class T> using Result = tl::expected<T, Error>;
 
 /// `return failure(ErrorCode::FileNotFound, path);`

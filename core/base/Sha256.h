@@ -11,8 +11,8 @@
 
 namespace core {
 
-/// SHA-256 (FIPS 180-4) of bytes that come in pieces, with the processor's own instructions where
-/// it has them: about 1.7 GB/s then, six times what Qt's portable code does. One thread at a time.
+/// SHA-256 (FIPS 180-4) of bytes that arrive in pieces. It uses the processor's own instructions if
+/// there are any: about 1.7 GB/s, six times as fast as Qt's portable code. One thread at a time.
 class Sha256 {
 public:
     Sha256();
@@ -23,7 +23,7 @@ public:
     void add(const void* data, std::size_t size);
     void add(QByteArrayView bytes) { add(bytes.data(), std::size_t(bytes.size())); }
 
-    /// Ends it: nothing can be added after.
+    /// Returns the hash; nothing can be added afterwards.
     [[nodiscard]] std::array<std::uint8_t, 32> take();
     /// The same in lower-case hex.
     [[nodiscard]] QByteArray takeHex();

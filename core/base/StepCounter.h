@@ -9,7 +9,8 @@
 
 namespace core {
 
-/// Counts steps done on several threads; the listener hears them one at a time and in order.
+/// Counts steps that are done on several threads; the listener is called for one at a time, in
+/// order.
 class StepCounter {
 public:
     StepCounter(const Progress& progress, const QString& step, int total)

@@ -11,21 +11,21 @@
 
 namespace core {
 
-/// One thread that carries out tasks in the order they were posted. Any thread may post and wait.
-/// What a task throws ends in somebody's hands: the threads of this program are made here, in
-/// ParallelFor and by the engine, nowhere else.
+/// One thread that carries out tasks in the order in which they were posted. Any thread may post
+/// and wait. Exceptions of a task are always passed on. All threads of the program are created
+/// here, in ParallelFor and by the engine, and nowhere else.
 class TaskThread {
 public:
-    /// Throws std::system_error where no further thread can be started.
+    /// Throws std::system_error if no further thread can be started.
     TaskThread();
     /// Carries out what was posted, then ends.
     ~TaskThread();
     TaskThread(const TaskThread&) = delete;
     TaskThread& operator=(const TaskThread&) = delete;
 
-    /// @param failed told, on this thread, what @p task has thrown; must not throw
+    /// @param failed called on this thread with what @p task has thrown; must not throw
     void post(std::function<void()> task, std::function<void(const Error&)> failed);
-    /// Posts and waits until it is done. What it throws is thrown here.
+    /// Posts a task and waits until it is done. What it throws is rethrown here.
     void run(const std::function<void()>& task);
     /// Waits until everything posted so far is done.
     void finish();
@@ -41,7 +41,7 @@ private:
     std::condition_variable m_changed;
     std::deque<Task> m_tasks;
     bool m_ending = false;
-    std::thread m_thread; ///< last: it uses all of the above
+    std::thread m_thread; ///< last, since it uses all of the above
 };
 
 } // namespace core

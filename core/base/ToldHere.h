@@ -8,9 +8,9 @@
 
 namespace core {
 
-/// For those who answer on a thread of their own: what it returns may be called on any thread, and
-/// has @p told called with copies of its arguments by the event loop of the program's first thread.
-/// Nothing is told once @p context is gone, which lives in that thread, where this is called, too.
+/// Wraps a function so that it can be called on any thread: the event loop of the program's first
+/// thread then calls @p told with copies of the arguments. Nothing is called after @p context was
+/// destroyed. The context lives in the first thread, where this function must be called too.
 template <class Told> [[nodiscard]] auto toldHere(QObject* context, Told told)
 {
     return [guard = QPointer<QObject>(context), told = std::move(told)](const auto&... what) {

@@ -8,12 +8,12 @@
 
 namespace core {
 
-/// The values of a brick's voxels, shared by all copies: handing a brick on costs nothing, and
-/// looks at no voxel. Who looks at them says so with read() or write(), which note it where the
-/// thread is one that must not (ThreadWithoutVoxels.h). Copies may be used on several threads.
+/// The values of a brick's voxels. All copies share them, so passing a brick on costs nothing and
+/// reads no voxel. Code that reads or writes voxels does so through read() or write(), which record
+/// it on threads that must not (ThreadWithoutVoxels.h). Copies may be used on several threads.
 class BrickBytes {
 public:
-    /// No bytes at all, which means that every voxel is empty.
+    /// No bytes at all; this means that every voxel is empty.
     BrickBytes() = default;
     BrickBytes(std::vector<std::uint8_t> bytes);
 
@@ -22,10 +22,10 @@ public:
     void clear() { m_bytes.reset(); }
 
     [[nodiscard]] const std::vector<std::uint8_t>& read() const;
-    /// Bytes of this copy's own. Cost: those of a brick, where another copy shares them.
+    /// Bytes that belong to this copy alone; they are copied first if others share them.
     [[nodiscard]] std::vector<std::uint8_t>& write();
 
-    /// Looks at the bytes, unless both are copies of one.
+    /// Compares the bytes, unless both are copies of the same.
     friend bool operator==(const BrickBytes& one, const BrickBytes& other);
 
 private:

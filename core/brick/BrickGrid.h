@@ -10,7 +10,7 @@
 
 namespace core {
 
-/// Inclusive-exclusive box of voxels.
+/// A box of voxels: minimum included, maximum excluded.
 struct VoxelBox {
     glm::ivec3 minimum{0};
     glm::ivec3 maximum{0}; ///< one past the last voxel
@@ -19,10 +19,10 @@ struct VoxelBox {
     [[nodiscard]] VoxelBox united(const VoxelBox& other) const;
 };
 
-/// The grid of 16³ bricks that covers a volume: unit of edit, undo, hash and upload.
+/// The grid of 16³ bricks that covers a volume. A brick is the unit of edit, undo, hash and upload.
 ///
 /// Bricks are numbered x fastest, then y, then z. Inside a brick voxels run x fastest too. Voxels
-/// of a border brick that lie outside the volume hold the field's empty value, always.
+/// of a border brick that lie outside the volume always hold the field's empty value.
 struct BrickGrid {
     static constexpr int side = 16;
     static constexpr int voxelsPerBrick = side * side * side;
@@ -43,7 +43,7 @@ enum class Field : std::uint8_t {
     Coverage = 1, ///< one byte, empty 0; `plane` names the sculpt layer
     Labels = 2, ///< one byte, empty 0; `plane` names the label plane
     SeedWords = 3, ///< four bytes little-endian, empty 0xFFFFFFFF; `plane` names the label plane
-    /// One byte, empty 0; `plane` names the label plane: what growth took there from another label
+    /// One byte, empty 0; `plane` names the label plane: the label that growth overwrote
     /// (growth/GrowthCommands.h).
     Beneath = 4,
 };
@@ -60,13 +60,13 @@ struct BrickKey {
     auto operator<=>(const BrickKey&) const = default;
 };
 
-/// The voxels of one brick; no bytes at all means "every voxel empty".
+/// The voxels of one brick; no bytes at all means that every voxel is empty.
 struct BrickImage {
     BrickKey key;
     BrickBytes bytes;
 };
 
-/// One brick that an edit changed. Never holds equal images.
+/// One brick that an edit changed; before and after always differ.
 struct BrickChange {
     BrickKey key;
     BrickBytes before;

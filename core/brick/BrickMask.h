@@ -10,7 +10,7 @@
 
 namespace core {
 
-/// Some voxels of a brick: bit v % 8 of byte v / 8 for voxel v.
+/// A set of voxels of a brick: voxel v is bit v % 8 of byte v / 8.
 struct BrickMask {
     std::array<std::uint8_t, BrickGrid::voxelsPerBrick / 8> bits{};
 

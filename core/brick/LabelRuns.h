@@ -7,7 +7,8 @@
 
 namespace core {
 
-/// The voxels that bear a label. @param labels of a whole volume, x fastest. Cost: one pass.
+/// The voxels that have a label. Cost: one pass over the volume.
+/// @param labels of a whole volume, x fastest
 [[nodiscard]] VoxelRuns labelRuns(std::span<const std::uint8_t> labels, std::uint8_t label);
 
 } // namespace core

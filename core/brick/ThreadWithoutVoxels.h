@@ -5,9 +5,9 @@
 
 namespace core {
 
-/// As long as one stands, the thread that made it must not look at the voxels of bricks: it has a
-/// window to serve, and what changed may be hundreds of megabytes. Every look is counted, and in
-/// builds with assertions the first one is written to the log as an error, which no test lets pass.
+/// While an object of this class exists, the thread that created it must not read voxels of bricks:
+/// it serves a window, and changed bricks may be hundreds of megabytes. Every access is counted,
+/// and in builds with assertions the first one is logged as an error, which makes tests fail.
 class ThreadWithoutVoxels {
 public:
     ThreadWithoutVoxels();
@@ -15,11 +15,12 @@ public:
     ThreadWithoutVoxels(const ThreadWithoutVoxels&) = delete;
     ThreadWithoutVoxels& operator=(const ThreadWithoutVoxels&) = delete;
 
-    /// How often all such threads have looked so far. Any thread.
+    /// How often such threads have read voxels so far. Any thread.
     [[nodiscard]] static std::int64_t looks();
 };
 
-/// As long as one stands, its thread may look all the same, for a reason that is written beside it.
+/// While an object of this class exists, its thread may read voxels after all; the reason is stated
+/// where it is created.
 class VoxelsAllowed {
 public:
     VoxelsAllowed();
@@ -28,7 +29,7 @@ public:
     VoxelsAllowed& operator=(const VoxelsAllowed&) = delete;
 };
 
-/// Called by whatever gives voxels of a brick out. Cheap.
+/// Called by functions that give access to a brick's voxels. Cheap.
 void noteVoxelsLookedAt();
 
 } // namespace core

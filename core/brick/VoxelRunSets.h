@@ -5,9 +5,9 @@
 
 namespace core {
 
-// Sets of voxels made of two others, besides united() (VoxelRuns.h). Cost: the runs.
+// Set operations on voxel runs, besides united() (VoxelRuns.h). The cost is linear in the runs.
 
-/// The voxels that are in one of them and not in the other.
+/// The voxels that are in exactly one of them.
 [[nodiscard]] VoxelRuns differing(const VoxelRuns& one, const VoxelRuns& other);
 /// The voxels that are in both.
 [[nodiscard]] VoxelRuns common(const VoxelRuns& one, const VoxelRuns& other);

@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// The voxels of a box by their places, x fastest, and who lies beside whom (six neighbours).
+/// Iterates over the voxels of a box, numbered x fastest, and over their neighbours (six).
 class BoxWalk {
 public:
     explicit BoxWalk(const glm::ivec3& size)
@@ -24,7 +24,7 @@ public:
             int(voxel % m_row), int(voxel / m_row % std::size_t(m_size.y)), int(voxel / m_slice)};
     }
 
-    /// Each pair of neighbours once, ascending by the first.
+    /// Visits each pair of neighbours once, ascending by the first.
     template <class Visit> void forEachPair(Visit visit) const
     {
         std::size_t voxel = 0;

@@ -7,8 +7,8 @@
 
 namespace core {
 
-/// Which colour of a small palette each chunk of a division is drawn in, so that chunks that touch
-/// (six neighbours) differ wherever the palette allows it. One that stays a chunk while the slider
+/// Assigns colours of a small palette to the chunks of a division, so that chunks that touch (six
+/// neighbours) differ wherever the palette allows it. A chunk that does not change while the slider
 /// moves mostly keeps its colour. Decides no voxel.
 class ChunkColours {
 public:
@@ -17,12 +17,13 @@ public:
     /// @param size of the tree's box. Cost: one pass over it.
     ChunkColours(const ChunkTree& tree, const glm::ivec3& size);
 
-    /// By chunk of the finest division (ChunkTree::leafAt), 0 … colours − 1. Cost ∝ how many of
-    /// these touch.
+    /// By chunk of the finest division (ChunkTree::leafAt), 0 … colours − 1. Cost ∝ the number of
+    /// contacts between these.
     [[nodiscard]] std::vector<std::uint8_t> of(const ChunkTree& tree, int count) const;
 
 private:
-    std::vector<std::pair<ChunkTree::Chunk, ChunkTree::Chunk>> m_contacts; ///< of the finest
+    /// of the finest division
+    std::vector<std::pair<ChunkTree::Chunk, ChunkTree::Chunk>> m_contacts;
 };
 
 } // namespace core

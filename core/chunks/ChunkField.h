@@ -12,44 +12,45 @@
 
 namespace core {
 
-/// A box of voxels that is to be divided, x fastest.
+/// The box of voxels that is to be divided, x fastest.
 struct ChunkSource {
-    /// What a voxel belongs to that nobody divides.
+    /// Owner of voxels that are not divided.
     static constexpr std::uint8_t outside = 255;
 
     glm::ivec3 size{0};
     std::span<const std::uint16_t> codes;
-    /// 0: to no segment, else the segment's label; `outside`: it is left out. No chunk holds voxels
-    /// of two of these.
+    /// The segment's label; 0: no segment; `outside`: left out. A chunk never contains voxels of
+    /// two owners.
     std::span<const std::uint8_t> owners;
 };
 
-/// How strongly voxels hang together with what owns them, by multi-object fuzzy connectedness
-/// (seed B, section 4; Udupa and Saha; Carvalho et al. for many objects). In whole numbers, so that
-/// chunks are the same everywhere.
+/// How strongly each voxel is connected with its owner, by multi-object fuzzy connectedness (seed
+/// B, section 4; Udupa and Saha; Carvalho et al. for several objects). All numbers are integers, so
+/// that chunks are the same on every machine.
 ///
-/// 1. A step is what two neighbours (six) differ by, or what both together differ by from the
-///    owner's mean, in mean deviations: `deviation` is one of them, more than `most` counts as
-///    that.
-/// 2. The core of an owner are the deepest voxels of what it owns: those at least three quarters
-///    as deep as the deepest, by the number of steps to another owner.
-/// 3. A voxel's cost for an owner is the greatest step of the way from that owner's core on which
-///    this is least.
-/// 4. Its likelihood is the least cost for any other owner less that for its own: from −most
-///    (it looks as if it were another's) to most.
+/// 1. The step between two neighbours (six) is the greater of their difference and the difference
+///    of both together from the owner's mean, in units of mean deviations: `deviation` stands for
+///    one of them, and values above `most` are clamped.
+/// 2. The core of an owner is the set of its deepest voxels: those at least three quarters as deep
+///    as the deepest one, where depth is the number of steps to another owner.
+/// 3. The cost of a voxel for an owner is the least possible greatest step of a path from that
+///    owner's core.
+/// 4. The likelihood of a voxel is the least cost for any other owner minus that for its own owner:
+///    from −most (it looks as if it belonged to another) to most.
 class ChunkField {
 public:
     static constexpr int deviation = 64;
     static constexpr int most = 255;
 
-    /// Cost: a walk through the box for each owner. Errors: Cancelled.
+    /// Computes it. Cost: one pass through the box for each owner. Errors: Cancelled.
     [[nodiscard]] static Result<ChunkField> of(const ChunkSource& source, const Progress& progress);
 
     [[nodiscard]] int likelihood(std::size_t voxel) const { return m_likelihood[voxel]; }
-    /// What two neighbours differ by, 0 … most: their codes in mean deviations, or their
-    /// likelihood.
+    /// The difference between two neighbours, 0 … most: of their codes in mean deviations, or of
+    /// their likelihoods.
     [[nodiscard]] int step(std::size_t voxel, std::size_t neighbour) const;
-    /// Codes of this much make one mean deviation between neighbours of one owner; at least 1.
+    /// The difference of codes that is one mean deviation between neighbours of one owner; at least
+    /// 1.
     [[nodiscard]] int noise() const { return m_noise; }
 
 private:

@@ -10,39 +10,39 @@
 
 namespace core {
 
-/// Voxels of the volume that a segment is to get, and those that it is to lose.
+/// The voxels that a segment gains and those that it loses.
 struct ChunkChange {
     VoxelRuns given;
     VoxelRuns taken;
     bool operator==(const ChunkChange&) const = default;
 };
 
-/// The chunks of a box of the volume, in the volume's own voxels.
+/// The chunks of a box of the volume, addressed by voxels of the volume.
 class ChunkMap {
 public:
-    /// The voxels that a label has, with so many millimetres around them on all sides; cut at the
-    /// volume. None: it has no voxels. @param labels of the whole volume, x fastest
+    /// The bounding box of a label's voxels with a margin in millimetres on all sides, clipped to
+    /// the volume. None: the label has no voxels. @param labels of the whole volume, x fastest
     [[nodiscard]] static std::optional<VoxelBox> boxAround(std::span<const std::uint8_t> labels,
         std::uint8_t label, const VolumeGeometry& geometry, double marginMm);
-    /// A box with so many millimetres more on all sides; cut at the volume.
+    /// A box with a margin in millimetres on all sides, clipped to the volume.
     [[nodiscard]] static VoxelBox withMargin(
         const VoxelBox& box, const VolumeGeometry& geometry, double marginMm);
 
-    /// @param volumeSize of the volume that the box lies in
+    /// @param volumeSize of the volume that contains the box
     ChunkMap(const glm::ivec3& volumeSize, const VoxelBox& box, ChunkTree tree);
 
     [[nodiscard]] const ChunkTree& tree() const { return m_tree; }
     [[nodiscard]] const VoxelBox& box() const { return m_box; }
     [[nodiscard]] const glm::ivec3& volumeSize() const { return m_volumeSize; }
-    /// Which chunk of a division holds a voxel of the volume; none: it lies outside the box, or was
-    /// left out.
+    /// The chunk of a division that contains a voxel of the volume; none: the voxel is outside the
+    /// box, or was left out.
     [[nodiscard]] std::optional<ChunkTree::Chunk> chunkAt(
         const glm::ivec3& voxel, int division) const;
-    /// Those that hold any of these voxels, each once, ascending.
+    /// The chunks that contain any of these voxels, each once, ascending.
     [[nodiscard]] std::vector<ChunkTree::Chunk> chunksAt(
         const std::vector<glm::ivec3>& voxels, int division) const;
     [[nodiscard]] VoxelRuns voxels(ChunkTree::Chunk chunk) const;
-    /// Calls @p visit(voxel of the volume), in the order of the chunk's pieces.
+    /// Calls @p visit(voxel of the volume) for each voxel, in the order of the chunk's pieces.
     template <class Visit> void forEachVoxel(ChunkTree::Chunk chunk, const Visit& visit) const
     {
         const auto columns = std::uint32_t(m_box.maximum.x - m_box.minimum.x);
@@ -54,8 +54,8 @@ public:
         }
     }
 
-    /// What clicks on voxels come to: a chunk of which the segment has more than half goes, any
-    /// other one comes, each once however often it is clicked.
+    /// The effect of clicks on voxels: a chunk of which the segment has more than half is removed,
+    /// any other chunk is added, each once however often it is clicked.
     /// @param labels of the whole volume as they are now, x fastest
     [[nodiscard]] ChunkChange toggled(const std::vector<glm::ivec3>& clicked, int division,
         std::span<const std::uint8_t> labels, std::uint8_t label) const;

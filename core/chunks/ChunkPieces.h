@@ -6,15 +6,16 @@
 
 namespace core {
 
-/// A box cut into small pieces: in cells of 4³ voxels, those of one owner that hang together by
-/// steps of at most one and a half mean deviations.
+/// A box cut into small pieces: within cells of 4³ voxels, the voxels of one owner that are
+/// connected by steps of at most one and a half mean deviations.
 struct ChunkPieces {
     static constexpr std::uint32_t none = ~std::uint32_t(0);
 
-    std::vector<std::uint32_t> ofVoxel; ///< none: it is left out
+    std::vector<std::uint32_t> ofVoxel; ///< none: left out
     std::vector<PieceJoining::Piece> pieces;
     std::vector<std::uint8_t> owners; ///< by piece
-    /// Between pieces of one owner that touch, with the faces at which they do; ascending.
+    /// Contacts between pieces of one owner, with the number of faces at which they touch;
+    /// ascending.
     std::vector<PieceJoining::Contact> contacts;
 };
 

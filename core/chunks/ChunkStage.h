@@ -5,10 +5,10 @@
 
 namespace core {
 
-/// Where the working out of chunks is.
+/// The progress of computing chunks.
 struct ChunkStage {
     QString step;
-    int percent = 0; ///< of all steps, about
+    int percent = 0; ///< of all steps, approximately
 };
 
 } // namespace core

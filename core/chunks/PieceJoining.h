@@ -8,8 +8,8 @@
 
 namespace core {
 
-/// Pieces of a volume that touch, joined two by two, those that hang together best first. Whole
-/// numbers; of equal pairs the one with the lesser numbers goes first.
+/// Joins pieces of a volume that touch, in pairs, most similar first. All numbers are integers; of
+/// equal pairs the one with the lower numbers goes first.
 class PieceJoining {
 public:
     struct Piece {
@@ -23,7 +23,7 @@ public:
         std::uint32_t faces = 1;
         [[nodiscard]] std::uint64_t pair() const { return std::uint64_t(first) << 32U | second; }
     };
-    /// The two pieces, and the number that both have from now on.
+    /// Two pieces, and the number of the piece that they became.
     struct Joined {
         std::uint32_t first = 0;
         std::uint32_t second = 0;
@@ -31,10 +31,10 @@ public:
     };
 
     /// @param contacts each pair once, in any order
-    /// @param noise codes that make one mean deviation
+    /// @param noise difference of codes that is one mean deviation
     PieceJoining(std::vector<Piece> pieces, const std::vector<Contact>& contacts, int noise);
 
-    /// The next two; none: no pieces touch any more. They become a new piece with the next number.
+    /// The next pair; none: no pieces touch any more. Both become a new piece with the next number.
     [[nodiscard]] std::optional<Joined> next();
     [[nodiscard]] const Piece& piece(std::uint32_t number) const { return m_pieces[number]; }
     [[nodiscard]] std::uint32_t left() const { return m_left; }
@@ -59,8 +59,9 @@ private:
         std::uint32_t first, std::uint32_t second, std::uint32_t joined);
 
     std::vector<Piece> m_pieces;
-    std::vector<std::uint32_t> m_became; ///< by piece: what it was joined into, or itself
-    std::vector<std::vector<Neighbour>> m_neighbours; ///< by piece; may name pieces of before
+    std::vector<std::uint32_t> m_became; ///< by piece: the piece that it was joined into, or itself
+    /// by piece; may refer to pieces that were joined since
+    std::vector<std::vector<Neighbour>> m_neighbours;
     std::priority_queue<Offer, std::vector<Offer>, std::greater<>> m_offers;
     std::uint32_t m_left = 0;
     int m_noise;

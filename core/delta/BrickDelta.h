@@ -12,13 +12,12 @@
 
 namespace core {
 
-/// What an edit changed, small enough to keep: the XOR of before and after of every brick (which
-/// voxels differ, then these; of what grew only what does not follow from where it began),
-/// compressed with zstd.
+/// What an edit changed, in a form small enough to keep: the XOR of before and after for every
+/// changed brick, compressed with zstd. It stores which voxels differ and then their differences;
+/// of a growth it stores only what does not follow from where the growth began
+/// (SeedWordForecast.h). core/session/README.md describes the stream.
 ///
-/// The stream inside is described in core/session/README.md; what is known of a growth in
-/// SeedWordForecast.h.
-/// XOR knows no direction: it leads from before to after and from after to before.
+/// XOR has no direction: the same delta leads from before to after and from after to before.
 struct BrickDelta {
     static constexpr std::size_t maxPieceBytes = std::size_t(4) << 20;
 
@@ -28,22 +27,23 @@ struct BrickDelta {
     [[nodiscard]] bool empty() const { return pieces.empty(); }
 };
 
-/// Compresses; the liver of an adult, grown, in a third of a second. Any thread.
-/// @param changes no key twice @param grid of the volume, to know which bricks lie side by side
+/// Compresses changes. The grown liver of an adult takes a third of a second. Any thread.
+/// @param changes no key twice
+/// @param grid of the volume, which tells which bricks are neighbours
 [[nodiscard]] BrickDelta makeDelta(const std::vector<BrickChange>& changes, const BrickGrid& grid);
 
-/// What the packed form of a row begins with that changed no voxel but the surface
+/// The packed form of a row that changed only the surface and no voxel begins with this
 /// (session/surface/SurfaceStep.h).
 constexpr std::array<char, 4> surfaceStepMagic{'S', 'R', 'F', '1'};
 
-/// The XOR images again, every one with its bytes, in the order of the changes. Any thread. However
-/// few bytes there are and whoever made them: no brick that the volume lacks is given room.
-/// Errors: SessionDamaged with the reason as first argument, to which the caller adds the file.
+/// Restores the XOR images, each with its bytes, in the order of the changes. Any thread. The input
+/// may come from a stranger: no memory is reserved for bricks that the volume does not have.
+/// Errors: SessionDamaged with the reason as first argument; the caller adds the file.
 [[nodiscard]] Result<std::vector<BrickImage>> expandDelta(
     const BrickDelta& delta, const BrickGrid& grid);
 
-/// @p image with @p difference laid over it; no bytes if every voxel is empty then.
-/// @pre both are of the same brick; the difference has its bytes
+/// @p image combined with @p difference by XOR; without bytes if every voxel is empty then.
+/// @pre both are of the same brick, and the difference has its bytes
 [[nodiscard]] BrickImage exclusiveOr(const BrickImage& image, const BrickImage& difference);
 
 } // namespace core

@@ -10,7 +10,7 @@ struct ZSTD_DCtx_s;
 
 namespace core {
 
-/// The bytes of a difference on their way into a zstd stream, cut into pieces as they come.
+/// Compresses the bytes of a difference with zstd, and cuts the stream into pieces.
 class DeltaWriter {
 public:
     DeltaWriter();
@@ -24,22 +24,23 @@ private:
 
     std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)> m_stream;
     std::vector<QByteArray> m_pieces;
-    std::size_t m_filled = 0; ///< of the last piece
+    std::size_t m_filled = 0; ///< bytes in the last piece
 };
 
-/// The way back. Whatever the pieces hold, it gives no more bytes than it is asked for.
+/// Decompresses such a stream. It never returns more bytes than requested, whatever the pieces
+/// hold.
 class DeltaReader {
 public:
-    explicit DeltaReader(const BrickDelta& delta); ///< which lives as long
+    explicit DeltaReader(const BrickDelta& delta); ///< must outlive this
     ~DeltaReader();
-    /// @return the number of bytes that there were, up to @p size
+    /// @return the number of bytes that were left, up to @p size
     [[nodiscard]] std::size_t take(void* data, std::size_t size);
-    /// Takes as many as the container has. @return false: there were fewer
+    /// Fills a container. @return false: there were fewer bytes
     template <typename Bytes> [[nodiscard]] bool fill(Bytes& bytes)
     {
         return take(bytes.data(), bytes.size()) == bytes.size();
     }
-    /// All was taken, and the stream ended as it should.
+    /// Whether everything was read and the stream ended properly.
     [[nodiscard]] bool complete();
 
 private:

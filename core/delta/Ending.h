@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// What becomes of all that an open edit has changed: it stays, or everything is as before.
+/// How an open edit ends: its changes stay, or everything is as before.
 enum class Ending : std::uint8_t { Commit, Rollback };
 
 } // namespace core

@@ -13,27 +13,29 @@ namespace core {
 struct SeedWordBrick {
     BrickKey key;
     std::array<std::uint32_t, BrickGrid::voxelsPerBrick> differences{};
-    BrickMask foretold; ///< voxels whose generation and direction the others tell
+    BrickMask foretold; ///< voxels whose generation and direction follow from the others
 };
 
-// A growth follows from where it began: of a voxel that it took, generation and direction are told
-// by its neighbours (core/growth/SeedWord.h), so of most only the label need be kept.
+// Most of a growth follows from where it began: generation and direction of a voxel that it claimed
+// can be derived from its neighbours (core/growth/SeedWord.h), so only the label need be kept.
 //
-// A difference with bit 31 is a claim: its other bits are those of a member, inverted, since the
-// voxel was unvisited before (or is so after). Where its lowest 13 bits are 0 a pending seed was
-// admitted: then they are those of the member as they are, and its label is any.
-// A claim that admits no seed is foretold if of its face neighbours in the same plane that are
-// claims too, and of the same label or any, the earliest has its generation − 1, and the lowest
-// direction from which one as early leads to it is its own.
+// A difference with bit 31 set is a claim. Its other bits are those of a member, inverted, since
+// the voxel was unvisited before (or is unvisited after). If its lowest 13 bits are 0, a pending
+// seed was admitted; then the other bits are those of the member as they are, and its label is
+// unknown.
+// A claim that admits no seed is foretold if, among those of its face neighbours in the same plane
+// that are claims of the same or of an unknown label, the earliest has its generation − 1, and if
+// its own direction is the lowest one that leads to it from a neighbour of that generation.
 
-/// Fills `foretold`. Linear in the voxels.
-/// @param bricks no key twice @param along bricks of the volume along x and y
+/// Fills `foretold`. Cost: linear in the voxels.
+/// @param bricks no key twice
+/// @param along number of bricks of the volume along x and y
 void markForetold(std::vector<SeedWordBrick>& bricks, const glm::ivec2& along);
 
-/// The reverse: differences of foretold voxels come as foretoldDifference() and are completed, ring
-/// by ring from those that are not foretold.
-/// @pre foretold voxels hold a foretoldDifference(); along is at least 1 each
-/// @return false: some are not told by the others
+/// The reverse: completes the differences of foretold voxels ring by ring, beginning at those that
+/// are not foretold.
+/// @pre foretold voxels hold a foretoldDifference(); each component of along is at least 1
+/// @return false: some do not follow from the others
 [[nodiscard]] bool completeForetold(std::vector<SeedWordBrick>& bricks, const glm::ivec2& along);
 
 /// A claim of a label, without generation and direction.

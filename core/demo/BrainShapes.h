@@ -7,6 +7,7 @@
 
 namespace core::demo {
 
+/// The tissues of the brain model.
 enum class BrainTissue : std::uint8_t {
     Fluid, ///< cerebrospinal fluid outside the ventricles
     Ventricle,
@@ -19,7 +20,7 @@ enum class BrainTissue : std::uint8_t {
     Calcification,
 };
 
-/// What fills the skull and the spinal canal at one point.
+/// The tissue at one point inside the skull or the spinal canal.
 struct BrainSample {
     float value = 8.0F; ///< HU
     BrainTissue tissue = BrainTissue::Fluid;

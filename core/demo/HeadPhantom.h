@@ -40,10 +40,11 @@ struct HeadPartName {
 /// All parts with their names in English, Air first.
 std::span<const HeadPartName> headPartNames();
 
-/// A head made of formulas: density and part at every point, without noise of a scanner.
+/// A head defined by formulas: density and part at every point, without scanner noise.
 ///
-/// Edges are soft over about a voxel of 1 mm (partial volume); the part is the one that fills most
-/// of it. Values are Hounsfield units of a contrast-enhanced CT. The same on every call and thread.
+/// Edges are smooth over about a voxel of 1 mm (partial volume); the part of a point is the one
+/// that fills most of its surroundings. Values are Hounsfield units of a contrast-enhanced CT. The
+/// same on every call and thread.
 class HeadPhantom {
 public:
     struct Sample {

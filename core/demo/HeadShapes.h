@@ -3,8 +3,8 @@
 
 #include <glm/glm.hpp>
 
-/// The head as signed distances. Head space: millimetres, x to the left, y to posterior, z to
-/// superior, origin in the middle of the scan (about the third ventricle).
+/// The shapes of the head as signed distances. Head space is in millimetres: x to the left, y to
+/// posterior, z to superior, origin in the middle of the scan (about the third ventricle).
 namespace core::demo {
 
 /// Inner surface of the skull without the spinal canal.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-/// Counter-based randomness: a value depends on where it is asked for and on nothing else, so the
+/// Counter-based randomness: a value depends only on the place for which it is computed, so the
 /// order of threads does not matter.
 namespace core::demo {
 

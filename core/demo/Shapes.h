@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-/// Signed distances in millimetres, negative inside, after the usual repertoire of implicit
-/// modelling; exact for spheres and capsules, first order for ellipsoids.
+/// Signed distances in millimetres, negative inside, as usual in implicit modelling; exact for
+/// spheres and capsules, first order for ellipsoids.
 namespace core::demo {
 
 using glm::vec3;
 
-/// The left half stands for both: x is folded to the left side.
+/// Mirrors x to the left side, for shapes that are symmetric.
 inline vec3 folded(const vec3& p)
 {
     return {std::abs(p.x), p.y, p.z};
@@ -59,7 +59,7 @@ inline float join(float a, float b, float width)
     return std::min(a, b) - h * h * width * 0.25F;
 }
 
-/// What of @p a lies outside @p b, with a rounded edge.
+/// The part of @p a that lies outside @p b, with a rounded edge.
 inline float carve(float a, float b, float width)
 {
     return -join(-a, b, width);

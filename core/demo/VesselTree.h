@@ -12,8 +12,8 @@ namespace core::demo {
 /// The contrast-filled vessels of the head: carotid and vertebral arteries, the circle of Willis
 /// with its branches over the brain, venous sinuses and the larger veins.
 ///
-/// Trunks are drawn by hand, branches walk over the surface of the brain by their own counters, so
-/// that the tree is always the same one. Head space (core/demo/HeadShapes.h). Immutable.
+/// Trunks are given as curves. Branches walk over the surface of the brain, controlled by counters,
+/// so that the tree is always the same. Head space (core/demo/HeadShapes.h). Immutable.
 class VesselTree {
 public:
     VesselTree();

@@ -10,7 +10,7 @@
 
 namespace core {
 
-/// What a JSON answer says, of bounded length. @p mayBeOther: it does not matter whether it is JSON
+/// Collects a JSON answer up to a length limit. @p mayBeOther: any other content is accepted too
 class JsonSink : public WebSink {
 public:
     JsonSink(QString nodeName, bool mayBeOther)

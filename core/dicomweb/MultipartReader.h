@@ -10,7 +10,7 @@
 
 namespace core {
 
-/// Takes the parts of a multipart body as they arrive. Errors end the reading.
+/// Receives the parts of a multipart body as they arrive. An error ends the reading.
 class PartSink {
 public:
     PartSink() = default;
@@ -22,32 +22,32 @@ public:
     [[nodiscard]] virtual Result<void> endPart() = 0;
 };
 
-/// Reads a body of type multipart (RFC 2046 5.1) piece by piece, in memory that does not depend on
-/// its length. A part ends where its Content-Length says, else at the boundary.
+/// Reads a body of type multipart (RFC 2046 5.1) piece by piece; memory does not depend on its
+/// length. A part ends as its Content-Length says, else at the boundary.
 class MultipartReader {
 public:
     /// @param nodeName for messages
     MultipartReader(const QByteArray& boundary, QString nodeName, PartSink& sink);
 
-    /// NodeNonsense, and errors of the sink.
+    /// Errors: NodeNonsense, and those of the sink.
     [[nodiscard]] Result<void> feed(const QByteArray& bytes);
-    /// Whether the closing boundary came: nothing is missing.
+    /// Whether the closing boundary was received, so that nothing is missing.
     [[nodiscard]] bool isComplete() const { return m_state == State::Epilogue; }
 
-    /// The boundary that a Content-Type names; none if it is not multipart, or none sensible.
+    /// The boundary in a Content-Type; none if it is not multipart or the boundary is invalid.
     [[nodiscard]] static std::optional<QByteArray> boundaryOf(const QByteArray& contentType);
 
 private:
     enum class State {
         Preamble, ///< before the first boundary
-        AfterBoundary, ///< two dashes end it all, a line end begins a part
+        AfterBoundary, ///< two dashes end everything, a line end begins a part
         Headers,
         Counted, ///< a part of known length
-        CountedEnd, ///< behind which the boundary must stand
-        Searched, ///< a part that lasts until the boundary
+        CountedEnd, ///< the boundary must follow
+        Searched, ///< a part that ends at the boundary
         Epilogue,
     };
-    /// @return whether it went on, so that the rest may be looked at
+    /// @return whether it made progress, so that the rest can be examined
     [[nodiscard]] Result<bool> step();
     [[nodiscard]] Result<bool> readHeaders();
     [[nodiscard]] Result<bool> readSearched();
@@ -58,8 +58,8 @@ private:
     QString m_nodeName;
     PartSink& m_sink;
     State m_state = State::Preamble;
-    QByteArray m_waiting; ///< not taken yet; bounded
-    qint64 m_left = 0; ///< of a counted part
+    QByteArray m_waiting; ///< not processed yet; bounded
+    qint64 m_left = 0; ///< remaining bytes of a counted part
 };
 
 } // namespace core

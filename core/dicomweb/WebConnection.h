@@ -13,52 +13,54 @@
 
 namespace core {
 
-/// How a web server began its answer.
+/// The beginning of a web server's answer.
 struct WebAnswer {
     int status = 0;
     QByteArray contentType;
 };
 
-/// Takes an answer as it arrives. Errors end the exchange, and are its outcome.
+/// Receives an answer as it arrives. An error ends the exchange and becomes its result.
 class WebSink {
 public:
     WebSink() = default;
     WebSink(const WebSink&) = delete;
     WebSink& operator=(const WebSink&) = delete;
     virtual ~WebSink() = default;
-    /// Before anything of an answer; again where the question is put again.
+    /// Called before any part of an answer, and again if the request is repeated.
     [[nodiscard]] virtual Result<void> begin(const WebAnswer& answer) = 0;
     [[nodiscard]] virtual Result<void> take(const QByteArray& bytes) = 0;
-    /// How many things of the answer are whole so far, where it consists of several.
+    /// The number of complete parts of the answer so far, if it has several.
     [[nodiscard]] virtual int wholeParts() const { return 0; }
 };
 
-/// The one place that talks HTTP. Belongs to the thread that made it, which waits in its functions;
-/// waiting ends within a moment of cancelling. Only for sources of core/dicomweb.
+/// A connection to a web server; all HTTP requests are made here. It belongs to the thread that
+/// created it, which blocks in its functions; blocking ends shortly after cancelling. Only for
+/// sources of core/dicomweb.
 ///
 /// Errors of its functions: NodeUnreachable, NodeRejects (the login), NodeTimeout, NodeLost,
-/// Cancelled; NodeHasNone for status 404, NodeFailed for every other that is no success, with it as
-/// its last argument.
+/// Cancelled; NodeHasNone for status 404; NodeFailed for every other status that is not success,
+/// with the status as last argument.
 class WebConnection {
 public:
-    /// Errors also: of WebLogin::read(), and InvalidField for files of certificates, and for a
-    /// login that would go to another machine over plain http (BURIN_PLAIN_LOGIN=yes lets it).
-    /// @param whole how long all that is asked by it may take; zero: as long as things come
+    /// Further errors: those of WebLogin::read(), and InvalidField for certificate files and for a
+    /// login that would be sent to another machine over plain http (BURIN_PLAIN_LOGIN=yes allows
+    /// it).
+    /// @param whole limit for everything requested with it; zero: no limit while data arrive
     [[nodiscard]] static Result<WebConnection> open(
         const WebNode& node, const Progress& progress, Patience::Seconds whole = {});
     WebConnection(WebConnection&&) noexcept;
     ~WebConnection();
 
     /// @param path after the node's own, with its query, percent-encoded
-    /// @param repeatable put again, after a pause, also when the connection ended amid the answer;
-    /// otherwise only where nothing of it had come
+    /// @param repeatable the request is repeated after a pause even if the connection ended within
+    /// the answer; otherwise only if nothing of the answer had arrived
     [[nodiscard]] Result<WebAnswer> get(const QByteArray& path, const QByteArray& accept,
         const QString& what, WebSink& sink, bool repeatable);
-    /// One file as multipart/related (PS3.18 10.5). Status 409 is an answer like others.
+    /// Sends one file as multipart/related (PS3.18 10.5). Status 409 is returned like a success.
     [[nodiscard]] Result<WebAnswer> postFile(
         const QByteArray& path, const QString& file, const QString& what, WebSink& sink);
 
-    /// Waits before another try. Cancelled.
+    /// Waits before another attempt. Errors: Cancelled.
     [[nodiscard]] Result<void> pause(int milliseconds) const;
     [[nodiscard]] const WebNode& node() const;
 

@@ -14,11 +14,11 @@
 
 namespace core {
 
-/// Takes the objects of a WADO-RS answer into a folder, one at a time. What is not sound is
-/// dropped, and so is what nobody asked for.
+/// Stores the objects of a WADO-RS answer in a folder, one at a time. Objects that are damaged or
+/// were not requested are dropped.
 class WebIntake : public WebSink, private PartSink {
 public:
-    /// @param awaited SOP instance UIDs; empty: whatever comes
+    /// @param awaited SOP instance UIDs; empty: all objects
     WebIntake(const DownloadFolder& folder, const QSet<QString>& awaited, QString nodeName,
         const Progress& progress);
     ~WebIntake() override;
@@ -26,12 +26,12 @@ public:
     [[nodiscard]] Result<void> begin(const WebAnswer& answer) override;
     [[nodiscard]] Result<void> take(const QByteArray& bytes) override;
     [[nodiscard]] int wholeParts() const override { return m_received + m_unasked; }
-    /// Behind the last byte of an answer. NodeLost: it was not whole.
+    /// To be called after the last byte of an answer. NodeLost: the answer was incomplete.
     [[nodiscard]] Result<void> end();
 
     [[nodiscard]] int received() const { return m_received; }
     [[nodiscard]] const QSet<QString>& missing() const { return m_missing; }
-    /// Why the first of those that are not sound was dropped.
+    /// Why the first damaged object was dropped.
     [[nodiscard]] const std::optional<Error>& refusal() const { return m_refusal; }
 
 private:
@@ -46,7 +46,7 @@ private:
     qsizetype m_total;
     QString m_nodeName;
     const Progress& m_progress;
-    std::optional<MultipartReader> m_reader; ///< none: the answer is one object
+    std::optional<MultipartReader> m_reader; ///< none: the answer is a single object
     QFile m_part;
     int m_received = 0;
     int m_unasked = 0;

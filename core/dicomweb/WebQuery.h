@@ -6,11 +6,11 @@
 
 namespace core {
 
-/// Whether the server answers a question of DICOMweb. Errors of all these: as of WebConnection, and
-/// NodeNonsense. They wait for the network; call them on a worker's thread.
+/// Whether the server answers a DICOMweb request. Errors of all functions here: those of
+/// WebConnection, and NodeNonsense. They block; call them on a worker thread.
 [[nodiscard]] Result<void> echoNode(const WebNode& node, const Progress& progress);
 
-/// As of a DICOM node, by QIDO-RS.
+/// The same as for a DICOM node, by QIDO-RS.
 [[nodiscard]] Result<HitList<StudyHit>> findStudies(
     const WebNode& node, const StudyFilter& filter, int most, const Progress& progress);
 [[nodiscard]] Result<std::vector<SeriesHit>> findSeries(
@@ -18,7 +18,7 @@ namespace core {
 [[nodiscard]] Result<std::vector<InstanceHit>> findInstances(const WebNode& node,
     const QString& studyUid, const QString& seriesUid, const Progress& progress);
 
-/// Whether a text can be a UID: nothing else gets into an address.
+/// Whether a text can be a UID; only such texts are put into addresses.
 [[nodiscard]] bool isDicomUid(const QString& text);
 
 } // namespace core

@@ -6,12 +6,13 @@
 
 namespace core {
 
-/// Fetches objects by WADO-RS as retrieve() does from a DICOM node: the target comes into being
-/// when all are there and sound, what an earlier call left is not fetched again. A connection that
-/// ends amid the work is taken up again by itself, after pauses, as often as the node says.
+/// Retrieves objects by WADO-RS, as retrieve() does from a DICOM node: the target appears when all
+/// objects are there and sound, and objects left by an earlier call are not retrieved again. If the
+/// connection ends, it is opened again after pauses, as often as the node's settings say.
 ///
-/// Parts go to the disk as they arrive: memory does not depend on their size or number.
-/// Errors: as of WebConnection; NodeNonsense, NodeHasNone, TransferIncomplete, FileUnwritable.
+/// Parts are written to the disk as they arrive; memory depends neither on their size nor on their
+/// number. Errors: those of WebConnection; NodeNonsense, NodeHasNone, TransferIncomplete,
+/// FileUnwritable.
 [[nodiscard]] Result<Retrieved> retrieve(
     const WebNode& node, const RetrieveWish& wish, const QString& target, const Progress& progress);
 

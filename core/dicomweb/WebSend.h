@@ -6,8 +6,8 @@
 
 namespace core {
 
-/// Stores DICOM files by STOW-RS, as they are, as sendFiles() does at a DICOM node.
-/// Errors: FileUnreadable and the like (nothing was sent yet), as of WebConnection, NodeFailed.
+/// Stores DICOM files unchanged by STOW-RS, as sendFiles() does at a DICOM node. Errors:
+/// FileUnreadable and similar (then nothing was sent), those of WebConnection, NodeFailed.
 [[nodiscard]] Result<SentObjects> sendFiles(
     const WebNode& node, const QStringList& files, const Progress& progress);
 

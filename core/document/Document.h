@@ -40,15 +40,15 @@ struct Segment {
     std::int64_t voxels = 0; ///< kept up to date by the session; derived, not part of the hash
 };
 
-/// What hides part of the volume in the 3D view. Changes no segment and no statistic.
+/// A sculpt layer: hides part of the volume in the 3D view. It changes no segment and no statistic.
 struct SculptLayer {
     std::uint8_t id = 0; ///< 1 … 254, unique; names its coverage
     QString name;
-    bool muted = false; ///< hides nothing, and is absent for whatever reads what is carved
+    bool muted = false; ///< hides nothing; whatever reads carved voxels ignores it
     bool solo = false; ///< while any layer is solo, all that are not are as if muted
 };
 
-/// A view to come back to.
+/// A view of the 3D view to come back to.
 struct CameraBookmark {
     int id = 0; ///< 1, 2, 3 …, unique and never used again
     QString name;
@@ -62,42 +62,45 @@ struct Growth {
     std::uint32_t generation = 0;
 };
 
-/// The surface of one segment while it is refined (core/refine); its mesh is the session's.
+/// The surface of one segment while it is refined (core/refine). The session holds its mesh.
 struct RefinedSurface {
     int segment = 0; ///< label
-    /// It was changed since it was laid or written back, or an edit wrote to its segment since: the
-    /// two have parted. By how much they were apart from the beginning says the row that laid it.
+    /// Surface and segment may differ by an edit: the surface was changed since it was laid or
+    /// written back, or an edit wrote to its segment. The row that laid it says how far apart they
+    /// were then.
     bool differs = false;
-    /// An edit that is not about its segment, a growth mostly, changed the segment's voxels since.
-    /// Rows say so (EditStatistics::surfaceMaskChanged), not edits; no part of the state hash.
+    /// An edit that is not about its segment, mostly a growth, has changed the segment's voxels
+    /// since. This follows from rows (EditStatistics::surfaceMaskChanged), not from edits, and is
+    /// not part of the state hash.
     bool maskChanged = false;
 
-    /// Whether surface and segment may have parted.
+    /// Whether surface and segment may differ.
     [[nodiscard]] bool isApart() const { return differs || maskChanged; }
     bool operator==(const RefinedSurface&) const = default;
 };
 
-/// What lies around a segment, divided into chunks (core/chunks); the edit that did it holds the
-/// rest.
+/// The newest division of a segment and its surroundings into chunks (core/chunks). The edit that
+/// made it holds the rest.
 struct ChunkDivision {
     int id = 0; ///< 1, 2, 3 …, never used again
     int segment = 0; ///< label
     double marginMm = 0.0;
 };
 
-/// The model: everything a session holds besides voxels. Lists from the start; the window shows one
-/// volume and one plane at present.
+/// The model: everything that a session holds besides voxels. All parts are lists, although the
+/// window shows one volume and one plane at present.
 struct Document {
     std::vector<Volume> volumes;
     std::vector<Segment> segments;
-    std::vector<SculptLayer> layers; ///< in the order of their list, which decides nothing
+    std::vector<SculptLayer> layers; ///< in the order of their list, which has no effect
     std::vector<Growth> growths;
     std::vector<CameraBookmark> bookmarks;
-    std::vector<Piece> pieces; ///< by id, which decides nothing
+    std::vector<Piece> pieces; ///< by id; the order has no effect
     std::vector<Measurement> measurements; ///< by id
     std::optional<RefinedSurface> surface;
-    std::optional<ChunkDivision> chunks; ///< the newest one, while its segment is there
-    int greatestRemovedLabel = 0; ///< of segments that were deleted; none is used again
+    std::optional<ChunkDivision> chunks; ///< the newest one, as long as its segment exists
+    /// the greatest label of a deleted segment; no number is used again
+    int greatestRemovedLabel = 0;
     int greatestRemovedBookmark = 0; ///< likewise
     int greatestRemovedLayer = 0; ///< likewise
     int greatestRemovedPiece = 0;
@@ -108,34 +111,35 @@ struct Document {
     [[nodiscard]] Segment* segment(int label);
     [[nodiscard]] const SculptLayer* layer(int id) const;
     [[nodiscard]] SculptLayer* layer(int id);
-    /// Whether what a layer carves counts: it is not muted, nor left out because others are solo.
+    /// Whether what the layer carves counts: it is not muted, and not ignored because others are
+    /// solo.
     [[nodiscard]] bool carves(const SculptLayer& layer) const;
-    /// Why it does not, in words ("is muted"); empty if it does.
+    /// The reason why it does not, in words ("is muted"); empty if it does.
     [[nodiscard]] QString whyItDoesNotCarve(const SculptLayer& layer) const;
     [[nodiscard]] const CameraBookmark* bookmark(int id) const;
     [[nodiscard]] const Measurement* measurement(int id) const;
     [[nodiscard]] const Piece* piece(int id) const;
     [[nodiscard]] Piece* piece(int id);
-    /// The piece that this sculpt layer cut; null: none.
+    /// The piece that this sculpt layer cut out; null: none.
     [[nodiscard]] const Piece* pieceOfLayer(int layer) const;
-    /// The labels of a plane that no tool may change, and those that it may.
+    /// The labels of a plane that no tool may change.
     [[nodiscard]] std::bitset<256> lockedLabels(int plane) const;
     [[nodiscard]] std::bitset<256> unlockedLabels(int plane) const;
-    /// The last that was given to a segment, present or not; 0: none.
+    /// The greatest label that was ever given to a segment; 0: none.
     [[nodiscard]] int lastLabelGiven() const;
     [[nodiscard]] int lastBookmarkGiven() const;
     [[nodiscard]] int lastLayerGiven() const;
     [[nodiscard]] int lastPieceGiven() const;
     [[nodiscard]] int lastMeasurementGiven() const;
     [[nodiscard]] int lastChunksGiven() const;
-    /// The growth of a label plane; null if nothing has grown there.
+    /// The growth of a label plane; null if nothing has grown in it.
     [[nodiscard]] const Growth* growth(int plane) const;
     /// The part of the document that the state hash covers, in one canonical form: keys sorted, no
     /// display state (core/session/README.md).
     [[nodiscard]] QJsonObject hashedState() const;
 };
 
-/// News for views and item models.
+/// What changed in a session, for views and item models.
 struct DocumentChange {
     enum class What {
         Volume,

@@ -5,12 +5,12 @@
 
 namespace core {
 
-/// An orthographic camera; a perspective one is converted at the picked depth.
+/// An orthographic camera, in LPS mm. A perspective camera is converted to one at the picked depth.
 struct OrthographicView {
     glm::dvec3 eyeLps{0.0};
     glm::dvec3 targetLps{0.0};
     glm::dvec3 up{0.0, 0.0, 1.0};
-    double heightMm = 300.0; ///< what the view shows; decides no voxel
+    double heightMm = 300.0; ///< visible height; decides no voxel
 };
 
 } // namespace core

@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// 0xRRGGBB for a segment that nobody has given a colour; @p place of it, from 0.
+/// The colour, 0xRRGGBB, of a segment for which none was chosen. @p place is its number, from 0.
 [[nodiscard]] inline std::uint32_t usualSegmentColour(std::size_t place)
 {
     constexpr std::array<std::uint32_t, 12> colours{0x4a9bff, 0x5bc07c, 0xf0b04a, 0xef6a5b,

@@ -7,12 +7,12 @@
 
 namespace core {
 
-/// One field of an edit, in words.
+/// The documentation of one field of an edit.
 struct FieldDocumentation {
     QString name; ///< with its group: "view.eyeLps"
     QString type;
     QString unit; ///< empty: none
-    QString fallback; ///< JSON of what a missing field means; empty: required
+    QString fallback; ///< JSON of the default; empty: the field is required
     QString meaning;
 };
 
@@ -22,7 +22,7 @@ struct EditDocumentation {
     std::vector<FieldDocumentation> fields;
 };
 
-/// Every edit with its fields, generated from the schema that parses them (schema/SchemaParts.h).
+/// All edits with their fields, generated from the schema that parses them (schema/SchemaParts.h).
 [[nodiscard]] std::vector<EditDocumentation> editDocumentation();
 
 } // namespace core

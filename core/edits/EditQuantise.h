@@ -12,13 +12,13 @@ namespace core {
 
 struct PenSample;
 
-/// The edit with every number on its grid. quantised(quantised(e)) equals quantised(e), and
-/// editFromJson(editToJson(quantised(e))) equals quantised(e), to the bit.
+/// The edit with every number rounded to its grid. quantised(quantised(e)) equals quantised(e), and
+/// editFromJson(editToJson(quantised(e))) equals quantised(e), bit by bit.
 [[nodiscard]] Edit quantised(const Edit& edit);
 
 /// The same for one piece of a pen path.
 [[nodiscard]] std::vector<PenSample> quantised(const std::vector<PenSample>& samples);
-/// … or of a brush's path.
+/// The same for one piece of a brush's path.
 [[nodiscard]] std::vector<glm::dvec3> quantised(const std::vector<glm::dvec3>& pointsLps);
 
 } // namespace core

@@ -9,19 +9,19 @@
 
 namespace core {
 
-/// All that is known of an edit before it is carried out; the next two, and those of
-/// DocumentEdits.h, read from that.
+/// Everything that is known of an edit before it is carried out. The next two functions, and those
+/// of DocumentEdits.h, take their answers from it.
 [[nodiscard]] EditEffects effectsOf(const Edit& edit);
 
 [[nodiscard]] EditTask taskOf(const Edit& edit);
 
-/// Whether it can be begun, and told bit by bit until it ends: what is under the pen, a growth that
-/// is watched, a preview. All others are carried out whole.
+/// Whether it can be begun and then continued until it ends: a stroke, a growth that is watched, a
+/// preview. All other edits are carried out whole.
 [[nodiscard]] bool canStandOpen(const Edit& edit);
 
-/// The command in whole numbers by which the engine begins an edit; of strokes the path comes
-/// later. A growth that goes on (ResumeGrowth) has to be named first (RecentGrowth.h).
-/// Errors: those of the conversion; InvalidField where the edit is not the engine's.
+/// The command, in integers, with which the engine begins an edit; the path of a stroke follows
+/// later. A ResumeGrowth must first be replaced by the growth that it stands for (RecentGrowth.h).
+/// Errors: those of the conversion; InvalidField if the engine does not carry out the edit.
 [[nodiscard]] Result<EngineEdit> engineEditOf(const Edit& edit, const Document& document);
 
 } // namespace core

@@ -8,7 +8,7 @@
 
 namespace core {
 
-/// How many voxels came to a label of a plane, and how many went from it.
+/// How many voxels a label of a plane gained and lost.
 struct LabelFlow {
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
@@ -16,37 +16,39 @@ struct LabelFlow {
     std::int64_t lost = 0;
 };
 
-/// What can be said of changed bricks. It is counted on the thread of the engine that made them, so
-/// that nobody who waits for a result has to look at their voxels.
+/// Statistics of changed bricks. They are computed on the engine's thread, so that code that
+/// receives a result need not read its voxels.
 struct ChangeFacts {
-    int bricksOfAllFields = 0; ///< changed
-    int bricks = 0; ///< changed, of coverage and labels
+    int bricksOfAllFields = 0; ///< number of changed bricks
+    int bricks = 0; ///< of these, bricks of coverage and labels
     std::int64_t voxelsChanged = 0; ///< values that differ, of coverage and labels
     std::int64_t seedWordsChanged = 0;
 
-    VoxelBox coverage; ///< what surrounds the bricks of that field that changed; index space
+    VoxelBox coverage; ///< bounding box of the changed bricks of that field, in voxels
     VoxelBox labels;
     VoxelBox seedWords;
 
-    /// Of labels that gained or lost a voxel, sorted by plane and label. Label 0 is not among them.
+    /// The labels that gained or lost voxels, sorted by plane and label; without label 0.
     std::vector<LabelFlow> flows;
-    /// Voxels whose label changed: those that were emptied or given back to the label that growth
-    /// had taken them from (Field::Beneath), and all others.
+    /// Voxels whose label changed: those that became empty or were given back to the label that
+    /// growth had overwritten (Field::Beneath).
     std::int64_t labelsLost = 0;
+    /// All other voxels whose label changed.
     std::int64_t labelsGrown = 0;
 
-    /// The greatest generation among the members in bricks of seed words that changed.
+    /// The greatest generation of the members in the changed bricks of seed words.
     std::uint32_t greatestGeneration = 0;
-    /// Generations of the members in such bricks that were sketched seeds; ascending, each once.
+    /// Generations of the members in such bricks that began as seeds; ascending, each once.
     std::vector<std::uint32_t> seedGenerations;
 
-    /// Zero where nothing came or went.
+    /// Zeros where the label neither gained nor lost a voxel.
     [[nodiscard]] LabelFlow flow(std::uint8_t plane, int label) const;
     [[nodiscard]] bool admittedSeedsAt(std::uint32_t generation) const;
     [[nodiscard]] bool empty() const { return bricksOfAllFields == 0; }
 };
 
-/// Cost ∝ the bricks; several threads where there are many.
+/// Computes them. The cost is linear in the bricks; several threads share it if there are many. Any
+/// thread.
 /// @param grid of the volume
 [[nodiscard]] ChangeFacts factsOf(const std::vector<BrickChange>& changes, const BrickGrid& grid);
 

@@ -10,42 +10,44 @@
 
 namespace core {
 
-/// The seam: what can be done to voxels, and nothing about how.
+/// The interface between the session and an engine that edits voxels: what can be done, and nothing
+/// about how.
 ///
-/// Commands are carried out in the order of submission; submit() never waits for them. Results are
-/// handed out by collect() in that same order, each once. Two implementations: gpu::GpuEditEngine
-/// (compute shaders on the engine thread) and the oracle in tests/reference; one conformance suite
-/// holds them to equal results, to the bit.
+/// Commands are carried out in the order of submission; submit() never waits. collect() returns
+/// their results in the same order, each once. There are two implementations: gpu::GpuEditEngine
+/// (compute shaders on its own thread) and the oracle in tests/reference. One conformance suite
+/// compares their results bit by bit.
 ///
-/// A result with an error is of a command that has changed nothing: of an edit, as a whole. After
-/// EngineLost every command is refused until a volume is opened; after ContextLost for ever, and so
-/// is any volume: another engine has to be made. That it came to this is told at once, by a result
-/// that bears ticket 0, whether or not anything was asked.
+/// A command whose result has an error has changed nothing; an edit fails as a whole. After
+/// EngineLost every command is refused until a volume is opened. After ContextLost every command
+/// and every volume are refused, and another engine must be created. Both are reported at once by a
+/// result with ticket 0, even if no command was submitted.
 ///
-/// All members are called from one thread, the session's.
+/// All members are called from one thread, that of the session.
 class EditEngine {
 public:
     virtual ~EditEngine() = default;
 
-    /// Replace everything by a volume with empty fields. Waits until it is there.
+    /// Replaces everything by a volume whose fields are empty. Blocks until it is loaded.
     /// @param codes x fastest, then y, then z; size.x · size.y · size.z of them
-    /// Errors: InvalidGeometry (another number of codes, or none), OutOfMemory, ContextLost.
+    /// Errors: InvalidGeometry (the number of codes is wrong or 0), OutOfMemory, ContextLost.
     virtual Result<void> openVolume(
         const glm::ivec3& size, std::span<const std::uint16_t> codes) = 0;
 
     virtual Ticket submit(EngineCommand command) = 0;
-    /// Results that are ready, oldest first; possibly none.
+    /// The results that are ready, oldest first; may be empty.
     [[nodiscard]] virtual std::vector<EngineResult> collect() = 0;
-    /// Wait until all that was submitted is done (a paced growth runs to its end at once).
+    /// Blocks until all submitted commands are done; a paced growth runs to its end at full speed.
     virtual void finish() = 0;
 
-    /// Called on an engine's own thread when collect() has something; set it before submitting.
+    /// @param wakeUp called on a thread of the engine when collect() has results; to be set before
+    /// the first submit()
     virtual void setWakeUp(std::function<void()> wakeUp) = 0;
 
     [[nodiscard]] virtual GrowthProgress growthProgress() const = 0;
 };
 
-/// Begin, tell everything, commit: an edit in one go. Returns the ticket that bears the result.
+/// Submits an edit as a whole: begin, all extensions, commit. Returns the ticket of its result.
 Ticket submitWhole(
     EditEngine& engine, EngineEdit edit, std::vector<EngineExtension> extensions = {});
 

@@ -33,36 +33,31 @@
 
 namespace core {
 
-/// Names one submitted command; tickets grow by one.
+/// The number of a submitted command; tickets increase by 1.
 using Ticket = std::uint64_t;
 
 // --- Edits as an engine sees them: integers only, everything they read is in them. -------------
-//
-// Each kind X says beside its rule whether one could begin in a volume (checkEdit()):
-//   Result<void> checkSound(const X&, const BrickGrid&)    Errors: InvalidField
-// and stands in the list of one family, each of which is carried out by one part of an engine: none
-// that is missing in either compiles (gpu/engine/BeginWork.h).
 
-/// Take a label out of its plane: every voxel that holds it becomes 0, and every seed word that
-/// bears it, a member's or a pending seed's, becomes seedWord::unvisited. So no growth goes on from
-/// it; what is left of other labels keeps its generations. Where the label lies beneath
-/// (GrowthCommands.h), 0 does from now on.
+/// Remove a label from its plane: every voxel that holds it becomes 0, and every seed word that has
+/// it, of a member or a pending seed, becomes seedWord::unvisited. So no growth continues from it;
+/// members of other labels keep their generations. Where the label is stored as overwritten
+/// (GrowthCommands.h), it is replaced by 0.
 struct EraseLabel {
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
 };
 
-/// Paint a label along a path, or erase it. Looked at are the voxels inside (CapsuleSweep.h, rule
-/// 4) with lowCode ≤ code ≤ highCode; "bears" is said of words of members and of pending seeds.
+/// Paint a label along a path, or erase it. It changes voxels inside (CapsuleSweep.h, rule 4) with
+/// lowCode ≤ code ≤ highCode. The words that "have" a label are those of members and of pending
+/// seeds.
 ///
-/// Paint: a voxel that the plane holds 0, the label or a label in `overwritable` at receives the
-/// label. Of these voxels' seed words: with `seeds` each that is no member of the label becomes
-/// member(0, label, 31), else each that bears another label becomes unvisited. Generation 0 comes
-/// before any growth, so a growth goes on from there, while shrinking it (which takes away what is
-/// later than some generation) leaves what was painted; and no burst counts it as its own. A
-/// barrier stays one.
-/// Erase: a voxel that the plane holds the label at becomes 0, and a seed word that bears the label
-/// becomes unvisited: the place is open to growth.
+/// Paint: a voxel at which the plane holds 0, the label or a label in `overwritable` receives the
+/// label. The seed words of these voxels change too: with `seeds`, each word that is no member of
+/// the label becomes member(0, label, 31); otherwise each word that has another label becomes
+/// unvisited. Generation 0 precedes any growth, so a growth continues from there, while shrinking,
+/// which removes later generations, leaves what was painted, and no burst treats it as its own.
+/// Barriers stay. Erase: a voxel at which the plane holds the label becomes 0, and a seed word that
+/// has the label becomes unvisited, so growth may enter it.
 struct PaintLabel {
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
@@ -74,9 +69,9 @@ struct PaintLabel {
     CapsuleFrame frame;
 };
 
-/// Carve along a path: coverage = max(coverage, cut) with the cut of CapsuleSweep.h, rule 5; to
-/// restore, it is refilled as the end of rule 6 of MaskFrame.h says. Nothing happens to voxels that
-/// are hidden, and those that are spared are not carved.
+/// Carve along a path: coverage = max(coverage, cut) with the cut of CapsuleSweep.h, rule 5. To
+/// restore, coverage is refilled as described at the end of MaskFrame.h, rule 6. Hidden voxels are
+/// not changed, and voxels with protected labels (`spared`) are not carved.
 struct CapsuleCut {
     std::uint8_t layer = 0;
     bool restore = false;
@@ -120,26 +115,26 @@ struct EngineEdit : EngineEditVariant {
 // --- What an open edit can be told while it runs. ------------------------------------------------
 // GrowAdvance: core/growth/GrowthProgress.h.
 
-/// More of the path of DrillCut or LaserCut.
+/// Further samples of the path of a DrillCut or CapsuleCut.
 struct DrillPath {
     std::vector<DrillSample> samples;
 };
 
-/// Forget steps that were asked for and not yet done.
+/// Cancels growth steps that were requested and not yet done.
 struct GrowPause { };
 
-/// The open growth begins anew: as if it had been rolled back and opened so. Steps that were asked
-/// for before are forgotten.
+/// Begins the open growth again, as if it had been rolled back and opened with this burst. Steps
+/// requested before are cancelled.
 struct GrowAnew {
     GrowBurst burst;
 };
 
-/// More of the path of PaintLabel, PaintBarrier or CapsuleCut.
+/// Further pieces of the path of a PaintLabel, WholeEdits or CapsuleCut.
 struct CapsulePath {
     std::vector<Capsule> capsules;
 };
 
-/// How deep an open MaskPeel is from now on; it begins with 0. Deeper or less deep than before.
+/// Sets the depth of an open MaskPeel, which begins with 0. It may increase or decrease.
 struct PeelDepth {
     std::int32_t depth = 0; ///< mm16, ≥ 0
 };
@@ -154,73 +149,73 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // BeginEdit while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of
 // another kind of edit; a peel's depth below 0; SwapBricks, XorBricks or MuteLayers while a
 // transaction is open; a brick or voxel that the volume does not have; an image that is neither
-// empty nor whole, of differences (XorBricks) also one that is empty; an edit that could not begin
-// (checkEdit()): a connectivity other than 6, 18 and 26; a shrinking to more than there is, also by
-// ShrinkTo; a segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below
-// 1; a laser, a brush's frame, what is hidden, bounds, a list of labels or places, a growth or
-// groups of seeds that are not sound; a layer folded into itself; growing from seeds that is not
-// sound, or with seeds of fewer than two labels; a table of opacities of another length than 256;
-// TraceTolerance while a transaction is open, by a rule that is not sound (isSound()) or of a label
-// without seeds; ForeseeCut while a transaction is open, or of a cut that could not begin; a box of
-// codes that is empty or not within the volume. ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels,
-// ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and DropForesight are served while a
-// transaction is open too. A CutGrowth over seeds yields ErrorCode::SeedsStay, one where nothing
-// has grown NothingGrown (growth/cut/GrowthCut.h), and so does a ForeseeCut of it.
+// empty nor whole; a connectivity other than 6, 18 and 26; a shrinking to more than there is, also
+// by ShrinkTo; a segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is
+// below 1; a laser, a brush's frame, what is hidden, a list of labels or places, a growth or groups
+// of seeds that are not sound (isSound()); bounds that are not (areSound()); a layer folded into
+// itself; a table of opacities of another length than 256; growing from seeds that is not sound
+// (isSound()) or with seeds of fewer than two labels; TraceTolerance while a transaction is open,
+// by a rule that is not sound (isSound()) or of a label without seeds; ForeseeCut while a
+// transaction is open, or of a cut that could not begin; a box of codes that is empty or not within
+// the volume. ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels,
+// CountGenerations, DropTolerance and DropForesight are served while a transaction is open too. A
+// StrokeEdits over seeds yields ErrorCode::SeedsStay, one where nothing has grown NothingGrown
+// (growth/cut/GrowthCut.h), and so does a ForeseeCut of it.
 
-/// Open a transaction. There is at most one; its ticket names it until EndEdit.
+/// Opens a transaction. At most one is open; its ticket identifies it until EndEdit.
 struct BeginEdit {
     EngineEdit edit;
 };
 struct ExtendEdit {
     EngineExtension extension;
 };
-/// Close the open transaction; a commit waits for the steps that were asked for. Its result (which
-/// bears the ticket of this command) lists every brick that changed since BeginEdit; after a
-/// rollback none, its statistics are zero, and voxels and generation are as before.
+/// Closes the open transaction; a commit waits for the steps that were requested. The result, which
+/// has the ticket of this command, lists every brick that changed since BeginEdit. After a rollback
+/// it lists none, its statistics are zero, and voxels and generation are as before.
 struct EndEdit {
     Ending ending = Ending::Commit;
 };
-/// Put these images in place of what the bricks hold (undo, redo, opening a session). Each key
-/// stands once. The result lists the bricks that differ, with statistics, as EndEdit does. Where
-/// the guard does not let it, it is refused with SegmentLocked or SegmentProtected and the label.
+/// Puts these images in place of the contents of bricks (undo, redo, opening a session). Each key
+/// occurs once. The result lists the bricks that differ, with statistics, as for EndEdit. If the
+/// guard does not allow it, it is refused with SegmentLocked or SegmentProtected and the label.
 struct SwapBricks {
     std::vector<BrickImage> bricks;
     LabelGuard guard{};
 };
-/// Lay differences over what the bricks hold (undo, redo, "undo only here"). A brick may stand
-/// there several times. The result is that of SwapBricks.
+/// Applies differences to the contents of bricks (undo, redo, "undo only here"). A brick may occur
+/// several times. The result is that of SwapBricks.
 struct XorBricks {
-    std::vector<BrickImage> differences; ///< XOR images, every one with its bytes
+    std::vector<BrickImage> differences; ///< XOR images, each with its bytes
     LabelGuard guard{};
 };
-/// From now on these sculpt layers are left out where layers are composed: radiation, and with it
-/// strokes, picks and pictures, is that of the greatest coverage of all others. Their own coverage
-/// stays, and can be cut, read and swapped. Opening a volume unmutes all. The result is empty.
+/// Excludes these sculpt layers from the composition of layers from now on: radiation, and with it
+/// strokes, picks and pictures, uses the greatest coverage of all others. Their own coverage is
+/// kept and can be cut, read and swapped. Opening a volume unmutes all layers. The result is empty.
 struct MuteLayers {
     std::bitset<256> muted{};
 };
-/// Fetch bricks; the result lists each with `after` filled and `before` empty, in this order.
+/// Reads bricks; the result lists each with `after` filled and `before` empty, in this order.
 struct ReadBricks {
     std::vector<BrickKey> keys;
 };
-/// Fetch the seed words of voxels, in their order (`seedWords`).
+/// Reads the seed words of voxels, in their order (`seedWords`).
 struct ReadSeedWords {
     std::vector<glm::ivec3> voxels;
     std::uint8_t plane = 0;
 };
-/// Fetch the codes of a box: 16 bits each, x fastest (`codes`). Cost: it waits until the box has
-/// been copied, so a large one costs frames.
+/// Reads the codes of a box: 16 bits each, x fastest (`codes`). The engine waits until the box has
+/// been copied, so a large box delays frames.
 struct ReadCodes {
     VoxelBox box;
 };
-/// Codes, labels and pending seeds at voxels, for readouts; and tolerances where a tolerance field
-/// stands.
+/// Reads codes, labels and pending seeds at voxels, for readouts, and tolerances if there is a
+/// tolerance field.
 struct ProbeVoxels {
     std::vector<glm::ivec3> voxels;
     std::uint8_t plane = 0; ///< of the labels
 };
-/// What lies around the seeds of a plane's labels: the sums that a GrowBurst with this interval and
-/// these groups would narrow it by (GrowLimits), if it opened now.
+/// Computes the statistics around the seeds of a plane's labels: the sums by which a GrowBurst with
+/// this interval and these groups would narrow it (GrowLimits) if it opened now.
 struct ProbeSeeds {
     std::uint8_t plane = 0;
     int lowCode = 0;
@@ -228,43 +223,43 @@ struct ProbeSeeds {
     std::vector<SeedGroup> seedGroups{};
 };
 
-/// How many members each generation has, for the window: of a plane's seed words as they are now,
-/// an open edit's included. `EngineResult::generationSizes` counts them.
+/// Counts the members of each generation, for the window, in the present seed words of a plane,
+/// including those of an open edit. The result is `EngineResult::generationSizes`.
 struct CountGenerations {
     std::uint8_t plane = 0;
 };
 
-/// Work out at which tolerance each voxel would join a segment (growth/Tolerance.h). It changes
-/// nothing. The result has the curve once it is done; from then on the field stands, is told by
-/// ProbeVoxels and can be shown, until BeginEdit, SwapBricks, XorBricks, MuteLayers, DropTolerance
-/// or another TraceTolerance is carried out or a volume is opened.
+/// Computes at which tolerance each voxel would join a segment (growth/Tolerance.h). It changes
+/// nothing. The result contains the curve when it is done. From then on the field exists:
+/// ProbeVoxels reads it, and it can be shown, until BeginEdit, SwapBricks, XorBricks, MuteLayers,
+/// DropTolerance or another TraceTolerance is carried out, or a volume is opened.
 struct TraceTolerance {
     ToleranceRule rule;
-    /// False: only so much as leaves time for pictures and other commands between. A result without
-    /// an error and without a curve then means that asking again goes on from there.
+    /// False: compute only as much as leaves time for pictures and other commands. A result without
+    /// an error and without a curve then means that the next request continues the computation.
     bool toTheEnd = true;
 };
-/// No tolerance field is wanted any more. The result is empty.
+/// Discards the tolerance field. The result is empty.
 struct DropTolerance { };
 
-/// Find out what a CutGrowth would take if it began now. It changes nothing. The result tells it
-/// (`foreseen`); from then on it can be shown, until BeginEdit, SwapBricks, XorBricks or
-/// DropForesight is carried out, another ForeseeCut is answered or a volume is opened.
+/// Computes what a StrokeEdits would remove if it began now. It changes nothing. The result
+/// contains it (`foreseen`). From then on it can be shown, until BeginEdit, SwapBricks, XorBricks
+/// or DropForesight is carried out, another ForeseeCut is answered, or a volume is opened.
 struct ForeseeCut {
     CutGrowth cut;
     /// False: do not wait for it. A result without an error and without `foreseen` then means that
-    /// it is being worked out, beside other commands and pictures: ask again.
+    /// it is being computed beside other commands and pictures: ask again.
     bool toTheEnd = true;
 };
-/// Nothing foreseen is to be shown any more. The result is empty.
+/// Discards what ForeseeCut computed. The result is empty.
 struct DropForesight { };
 
-/// Cast rays into what is seen; integers, so a pick is the same everywhere.
-/// A hit names the voxel nearest to the sample found: (P + 2¹⁵) >> 16. Material, inside, carved and
-/// Z are those of rule 3 in MaskFrame.h, with the radiation as it stands at this command (what an
-/// open stroke has cut so far included). Opacity: each sample inside and not carved adds o =
+/// Casts rays to find what is visible; all integers, so a pick is the same on every machine. A hit
+/// is the voxel nearest to the sample found: (P + 2¹⁵) >> 16. Material, inside, carved and Z are
+/// those of MaskFrame.h, rule 3, with the radiation at the time of this command, which includes
+/// what an open stroke has cut so far. Opacity: each sample that is inside and not carved adds o =
 /// opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from T =
-/// 65535, seen when T ≤ 32767. BrightestVoxel: Z over samples inside and not carved.
+/// 65535; visible when T ≤ 32767. BrightestVoxel: Z over samples that are inside and not carved.
 struct PickVoxels {
     std::vector<PickRay> rays{};
     SeenBy seenBy = SeenBy::Surface;
@@ -290,19 +285,19 @@ struct EngineCommand : EngineCommandVariant {
 // --- Results
 // ----------------------------------------------------------------------------------------
 
-/// What a result without an edit of its own says: the rest is zero.
+/// The statistics of a result that has no edit of its own; all others are zero.
 [[nodiscard]] EditStatistics statisticsOf(const ChangeFacts& facts);
 
-/// What became of one command. BeginEdit and ExtendEdit yield none unless they fail.
+/// The result of one command. BeginEdit and ExtendEdit have a result only if they fail.
 struct EngineResult {
     Ticket ticket = 0;
     std::optional<Error> error;
-    /// Sorted by key, only bricks that differ; an image that is all empty has no bytes.
+    /// Sorted by key; only bricks that differ. An image in which all voxels are empty has no bytes.
     std::vector<BrickChange> changes;
-    ChangeFacts facts; ///< of these changes; of bricks that were only read none
+    ChangeFacts facts; ///< of these changes; empty for bricks that were only read
     EditStatistics statistics;
-    std::uint32_t generation = 0; ///< EndEdit of a growth or shrinking: the counter at its end
-    bool atClosure = false; ///< EndEdit of a growth: a step was asked for and found nothing
+    std::uint32_t generation = 0; ///< EndEdit of a growth or shrinking: the generation at its end
+    bool atClosure = false; ///< EndEdit of a growth: a step was requested and found nothing to add
     std::optional<LeakAlarm> alarm{}; ///< EndEdit of a growth: why it stopped
     std::vector<std::uint32_t> seedWords{}; ///< ReadSeedWords
     std::vector<std::uint16_t> codes{}; ///< ReadCodes

@@ -10,32 +10,35 @@
 
 namespace core {
 
-/// Which labels must not be touched where bricks are put in place whole: a step of the past knows
+/// Labels that must not be changed when whole bricks are put in place. Steps of the past know
 /// nothing of segments that were locked or protected since.
 struct LabelGuard {
-    std::bitset<256> kept{}; ///< no voxel of these may come or go, in whatever plane
+    std::bitset<256> kept{}; ///< labels, in any plane, that may neither gain nor lose voxels
     std::uint8_t plane = 0; ///< of the labels below
-    std::bitset<256> uncarved{}; ///< voxels of these may be carved no further than they are
+    std::bitset<256> uncarved{}; ///< labels whose voxels must not be carved further than they are
 
     [[nodiscard]] bool any() const { return kept.any() || uncarved.any(); }
 };
 
-// How every engine puts bricks in place, worked out in bytes. Any thread.
+// How every engine puts bricks in place. These functions work on bytes and may be called on any
+// thread.
 
-/// The bricks that have to be read for it, sorted, each once: those that are put in place, and the
-/// labels over coverage where some must not be carved.
-/// @param bricks images, or differences, of which a brick may have several
+/// The bricks that must be read first, sorted, each once: those that are put in place, and the
+/// label bricks over coverage if some labels must not be carved.
+/// @param bricks images, or differences, several of which may belong to one brick
 [[nodiscard]] std::vector<BrickKey> bricksToRead(
     const std::vector<BrickImage>& bricks, const LabelGuard& guard);
 
-/// Whether the guard lets images be put in place.
-/// @param now the bricks that had to be read @param then no key twice
+/// Checks whether the guard allows the images to be put in place.
+/// @param now the bricks that had to be read
+/// @param then no key twice
 /// Errors: SegmentLocked, SegmentProtected; their argument is the label.
 [[nodiscard]] Result<void> checkGuard(const LabelGuard& guard, const std::vector<BrickImage>& now,
     const std::vector<BrickImage>& then);
 
-/// What bricks hold once all differences are laid over them, sorted by key.
-/// @param now the bricks that had to be read @param differences XOR images with their bytes
+/// What bricks hold after all differences were applied, sorted by key.
+/// @param differences XOR images with their bytes
+/// @param now the bricks that had to be read
 [[nodiscard]] std::vector<BrickImage> laidOver(
     const std::vector<BrickImage>& differences, const std::vector<BrickImage>& now);
 

@@ -6,16 +6,17 @@
 
 namespace core {
 
+/// A request to export a picture of the window.
 struct ScreenshotRequest {
     QString file;
     bool force = false; ///< replace a file of that name
     ScreenPicture picture;
 };
 
-/// Writes a picture of the window as a DICOM Secondary Capture of the volume's patient and study,
-/// then opens it and a source image again and compares pixels, patient and study. The file appears
-/// under its name only after that. Any thread.
-/// Errors: UnsupportedFormat (no DICOM study), FileExists, FileUnwritable, ExportMismatch,
+/// Writes a picture of the window as a DICOM Secondary Capture with the volume's patient and study,
+/// then opens it and a source image and compares pixels, patient and study. The file appears under
+/// its name only after that. Any thread.
+/// Errors: UnsupportedFormat (not a DICOM study), FileExists, FileUnwritable, ExportMismatch,
 /// Cancelled, and those of reading the sources.
 [[nodiscard]] Result<ExportReport> exportScreenshot(
     const Volume& volume, const ScreenshotRequest& request, const Progress& progress);

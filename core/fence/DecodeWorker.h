@@ -8,18 +8,18 @@
 
 namespace core {
 
-/// Work on bytes that may be hostile. Needs nothing but its arguments: no file, no thread, no
-/// state that lasts.
-/// @param parameters as FencedDecoder's caller gave them @return what is wrong, in words; empty if
-/// @p output is filled
+/// A function that processes bytes that may be hostile. It depends only on its arguments: no files,
+/// no threads, no lasting state.
+/// @param parameters as the caller of FencedDecoder gave them
+/// @return what is wrong, in words; empty if @p output was filled
 using FencedWork = QString (*)(std::span<const std::uint8_t> parameters,
     std::span<const std::uint8_t> input, std::span<std::uint8_t> output);
 
-/// The whole life of a decoder (README.md beside this file): called by `burin --decode-worker`
-/// before anything else, in a process that WorkerProcess started. Takes away its own rights, then
-/// does what it is asked until nobody asks any more.
+/// The main function of a decoder process (README.md beside this file). `burin --decode-worker`
+/// calls it before anything else, in a process that WorkerProcess started. It gives up its own
+/// rights, then processes requests until there are no more.
 ///
-/// @param prepare called before: whatever @p work needs files for
+/// @param prepare called before that; does everything for which @p work needs files
 /// @return the process's exit status
 int runDecodeWorker(void (*prepare)(), FencedWork work);
 

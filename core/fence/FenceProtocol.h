@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What a program and its decoders say to each other: fixed messages over a socket, bytes in memory
-/// that both see. Both ends are the same program, so that no versions meet.
+/// The messages between a program and its decoder processes: fixed messages over a socket, and
+/// bytes in shared memory. Both ends are the same program, so versions cannot differ.
 namespace core::fence {
 
-/// Where a decoder finds its ends.
+/// The file descriptors of a decoder process.
 constexpr int socketDescriptor = 3;
 constexpr int memoryDescriptor = 4;
 
@@ -20,14 +20,15 @@ constexpr std::size_t longestParameters = 128;
 /// The first message of a decoder.
 struct Ready {
     std::uint32_t magic = fence::magic;
-    std::uint32_t filtered = 0; ///< 1: the kernel stops system calls that it does not need
+    std::uint32_t filtered = 0; ///< 1: the kernel blocks system calls that it does not need
 };
 
-/// Input lies at the beginning of the memory, output behind it at a page's beginning.
+/// A request. The input is at the beginning of the memory, the output after it at the beginning of
+/// a page.
 struct Request {
     std::uint32_t magic = fence::magic;
     std::uint32_t number = 0;
-    std::uint64_t memoryBytes = 0; ///< how large the memory is now
+    std::uint64_t memoryBytes = 0; ///< present size of the memory
     std::uint64_t inputBytes = 0;
     std::uint64_t outputAt = 0;
     std::uint64_t outputBytes = 0;

@@ -9,11 +9,11 @@
 
 namespace core {
 
-/// Decoders of this program: as many processes as are asked for at once, started when they are
+/// The decoder processes of this program: as many as are needed at once, started when they are
 /// first needed, ended and replaced when they fail. A decoder that fails costs one call.
 ///
-/// Which program they are is said once, before the first call: `burin` says itself. Where it was
-/// not said nothing is decoded. Any thread may call.
+/// The program that they run is set once, before the first call; `burin` sets itself. If it was not
+/// set, nothing is decoded. Any thread may call.
 class FencedDecoder {
 public:
     /// The decoders of this process.
@@ -24,19 +24,21 @@ public:
     FencedDecoder& operator=(const FencedDecoder&) = delete;
     ~FencedDecoder();
 
-    /// Ends those that there are.
+    /// Ends the existing decoders.
     void setProgram(const WorkerProgram& program);
-    /// For fuzzers and measurements: no processes; a crash of @p work is one of the program.
+    /// For fuzzers and measurements: uses no processes, so a crash of @p work is a crash of the
+    /// program.
     void decodeInside(FencedWork work);
     void setPatience(std::chrono::milliseconds patience);
 
-    /// Does FencedWork on @p input in a decoder and gives what came out to @p take, which must copy
-    /// it. @return why it failed, in words; empty if it did not
+    /// Does FencedWork on @p input in a decoder and passes the output to @p take, which must copy
+    /// it.
+    /// @return why it failed, in words; empty if it did not
     [[nodiscard]] QString decode(std::span<const std::uint8_t> parameters,
         std::span<const std::uint8_t> input, std::size_t outputBytes,
         const std::function<void(std::span<const std::uint8_t> output)>& take);
 
-    /// Processes that wait for work.
+    /// The processes that are waiting for work.
     [[nodiscard]] std::vector<pid_t> idle() const;
 
 private:

@@ -17,50 +17,50 @@ namespace core {
 
 /// How a decoder is started.
 struct WorkerProgram {
-    QString path; ///< which is executed as it is, never searched for
+    QString path; ///< executed as it is, never searched for
     QStringList arguments;
 };
 
-/// One decoder: a process of its own behind a socket, and memory that both see. What it says is
-/// believed no further than it goes: a message of another form is the end of it. One thread at a
-/// time.
+/// One decoder: a separate process behind a socket, with shared memory. It is not trusted: a
+/// message of an unexpected form ends it. One thread at a time.
 class WorkerProcess {
 public:
     enum class Outcome {
         Done,
-        Refused, ///< the bytes are at fault; a sentence says how
+        Refused, ///< the input is at fault; a sentence says why
         Stopped, ///< the process ended, by itself or by its limits
-        Killed, ///< somebody else ended it (SIGKILL)
+        Killed, ///< another program ended it (SIGKILL)
         TooSlow,
-        Nonsense, ///< what it said is no answer
-        NoMemory, ///< there is none to hand bytes over
+        Nonsense, ///< its answer is invalid
+        NoMemory, ///< no memory to share is available
     };
     struct Answer {
         Outcome outcome = Outcome::Done;
-        QString sentence{}; ///< of Refused
-        std::span<const std::uint8_t> output{}; ///< of Done; until the next request
+        QString sentence{}; ///< for Refused
+        std::span<const std::uint8_t> output{}; ///< for Done; valid until the next request
     };
 
-    /// Starts it and waits until it is ready. Null: it cannot be started; @p why says why.
+    /// Starts a process and waits until it is ready. Null: it cannot be started, and @p why says
+    /// why.
     [[nodiscard]] static std::unique_ptr<WorkerProcess> start(
         const WorkerProgram& program, std::chrono::milliseconds patience, QString& why);
     WorkerProcess(const WorkerProcess&) = delete;
     WorkerProcess& operator=(const WorkerProcess&) = delete;
-    /// Ends it at once.
+    /// Ends the process at once.
     ~WorkerProcess();
 
-    /// Hands over @p input and waits: for as much time of a processor as @p patience, however long
-    /// that takes on a machine that is busy (but no longer than ten times of it). After any outcome
-    /// but Done and Refused it is of no more use.
+    /// Sends @p input and waits for as much processor time as @p patience, however long that takes
+    /// on a busy machine, but at most ten times as long. After any outcome except Done and Refused
+    /// the process cannot be used any more.
     [[nodiscard]] Answer ask(std::span<const std::uint8_t> parameters,
         std::span<const std::uint8_t> input, std::size_t outputBytes,
         std::chrono::milliseconds patience);
 
-    /// It has not ended, nor said anything unasked.
+    /// Whether it still runs and has sent nothing without a request.
     [[nodiscard]] bool isWaiting() const;
-    /// The kernel stops its system calls.
+    /// Whether the kernel filters its system calls.
     [[nodiscard]] bool isFiltered() const { return m_filtered; }
-    /// Bytes that it and the program share, until it ends.
+    /// Size of the memory shared with the program, until it ends.
     [[nodiscard]] std::size_t sharedBytes() const { return m_memoryBytes; }
     [[nodiscard]] pid_t id() const { return m_process; }
 
@@ -81,7 +81,7 @@ private:
     int m_memory = -1;
     std::uint8_t* m_bytes = nullptr;
     std::size_t m_memoryBytes = 0;
-    std::size_t m_ownBytes = 0; ///< of address space that it takes by itself
+    std::size_t m_ownBytes = 0; ///< address space that the process itself needs
     std::uint32_t m_requests = 0;
     bool m_filtered = false;
 };

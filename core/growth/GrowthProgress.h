@@ -9,21 +9,24 @@
 
 namespace core {
 
-/// Advance a growth. Steps run in slices between which other commands and frames are served.
+/// Advance a growth. An engine does the steps in short slices and serves other commands and frames
+/// in between.
 struct GrowAdvance {
     static constexpr int toClosure = -1;
-    int steps = toClosure; ///< on top of steps asked for before; negative: to closure
-    double generationsPerSecond = 0.0; ///< pace; 0: as fast as it goes. Never changes the result.
+    int steps = toClosure; ///< added to the steps requested before; negative: to closure
+    /// limits the pace; 0: as fast as possible. It never changes the result.
+    double generationsPerSecond = 0.0;
 };
 
-/// Where a running growth stands; a snapshot for the window.
+/// How far a running growth has come: a copy for the window.
 struct GrowthProgress {
     bool open = false;
     bool running = false;
     bool atClosure = false;
     std::uint32_t generation = 0;
     std::int64_t members = 0; ///< added since the burst was opened
-    std::vector<std::uint32_t> frontSizes; ///< voxels added per generation, the opening's first
+    /// voxels added by each generation, that of the opening first
+    std::vector<std::uint32_t> frontSizes;
     std::optional<LeakAlarm> alarm{};
 };
 

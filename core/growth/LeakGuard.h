@@ -10,32 +10,35 @@
 
 namespace core {
 
-/// Watches the fronts of one burst of growth (GuardRule). Whole numbers, so that it alarms at the
-/// same generation everywhere. What grew before the burst is not looked at.
+/// Finds out whether a growth has leaked, by watching the fronts of one burst (GuardRule). It
+/// computes in whole numbers, so that the alarm comes at the same generation on every machine. What
+/// grew before the burst is not examined.
 ///
-/// 1. A front is a set of voxels that one generation of the burst added and that hang together over
-///    26 neighbours, whichever their labels.
-/// 2. The axes of a voxel of it are those along which lie its face neighbours that the generation
-///    before added; where there are none, its edge neighbours; then its corner neighbours; then
-///    none. A voxel's area is FrontMeasure::areaUm2 of its axes: that of its faces as the sides of
-///    a plane that cuts off a corner, so that flat fronts, slanting ones and those of a growth from
-///    a point have the area that they have, whatever the spacing.
-/// 3. A front's size is the sum of these areas. Its thickness t is volumeUm3 over its mean area,
-/// both
-///    divisions rounded down, and at least 1. Without a measure its size is the number of its
-///    voxels, and t = 1.
-/// 4. The trunk of a front is, of the fronts of the generation before that a voxel of it touches
-///    (26 neighbours), the largest, of equals the one that holds the least voxel (its brick, then
-///    its offset there). The trunk's trunk and so on lead back to the beginning; s(1), s(2), … are
-///    the sizes on that way, s(0) is the front's own; so t(0), t(1), …. From j it is
-///    d(j) = t(0) + … + t(j − 1) back to the front.
-/// 5. A narrow place is a k from 1 to `mostBack` with d(k) ≤ `window`, s(0) ≥ factor · s(k) and
-///    s(0) ≥ s(k) + excess, where growth had been wider before, s(j) ≥ 3/2 s(k) for some j > k, or
-///    had been as narrow for long: with l the least j > k with d(j) − d(k) ≥ window,
-///    1/2 s(k) ≤ s(j) ≤ 3/2 s(k) for all j from k + 1 to l, l ≤ k + `mostBack`, and they are there.
-///    (A front that has only ever widened, out of a tip or corner, has none.)
-/// 6. A generation alarms if one of its fronts has a narrow place. The alarm names the largest of
-///    these fronts, of equals the one with the least voxel, that voxel, and its least k.
+/// 1. A front is a connected set (26 neighbours) of voxels that one generation of the burst added,
+///    whatever their labels.
+/// 2. The axes of a voxel of a front are those along which its face neighbours of the generation
+///    before lie; if it has none, its edge neighbours; if it has none, its corner neighbours;
+///    otherwise it has no axes. FrontMeasure::areaUm2 of these axes is the voxel's area: that of
+///    its faces as the sides of a plane that cuts off a corner. So flat and slanting fronts and
+///    those of a growth from a point have their true areas, whatever the spacing.
+/// 3. The size of a front is the sum of the areas of its voxels. Its thickness t is volumeUm3
+///    divided by their mean area, both divisions rounded down, and at least 1. Without a measure
+///    the size is the number of voxels and t = 1.
+/// 4. The trunk of a front is the largest of those fronts of the generation before that one of its
+///    voxels touches (26 neighbours); of equally large ones it is the front that holds the least
+///    voxel (by brick, then by offset in the brick). Following trunks leads back to the beginning.
+///    s(0), s(1), s(2), … are the sizes on that path from the front itself on, t(0), t(1), … the
+///    thicknesses. The distance from the j-th of them to the front is
+///    d(j) = t(0) + … + t(j − 1).
+/// 5. A narrow place is a k from 1 to `mostBack` for which d(k) ≤ window, s(0) ≥ factor · s(k),
+///    s(0) ≥ s(k) + excess, and one of these holds:
+///    - growth was wider before: s(j) ≥ 3/2 s(k) for some j > k;
+///    - growth was as narrow for long: let l be the least j > k with d(j) − d(k) ≥ window; l
+///      exists, l ≤ k + `mostBack`, and 1/2 s(k) ≤ s(j) ≤ 3/2 s(k) for all j from k + 1 to l.
+///    (A front that only ever widened, from a tip or a corner, has no narrow place.)
+/// 6. A generation raises the alarm if one of its fronts has a narrow place. The alarm reports the
+///    largest of these fronts (of equally large ones the one with the least voxel), that least
+///    voxel, and the least k of the front.
 class LeakGuard {
 public:
     LeakGuard(const BrickGrid& grid, const GuardRule& rule);
@@ -43,14 +46,14 @@ public:
 
     static constexpr int mostBack = 1000; ///< fronts
 
-    /// A voxel: its brick << 12 | its offset there.
+    /// A voxel: brick << 12 | offset in the brick.
     using Voxel = std::uint32_t;
-    /// To be told every generation of the burst. Cost ∝ the voxels.
+    /// To be called for every generation of the burst, in order. Cost ∝ the number of voxels.
     [[nodiscard]] std::optional<LeakAlarm> look(
         std::uint32_t generation, std::span<const Voxel> voxels);
 
 private:
-    /// A front as those that come after it remember it.
+    /// What later fronts remember of a front.
     struct Past {
         std::int64_t size = 0;
         std::int64_t thickness = 0;
@@ -59,26 +62,26 @@ private:
         Voxel least = 0;
         std::int64_t voxels = 0;
         Past own;
-        std::vector<Past> trunk; ///< that of 1 first, as far back as a narrow place is looked for
-        std::int64_t widestBefore = 0; ///< of the trunk's sizes that are left out
+        std::vector<Past> trunk; ///< nearest first, as far back as narrow places are searched for
+        std::int64_t widestBefore = 0; ///< the greatest size on the trunk farther back
     };
 
     [[nodiscard]] std::uint32_t* ids(std::uint32_t brick);
     [[nodiscard]] Front* touched(std::uint32_t id);
-    /// A front's voxels, from one of them on.
+    /// Collects the voxels of a front from one of them.
     [[nodiscard]] Front flood(Voxel start, std::uint32_t id);
     void follow(Front& front, const Front* trunk) const;
     [[nodiscard]] int narrowPlace(const Front& front) const;
-    // Whether before a place of the trunk (0: s(1)) growth was wider; was as narrow for long.
+    // Rule 5 for a place of the trunk (0: s(1)).
     [[nodiscard]] static bool wasWider(const Front& front, std::size_t at);
     [[nodiscard]] bool wasAsNarrow(const Front& front, std::size_t at) const;
     [[nodiscard]] glm::ivec3 placeOf(Voxel voxel) const;
 
     BrickGrid m_grid;
     GuardRule m_rule;
-    /// Of each voxel of a brick that was touched the number of its front; fronts are numbered on.
+    /// For each brick that was touched, the front number of each voxel; numbers are not reused.
     std::vector<std::unique_ptr<std::uint32_t[]>> m_ids;
-    std::vector<Front> m_last; ///< of the generation before
+    std::vector<Front> m_last; ///< fronts of the generation before
     std::uint32_t m_firstOfLast = 1;
 };
 

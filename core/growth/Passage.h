@@ -5,53 +5,56 @@
 
 namespace core {
 
-/// How wide a place must be for growth to go through it: a ball must be able to roll through, voxel
-/// by voxel. The rule, to the bit:
+/// How wide a passage must be for growth to go through it: a ball must be able to roll through,
+/// voxel by voxel. Both engines follow this rule exactly:
 ///
-/// |d|² = Σ (spacing[a] · d[a])² over the axes; B(c) are all places w with |w − c|² ≤ reach.
+/// |d|² = Σ (spacing[a] · d[a])² over the axes. B(c), the ball at c, is all places w with
+///   |w − c|² ≤ reach.
+/// isFree(label, q) holds for a voxel of the volume if
+///   - allows(label, q) of GrowLimits holds,
+///   - q is no barrier, and
+///   - the label plane as it was at the opening holds 0, the label itself or a label in
+///     `overwritable` at q, or q was grown: it is a member of a generation above 0, its direction
+///     is neither 29 nor 30, and its label is not in `frozen`. So labels that grow side by side are
+///     no walls to each other, and the number of bursts makes no difference.
+/// isCentre(label, c) holds for a voxel of the volume if all of B(c) is free. For a place outside
+///   the volume the nearest voxel inside is tested.
+/// room(label, q) is the least |q − c|² over all centres c whose B(c) contains q; if there is none,
+///   it is `nowhere`, which is greater than any other value.
+/// entry(label, q) is the same over those centres whose ball contains a seed of the label: a
+///   pending seed, a member that is a seed, or a member of generation 0, after the opening has
+///   removed members.
 ///
-/// isFree(label, q), of a voxel of the volume: allows(label, q) of GrowLimits holds, q is no
-///   barrier, and the label plane as it was at the opening holds at q 0, the label itself or one
-///   in `overwritable`, or else q was grown: is a member of a generation above 0, of a direction
-///   that is neither 29 nor 30, and its label not in `frozen`. So labels that grow side by side
-///   are no walls to each other, and it makes no difference in how many bursts they came.
-/// isCentre(label, c), of a voxel of the volume: all of B(c) is free, where for a place outside the
-///   volume the nearest voxel inside stands.
-/// room(label, q): the least |q − c|² of all centres c whose B(c) holds q; `nowhere`, which is more
-///   than any other, if there is none.
-/// entry(label, q): likewise of those centres whose ball holds a seed of the label: a pending one,
-///   a member that is a seed, or a member of generation 0, after the opening has taken back what
-///   had to leave.
+/// passes(label, p, q) is asked of a voxel q that is not a seed and of its parent p. It holds if
+///   room(q) is not nowhere and one of these holds:
+///     room(p) = room(q) = 0           the ball rolls from centre to centre
+///     room(p) < room(q)               the ball fills what it covers, only outwards
+///     entry(q) < entry(p) ≠ nowhere   growth goes from a seed at the rim of a ball to its centre;
+///                                     at a centre (room(q) = 0) this needs entry(q) = 0
 ///
-/// passes(label, p, q), asked of a voxel q that is not a seed, p being the parent: room(q) is not
-///   nowhere, and one of these holds:
-///     room(p) = room(q) = 0       the ball rolls on from centre to centre;
-///     room(p) < room(q)           it fills, outwards only, what it covers;
-///     entry(q) < entry(p) ≠ nowhere   from a seed at its rim to its centre; at a centre (room(q) =
-///                                 0) only if it is one of those (entry(q) = 0).
-///
-/// So what is grown is what balls cover that can be rolled to from one that holds a seed; only
-/// where balls that can not be rolled to meet those, in a hole say, each voxel goes by the centre
-/// that is nearest. No centre is ever reached but by rolling from one whose ball holds a seed: into
-/// room 0 lead just the first line and the last. What a ball fills it cannot leave again: asking
-/// only for a ball that holds both p and q would lead through every hole in a thin wall, since
-/// balls on both sides of it meet in the hole. A seed that no ball holds stays alone. All of it
-/// depends on what stands at the opening and on nothing that grows, so the result is that of a
-/// flood, whatever its order. A ball of which only the centre is left asks nothing.
+/// So growth fills what is covered by balls that can be reached by rolling from a ball that
+/// contains a seed. Only where these meet balls that cannot be reached, in a hole for example, each
+/// voxel belongs to the nearest centre. A centre is reached only by rolling from one whose ball
+/// contains a seed, since only the first and the last line lead to room 0. Growth cannot leave what
+/// a ball filled: a rule that only asked for one ball that contains both p and q would lead through
+/// every hole in a thin wall, since balls on both sides of the wall meet in the hole. A seed that
+/// is in no ball stays alone. All this depends on the state at the opening and not on what has
+/// grown since, so the result does not depend on the order of growth. A ball that is only its
+/// centre asks nothing.
 struct Passage {
-    glm::ivec3 spacing{0}; ///< of voxels, in units of which squares fit
-    int reach = 0; ///< squared half width; 0: growth goes through everything
+    glm::ivec3 spacing{0}; ///< of the voxels, in units in which the squares fit 16 bits
+    int reach = 0; ///< square of the ball's radius; 0: growth goes through everything
     bool operator==(const Passage&) const = default;
 };
 
-/// Voxels that a ball reaches from its centre along each axis; 0 where nothing is asked.
+/// How many voxels a ball extends from its centre along each axis; 0 where nothing is asked.
 [[nodiscard]] glm::ivec3 reachOf(const Passage& passage);
-/// Whether anything is asked: a ball holds more than its centre.
+/// Whether a width is asked for: a ball is more than its centre.
 [[nodiscard]] bool isAsked(const Passage& passage);
 
 constexpr int greatestPassageReach = 15; ///< voxels, along any axis
-/// Whether its numbers are in range: nothing is asked, or spacing is 1 … 256 and reach so that
-/// squares fit 16 bits and balls reach at most greatestPassageReach.
+/// Whether its numbers are in range: nothing is asked, or each spacing is 1 … 256, the squares fit
+/// 16 bits, and balls extend at most greatestPassageReach.
 [[nodiscard]] bool isSound(const Passage& passage);
 
 } // namespace core

@@ -9,19 +9,21 @@
 
 namespace core {
 
-/// What is at one voxel.
+/// What an engine answers about one voxel: its value, its label and how growth would reach it.
 struct ProbedVoxel {
     int code = 0;
     std::uint8_t label = 0;
-    std::uint8_t seedOf = 0; ///< label whose pending seed it is; 0: none
-    std::optional<int> tolerance{}; ///< in codes; none: it has none, or no field stands
+    std::uint8_t seedOf = 0; ///< the label whose pending seed it is; 0: none
+    /// in codes (Tolerance.h); none: not reached, or no tolerances were computed
+    std::optional<int> tolerance{};
 };
 
-/// What lies around seeds of a label: those of one group, or those that are in none.
+/// Statistics of the codes around seeds of a label: of one group, or of the seeds in no group.
 struct ProbedSeeds {
     std::uint8_t label = 0;
     SeedSums sums;
-    std::optional<std::size_t> group{}; ///< its place; none: of the seeds that are in no group
+    /// index of the group; none: the seeds that are in no group
+    std::optional<std::size_t> group{};
     bool operator==(const ProbedSeeds&) const = default;
 };
 

@@ -13,15 +13,15 @@
 
 namespace core {
 
-/// Places of a label's seeds that have statistics of their own: a stroke's. Only those count that
-/// are seeds of the label when somebody asks.
+/// Seeds of a label that have statistics of their own, such as those of one stroke. Voxels count
+/// only while they are seeds of the label.
 struct SeedGroup {
     std::uint8_t label = 0;
     std::vector<glm::ivec3> voxels{}; ///< inside the volume, ascending by z, y, x, none twice
     bool operator==(const SeedGroup&) const = default;
 };
 
-/// Whether no label is 0 and the voxels of each stand in their order.
+/// Whether no label is 0 and the voxels of each group are in their order.
 [[nodiscard]] bool isSound(const std::vector<SeedGroup>& groups);
 /// Also whether they lie in the volume. Errors: InvalidField.
 [[nodiscard]] Result<void> checkSound(const std::vector<SeedGroup>& groups, const BrickGrid& grid);
@@ -29,10 +29,10 @@ struct SeedGroup {
 [[nodiscard]] Result<void> checkWithin(
     const std::vector<glm::ivec3>& voxels, const BrickGrid& grid);
 
-/// What lies around seeds, group by group.
+/// Statistics of the codes around seeds, by group.
 struct GroupedSeedSums {
-    std::vector<SeedSums> groups{}; ///< in their order
-    std::array<SeedSums, 256> others{}; ///< by label: of its seeds that no group of its holds
+    std::vector<SeedSums> groups{}; ///< in the order of the groups
+    std::array<SeedSums, 256> others{}; ///< by label: of its seeds that are in none of its groups
 };
 
 } // namespace core

@@ -11,29 +11,31 @@
 
 namespace core {
 
-/// Give voxels to the segment whose seeds are nearest along the way of least cost (grow from
-/// seeds), in integers. Both engines follow the rule to the bit.
+/// Grow from seeds: give each voxel to the segment whose seeds are nearest along a path of least
+/// cost. All numbers are integers, and both engines follow this rule exactly.
 ///
-/// Seeds: the voxels that the plane holds a label of `seeds` at, each of that label; and, where it
-/// holds 0 or a label in `overwritable`, the pending seeds (SeedWord.h) of a label in `seeds`.
-/// Box: the one given; else the one around all seeds, wider on every side by a twentieth of its
-/// extent along the axis, rounded up, and by leastMargin voxels at least, cut at the volume. Seeds
-/// outside do not take part.
-/// Open: what lies in the box, is no seed and no barrier, and has 0 or a label in `overwritable` in
-/// the plane. Everything else is a wall.
+/// Seeds: every voxel at which the plane holds a label of `seeds` is a seed of that label. Where
+///   the plane holds 0 or a label in `overwritable`, pending seeds (SeedWord.h) of a label in
+///   `seeds` are seeds too.
+/// Box: the given one. Otherwise it is the bounding box of all seeds, enlarged on every side by a
+///   twentieth of its extent along that axis, rounded up, and by at least leastMargin voxels, and
+///   clipped to the volume. Seeds outside the box take no part.
+/// Open voxels: those in the box that are no seed and no barrier and at which the plane holds 0 or
+///   a label in `overwritable`. Everything else is a wall.
+/// Paths: a path begins with a seed and continues through open voxels, each a neighbour of the one
+///   before (`connectivity` as in GrowBurst). A step in seedWord direction d between codes a and b
+///   costs
 ///
-/// A path begins with a seed and goes on through open voxels, each a neighbour of the last
-/// (`connectivity` as GrowBurst's). A step in seedWord direction d between codes a and b costs
+///       |a − b| · differenceWeight + lengths[d / 2]
 ///
-///     |a − b| · differenceWeight + lengths[d / 2]
+///   and a path costs the sum of its steps. A path that would cost maxCost or more does not exist.
+/// Result: every open voxel to which paths lead receives the label of the path that is least by
+///   (cost, label), and seeds receive their own label. Elsewhere the plane stays as it is. Where
+///   the plane's label changes, a seed word that has another label becomes unvisited.
 ///
-/// and a path the sum of its steps. A path whose cost would be maxCost or more leads nowhere.
-/// Every open voxel that paths lead to receives the label of the least one, by (cost, label); so do
-/// seeds theirs. Where a path leads nowhere, the plane stays as it is. As steps cost 1 at least,
-/// the least (cost, label) of all voxels is the one fixpoint of "the least that a neighbour
-/// offers": the order of work does not matter. Where the plane's label changes, a seed word that
-/// bears another label becomes unvisited. With seeds of fewer than two labels there is no
-/// competition, and nothing to be done.
+/// As each step costs at least 1, the least (cost, label) of all voxels is the unique fixpoint of
+/// "the least that a neighbour offers", so the order of work does not matter. The command is
+/// refused (InvalidField) if fewer than two labels have seeds, since nothing would compete.
 struct SpreadLabels {
     static constexpr std::uint32_t maxCost = (1u << 24) - 1; ///< a word holds cost and label
     static constexpr int marginParts = 20;
@@ -41,20 +43,22 @@ struct SpreadLabels {
 
     std::uint8_t plane = 0;
     std::bitset<256> seeds{}; ///< labels, not 0
-    std::bitset<256> overwritable{}; ///< labels, none in `seeds`
+    std::bitset<256> overwritable{}; ///< labels, none of them in `seeds`
     std::optional<VoxelBox> box{}; ///< not empty, within the volume
     int connectivity = 6; ///< 6, 18 or 26
     std::uint32_t differenceWeight = 4; ///< 0 … 64
     std::array<std::uint32_t, 13> lengths{}; ///< 1 … 65535; see seedWord::offsets
 };
 
-/// Of an open SpreadLabels: what an engine has worked out is not to be kept for the next one. By
-/// itself it may keep it beyond a rollback, so that the next works out only what differs.
+/// For an open SpreadLabels: the engine shall not keep its intermediate results for the next one.
+/// Otherwise it may keep them beyond a rollback, so that the next one computes only what differs.
 struct ForgetSpread { };
 
-/// Whether an engine may take it: connectivity and costs in their ranges, 0 in neither set, no
-/// label in both, a box as it must be.
+/// Whether an engine may accept it: connectivity and costs are in range, 0 is in neither set, no
+/// label is in both, and the box is not empty and within the volume.
 [[nodiscard]] bool isSound(const SpreadLabels& spread, const glm::ivec3& volumeSize);
+
+/// The box of the rule above, from the bounding box of all seeds.
 [[nodiscard]] Result<void> checkSound(const SpreadLabels& spread, const BrickGrid& grid);
 
 /// The box, from the one around all seeds.

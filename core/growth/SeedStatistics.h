@@ -5,8 +5,8 @@
 
 namespace core {
 
-/// What the codes around the seeds of one label add up to. A voxel that is near several seeds
-/// counts for each.
+/// Sums of the codes around the seeds of one label. A voxel near several seeds counts once for
+/// each.
 struct SeedSums {
     std::uint64_t voxels = 0;
     std::uint64_t codes = 0;
@@ -14,10 +14,10 @@ struct SeedSums {
     bool operator==(const SeedSums&) const = default;
 };
 
-/// How far from a seed along each axis voxels count: 7³ around it.
+/// How far from a seed, in voxels along each axis, codes are counted: 7³ voxels around it.
 constexpr int seedReach = 3;
 
-/// Mean and standard deviation of codes, in 256ths of a code, rounded down; both 0 of nothing.
+/// Mean and standard deviation of codes in 256ths of a code, rounded down; both 0 without voxels.
 ///
 /// With c = codes div voxels, r = codes − voxels · c and s = Σ (code − c)²: mean = 256 · c +
 /// ⌊⌊4096 · r / voxels⌋ / 16⌋, and deviation = ⌊√(⌊2¹⁶ · s / voxels⌋ − ⌊⌊4096 · r / voxels⌋² /
@@ -28,15 +28,15 @@ struct SeedSpread {
 };
 [[nodiscard]] SeedSpread seedSpread(const SeedSums& sums);
 
-/// Codes from low to high, none if low > high.
+/// Codes from low to high, both included; empty if low > high.
 struct CodeInterval {
     int low = 1;
     int high = 0;
     bool operator==(const CodeInterval&) const = default;
 };
 
-/// The codes of which 256 times lie within ⌊sigmas256 · deviation256 / 256⌋ of the mean; none where
-/// there are no voxels.
+/// The codes that, multiplied by 256, differ from the mean by at most
+/// ⌊sigmas256 · deviation256 / 256⌋; empty without voxels.
 /// @param sigmas256 256ths of a standard deviation, 0 … 25600
 [[nodiscard]] CodeInterval seedInterval(const SeedSums& sums, int sigmas256);
 

@@ -6,24 +6,25 @@
 
 namespace core::seedWord {
 
-/// One 32-bit word per voxel of a live growth (DESIGN §4; seed A §5.1 "seed map").
+/// The state of one voxel in a growth, as one 32-bit word (the "seed map" of seed A §5.1).
 ///
 ///   bit 31      1: not a member
 ///   bits 30..13 generation of a member, 1 … 262143; 0: painted, before any growth (PaintLabel)
 ///   bits 12..5  label of the segment it grows
-///   bits 4..0   direction to the parent, see below; 29 … 31: see below
+///   bits 4..0   direction from the parent, or 29 … 31 (below)
 ///
-/// Members are claimed by `min`, so of all claims on a voxel the earliest generation wins, then the
-/// lowest label, then the lowest direction: the result does not depend on scheduling.
+/// A claim on a voxel is the minimum of its word and the claimed one. So the earliest generation
+/// wins, then the lowest label, then the lowest direction, and the result does not depend on
+/// scheduling.
 ///
-/// Direction d < 26 means that the parent is the neighbour at −offsets[d] (offsets[d] is the step
-/// from parent to child; that of d ^ 1 is the opposite one): 0 … 5 faces, 6 … 17 edges, 18 … 25
-/// corners. 31: a seed. Shrinking must know what is not its own to take away, so where the label
-/// plane held the label already when the voxel was claimed, a seed has 30, and any other member 29
-/// instead of its direction (the generations tell it: the lowest that leads from an earliest
-/// neighbour).
+/// A direction d < 26 says that the parent is the neighbour at −offsets[d]: offsets[d] is the step
+/// from parent to child, and direction d ^ 1 is the opposite of d. 0 … 5 are faces, 6 … 17 edges,
+/// 18 … 25 corners. 31 is a seed. Shrinking must not remove labels that were there before the
+/// growth: where the label plane already held the label when the voxel was claimed, the direction
+/// is 30 for a seed and 29 for any other member. (The real direction of a 29 follows from the
+/// generations: it is the lowest one that leads from a neighbour of the earliest generation.)
 ///
-/// 0 is a barrier: least of all words, so nothing claims it, and no member.
+/// A word of 0 is a barrier. It is the least of all words, so no claim changes it. It is no member.
 constexpr std::uint32_t directions = 26;
 constexpr std::array<std::array<int, 3>, directions> offsets{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0},
     {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 0, 1},
@@ -42,12 +43,12 @@ constexpr std::uint32_t member(
 {
     return generation << 13 | label << 5 | direction;
 }
-/// A seed that was sketched and has not yet been admitted by a growth. It is no member.
+/// The word of a seed that was sketched and has not yet been admitted to a growth; not a member.
 constexpr std::uint32_t pendingSeed(std::uint32_t label)
 {
     return notMember | label << 5 | seedDirection;
 }
-/// As bricks hold it: four bytes, little-endian.
+/// Reads a word from the bytes of a brick, which are little-endian.
 constexpr std::uint32_t wordAt(const std::uint8_t* bytes)
 {
     return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8 | std::uint32_t(bytes[2]) << 16
@@ -73,12 +74,12 @@ constexpr std::uint32_t direction(std::uint32_t word)
 {
     return word & 31u;
 }
-/// Of a member: whether the label plane held its label before it came.
+/// For a member: whether the label plane already held its label when it was claimed.
 constexpr bool wasHeld(std::uint32_t word)
 {
     return direction(word) == heldDirection || direction(word) == heldSeedDirection;
 }
-/// Of a member: whether it was a seed.
+/// For a member: whether it began as a seed.
 constexpr bool isSeed(std::uint32_t word)
 {
     return direction(word) >= heldSeedDirection;

@@ -9,57 +9,59 @@
 
 namespace core {
 
-/// The least tolerance at which each voxel would join a segment that grows from its seeds, in
-/// integers. Both engines follow the rule to the bit.
+/// The tolerance field: for each voxel, the least tolerance around the mean of the seeds at which
+/// it would join a segment that grows from them. All numbers are integers, and both engines follow
+/// this rule exactly.
 ///
-/// Seeds: the pending seeds of the label, its members that are seeds (SeedWord.h), and those of
-/// generation 0: they are painted. Centre: ⌊(2 · Σ code + n) / (2 · n)⌋ over the n of them.
-/// Open: what is painted; and every voxel that is neither a barrier nor a member of another label,
-/// at which the plane holds 0, the label or a label in `overwritable`, and which the limits allow
-/// (GrowLimits; those of them that a ToleranceRule may have).
-/// Cost of an open voxel: 0 if it is painted, else |code − centre|. A path begins with an open seed
-/// and goes on through open voxels, each a neighbour of the last (`connectivity` as GrowBurst's);
-/// its tolerance is the greatest cost on it, the seed's included. That of a voxel is the least of
-/// all paths that lead there; none where none leads, or none of `greatest` or less.
+/// Seeds: the pending seeds of the label, its members that are seeds (SeedWord.h), and its members
+///   of generation 0, which were painted. The centre is ⌊(2 · Σ code + n) / (2 · n)⌋ over these n.
+/// Open voxels: what is painted; and every voxel that is neither a barrier nor a member of another
+///   label, at which the plane holds 0, the label or a label in `overwritable`, and which the
+///   limits allow (GrowLimits; only some may be set, see below).
+/// Cost of an open voxel: 0 if it is painted, otherwise |code − centre|.
+/// Paths: a path begins with an open seed and continues through open voxels, each a neighbour of
+///   the one before (`connectivity` as in GrowBurst). Its tolerance is the greatest cost on it,
+///   including the seed's. The tolerance of a voxel is the least over all paths that lead to it;
+///   it has none if no path does, or none with a tolerance of `greatest` or less.
 ///
-/// So the voxels of tolerance ≤ t are the members that the label would have after a GrowBurst from
-/// its seeds (GrowOpening::Restart) to closure, of the interval centre − t … centre + t and with
-/// this rule's neighbours, limits and `overwritable`, if every other label were frozen and
-/// generations had no end.
+/// So the voxels of tolerance ≤ t are those that the label would have after a GrowBurst from its
+/// seeds (GrowOpening::Restart) to closure with the interval centre − t … centre + t and with the
+/// neighbours, limits and `overwritable` of this rule, if every other label were frozen and there
+/// were no greatest generation.
 struct ToleranceRule {
-    static constexpr int greatest = 65533; ///< a field has two values for none
+    static constexpr int greatest = 65533; ///< a field has two more values, which mean none
 
     std::uint8_t plane = 0;
     std::uint8_t label = 0; ///< not 0
     int connectivity = 6; ///< 6, 18 or 26
-    /// Only `gradient`, `onlyVisible` and the box: what depends on the interval or on the voxel
-    /// before knows no least tolerance.
+    /// Only `gradient`, `onlyVisible` and the box may be set: with conditions that depend on the
+    /// interval or on the parent there is no least tolerance.
     GrowLimits limits{};
     std::bitset<256> overwritable{};
     bool operator==(const ToleranceRule&) const = default;
 };
 
-/// Whether an engine may take it: every number in its range, no limit but those named.
+/// Whether an engine may accept it: every number is in range, and no other limit is set.
 [[nodiscard]] bool isSound(const ToleranceRule& rule);
 
-/// How a segment grows with the tolerance.
+/// How a segment grows with the tolerance: a histogram of tolerances.
 struct ToleranceCurve {
-    int centre = 0; ///< code
-    /// Place t: how many voxels have tolerance t; ends with the last that has any.
+    int centre = 0; ///< code; the mean of the seeds
+    /// At index t: how many voxels have tolerance t. It ends with the greatest that occurs.
     std::vector<std::uint32_t> sizes{};
     bool operator==(const ToleranceCurve&) const = default;
 };
 
-/// Place t: how many voxels have tolerance t or less.
+/// At index t: how many voxels have tolerance t or less.
 [[nodiscard]] std::vector<std::int64_t> membersOf(const ToleranceCurve& curve);
 
-/// Where a segment suddenly becomes much greater: most likely it leaks there.
+/// Where a segment suddenly becomes much larger, most likely because it leaks there.
 ///
-/// Tolerances are walked in steps of one code, or of a 4096th of the greatest where that is more. A
-/// step is a jump if after it there are more than `factor256` 256ths of the members before it, and
-/// `leastVoxels` more at least. Told are the tolerances at which jumps end.
+/// Tolerances are compared in steps of one code, or of a 4096th of the greatest tolerance where
+/// that is more. A step is a jump if the members after it are more than `factor256` 256ths of those
+/// before it and at least `leastVoxels` more. jumpsOf() returns the tolerances at which jumps end.
 struct JumpRule {
-    int factor256 = 384; ///< half as many again
+    int factor256 = 384; ///< more than one and a half times as many
     std::int64_t leastVoxels = 500;
 };
 [[nodiscard]] std::vector<int> jumpsOf(

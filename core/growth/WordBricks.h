@@ -11,19 +11,20 @@
 
 namespace core {
 
-/// Seed words of one plane in memory, brick by brick; where there is no brick all are unvisited.
-/// A voxel is named by the place of its brick in the order of add(), << 12, | its offset there.
+/// The seed words of one plane in memory, brick by brick. Where no brick was added, all words are
+/// unvisited. A voxel is identified by i << 12 | its offset in the brick, where the brick was the
+/// i-th to be added.
 class WordBricks {
 public:
     using Voxel = std::uint32_t;
     static constexpr Voxel none = 0xFFFFFFFFu;
 
-    /// @param bricks how many will be added
+    /// @param bricks how many bricks will be added
     WordBricks(const BrickGrid& grid, std::size_t bricks);
 
-    /// @param bytes a brick's image (4096 words, little-endian)
+    /// @param bytes of the brick: 4096 words, little-endian
     void add(std::uint32_t brick, std::span<const std::uint8_t> bytes);
-    /// Call it once, after the last add() and before forNeighbours().
+    /// To be called once, after the last add() and before forNeighbours().
     void link();
 
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
@@ -33,8 +34,8 @@ public:
     [[nodiscard]] glm::ivec3 positionOf(Voxel voxel) const;
     [[nodiscard]] std::uint32_t operator[](Voxel voxel) const { return m_words[voxel]; }
 
-    /// Calls @p visit(neighbour, word, direction) for neighbours in directions @p first … @p last −
-    /// 1 of seedWord::offsets that lie in a brick that is here.
+    /// Calls @p visit(neighbour, word, direction) for the neighbours in directions @p first …
+    /// @p last − 1 of seedWord::offsets that lie in a brick that was added.
     template <class Visit>
     void forNeighbours(
         Voxel voxel, std::uint32_t first, std::uint32_t last, const Visit& visit) const
@@ -75,10 +76,11 @@ private:
     }();
 
     BrickGrid m_grid;
-    std::vector<std::uint32_t> m_bricks; ///< of each place
-    std::vector<std::uint32_t> m_places; ///< of each brick, or none
+    std::vector<std::uint32_t> m_bricks; ///< brick number by place, that is by order of adding
+    std::vector<std::uint32_t> m_places; ///< place by brick number, or none
     std::vector<std::uint32_t> m_words;
-    std::vector<std::array<std::uint32_t, 27>> m_around; ///< places of the bricks around each
+    /// by place: the places of the 27 bricks around it
+    std::vector<std::array<std::uint32_t, 27>> m_around;
 };
 
 } // namespace core

@@ -18,7 +18,7 @@ namespace core {
 
 using RowId = std::int64_t; ///< 1, 2, 3 …; 0 stands for the beginning
 
-/// One command that was carried out.
+/// One step of the history: an edit that was carried out.
 struct HistoryRow {
     RowId id = 0;
     RowId parent = 0;
@@ -30,14 +30,16 @@ struct HistoryRow {
     EditStatistics statistics;
     RowOrigin origin;
     std::uint32_t growthGeneration = 0; ///< the counter of plane 0 after this row
-    std::size_t deltaBytes = 0; ///< compressed before-image; 0 while it is still being made
-    QByteArray stateHash; ///< hex, of the state after this row; empty while it is being made
+    /// size of the compressed difference; 0 while it is still being made
+    std::size_t deltaBytes = 0;
+    QByteArray stateHash; ///< hex, of the state after this row; empty while it is being computed
 };
 
-/// Our own append-only tree of rows with a current position (DESIGN §3.4). Knows nothing of voxels.
+/// The history: an append-only tree of rows with a current position. It knows nothing of voxels.
 ///
-/// Undo moves the position to the parent, redo to the child last visited; nothing past is ever
-/// rewritten: a command after an undo starts a branch.
+/// Undo moves the position to the parent, redo to the child visited last. Nothing is ever
+/// rewritten: a new row after an undo starts a branch. Not synchronised; it is used on the
+/// session's thread.
 class History {
 public:
     [[nodiscard]] RowId position() const { return m_position; }
@@ -56,19 +58,19 @@ public:
     }
     /// Rows from the beginning to @p id, oldest first.
     [[nodiscard]] std::vector<RowId> pathTo(RowId id) const;
-    /// The rows on the way to @p id whose effect stands there: without those that a standing
-    /// RevertRows took back. Oldest first.
+    /// The rows on the way to @p id that are in effect: all but those that a RevertRows in effect
+    /// took back. Oldest first.
     [[nodiscard]] std::vector<RowId> standing(RowId id) const;
     [[nodiscard]] std::vector<RowId> standing() const { return standing(m_position); }
-    /// The line that undo and redo walk: pathTo(position), then the rows that redo would bring
-    /// back.
+    /// The rows that undo and redo walk: pathTo(position), then those that redo would bring back.
     [[nodiscard]] std::vector<RowId> line() const;
 
-    /// Appends a child of the position and moves there; sets id and parent.
+    /// Appends a row as a child of the position and moves there; sets its id and parent.
     RowId append(HistoryRow row);
     void moveTo(RowId id);
 
-    /// A history read from a file. @p visited: parent and the child visited last, where known.
+    /// A history that was read from a file.
+    /// @param visited parent and the child visited last, where known
     /// @pre ids are 1, 2, 3 …, and every parent comes before its children
     [[nodiscard]] static History restored(std::vector<HistoryRow> rows,
         const std::vector<std::pair<RowId, RowId>>& visited, RowId position);

@@ -6,14 +6,14 @@
 
 namespace core {
 
-/// Who made a row of the history, when, and with which program.
+/// By whom, when and with which program a row of the history was made.
 struct RowOrigin {
     QDateTime at; ///< UTC, to the millisecond; invalid: not recorded
     QString author; ///< as the user chose to be named; may be empty
     QString program; ///< "burin 0.1.0"
 };
 
-/// Now, with this program. Nobody is named unless @p author is.
+/// The origin of a row made now by this program. The author is empty unless @p author is given.
 [[nodiscard]] RowOrigin presentOrigin(const QString& author = QString());
 
 } // namespace core

@@ -8,21 +8,21 @@
 
 namespace core {
 
-/// A cut of the history as it counts now.
+/// A cut of the history in its present form.
 struct StandingStroke {
     RowId row = 0; ///< where it was made; its rays start on the surface as it was before that row
-    SculptEdit form{}; ///< as the last ReviseStroke that stands made it
-    bool removed = false; ///< by ReviseStroke: cuts nothing
+    SculptEdit form{}; ///< as the last ReviseStroke in effect made it
+    bool removed = false; ///< by a ReviseStroke; it cuts nothing
     bool operator==(const StandingStroke& other) const;
 };
 
-/// The strokes whose cuts, laid over each other, are the coverage after a row; in the order in
-/// which they were drawn: carving by the greater value, restoring by what it leaves. Those that
-/// RevertRows took back are not among them.
+/// The strokes that together make up the coverage after a row, in the order in which they were
+/// drawn. Carving takes the maximum, restoring what it leaves. Strokes that RevertRows took back
+/// are left out.
 [[nodiscard]] std::vector<StandingStroke> standingStrokes(const History& history, RowId at);
 
-/// All forms that a cut has had on the way to the position: as it was drawn, and each revision.
-/// None if the row is no cut.
+/// All forms that a cut has had on the way to the position: as it was drawn, then each revision.
+/// Empty if the row is no cut.
 [[nodiscard]] std::vector<SculptEdit> formsOf(const History& history, RowId row);
 
 } // namespace core

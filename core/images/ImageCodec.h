@@ -11,15 +11,17 @@
 
 namespace core {
 
-/// Decodes a page and gives @p take its pixels, row after row, in the machine's byte order. libpng
-/// and libtiff run in a decoder (core/fence), which sees the bytes of that page alone.
+/// Decodes a page and passes its pixels, row by row, in the machine's byte order, to @p take.
+/// libpng and libtiff run in a decoder process (core/fence), which only receives the bytes of that
+/// page.
 /// @return why it failed, in words; empty if it did not
 [[nodiscard]] QString decodeImageFenced(
     const ImagePage& page, const std::function<void(std::span<const std::uint8_t> pixels)>& take);
 
-/// Whether a decoder's parameters are those of a page.
+/// Whether the parameters of a decoder request describe a page.
 [[nodiscard]] bool isImageRequest(std::span<const std::uint8_t> parameters);
-/// The same here and now, whatever comes of it: what a decoder does. The FencedWork of pages.
+/// The same in the calling process, without protection: what a decoder process does (its FencedWork
+/// for pages).
 [[nodiscard]] QString decodeImageHere(std::span<const std::uint8_t> parameters,
     std::span<const std::uint8_t> bytes, std::span<std::uint8_t> pixels);
 

@@ -14,14 +14,14 @@
 
 namespace core {
 
-/// A run of bytes in a file: a strip or a tile.
+/// A range of bytes in a file: a strip or a tile.
 struct FileSpan {
     std::uint64_t begin = 0;
     std::uint64_t size = 0;
 };
 
-/// One picture of a file of pictures in grey (PNG, TIFF), as its header tells of it: checked to
-/// fit the file, nothing of it decoded.
+/// One grey-scale picture of a PNG or TIFF file, as described by its header. The header was checked
+/// to fit the file; nothing was decoded.
 struct ImagePage {
     enum class Form : std::uint8_t { Png, Tiff };
 
@@ -30,16 +30,16 @@ struct ImagePage {
     int columns = 0;
     int rows = 0;
     ScalarType type = ScalarType::UInt8;
-    bool isInverted = false; ///< 0 is white; values are as they are stored
-    bool isUpright = true; ///< false: the file wants it shown turned or mirrored
-    /// Distances of voxels along columns, rows and slices that the file names; 0 where it does not.
+    bool isInverted = false; ///< 0 is white; values are as stored
+    bool isUpright = true; ///< false: the file is to be displayed rotated or mirrored
+    /// Distances of voxels along columns, rows and slices as stated in the file; 0 if not stated.
     glm::dvec3 spacingMm{0.0};
 
-    // TIFF only: what its decoder has to know.
+    // TIFF only: what the decoder must know.
     bool bigEndian = false;
     int compression = 1;
     int predictor = 1;
-    int partColumns = 0; ///< of a tile; of strips the whole width
+    int partColumns = 0; ///< of a tile; for strips the whole width
     int partRows = 0; ///< of a tile or strip
     bool isTiled = false;
     std::vector<FileSpan> parts{}; ///< in the order of the format
@@ -58,18 +58,19 @@ struct ImagePage {
     }
 };
 
-/// No picture has a longer side.
+/// The longest side of a picture that is accepted.
 constexpr int longestImageSide = 32768;
 
-/// By name: .png, .tif, .tiff; nothing hidden.
+/// Whether a file name is .png, .tif or .tiff and not hidden.
 [[nodiscard]] bool isImageName(const QString& path);
-/// What a file is by its first bytes. A DICOM file may begin like a TIFF.
+/// The kind of a file according to its first bytes. A DICOM file may begin like a TIFF.
 enum class FirstBytes : std::uint8_t { Image, Dicom, Other };
 [[nodiscard]] FirstBytes firstBytesOf(const QString& path);
 
-/// The pictures of a PNG (one) or TIFF file, from headers alone; at least one. FileUnreadable,
-/// FileTruncated (less data than the header tells of, or more than so few can unpack to),
-/// UnsupportedFormat (colours, a depth or a packing that is not read), InvalidGeometry.
+/// The pictures of a PNG (one) or TIFF file, from headers alone; at least one. Errors:
+/// FileUnreadable, FileTruncated (less data than the header states, or fewer than can unpack to
+/// that much), UnsupportedFormat (colours, or a depth or compression that is not supported),
+/// InvalidGeometry.
 [[nodiscard]] Result<std::vector<ImagePage>> readImagePages(const QString& path);
 
 } // namespace core

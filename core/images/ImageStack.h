@@ -12,40 +12,40 @@
 
 namespace core {
 
-// Pictures in grey (PNG, TIFF) as volumes: the single pictures of a folder are one stack, in the
-// natural order of their names; a TIFF of several pages is a stack of its own. Their axes are taken
-// for those of the patient: columns to the left, rows to posterior, slices to superior, the first
-// voxel at the origin.
+// Reads grey-scale pictures (PNG, TIFF) as volumes. The single pictures of a folder form one stack,
+// in the natural order of their names; a TIFF with several pages is a stack of its own. Their axes
+// are assumed to be those of the patient: columns to the left, rows to posterior, slices to
+// superior, the first voxel at the origin.
 
-/// As Volume::sourceFormat has it.
+/// The name of the format in Volume::sourceFormat.
 inline constexpr const char* imageFormatName = "pictures";
 
-/// The stacks that files make up.
+/// The stacks that a set of files forms.
 struct FoundStacks {
-    /// Keys are left to the listing. Files: per slice, or the one with all pages.
+    /// Keys are set by the listing. Files: one per slice, or the one with all pages.
     std::vector<SeriesEntry> entries;
-    std::vector<UnreadableFile> unreadable; ///< one for every stack that there cannot be
-    QStringList others; ///< files that are no pictures, whatever their names say
+    std::vector<UnreadableFile> unreadable; ///< one for every stack that cannot be formed
+    QStringList others; ///< files that are not pictures in spite of their names
 };
-/// Reads headers only, on all cores. A stack needs pictures of one size and kind; a file of a
-/// folder whose header is damaged keeps its place as an empty slice, and is told of.
-/// @param files of names for which isImageName()
+/// Reads headers only, on all cores. A stack needs pictures of one size and kind. A file with a
+/// damaged header keeps its place as an empty slice and is reported.
+/// @param files those for which isImageName() holds
 [[nodiscard]] FoundStacks findImageStacks(const QStringList& files, const Progress& progress);
 
-/// What was opened, by a listing's entry: the folder, or the one file.
+/// The path that was opened, for an entry of a listing: the folder, or the single file.
 [[nodiscard]] QString stackPath(const SeriesEntry& entry);
 
 /// The volume with its voxels, decoded on all cores (core/fence), in the geometry of the entry.
-/// Pictures that cannot be decoded are empty slices (0), named in Volume::problems.
-/// InvalidGeometry (files were changed), OutOfMemory, Cancelled; the reason of the first slice
-/// where there is none that can be read.
+/// Pictures that cannot be decoded are empty slices (0), listed in Volume::problems. Errors:
+/// InvalidGeometry (files were changed), OutOfMemory, Cancelled; the error of the first slice if
+/// none can be read.
 [[nodiscard]] Result<LoadedVolume> loadImageStack(
     const SeriesEntry& entry, const Progress& progress);
 
-/// What the headers of a stack say, for sessions that must do without the files; empty where there
-/// is none. @param path stackPath()
+/// A summary of the headers of a stack, for sessions without the files; empty if there is no stack.
+/// @param path stackPath()
 [[nodiscard]] QByteArray imageStackHeader(const QString& path);
-/// The grid that such a header says, in millimetres where the files name them, else in voxels.
+/// The grid described by such a summary, in millimetres if the files state them, else in voxels.
 [[nodiscard]] Result<VolumeGeometry> imageStackGeometryOf(
     const QByteArray& header, const QString& path);
 

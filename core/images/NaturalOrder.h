@@ -9,17 +9,18 @@
 
 namespace core {
 
-/// Whether a name comes before another as people number them: slice2 before slice10, whatever the
-/// case of letters. The same on every machine.
+/// Whether a name comes before another in natural order: slice2 before slice10, ignoring case. The
+/// same on every machine.
 [[nodiscard]] bool comesBefore(const QString& name, const QString& other);
 
-/// Between two files that follow each other, numbers that no file has.
+/// Missing numbers between two consecutive files.
 struct NumberGap {
-    int after = 0; ///< 0-based: the file before it
+    int after = 0; ///< 0-based index of the file before the gap
     qint64 missing = 0;
 };
-/// Gaps in names that are alike but for one number and go up by the same step; nothing where they
-/// are not. @param names in natural order
+/// The gaps in names that differ in one number only, if that number increases in constant steps;
+/// otherwise none.
+/// @param names in natural order
 [[nodiscard]] std::vector<NumberGap> numberGaps(const QStringList& names);
 
 } // namespace core

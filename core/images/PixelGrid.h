@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// What the bytes of a decoded picture are.
+/// The layout of the bytes of a decoded picture.
 struct PixelGrid {
     int columns = 0;
     int rows = 0;

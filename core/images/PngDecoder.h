@@ -10,8 +10,10 @@
 
 namespace core {
 
-/// Decodes a PNG in grey by libpng; runs in decoders (core/fence). @param grid what its header was
-/// found to say @param pixels of grid.byteCount() @return what is wrong; empty if nothing is
+/// Decodes a grey-scale PNG with libpng; runs in decoder processes (core/fence).
+/// @param grid the layout according to its header
+/// @param pixels of grid.byteCount() bytes
+/// @return what is wrong, in words; empty if nothing is
 [[nodiscard]] QString decodePng(
     std::span<const std::uint8_t> bytes, const PixelGrid& grid, std::span<std::uint8_t> pixels);
 

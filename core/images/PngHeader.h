@@ -9,11 +9,11 @@ class QFile;
 
 namespace core {
 
-/// By a file's first bytes.
+/// Whether a file is a PNG, by its first bytes.
 [[nodiscard]] bool isPng(const QByteArray& begin);
 
-/// The chunks of a PNG before its data, walked by their lengths; nothing is unpacked. Errors as of
-/// readImagePages(). @param file open
+/// Reads the chunks of a PNG before its data, by their lengths, without unpacking anything. Errors:
+/// those of readImagePages(). @param file open
 [[nodiscard]] Result<ImagePage> readPngHeader(QFile& file);
 
 } // namespace core

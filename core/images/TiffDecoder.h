@@ -10,12 +10,14 @@
 
 namespace core {
 
-/// Decodes a TIFF of one page (tiffOfPage()) by libtiff; runs in decoders (core/fence).
-/// @param pixels of grid.byteCount() @return what is wrong; empty if nothing is
+/// Decodes a TIFF of one page (tiffOfPage()) with libtiff; runs in decoder processes (core/fence).
+/// @param pixels of grid.byteCount() bytes
+/// @return what is wrong, in words; empty if nothing is
 [[nodiscard]] QString decodeTiff(
     std::span<const std::uint8_t> bytes, const PixelGrid& grid, std::span<std::uint8_t> pixels);
 
-/// Readies what decodeTiff() would ask the system for: called before a decoder gives up that right.
+/// Initialises what decodeTiff() would request from the system; to be called before a decoder
+/// process gives up its rights.
 void readyTiff();
 
 } // namespace core

@@ -9,16 +9,16 @@ class QFile;
 
 namespace core {
 
-/// By a file's first bytes: TIFF or BigTIFF, of either byte order.
+/// Whether a file is a TIFF or BigTIFF of either byte order, by its first bytes.
 [[nodiscard]] bool isTiff(const QByteArray& begin);
 
-/// The directories of a TIFF, walked one after the other: bounded in number and in what they refer
-/// to, nothing decoded. Small pictures for a list (thumbnails) are left out. Errors as of
-/// readImagePages(). @param file open
+/// Reads the directories of a TIFF one after the other. Their number and what they refer to is
+/// limited, and nothing is decoded. Thumbnails are left out. Errors: those of readImagePages().
+/// @param file open
 [[nodiscard]] Result<std::vector<ImagePage>> readTiffPages(QFile& file);
 
-/// A TIFF of this page alone, with a directory of our own that names what was checked and nothing
-/// else: all that a decoder gets to see. Empty if the file does not hold it any more.
+/// A TIFF with only this page, and with a new directory that contains only what was checked. This
+/// is all that a decoder receives. Empty if the file no longer contains the page.
 [[nodiscard]] QByteArray tiffOfPage(const ImagePage& page);
 
 } // namespace core

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-/// Numbers of TIFF 6.0, BigTIFF and their supplements, as far as they are read.
+/// Constants of TIFF 6.0, BigTIFF and their supplements, as far as they are used.
 namespace core::tiff {
 
 enum Tag : std::uint16_t {

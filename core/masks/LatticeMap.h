@@ -9,12 +9,12 @@
 
 namespace core {
 
-/// Where the voxels of a volume lie among the points of another lattice, in whole numbers.
+/// Finds the voxels of a volume on the lattice of another one, in integers.
 ///
-/// Places have 30 fractional bits and are rounded once, where a slice begins. The point nearest to
-/// a place has its index from half a step below to half a step above it; a place midway between two
-/// is the greater one's, and within 2⁻¹³ of a step below midway counts as midway, so that what the
-/// numbers of a header were rounded to does not decide.
+/// Positions have 30 fractional bits and are rounded once, at the beginning of a slice. The nearest
+/// lattice point has an index between half a step below and half a step above the position. A
+/// position midway between two belongs to the greater one; within 2⁻¹³ of a step below midway
+/// counts as midway, so that the rounding of numbers in a header does not decide.
 class LatticeMap {
 public:
     using Place = std::array<std::int64_t, 3>;
@@ -23,17 +23,17 @@ public:
 
     LatticeMap(const VolumeGeometry& volume, const glm::dmat4& worldToLattice);
 
-    /// False: steps or distances are beyond all measure, and nothing below may be asked.
+    /// False: steps or distances are too large, and the functions below must not be called.
     [[nodiscard]] bool isSound() const { return m_sound; }
-    /// Each voxel lies on a point of the lattice, and no two neighbours farther apart than points
-    /// are: nothing is lost or doubled from one to the other.
+    /// Each voxel lies on a point of the lattice, and neighbouring voxels on neighbouring points:
+    /// nothing is lost or doubled.
     [[nodiscard]] bool isOneToOne() const;
-    /// The same of the voxels of a slice, wherever the slice lies.
+    /// The same for the voxels within a slice, wherever the slice lies.
     [[nodiscard]] bool hasUnitSteps() const;
-    /// Within a hundredth of a step of a point.
+    /// Whether a position is within a hundredth of a step of a point.
     [[nodiscard]] static bool isPoint(std::int64_t place);
 
-    /// Of voxel (0, j, k), and from one i to the next.
+    /// Position of voxel (0, j, k), and the step from one i to the next.
     [[nodiscard]] Place rowStart(int j, int k) const;
     [[nodiscard]] const Place& step() const { return m_perI; }
 

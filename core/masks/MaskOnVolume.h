@@ -13,33 +13,33 @@
 
 namespace core {
 
-/// One segment of a mask's file, as voxels of the open volume. Segments may overlap.
+/// One segment of a mask file, as voxels of the open volume. Segments may overlap.
 struct MaskSegment {
     QString name;
-    std::optional<std::uint32_t> rgb; ///< 0xRRGGBB; none: the file names none
+    std::optional<std::uint32_t> rgb; ///< 0xRRGGBB; none: the file has none
     CodedConcept code;
-    VoxelRuns voxels; ///< never none
+    VoxelRuns voxels; ///< never empty
 };
 
-/// What a mask's file holds, on the grid of a volume.
+/// The contents of a mask file on the grid of a volume.
 struct MaskOnVolume {
     std::vector<MaskSegment> segments; ///< in the file's order; at least one
-    QStringList notes; ///< what was resampled, left out or taken for granted, one sentence each
+    QStringList notes; ///< what was resampled, left out or assumed, one sentence each
 };
 
-/// Reads a mask of any format that is known: labels in NIfTI, NRRD (also .seg.nrrd) and MetaImage
-/// files and surfaces in STL, OBJ, PLY and glTF by their names, else a DICOM SEG or RT Structure
-/// Set. The nearest voxel decides where its grid is not the volume's (LatticeMap.h), of surfaces
-/// the voxels' centres (SurfaceFill.h). The file is not kept open. Any thread. Errors: those of
-/// the formats' readers; UnsupportedFormat (no labels, no segment, nothing of it inside the
-/// volume). All name the file.
+/// Reads a mask in any known format. NIfTI, NRRD (also .seg.nrrd) and MetaImage labels and STL,
+/// OBJ, PLY and glTF surfaces are recognised by file name; anything else is read as DICOM SEG or RT
+/// Structure Set. If the grids differ, the nearest voxel decides (LatticeMap.h); for surfaces,
+/// voxel centres do (SurfaceFill.h). The file is closed afterwards. Any thread. Errors: those of
+/// the readers; UnsupportedFormat (no labels, no segment, or nothing inside the volume). All name
+/// the file.
 [[nodiscard]] Result<MaskOnVolume> readMask(
     const QString& path, const Volume& volume, const Progress& progress);
 
-/// The names that files of masks have, as a file dialog wants them: "*.nii", …
+/// The file names of masks as a file dialog needs them: "*.nii", …
 [[nodiscard]] QStringList maskNamePatterns();
 
-/// Whether a DICOM SOP class is one of masks.
+/// Whether a DICOM SOP class contains masks.
 [[nodiscard]] bool isMaskClass(const QString& sopClassUid);
 
 } // namespace core

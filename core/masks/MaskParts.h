@@ -5,20 +5,21 @@
 
 namespace core {
 
-// The formats, for MaskOnVolume.cpp.
+// The readers of the formats, for MaskOnVolume.cpp.
 
-/// What became of voxels on their way.
+/// How many voxels of a file could be used.
 struct MaskFit {
     bool oneToOne = false;
     std::uint64_t labelled = 0; ///< voxels in the file
-    std::uint64_t outside = 0; ///< of these, outside the volume
+    std::uint64_t outside = 0; ///< of these, voxels outside the volume
     double labelledMl = 0.0; ///< in the file
     double takenMl = 0.0; ///< in the volume
 };
-/// Sentences on it; none where all is as in the file.
+/// Sentences about it; none if everything is as in the file.
 [[nodiscard]] QStringList notesOn(const MaskFit& fit);
 
-/// What a mask says of whom and where it is, where the study says otherwise. Names nobody.
+/// Sentences on where the mask's patient or frame of reference differs from the study's. They
+/// contain no name.
 [[nodiscard]] QStringList notesOnOrigin(
     const QString& patientId, const QString& frameOfReferenceUid, const Volume& volume);
 
@@ -32,12 +33,12 @@ struct MaskFit {
 [[nodiscard]] Result<MaskOnVolume> readSurfaceMask(
     const QString& path, const Volume& volume, const Progress& progress);
 
-/// For a segment that its file gives no name: "liver.nii.gz" → "liver".
+/// A name for a segment without one: "liver.nii.gz" → "liver".
 [[nodiscard]] QString maskNameOf(const QString& path);
 /// "12.3 mL"
 [[nodiscard]] QString inMl(double ml);
 
-/// mL that voxels of a volume take up.
+/// The volume of voxels in mL.
 [[nodiscard]] double millilitres(std::uint64_t voxels, const VolumeGeometry& geometry);
 
 } // namespace core

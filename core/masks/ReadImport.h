@@ -6,15 +6,15 @@
 
 namespace core {
 
-/// An importMask that holds the voxels of its file, which it names without a folder.
+/// An importMask edit that contains the voxels of its file; the file is named without a folder.
 struct ReadImport {
     ImportMask edit;
     QStringList notes; ///< MaskOnVolume::notes
 };
 
 /// Reads the file that an importMask names.
-/// @param segmentsBefore how many there are: where the file names no colours, they go on from there
-/// Errors: those of readMask(), UnsupportedFormat (too ragged to be kept).
+/// @param segmentsBefore number of existing segments; if the file has no colours, they continue
+/// from there Errors: those of readMask(), UnsupportedFormat (too ragged to be stored).
 [[nodiscard]] Result<ReadImport> readImport(const ImportMask& edit, const Volume& volume,
     std::size_t segmentsBefore, const Progress& progress);
 

@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// A name that stands in one line of a file; never empty.
+/// A name in a form that fits into one line of a file; never empty.
 [[nodiscard]] QString oneLine(const QString& name);
 
 } // namespace core

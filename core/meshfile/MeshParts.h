@@ -9,25 +9,25 @@
 
 namespace core {
 
-// What the readers of the formats share.
+// Parts that the readers of the formats share.
 
-/// A surface is never larger: more than any mask needs, less than memory.
+/// The greatest size of a file: more than any mask needs, but less than memory.
 constexpr qsizetype mostMeshBytes = qsizetype(2) << 30;
 
 [[nodiscard]] Result<QByteArray> meshBytes(const QString& path);
 
 [[nodiscard]] tl::unexpected<Error> unreadableMesh(const QString& path, const char* reason);
 
-/// Of "… SPACE=LPS …", as 3D Slicer and writers of our own have it; empty if it is not there.
+/// The value in "… SPACE=LPS …", which 3D Slicer and our own writers write; empty if it is missing.
 [[nodiscard]] QString spaceIn(const QByteArray& text);
 
-/// A number as text, whole; not finite: none.
+/// Parses a whole word as a number; false also for numbers that are not finite.
 [[nodiscard]] bool isNumber(QByteArrayView word, double& value);
 
-/// Words of a line, apart by blanks.
+/// The words of a line, separated by blanks.
 [[nodiscard]] std::vector<QByteArrayView> wordsOf(QByteArrayView line);
 
-/// Colours of vertices become one of their part, if it is the same at all of them.
+/// The colour of a part: that of its vertices, if it is the same for all of them.
 class CommonColour {
 public:
     void add(std::uint32_t rgb);
@@ -38,8 +38,9 @@ private:
     bool m_same = true;
 };
 
-/// A part of faces that count vertices of the whole file: takes those that its triangles name.
-/// @param colours one a vertex, or none at all
+/// Makes a part from triangles that index the vertices of the whole file; it gets only the vertices
+/// that they use.
+/// @param colours one per vertex, or empty
 [[nodiscard]] ReadMeshPart partWithOwnVertices(const std::vector<glm::vec3>& vertices,
     const std::vector<std::uint32_t>& colours, std::vector<glm::uvec3> triangles);
 

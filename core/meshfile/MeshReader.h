@@ -13,37 +13,40 @@
 
 namespace core {
 
-/// One surface as a file has it.
+/// One surface as read from a file.
 struct ReadMeshPart {
-    QString name; ///< empty where the format knows none
+    QString name; ///< empty if the format has no names
     std::optional<std::uint32_t> rgb; ///< 0xRRGGBB
     std::optional<int> label;
     std::vector<glm::vec3> vertices;
     std::vector<glm::uvec3> triangles;
 };
 
+/// The contents of a file of surfaces.
 struct ReadMesh {
-    QString space; ///< "LPS" or "RAS"; empty where the file does not say
+    QString space; ///< "LPS" or "RAS"; empty if the file does not state it
     std::vector<ReadMeshPart> parts;
 };
 
-// Readers that share nothing with MeshWriter.h. They take what other programs write, as far as it
-// is triangles or flat faces (which are fanned out); polygons must be convex. What else a file
-// holds, normals and textures say, is passed over. Whole files are in memory; any thread.
-// Errors: FileUnreadable, FileTruncated, UnsupportedFormat; all name the file.
+// Readers that share no code with MeshWriter.h. They accept files of other programs as far as these
+// consist of triangles or flat faces (which become fans of triangles); polygons must be convex.
+// Everything else in a file, such as normals and textures, is skipped. Files are read completely
+// into memory; any thread. Errors: FileUnreadable, FileTruncated, UnsupportedFormat; all name the
+// file.
 
-/// By the ending of the file's name: .stl, .obj, .ply, .glb.
+/// Chooses the reader by the file name extension: .stl, .obj, .ply, .glb.
 [[nodiscard]] Result<ReadMesh> readMesh(const QString& path);
-/// Whether a file's name has one of these endings.
+/// Whether a file name has one of these extensions.
 [[nodiscard]] bool isMeshName(const QString& path);
 
-/// Binary and text; the text's solids are parts.
+/// Binary and text; the solids of a text file are parts.
 [[nodiscard]] Result<ReadMesh> readStl(const QString& path);
-/// A part for every object, or group.
+/// One part for every object or group.
 [[nodiscard]] Result<ReadMesh> readObj(const QString& path);
-/// Binary of either byte order, and text. Parts where the comments of writePly() tell them.
+/// Binary of either byte order, and text. Parts are recognised by the comments that writePly()
+/// writes.
 [[nodiscard]] Result<ReadMesh> readPly(const QString& path);
-/// What writeGltf() writes; refuses the rest.
+/// Reads what writeGltf() writes, and refuses everything else.
 [[nodiscard]] Result<ReadMesh> readGltf(const QString& path);
 
 } // namespace core

@@ -12,7 +12,7 @@
 
 namespace core {
 
-/// One surface as it goes into a file: mm, triangles to the left seen from outside.
+/// One surface to be written: mm, triangles counter-clockwise seen from outside.
 struct MeshPart {
     QString name;
     std::uint32_t rgb = 0; ///< 0xRRGGBB
@@ -21,22 +21,22 @@ struct MeshPart {
     std::vector<glm::uvec3> triangles;
 };
 
-/// What is the same in all four: creates or overwrites the file; @p space ("LPS", "RAS") names the
-/// axes of the numbers in the file's comment. Errors: FileUnwritable, UnsupportedFormat (more than
-/// the format can count).
+// Common to all four: they create or overwrite the file; @p space ("LPS", "RAS") is written into
+// the file's comment and names the axes of the coordinates. Errors: FileUnwritable,
+// UnsupportedFormat (more triangles or vertices than the format can count).
 
-/// Binary; all parts in one, which is all that the format knows. "SPACE=LPS" stands in the header.
+/// Binary; all parts in one surface, since the format has no parts. "SPACE=LPS" is in the header.
 Result<void> writeStl(
     const QString& path, const std::vector<MeshPart>& parts, const QString& space);
-/// An object a part, vertices with their colour.
+/// One object per part; vertices with their colour.
 Result<void> writeObj(
     const QString& path, const std::vector<MeshPart>& parts, const QString& space);
-/// Binary, little endian; vertices with their colour, faces with their part's label, a comment a
-/// part that says which faces are its own.
+/// Binary, little endian; vertices with their colour, faces with their part's label, and for each
+/// part a comment that says which faces belong to it.
 Result<void> writePly(
     const QString& path, const std::vector<MeshPart>& parts, const QString& space);
-/// Binary (.glb), a node and a material a part. The numbers are as in the other formats; the node
-/// above them turns and scales them to glTF's metres with Y up (glTF 2.0, 3.6.2).
+/// Binary (.glb), one node and one material per part. Coordinates are as in the other formats; the
+/// parent node rotates and scales them to glTF's metres with Y up (glTF 2.0, 3.6.2).
 Result<void> writeGltf(
     const QString& path, const std::vector<MeshPart>& parts, const QString& space);
 

@@ -13,31 +13,29 @@
 
 namespace core {
 
-/// The words of a MetaImage header (itk.org/Wiki/MetaIO/Documentation), not yet
-/// what they mean.
+/// The fields of a MetaImage header (itk.org/Wiki/MetaIO/Documentation), not yet interpreted.
 struct MetaImageHeader {
     QByteArray bytes; ///< as they lie in the file, up to where the data or the
                       ///< list begins
-    std::map<QByteArray, QByteArray> fields; ///< by names as the format writes them
-    QList<QByteArray> list; ///< the files behind "ElementDataFile = LIST"
+    std::map<QByteArray, QByteArray> fields; ///< by their names in the format
+    QList<QByteArray> list; ///< the files listed after "ElementDataFile = LIST"
 
     [[nodiscard]] bool has(const char* name) const { return fields.contains(name); }
-    /// Empty where it is not there.
+    /// Empty if the field is missing.
     [[nodiscard]] QByteArray field(const char* name) const;
-    /// Numbers apart by blanks; none if there are none, or other things.
+    /// Numbers separated by blanks; none if there are none or something else.
     [[nodiscard]] std::optional<std::vector<double>> numbers(const char* name) const;
-    /// True or False; @p otherwise where it is not there.
+    /// True or False; @p otherwise if the field is missing.
     [[nodiscard]] bool flag(const char* name, bool otherwise) const;
 };
 
-/// FileUnreadable (no MetaImage, a line that is no field, a field twice, no
+/// Errors: FileUnreadable (not a MetaImage, a line that is not a field, a field twice, no
 /// ElementDataFile).
-/// @param path for the sentence
+/// @param path for the message
 [[nodiscard]] Result<MetaImageHeader> parseMetaImageHeader(
     const QByteArray& bytes, const QString& path);
 
-/// The same from a file; reads no further than longestTextHeader.
-/// FileTruncated: nothing in it.
+/// The same from a file, of which at most longestTextHeader is read. FileTruncated: it is empty.
 [[nodiscard]] Result<MetaImageHeader> readMetaImageHeader(const QString& path);
 
 } // namespace core

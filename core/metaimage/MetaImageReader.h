@@ -10,27 +10,26 @@
 
 namespace core {
 
-/// By name, as the format asks for it: .mha and .mhd.
+/// Whether a file is a MetaImage by its name, as the format requires: .mha or .mhd.
 [[nodiscard]] bool isMetaImageName(const QString& path);
 
-/// Geometry, facts and the place of the voxels, from a file's header. Errors as of
+/// Reads geometry, properties and the position of the voxels from a file's header. Errors: those of
 /// readMetaImageEntry().
 [[nodiscard]] Result<GridFile> readMetaImage(const QString& path);
 
-/// What a listing shows of a file, from its header: files are the header and
-/// those that hold its voxels elsewhere. Its world is LPS in millimetres, as
-/// ITK reads and writes it; the index order is kept; a centre of rotation is
-/// left out of account. UnsupportedFormat for more than one volume, several
-/// channels and types that are no numbers.
+/// The entry of a file in a listing, from its header; its files are the header and separate files
+/// with voxels. The world is LPS in millimetres, as ITK reads and writes it. The index order is
+/// kept; a centre of rotation is ignored. UnsupportedFormat for more than one volume, several
+/// channels, and types that are not numbers.
 [[nodiscard]] Result<SeriesEntry> readMetaImageEntry(const QString& path);
 
 /// The volume with its voxels. FileTruncated, FileUnreadable, OutOfMemory.
 [[nodiscard]] Result<LoadedVolume> loadMetaImage(
     const SeriesEntry& entry, const Progress& progress);
 
-/// The header of a file as it lies there; empty if it cannot be read.
+/// The bytes of a file's header; empty if it cannot be read.
 [[nodiscard]] QByteArray metaImageHeaderBytes(const QString& path);
-/// The grid that such a header says; its file may be missing.
+/// The grid of such a header; the file itself may be missing.
 [[nodiscard]] Result<VolumeGeometry> metaImageGeometryOf(
     const QByteArray& header, const QString& path);
 

@@ -8,8 +8,8 @@
 
 namespace core {
 
-/// Centres, LPS mm, of the voxels that have one of their six neighbours outside the mask or beyond
-/// the volume; ascending, x fastest. Cost ∝ the mask's voxels.
+/// The centres, in LPS mm, of the voxels that have one of their six neighbours outside the mask or
+/// outside the volume; ascending, x fastest. Cost ∝ the mask's voxels.
 [[nodiscard]] std::vector<glm::dvec3> borderVoxels(
     const VoxelRuns& mask, const VolumeGeometry& geometry);
 

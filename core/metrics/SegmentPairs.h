@@ -7,22 +7,22 @@
 
 namespace core {
 
-/// Which segment of a mask is compared with which of its reference, by their places.
+/// A segment of a mask and the one of its reference with which it is compared, by index.
 struct SegmentPair {
     std::size_t segment = 0;
     std::size_t reference = 0;
     bool operator==(const SegmentPair&) const = default;
 };
 
-/// The names that a user asked for; empty: whatever belongs together.
+/// The names that a user asked for; empty: all that correspond.
 struct AskedSegments {
     QString segment;
-    QString reference; ///< empty: that of the same name, or the only one there is
+    QString reference; ///< empty: the one of the same name, or the only one
 };
 
-/// Segments of one name belong together, whatever its letters' case; where no name is in both, a
-/// single one belongs to a single one, and as many to as many in their order. In the order of the
-/// reference; none: nothing belongs together, or no segment has a name that was asked for.
+/// Pairs segments of the same name, ignoring case. If no name is in both, a single one is paired
+/// with a single one, or equally many in their order. The result is in the order of the reference;
+/// empty: nothing corresponds, or no segment has a name that was asked for.
 [[nodiscard]] std::vector<SegmentPair> segmentPairs(const std::vector<MaskSegment>& mask,
     const std::vector<MaskSegment>& reference, const AskedSegments& asked);
 

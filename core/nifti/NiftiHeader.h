@@ -18,7 +18,7 @@ struct NiftiHeader {
     bool qform = false; ///< the quaternion agrees with the affine
 };
 
-/// @param labels of bytes: whether the intent says so
+/// @param labels for bytes: whether the intent states that they are labels
 [[nodiscard]] NiftiHeader makeNiftiHeader(const VolumeGeometry& geometry,
     NiftiHeader::DataType type, const QByteArray& description, bool labels = true);
 

@@ -11,16 +11,16 @@
 
 namespace core {
 
-/// By name, as the format asks for it: .nii and .nii.gz.
+/// Whether a file is NIfTI by its name, as the format requires: .nii or .nii.gz.
 [[nodiscard]] bool isNiftiName(const QString& path);
 
-/// Geometry and facts of a file, from its header; the key is left to the listing: sform, else
-/// qform, else pixel sizes with a caution; RAS turned into LPS, millimetres. The file's index order
-/// is kept, even where it is left-handed, so that a mask lands on its grid. UnsupportedFormat for
-/// more than one volume, colour or complex values.
+/// The entry of a file in a listing, from its header; the listing sets the key. The geometry is
+/// that of sform, else of qform, else of the pixel sizes with a caution; RAS is converted to LPS,
+/// in millimetres. The file's index order is kept even if it is left-handed, so that a mask fits
+/// its grid. UnsupportedFormat for more than one volume, colour or complex values.
 [[nodiscard]] Result<SeriesEntry> readNiftiEntry(const QString& path);
 
-/// The numbers of a file, in the machine's byte order, and what makes values of them.
+/// The numbers of a file, in the machine's byte order, and how they become values.
 struct NiftiNumbers {
     std::vector<char> bytes;
     ScalarType type = ScalarType::Int16;
@@ -28,13 +28,13 @@ struct NiftiNumbers {
     double intercept = 0.0;
     std::optional<WindowLevel> window{};
 };
-/// FileTruncated, OutOfMemory.
+/// Errors: FileTruncated, OutOfMemory.
 [[nodiscard]] Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry);
 
 /// The volume with its voxels; scl_slope and scl_inter applied. FileTruncated, OutOfMemory.
 [[nodiscard]] Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progress);
 
-/// The 348 bytes of a file's header, in this machine's byte order; empty if it cannot be read.
+/// The 348 bytes of a file's header in the machine's byte order; empty if it cannot be read.
 [[nodiscard]] QByteArray niftiHeaderBytes(const QString& path);
 
 } // namespace core

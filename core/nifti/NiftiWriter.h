@@ -12,36 +12,37 @@
 
 namespace core {
 
-/// Voxels on their way into a NIfTI file, x fastest: bytes (uint8, intent "label" unless something
-/// else is said) or modality values (int16, float32).
+/// Voxels to be written to a NIfTI file, x fastest: bytes (uint8, with intent "label" by default)
+/// or modality values (int16, float32).
 using NiftiVoxels = std::variant<std::span<const std::uint8_t>, std::span<const std::int16_t>,
     std::span<const float>>;
 
 struct NiftiImage {
-    /// Size and affine; `slicePositions` have no place in NIfTI and are not looked at.
+    /// Size and affine; `slicePositions` cannot be stored in NIfTI and are ignored.
     VolumeGeometry geometry;
     NiftiVoxels voxels;
-    QString description; ///< at most 79 bytes of it are kept
-    bool labels = true; ///< of bytes: whether they are labels
+    QString description; ///< shortened to 79 bytes
+    bool labels = true; ///< for bytes: whether they are labels
 };
 
-/// What a reader must know about the file that was written.
+/// What a reader must know about the written file.
 struct NiftiWritten {
-    /// False: qform_code is 0, because a quaternion cannot hold this grid (sheared, or closer to a
-    /// half turn than 32-bit floats resolve); the sform holds it in any case.
+    /// False: qform_code is 0, because a quaternion cannot represent this grid (it is sheared, or
+    /// closer to a half turn than 32-bit floats resolve). The sform is always correct.
     bool qform = true;
 };
 
-/// Writes NIfTI-1 (nifti1.h, R. Cox 2003), one file, gzip-compressed if the name ends in ".gz". The
-/// grid is the given one, in RAS mm (x and y of LPS negated): sform always, qform where it agrees.
+/// Writes NIfTI-1 (nifti1.h, R. Cox 2003) as one file, gzip-compressed if the name ends in ".gz".
+/// The grid is the given one in RAS mm (x and y of LPS negated): always as sform, and as qform if
+/// that agrees.
 ///
-/// The file appears under its name only when it is whole. Any thread.
+/// The file appears under its name only when it is complete. Any thread.
 /// Errors: FileExists (unless @p replaceExisting), FileUnwritable, UnsupportedFormat (a side over
-/// 32767, or not as many voxels as the size says).
+/// 32767, or the number of voxels does not match the size).
 Result<NiftiWritten> writeNifti(
     const QString& file, const NiftiImage& image, bool replaceExisting = false);
 
-/// The same without the staging: for callers that stage the file themselves.
+/// The same without staging, for callers that stage the file themselves.
 Result<NiftiWritten> writeNiftiAt(const QString& path, const NiftiImage& image);
 
 } // namespace core

@@ -6,11 +6,11 @@
 
 namespace core {
 
-/// Sets size and affine of a grid as an NRRD header says them, with what a reader must know.
+/// Sets size and affine of a grid from an NRRD header, and adds what a user must know. Errors:
 /// FileUnreadable, UnsupportedFormat, InvalidGeometry.
 [[nodiscard]] Result<void> setNrrdGeometry(GridFile& grid, const NrrdHeader& header);
 
-/// Whole numbers apart by blanks; none if one of them is not.
+/// Integers separated by blanks; none if one of them is not an integer.
 [[nodiscard]] std::optional<std::vector<qint64>> wholeNumbers(const QByteArray& text);
 
 } // namespace core

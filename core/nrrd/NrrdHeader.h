@@ -11,23 +11,23 @@
 
 namespace core {
 
-/// The words of an NRRD header (teem.sourceforge.net/nrrd/format.html), not yet what they mean.
+/// The fields of an NRRD header (teem.sourceforge.net/nrrd/format.html), not yet interpreted.
 struct NrrdHeader {
-    QByteArray bytes; ///< as they lie in the file, with the blank line that ends an attached one
-    /// By their names in small letters, without blanks: "space directions" is "spacedirections".
+    QByteArray bytes; ///< as in the file, with the blank line that ends an attached header
+    /// By their names in lower case without blanks: "space directions" is "spacedirections".
     std::map<QByteArray, QByteArray> fields;
     std::map<QByteArray, QByteArray> keyValues; ///< key:=value, escapes resolved
-    QList<QByteArray> list; ///< the files behind "data file: LIST"
+    QList<QByteArray> list; ///< the files listed after "data file: LIST"
 
     [[nodiscard]] QByteArray field(const char* name) const;
     [[nodiscard]] bool isDetached() const { return fields.contains("datafile"); }
 };
 
-/// FileUnreadable (no NRRD, a line that is none, a field twice), FileTruncated (nothing in it).
-/// @param path for the sentence
+/// Errors: FileUnreadable (not an NRRD, an invalid line, a field twice), FileTruncated (empty).
+/// @param path for the message
 [[nodiscard]] Result<NrrdHeader> parseNrrdHeader(const QByteArray& bytes, const QString& path);
 
-/// The same from a file; reads no further than longestTextHeader.
+/// The same from a file, of which at most longestTextHeader is read.
 [[nodiscard]] Result<NrrdHeader> readNrrdHeader(const QString& path);
 
 } // namespace core

@@ -10,35 +10,35 @@
 
 namespace core {
 
-/// By name, as the format asks for it: .nrrd and .nhdr.
+/// Whether a file is NRRD by its name, as the format requires: .nrrd or .nhdr.
 [[nodiscard]] bool isNrrdName(const QString& path);
 
-/// Geometry, facts and the place of the voxels, from a file's header. Spaces of the patient become
-/// LPS millimetres; a file without one lies as its spacings and axis minima say, with a caution.
-/// The file's index order is kept. UnsupportedFormat for more than one volume, vectors, bzip2 and
-/// the scanner's own space.
+/// Reads geometry, properties and the position of the voxels from a file's header. Patient spaces
+/// become LPS millimetres; a file without one is placed by its spacings and axis minima, with a
+/// caution. The file's index order is kept. UnsupportedFormat for more than one volume, vectors,
+/// bzip2 and scanner space.
 [[nodiscard]] Result<GridFile> readNrrd(const QString& path);
-/// A file with several numbers a voxel, as 3D Slicer writes segments that overlap: the grid of one,
-/// while `voxels` tells of all, those of a voxel one behind the other.
+/// A file with several numbers per voxel, as 3D Slicer writes overlapping segments: the grid of one
+/// layer, while `voxels` describes all of them, the numbers of a voxel one after the other.
 struct NrrdLayers {
     GridFile grid;
     int layers = 1;
     std::map<QByteArray, QByteArray> keyValues; ///< of the header
 };
-/// As readNrrd(), with a first axis that is none of space, or without.
+/// The same as readNrrd(), but a first axis that is not spatial is allowed.
 [[nodiscard]] Result<NrrdLayers> readNrrdLayers(const QString& path);
 
-/// What a listing shows of it: files are the header and those that hold its voxels elsewhere.
-/// Whether they are there is checked; FileTruncated where they are too short.
+/// The entry of a file in a listing; its files are the header and separate files with voxels.
+/// Checks that they exist; FileTruncated if they are too short.
 [[nodiscard]] Result<SeriesEntry> readNrrdEntry(const QString& path);
-/// The grid that a header says, its file may be missing.
+/// The grid of a header; the file itself may be missing.
 /// @param header the bytes that nrrdHeaderBytes() returned
 [[nodiscard]] Result<VolumeGeometry> nrrdGeometryOf(const QByteArray& header, const QString& path);
 
 /// The volume with its voxels. FileTruncated, FileUnreadable, OutOfMemory.
 [[nodiscard]] Result<LoadedVolume> loadNrrd(const SeriesEntry& entry, const Progress& progress);
 
-/// The header of a file as it lies there; empty if it cannot be read.
+/// The bytes of a file's header; empty if it cannot be read.
 [[nodiscard]] QByteArray nrrdHeaderBytes(const QString& path);
 
 } // namespace core

@@ -14,19 +14,20 @@
 
 namespace core {
 
-/// Bytes on their way into an NRRD file, x fastest, and what is said about them.
+/// Bytes to be written to an NRRD file, x fastest, with their description.
 struct NrrdImage {
-    /// Size and affine; `slicePositions` have no place in NRRD and are not looked at.
+    /// Size and affine; `slicePositions` cannot be stored in NRRD and are ignored.
     VolumeGeometry geometry;
     std::span<const std::uint8_t> voxels;
-    /// In UTF-8, as they are meant: backslashes and line ends are escaped here. No key holds ":".
+    /// In UTF-8, unescaped: backslashes and line ends are escaped by the writer. Keys must not
+    /// contain ":".
     std::vector<std::pair<QByteArray, QByteArray>> keyValues;
 };
 
-/// Writes NRRD (teem.sourceforge.net/nrrd/format.html, version 4), one file, its voxels packed with
-/// gzip: space left-posterior-superior, directions and origin to the last bit of the geometry. For
-/// callers that stage the file themselves. Any thread.
-/// Errors: FileUnwritable, UnsupportedFormat (not as many voxels as the size says).
+/// Writes NRRD (teem.sourceforge.net/nrrd/format.html, version 4) as one file with voxels
+/// compressed by gzip. Space is left-posterior-superior; directions and origin have the full
+/// precision of the geometry. For callers that stage the file themselves. Any thread. Errors:
+/// FileUnwritable, UnsupportedFormat (the number of voxels does not match the size).
 Result<void> writeNrrdAt(const QString& path, const NrrdImage& image);
 
 } // namespace core

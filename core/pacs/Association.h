@@ -20,26 +20,26 @@ struct T_DIMSE_Message;
 
 namespace core {
 
-/// A kind of object or service that is proposed to a node, in one of some transfer syntaxes.
+/// A SOP class that is proposed to a node, with possible transfer syntaxes.
 struct ProposedContext {
     QByteArray abstractSyntax;
     std::vector<QByteArray> transferSyntaxes;
-    bool nodeSends = false; ///< C-GET: the node stores at us
+    bool nodeSends = false; ///< C-GET: the node stores objects at this program
 };
 
-/// The two that every DICOM application understands.
+/// The two transfer syntaxes that every DICOM application supports.
 [[nodiscard]] std::vector<QByteArray> plainSyntaxes();
 
-/// "CTImageStorage" for the UID of that; a UID without a name as it is.
+/// "CTImageStorage" for its UID; a UID without a name is returned unchanged.
 [[nodiscard]] QString nameOfUid(const QByteArray& uid);
 
-/// An association with a node, and what is said on it. Data sets that arrive are handed on as
-/// bytes, never parsed here: they pass core/dicom's preflight first. Only for sources of core/pacs.
+/// A DICOM association with a node. Received data sets are passed on as bytes and never parsed
+/// here: they go through core/dicom's preflight first. Only for sources of core/pacs.
 class Association {
 public:
-    /// Asks the node for one. NodeUnreachable, NodeRejects, NodeTimeout, NodeLost, NodeNonsense,
-    /// Cancelled.
-    /// @param whole how long it may take, with all that is said on it; zero: as long as things come
+    /// Requests an association. Errors: NodeUnreachable, NodeRejects, NodeTimeout, NodeLost,
+    /// NodeNonsense, Cancelled.
+    /// @param whole limit for everything done with it; zero: no limit while data arrive
     [[nodiscard]] static Result<Association> request(const PacsNode& node,
         const std::vector<ProposedContext>& contexts, const Progress& progress,
         Patience::Seconds whole = {});
@@ -48,13 +48,13 @@ public:
 
     Association(Association&&) noexcept;
     Association& operator=(Association&&) noexcept;
-    /// Aborts it where release() did not end it.
+    /// Aborts it unless release() has ended it.
     ~Association();
 
     [[nodiscard]] T_ASC_Association* get() const;
     [[nodiscard]] const PacsNode& node() const;
-    /// The number of a context that the node accepted for this kind, in @p transferSyntax if one is
-    /// named. NodeRefuses.
+    /// The number of an accepted context for this class, with @p transferSyntax if one is given.
+    /// Errors: NodeRefuses.
     [[nodiscard]] Result<std::uint8_t> context(
         const QByteArray& abstractSyntax, const QByteArray& transferSyntax = {}) const;
     /// The transfer syntax of an accepted context.
@@ -64,17 +64,17 @@ public:
     [[nodiscard]] Result<void> send(
         std::uint8_t context, T_DIMSE_Message& message, DcmDataset* data = nullptr);
     [[nodiscard]] Result<T_DIMSE_Message> receive(std::uint8_t& context);
-    /// Takes a data set's bytes as they arrive.
+    /// Receives the bytes of a data set as they arrive.
     using Sink = std::function<void(const char* bytes, std::size_t size)>;
     [[nodiscard]] Result<void> receiveData(std::uint8_t context, const Sink& sink);
 
-    /// Something whole went over: the node is awaited anew (Patience).
+    /// Records that something complete was transferred, so that waiting begins anew (Patience).
     void notePassed();
-    /// Ends it in good order.
+    /// Ends the association properly.
     void release();
-    /// The other side ended it so.
+    /// Records that the other side ended it properly.
     void markReleased();
-    /// What a condition of DCMTK means here.
+    /// Converts a DCMTK condition to an error.
     [[nodiscard]] Error error(const OFCondition& condition) const;
 
 private:

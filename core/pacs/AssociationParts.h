@@ -9,7 +9,8 @@ struct T_ASC_Parameters;
 
 namespace core {
 
-/// What an association consists of; for the two sources that make them. Freed from the top down.
+/// The parts of an association, for the two sources that create them. They are freed from first to
+/// last.
 struct Association::Parts {
     Parts() = default;
     Parts(const Parts&) = delete;
@@ -18,10 +19,10 @@ struct Association::Parts {
 
     PacsNode node;
     WireState ownState;
-    WireState* state = &ownState; ///< a listener's, where it made the association
+    WireState* state = &ownState; ///< that of a listener if it created the association
     std::unique_ptr<DcmTransportLayer> layer;
-    T_ASC_Network* network = nullptr; ///< none where a listener made the association
-    T_ASC_Parameters* parameters = nullptr; ///< the association's, once there is one
+    T_ASC_Network* network = nullptr; ///< null if a listener created the association
+    T_ASC_Parameters* parameters = nullptr; ///< owned by the association once there is one
     T_ASC_Association* association = nullptr;
     bool released = false;
 };

@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// What a node's status says (PS3.7 annex C, PS3.4): "it is out of resources (0xa700)".
+/// The meaning of a node's status (PS3.7 annex C, PS3.4): "it is out of resources (0xa700)".
 [[nodiscard]] QString statusText(std::uint16_t status);
 
 } // namespace core

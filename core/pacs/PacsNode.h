@@ -9,30 +9,30 @@ namespace core {
 
 /// How the connection to a node is secured. Files are PEM.
 struct PacsTls {
-    /// Certificates of the authority that signs the node's; empty: no TLS. DCMTK compares no host
-    /// names, so this should sign the node's certificate only.
+    /// Certificates of the authority that signed the node's; empty: no TLS. DCMTK does not compare
+    /// host names, so the authority should have signed only the node's certificate.
     QString authorityFile;
-    QString certificateFile; ///< our own, where the node asks for it
+    QString certificateFile; ///< our own, if the node requires one
     QString keyFile;
 
     [[nodiscard]] bool wanted() const { return !authorityFile.isEmpty(); }
 };
 
-/// A DICOM application that answers to C-ECHO, C-FIND, C-GET, C-MOVE or C-STORE.
+/// A DICOM application that accepts C-ECHO, C-FIND, C-GET, C-MOVE or C-STORE.
 struct PacsNode {
-    QString aeTitle; ///< what it is called
+    QString aeTitle; ///< its title
     QString host;
     int port = 104;
-    QString ownAeTitle = QStringLiteral("BURIN"); ///< what it knows us by
-    int timeoutSeconds = 30; ///< without a sign of life
+    QString ownAeTitle = QStringLiteral("BURIN"); ///< our title at the node
+    int timeoutSeconds = 30; ///< without any response
     PacsTls tls;
 
     /// "AETITLE@host:port"
     [[nodiscard]] QString name() const;
-    /// Reads what name() gives. InvalidField.
+    /// Parses what name() returns. Errors: InvalidField.
     [[nodiscard]] static Result<PacsNode> parse(const QString& text);
-    /// InvalidField: a title that DICOM cannot hold (1 to 16 characters of ASCII, no backslash), a
-    /// port that is none.
+    /// Errors: InvalidField for a title that DICOM does not allow (it has 1 to 16 ASCII characters
+    /// and no backslash) or an invalid port.
     [[nodiscard]] Result<void> check() const;
 };
 

@@ -9,17 +9,17 @@
 
 namespace core {
 
-/// What a node took.
+/// What a node accepted.
 struct SentObjects {
     int sent = 0;
-    QStringList warnings; ///< a sentence for each object that it took, but not as it is
+    QStringList warnings; ///< a sentence for each object that it accepted with changes
 };
 
-/// Stores DICOM files at a node (C-STORE), each in the transfer syntax it has; the node may take
-/// uncompressed ones in another uncompressed syntax. Ends at the first that it does not take. Waits
-/// for the network; call it on a worker's thread.
+/// Stores DICOM files at a node (C-STORE), each in its own transfer syntax; uncompressed files may
+/// be sent in another uncompressed syntax. Stops at the first file that is not accepted. Blocks;
+/// call it on a worker thread.
 ///
-/// Errors: FileUnreadable and the like (nothing was sent yet), as of Association::request(),
+/// Errors: FileUnreadable and similar (then nothing was sent), those of Association::request(),
 /// NodeRefuses, NodeFailed.
 [[nodiscard]] Result<SentObjects> sendFiles(
     const PacsNode& node, const QStringList& files, const Progress& progress);

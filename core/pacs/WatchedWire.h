@@ -14,30 +14,30 @@ class DcmTransportLayer;
 
 namespace core {
 
-/// What happened on a connection, which DCMTK's conditions do not tell apart.
+/// What happened on a connection; DCMTK's conditions do not distinguish these cases.
 struct WireState {
-    const Progress* progress = nullptr; ///< asked while the connection waits
+    const Progress* progress = nullptr; ///< checked while the connection waits
     int timeoutSeconds = 30;
-    /// Begins when a connection is made; told of what is whole by who knows it.
-    Patience::Seconds wholeSeconds{}; ///< for all of it; zero: no limit
+    /// Created with the connection. Complete messages are reported to it from outside.
+    Patience::Seconds wholeSeconds{}; ///< limit for everything; zero: none
     std::shared_ptr<Patience> patience;
     bool connected = false;
     bool timedOut = false;
-    Patience::Lost lost = Patience::Lost::No; ///< how it did
+    Patience::Lost lost = Patience::Lost::No; ///< which limit was exceeded
     bool clockRanOut =
         false; ///< DCMTK's own, in whole seconds: it waits no more, and reads no more
     bool closed = false; ///< by the other side
     bool cancelled = false;
-    QString trouble; ///< what the system said
-    QString nonsense; ///< what it says that cannot be
-    QString handshake; ///< why the connection could not be secured
+    QString trouble; ///< the system's message
+    QString nonsense; ///< what was invalid in the data received
+    QString handshake; ///< why TLS could not be established
 };
 
-/// The layer below an association: answers to cancelling within a tenth of a second, ends when
-/// patience is lost, whatever DCMTK or TLS are waiting for, sends at once (without TCP_NODELAY each
-/// of a series' images waits 40 ms), notes into @p state what ends it, and secures it where @p tls
-/// says so. @p state outlives it. Only for sources of core/pacs.
-/// InvalidField, FileUnreadable: certificates that cannot be used.
+/// Creates the transport layer below an association. It reacts to cancelling within a tenth of a
+/// second and ends when a limit of Patience is exceeded, whatever DCMTK or TLS are waiting for. It
+/// sends at once (without TCP_NODELAY each image of a series would wait 40 ms), records in @p state
+/// what ends the connection, and uses TLS if @p tls says so. @p state must outlive it. Only for
+/// sources of core/pacs. Errors: InvalidField, FileUnreadable (certificates that cannot be used).
 [[nodiscard]] Result<std::unique_ptr<DcmTransportLayer>> makeWatchedLayer(
     WireState& state, const PacsTls& tls);
 

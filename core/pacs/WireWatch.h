@@ -12,9 +12,9 @@
 
 namespace core {
 
-/// Shuts a socket down from a thread of its own when work is cancelled or patience is lost: what
-/// waits for it then returns, wherever that is. Libraries that read a whole record or shake hands
-/// ask nobody on the way.
+/// Shuts a socket down, from its own thread, when the work is cancelled or a limit of Patience is
+/// exceeded. Whatever is waiting for the socket then returns. This is necessary because libraries
+/// that read a whole record or do a handshake cannot be interrupted otherwise.
 class WireWatch {
 public:
     /// @param progress may be null
@@ -23,7 +23,7 @@ public:
     WireWatch& operator=(const WireWatch&) = delete;
     ~WireWatch() { end(); }
 
-    /// Before the socket is closed. Once it has returned the socket is left alone.
+    /// To be called before the socket is closed; afterwards the socket is not touched any more.
     void end();
 
     [[nodiscard]] bool cancelled() const { return m_cancelled; }
@@ -40,7 +40,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable m_changed;
     bool m_ending = false; ///< under the mutex
-    TaskThread m_thread; ///< last: it uses all of the above
+    TaskThread m_thread; ///< last, since it uses all of the above
 };
 
 } // namespace core

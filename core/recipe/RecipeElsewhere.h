@@ -14,33 +14,34 @@
 
 namespace core {
 
-/// A recipe that was recorded on one study, carried out on another. What is bound to places is left
-/// out (isBoundToStudy()). Whatever a step made has here the number that the same step gave it
-/// here, and steps that need what was not made here are left out too, so that none acts on another
-/// segment, layer, piece, bookmark or measurement than it did.
+/// Adapts a recipe that was recorded on one study to another one. Steps bound to places are left
+/// out (isBoundToStudy()). An object that a step made has, on this study, the number that the same
+/// step gave it here. Steps that need an object that was not made here are also left out, so that
+/// no step acts on another segment, layer, piece, bookmark or measurement than it did.
 ///
-/// Its steps are gone through in their order: here() for each, and carriedOut() where there was
-/// something to carry out.
+/// Steps are processed in their order: here() for each of them, and carriedOut() for each that was
+/// carried out.
 class RecipeElsewhere {
 public:
     explicit RecipeElsewhere(Recipe recipe);
 
-    /// A step that is not carried out here.
+    /// A step that is not carried out on this study.
     struct LeftOut {
-        int entry = 0; ///< its place in the recipe, from 1
-        bool bound = false; ///< to places in the other study
-        QString why; ///< "the piece that edit 3 (cutPiece) makes is not here"; empty where bound
+        int entry = 0; ///< its number in the recipe, from 1
+        bool bound = false; ///< it is bound to places in the other study
+        QString why; ///< "the piece that edit 3 (cutPiece) makes is not here"; empty if bound
     };
     [[nodiscard]] tl::expected<Edit, LeftOut> here(std::size_t step, const Document& now) const;
-    /// Takes in what the step made, if anything came of it.
+    /// Records what the step made, if it made anything.
     void carriedOut(std::size_t step, const Document& before, const Document& after);
 
     /// The recipe as recorded.
     [[nodiscard]] const Recipe& recorded() const { return m_recipe; }
-    /// Its exports, with the numbers that layers have here. After the last step.
+    /// Its exports, with the numbers that layers have on this study. To be called after the last
+    /// step.
     [[nodiscard]] std::vector<RecipeExport> exports() const;
 
-    /// As it will read here, and what will be left out, if every step that can make something does.
+    /// The adapted recipe, and what will be left out, if every step makes what it can make.
     struct Foreseen {
         Recipe recipe;
         std::vector<LeftOut> leftOut;
@@ -49,8 +50,9 @@ public:
 
 private:
     using Kind = editFields::ThingNumber::Thing;
-    using Thing = std::pair<Kind, int>; ///< by its number where the recipe was recorded
-    /// By which step each thing was made.
+    /// by its number in the study where the recipe was recorded
+    using Thing = std::pair<Kind, int>;
+    /// By which step each object was made.
     using Makers = std::map<Thing, std::size_t>;
 
     static const char* wordFor(Kind kind);
@@ -61,8 +63,9 @@ private:
     void followRecorded();
 
     Recipe m_recipe;
-    std::vector<Makers> m_makers; ///< before each step, where it was recorded; and after the last
-    std::map<std::size_t, int> m_numbers; ///< what each maker made here
+    /// before each step, and after the last, in the study where it was recorded
+    std::vector<Makers> m_makers;
+    std::map<std::size_t, int> m_numbers; ///< number of what each step made on this study
 };
 
 } // namespace core

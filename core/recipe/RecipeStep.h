@@ -13,11 +13,11 @@
 
 namespace core {
 
-/// A walk through the history; no edit and no row of its own.
+/// A walk through the history; it is not an edit and makes no row.
 struct HistoryMove {
     enum class Kind { Undo, Redo, GoTo };
     Kind kind = Kind::Undo;
-    RowId row = 0; ///< of GoTo; 0: the beginning
+    RowId row = 0; ///< for GoTo; 0: the beginning
 };
 
 /// One entry of a recipe's list.
@@ -30,18 +30,18 @@ using RecipeStep = std::variant<Edit, HistoryMove>;
 /// "undo", "redo", "goTo", or the edit's name.
 [[nodiscard]] QString stepName(const RecipeStep& step);
 
-/// Whether a step means a place or a row of one study and so nothing on another: seeds, strokes,
-/// measurements, whatever has a box, a pivot or a clip region, walks. Segments, their names and
-/// codes, and growth intervals go over.
+/// Whether a step refers to a place or a row of one study and so means nothing on another: seeds,
+/// strokes, measurements, everything with a box, a pivot or a clip region, walks. Segments with
+/// their names and codes, and growth intervals, are not bound.
 [[nodiscard]] bool isBoundToStudy(const RecipeStep& step);
 
-/// Whether an edit of this name starts on what is seen ("surface").
+/// Whether an edit of this name starts on the visible surface (it has a field "surface").
 [[nodiscard]] bool startsOnSurface(const QString& editName);
 
-/// What is seen, where an edit starts on that. @param threshold modality units
+/// Sets the surface threshold of an edit that has one. @param threshold modality units
 void setSurface(Edit& edit, double threshold);
 
-/// editDocumentation() and the walks: everything a recipe's list can hold.
+/// editDocumentation() and the walks: everything that can be in a recipe's list.
 [[nodiscard]] std::vector<EditDocumentation> recipeStepDocumentation();
 
 } // namespace core

@@ -8,13 +8,15 @@
 
 namespace core {
 
+/// A key that occurs twice in a JSON object.
 struct RepeatedKey {
     QString key;
-    int line = 0; ///< of the second one, from 1
+    int line = 0; ///< of the second occurrence, from 1
 };
 
-/// The first key that an object of a JSON text has twice; readers keep the last one without a word.
-/// @pre the text is JSON
+/// The first key that occurs twice in an object of a JSON text. JSON readers silently keep the last
+/// one.
+/// @pre the text is valid JSON
 [[nodiscard]] std::optional<RepeatedKey> repeatedKey(const QByteArray& json);
 
 } // namespace core

@@ -8,15 +8,16 @@
 
 namespace core {
 
-/// Repairs a volume as it was loaded: all of @p repair but its duplicates, which the caller chose
-/// among before. Volume::repair names the whole of it, problems say by which word they were
-/// repaired, and those that are so need no caution any more.
+/// Repairs a loaded volume: does everything of @p repair except for duplicates, among which the
+/// caller has already chosen. Volume::repair receives the whole repair; problems record which part
+/// repaired them, and these no longer need a caution.
 ///
-/// A voxel is the mean of the source's voxels around it, at most eight, weighted by integers
-/// (RepairLattice.h: places in 1/65536; products of three shares, 48 bits; the sum and a half,
-/// without its last 48 bits). Where one of them lies outside the images, or holds padding, the one
-/// that weighs most is taken as it is. Where that is outside, too: padding if the source has any
-/// that its codes can say, else the least value. A slice at a whole place keeps its very values.
+/// A voxel is the mean of the (at most eight) source voxels around it, weighted by integers
+/// (RepairLattice.h: positions in 1/65536; products of three shares have 48 bits; half is added to
+/// the sum, and the last 48 bits are dropped). If one of them is outside the images or is padding,
+/// the one with the greatest weight is taken unchanged. If that one is outside, the voxel is
+/// padding if the source has any that its codes can represent, else the minimum. A slice at a whole
+/// position keeps its exact values.
 ///
 /// Errors: InvalidField ("repair"; the reason), OutOfMemory, Cancelled.
 [[nodiscard]] Result<LoadedVolume> repairVolume(

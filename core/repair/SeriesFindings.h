@@ -12,14 +12,15 @@ namespace core {
 
 /// Something that can be done about a finding.
 struct RepairOffer {
-    QString repair; ///< as `--repair` takes it; empty: another series is opened instead
-    QString series; ///< of another stack or point in time: what `--series` takes; else empty
+    QString repair; ///< in the form of `--repair`; empty: another series is opened instead
+    QString series; ///< another stack or point in time, in the form of `--series`; else empty
     QString title; ///< "Fill the gaps"
-    QString effect; ///< what it does to which slices; a sentence or two
+    QString effect; ///< one or two sentences on what it does to which slices
     VolumeGeometry result; ///< the grid with this repair alone
 };
 
-/// What was found about a series, and what can be done about it. Opening it as it is can always.
+/// A problem of a series, and what can be done about it. Opening the series unchanged is always
+/// possible.
 struct SeriesFinding {
     VolumeProblem problem;
     std::vector<RepairOffer> offers{};
@@ -29,13 +30,14 @@ struct SeriesFinding {
 [[nodiscard]] SeriesAlternatives seriesAlternatives(
     const StudyListing& listing, const SeriesEntry& entry, int time = 0);
 
-/// The findings of an entry of a listing, from headers alone: its problems, and that it is one of
-/// several stacks where it is.
+/// The findings for an entry of a listing, from headers alone: its problems, and whether it is one
+/// of several stacks.
 [[nodiscard]] std::vector<SeriesFinding> seriesFindings(
     const StudyListing& listing, const SeriesEntry& entry);
 
-/// The findings of a volume: what was found on the slices as they are, also on decoding them, with
-/// what was done about it. Other stacks and duplicates while Volume::alternatives knows of them.
+/// The findings for a volume: problems of the original slices, including those found while
+/// decoding, with what was done about them. Other stacks and duplicates are included if
+/// Volume::alternatives lists them.
 [[nodiscard]] std::vector<SeriesFinding> seriesFindings(const Volume& volume);
 
 } // namespace core

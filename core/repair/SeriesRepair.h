@@ -9,19 +9,19 @@
 
 namespace core {
 
-/// What is done to a series on loading it; its files stay as they are. Part of how a volume is
-/// named: the same words on the same files give the same voxels on every machine.
+/// How a series is changed when it is loaded; its files stay as they are. A repair is part of the
+/// name of a volume: the same words on the same files give the same voxels on every machine. The
+/// words are:
 ///
-/// | words | what |
-/// |---|---|
-/// | `tilt` | the tilt is sheared out: slices are shifted in their planes until they lie straight |
-/// | `spacing=even` | slices at even distances, interpolated between those that there are |
-/// | `gap=fill` | missing slices are interpolated, those that are there stay |
-/// | `gap=split:2` | the second of the parts that gaps, or changes of the distance, divide it into
-/// | | `duplicates=first`, `duplicates=last` | of several images at one place the one with the
-/// least, or the greatest, instance number |
-/// | `spacing=0.5x0.5x2` | of pictures, which need not say it: voxels are so many millimetres apart
-/// along columns, rows and slices |
+/// - `tilt`: removes the shear of a gantry tilt by shifting slices in their planes until they are
+///   aligned
+/// - `spacing=even`: slices at even distances, interpolated between the original ones
+/// - `gap=fill`: missing slices are interpolated, the original ones stay
+/// - `gap=split:2`: the second of the parts into which gaps, or changes of the distance, divide it
+/// - `duplicates=first`, `duplicates=last`: of several images at one position the one with the
+///   lowest or the greatest instance number
+/// - `spacing=0.5x0.5x2`: for pictures, which need not state it: the distance of voxels in
+///   millimetres along columns, rows and slices
 struct SeriesRepair {
     enum class Duplicates : std::uint8_t { Keep, First, Last };
     enum class Lattice : std::uint8_t { AsIs, Even, Filled };
@@ -34,29 +34,31 @@ struct SeriesRepair {
 
     bool operator==(const SeriesRepair&) const = default;
     [[nodiscard]] bool isNone() const { return *this == SeriesRepair(); }
-    /// What it is but for the spacing.
+    /// The repair without its spacing.
     [[nodiscard]] SeriesRepair withoutSpacing() const;
-    /// Whether voxels no longer lie where those of the slices lie.
+    /// Whether voxels are no longer at the positions of the slices' voxels.
     [[nodiscard]] bool movesVoxels() const { return tilt || lattice != Lattice::AsIs; }
 
-    /// The words, always in the same order, with commas between them; empty for none.
+    /// The words, always in the same order, separated by commas; empty for none.
     [[nodiscard]] QString toText() const;
-    /// The same as a clause for people: "tilt sheared out, missing slices filled in".
+    /// The same as a clause for the user: "tilt sheared out, missing slices filled in".
     [[nodiscard]] QString inWords() const;
-    /// @param why gets what is wrong with the words
+    /// @param why receives what is wrong with the words
     [[nodiscard]] static std::optional<SeriesRepair> fromText(
         const QString& text, QString* why = nullptr);
 };
 
-/// The word for a spacing that is given: "spacing=0.5x0.5x2". @param sizes three numbers, apart by
-/// commas or x, as `--spacing` takes them @param why gets what is wrong with them
+/// The word for a given spacing: "spacing=0.5x0.5x2".
+/// @param sizes three numbers separated by commas or x, as in `--spacing`
+/// @param why receives what is wrong with them
 [[nodiscard]] std::optional<QString> spacingWord(const QString& sizes, QString* why = nullptr);
 
-/// For the header of an object that was drawn on a repaired series, in ASCII; empty without repair.
+/// A note for the header of an object that was drawn on a repaired series, in ASCII; empty without
+/// repair.
 /// @param repair Volume::repair
 [[nodiscard]] QString repairStamp(const QString& repair);
 
-/// The name of a series together with its repair, as loadVolume() takes it: "UID+tilt,gap=fill".
+/// The name of a series with its repair, in the form of loadVolume(): "UID+tilt,gap=fill".
 [[nodiscard]] QString withRepair(const QString& series, const QString& repair);
 
 } // namespace core

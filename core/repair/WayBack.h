@@ -10,25 +10,26 @@
 
 namespace core {
 
-/// From the voxels of a repaired volume back to the slices of its images.
+/// Transfers labels from a repaired volume back to the slices of its original images.
 ///
-/// A voxel of a slice takes what the nearest voxel of the repaired volume holds: since rows and
-/// columns are the same this is one step in whole voxels for every slice (LatticePlace::nearest()),
-/// at most half a voxel from the true place. Every voxel of every slice has one; what was drawn on
-/// slices that were filled in, or beside what was scanned, has no place in any image.
+/// A voxel of a slice gets the label of the nearest voxel of the repaired volume. Since rows and
+/// columns are the same, this is one offset in whole voxels for every slice
+/// (LatticePlace::nearest()), at most half a voxel from the true position. Every voxel of every
+/// slice gets a label; what was drawn on interpolated slices or outside the scanned region has no
+/// place in any image.
 class WayBack {
 public:
-    /// None where the voxels of @p volume lie on the slices of its images.
+    /// None if the voxels of @p volume lie on the slices of its images.
     [[nodiscard]] static std::optional<WayBack> of(const Volume& volume);
 
-    /// The volume of the images' slices: their grid and sources, whose they are, and still by name
-    /// how the series was repaired.
+    /// The volume of the original slices: their grid, sources and identity, and still the name of
+    /// the repair.
     [[nodiscard]] const Volume& slices() const { return m_slices; }
 
-    /// Labels of the repaired volume (x fastest) on the grid of slices().
+    /// Converts labels of the repaired volume (x fastest) to the grid of slices().
     [[nodiscard]] std::vector<std::uint8_t> labels(std::span<const std::uint8_t> repaired) const;
 
-    /// Per slice of slices(): which voxel of the repaired volume is nearest to its first voxel.
+    /// Per slice of slices(): the voxel of the repaired volume that is nearest to its first voxel.
     [[nodiscard]] const std::vector<glm::ivec3>& firstVoxels() const { return m_firstVoxels; }
 
 private:

@@ -16,10 +16,10 @@
 
 namespace core {
 
-// What passes between sculpt layers and segments, and between segments, in integers. Both engines
-// follow the rules to the bit; each voxel decides for itself, so neither order nor company matters.
+// What passes between sculpt layers and segments, in integers. Both engines follow the rules to the
+// bit; each voxel decides for itself, so neither order nor company matters.
 
-/// Index positions with normal · voxel ≤ offset.
+/// A half-space that contains the index positions with normal · voxel ≤ offset.
 struct VoxelBound {
     /// |normal[axis]| · size[axis] < 2²⁹ on each axis of the volume, so that no sum overflows.
     glm::ivec3 normal{0};
@@ -27,24 +27,24 @@ struct VoxelBound {
     bool operator==(const VoxelBound&) const = default;
 };
 
-/// Give a label to voxels. A voxel that is chosen, and that the plane holds 0, the label or a label
-/// in `overwritable` at, receives the label; a seed word there that bears another label (a member's
-/// or a pending seed's) becomes unvisited. So no growth goes on from what this took, and none
-/// counts it as its own.
+/// Give a label to voxels. Each chosen voxel at which the plane holds 0, the label or a label in
+/// `overwritable` receives the label, and a seed word there that has another label, of a member or
+/// a pending seed, becomes unvisited. So no growth continues from the voxels that this took, and
+/// none counts them as its own.
 struct LabelTarget {
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
     std::bitset<256> overwritable{};
 };
 
-/// Chosen: coverage of the layer ≥ 128, muted or not.
+/// Chosen are the voxels whose coverage in the layer is ≥ 128, whether or not the layer is muted.
 struct LabelCarved {
     LabelTarget target{};
     std::uint8_t layer = 0;
 };
 
-/// Chosen: what is seen, from wherever: coverage < 128 in all layers that are not muted, lowCode ≤
-/// code ≤ highCode, and within every bound.
+/// Chosen are the voxels that are visible from anywhere: coverage < 128 in all layers that are not
+/// muted, lowCode ≤ code ≤ highCode, and inside every bound.
 struct LabelSeen {
     LabelTarget target{};
     int lowCode = 0;
@@ -52,8 +52,8 @@ struct LabelSeen {
     std::vector<VoxelBound> bounds{};
 };
 
-/// Give labels to voxels that are listed. Each by the rule of LabelTarget, with the label that is
-/// asked for it; where 0 is asked nothing happens.
+/// Give labels to listed voxels. Each follows the rule of LabelTarget with the label requested for
+/// it; where 0 is requested, nothing happens.
 struct LabelListed {
     struct Brick {
         std::uint32_t brick = 0;
@@ -64,15 +64,15 @@ struct LabelListed {
     std::vector<Brick> bricks{}; ///< ascending, each once
 };
 
-/// Give a label to voxels that are listed, and take it from others. One that is to receive it goes
-/// by the rule of LabelTarget. One that is to lose it becomes 0 where the plane holds the label at
-/// it, and a seed word there that bears the label becomes unvisited (as PaintLabel erases).
+/// Give a label to listed voxels, and remove it from others. A voxel that is to receive it follows
+/// the rule of LabelTarget. A voxel that is to lose it becomes 0 if the plane holds the label
+/// there, and a seed word there that has the label becomes unvisited (as when PaintLabel erases).
 struct RelabelListed {
     static constexpr std::uint8_t give = 1;
     static constexpr std::uint8_t take = 2;
     struct Brick {
         std::uint32_t brick = 0;
-        std::vector<std::uint8_t> asked; ///< of its 4096 voxels: give, take or 0, which is nothing
+        std::vector<std::uint8_t> asked; ///< of its 4096 voxels: give, take or 0 (nothing)
     };
     LabelTarget target{};
     std::vector<Brick> bricks{}; ///< ascending, each once
@@ -102,7 +102,8 @@ struct CoverLabel {
     std::uint8_t label = 0;
 };
 
-/// Empty a layer. With `into`, another one: there coverage = max(coverage, that of the layer).
+/// Empty a layer. With `into`, another layer receives it first: coverage = max(coverage, that of
+/// the layer).
 struct FoldLayer {
     std::uint8_t layer = 0;
     std::optional<std::uint8_t> into{};

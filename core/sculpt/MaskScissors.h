@@ -7,16 +7,16 @@
 
 namespace core {
 
-/// Cuts out what lies under a closed curve along the view direction, on the plane of MaskFrame.h,
-/// whose rules 2 to 6 it goes on with.
+/// Cuts out what lies under a closed curve along the view direction. It lies on the plane of
+/// MaskFrame.h and continues with rules 2 to 6 of that header.
 ///
 /// 1. Elements with m = `mask`(a, b) > 0 are used; their columns have the weight
 ///    (m·255 + 128) >> 8.
-/// 2. Through all of it (`fromSurface` is off): nothing is cast; the column is (zStart − 2r,
-///    zStart + sampleCount·zPerSample + 2r), carving and restoring alike.
-/// 3. From the surface: as a drill pressed to maxDepth (DrillCut.h, rule 1e): (zSurface − front,
-///    min(zSurface + maxDepth, zExit)), or restoring as rule 7 of MaskFrame.h says.
-///    The frame's throughGaps says whether the first layer of material is all that is cut.
+/// 2. Through everything (`fromSurface` is off): no rays are cast; the column is (zStart − 2r,
+///    zStart + sampleCount·zPerSample + 2r), for carving and restoring alike.
+/// 3. From the surface: the column is that of a drill pressed to maxDepth (DrillCut.h, rule 1e),
+///    (zSurface − front, min(zSurface + maxDepth, zExit)), or, when restoring, that of MaskFrame.h,
+///    rule 7. With the frame's throughGaps off, only the first layer of material is cut.
 struct MaskScissors {
     std::uint8_t layer = 0;
     MaskFrame frame;
@@ -25,8 +25,8 @@ struct MaskScissors {
     Laying laying = Laying::Carve;
 };
 
-/// @param hit of rule 3; not looked at where nothing is cast
-/// @param weight m
+/// @param hit of rule 3; not used where no ray is cast
+/// @param weight m of rule 1
 [[nodiscard]] MaskColumn scissorsColumn(
     const MaskScissors& scissors, const SurfaceHit& hit, std::int32_t weight);
 

@@ -7,14 +7,14 @@
 
 namespace core {
 
-/// How a ray finds what the user sees.
+/// Which point along a ray counts as visible to the user.
 enum class SeenBy : std::uint8_t {
     Surface, ///< first sample that is material (MaskFrame.h rule 3)
     Opacity, ///< first sample where accumulated opacity reaches one half
     BrightestVoxel, ///< greatest interpolated value along the ray; the first of equals
 };
 
-/// A line of samples through the volume, along which it is found out what the user sees.
+/// A ray as a row of samples through the volume, to find the voxel that the user sees.
 struct PickRay {
     glm::ivec3 origin{0}; ///< index16 at sample 0
     glm::ivec3 step{0}; ///< index16 per sample

@@ -6,8 +6,9 @@
 
 namespace core {
 
-/// What a cut leaves as it is: the voxels at which a label plane, as it was when the edit began,
-/// holds one of these labels. Only carving asks for it; whatever is filled again, is.
+/// Labels that protect their voxels from carving. A voxel is left as it is if the label plane, as
+/// it was when the edit began, holds one of these labels there. Refilling (Laying::Refill) ignores
+/// it.
 struct SparedLabels {
     std::uint8_t plane = 0;
     std::bitset<256> labels{};

@@ -29,77 +29,86 @@ class SessionSurface;
 class StepFindings;
 class VoxelQuestions;
 
-/// The controller (DESIGN §2): stroke → command → engine → history → session file.
+/// The controller: turns strokes and other edits into commands for the engine, and keeps the
+/// results in the history and the session file.
 ///
-/// Owns the document and the history of one open volume; the engine is lent. One stroke is open at
-/// a time; one under the pen is ended by whoever began it. Only settle() waits. All members, and
-/// those of its parts, belong to one thread.
+/// It owns the document and the history of one open volume; the engine is lent. At most one stroke
+/// is open at a time, and whoever began it ends it. Only settle() and the destructor block. All
+/// members, including those of the parts, are called from one thread.
 class EditSession {
 public:
     struct Options {
         QString file; ///< session file; empty: history in memory only
-        /// Where the file cannot be made the session begins in memory (SessionStorage).
+        /// Begin in memory if the file cannot be created (SessionStorage).
         bool beginWithoutFile = false;
-        std::function<void()> wakeUp{}; ///< on another thread, whenever poll() has something
+        /// called on another thread whenever poll() has something to do
+        std::function<void()> wakeUp{};
     };
 
-    /// An empty history on a volume. Errors: FileExists, FileUnwritable, and the engine's.
+    /// Begins with an empty history on a volume. Errors: FileExists, FileUnwritable, and the
+    /// engine's.
     static Result<std::unique_ptr<EditSession>> create(
         EditEngine& engine, LoadedVolume volume, Options options);
-    /// Continues a session file where it stopped; the volume is the one its references name.
-    /// Rows whose delta did not reach the disk are executed again; if it is full still, they wait
-    /// in memory. Errors: SessionDamaged, SessionMismatch (it was made on another volume).
+    /// Continues a session file where it stopped; the volume must be the one that the file refers
+    /// to. Rows whose delta did not reach the disk are executed again. If the disk is still full,
+    /// they wait in memory. Errors: SessionDamaged, SessionMismatch (the file belongs to another
+    /// volume).
     static Result<std::unique_ptr<EditSession>> open(EditEngine& engine, LoadedVolume volume,
         const QString& file, std::function<void()> wakeUp = {});
-    /// The same for looking only, without touching the file or its folder. Undo, redo and goTo()
-    /// walk; edits are refused with SessionReadOnly and @p why, until SessionStorage::saveAs().
+    /// Opens a session for viewing, without changing the file or its folder. Undo, redo and goTo()
+    /// work; edits are refused with SessionReadOnly and @p why until SessionStorage::saveAs().
     static Result<std::unique_ptr<EditSession>> view(EditEngine& engine, LoadedVolume volume,
         const QString& file, const QString& why, std::function<void()> wakeUp = {});
-    /// Closes a running growth, waits for the disk and leaves one file.
+    /// Commits a running growth, waits for the disk and closes the file as a single one.
     ~EditSession();
 
     [[nodiscard]] const Document& document() const;
-    /// As it will be once the edits that wait are carried out (undo and redo are not foreseen).
+    /// The document after the edits that are waiting (undo and redo are not taken into account).
     [[nodiscard]] Document foreseenDocument() const;
     [[nodiscard]] const History& history() const;
     [[nodiscard]] GrowthProgress growthProgress() const;
     [[nodiscard]] QString file() const; ///< empty: history in memory only
-    [[nodiscard]] QString whyReadOnly() const; ///< why edits are refused; empty: they are not
+    [[nodiscard]] QString whyReadOnly() const; ///< why edits are refused; empty: they are allowed
 
-    /// A whole edit. Errors are told before anything changes; its row follows once it is done.
+    /// Carries out a whole edit. Errors are returned before anything changes; the row of the
+    /// history follows when the edit is done.
     Result<void> apply(const Edit& edit);
 
-    /// What is told while it is under way (canStandOpen() in core/edits/EditTask.h): begin, then
-    /// extend…, then end. A stroke begins without drill samples and with the first point of its
-    /// path. What the open one has no use for, or what is out of range, is left alone.
+    /// Interactive edits (canStandOpen() in core/edits/EditTask.h): begin, then extend any number
+    /// of times, then end. A stroke begins without drill samples and with the first point of its
+    /// path. Calls that do not apply to the open edit, and values out of range, are ignored.
     Result<void> begin(const Edit& edit);
     void extendDrill(const std::vector<PenSample>& samples);
-    /// @param lifted the path begins anew at the first of these (not of a surface's)
+    /// @param lifted a new path begins at the first of these points (not for tools of a surface)
     void extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted = false);
     void setPeelDepth(double depthMm);
-    void setShrinkSteps(int steps); ///< instead of those before; more than there are: to the seeds
+    /// replaces the earlier number; more than there are: back to the seeds
+    void setShrinkSteps(int steps);
     void extendGrowth(GrowAdvance advance);
-    void setInterval(double lower, double upper); ///< as if begun so; extendGrowth() anew
+    /// as if begun with it; extendGrowth() must be called again
+    void setInterval(double lower, double upper);
     void pauseGrowth();
     void end(Ending ending);
-    void cancelPreview(); ///< and what the engine would keep for the next one
+    void cancelPreview(); ///< and what the engine keeps for the next preview
     [[nodiscard]] bool transactionOpen() const;
-    [[nodiscard]] bool previewOpen() const; ///< a GrowFromSeeds is
-    [[nodiscard]] bool templateOpen() const; ///< an ApplyTemplate that is looked at is
-    /// A growth that runs is committed at its generation, an open peel at its depth, a preview is
-    /// taken back; a stroke is left alone. apply(), begin(), undo() and so on do it by themselves.
+    [[nodiscard]] bool previewOpen() const; ///< a GrowFromSeeds is open
+    [[nodiscard]] bool templateOpen() const; ///< an ApplyTemplate that is being previewed is open
+    /// Commits a running growth at its generation and an open peel at its depth, and takes a
+    /// preview back; an open stroke is left alone. apply(), begin(), undo() and others do this
+    /// themselves.
     void closeGrowth();
 
     Result<void> undo();
     Result<void> redo();
     Result<void> goTo(RowId row); ///< of the history; 0: the beginning
 
-    void poll(); ///< takes in what the engine has finished; call it when that wakes you
-    [[nodiscard]] bool idle() const; ///< nothing waits or is under way, no stroke either
-    Result<void> settle(); ///< waits until every command is carried out and on disk
-    [[nodiscard]] QByteArray stateHash() const; ///< README.md; hex, of a settled session
+    void poll(); ///< takes in finished results; call it after a wake-up
+    [[nodiscard]] bool idle() const; ///< nothing is waiting or running, and no stroke is open
+    Result<void> settle(); ///< blocks until every command is carried out and on disk
+    /// hex, of a settled session; core/session/README.md defines it
+    [[nodiscard]] QByteArray stateHash() const;
 
-    // Parts, each told of in its own header; they live as long as the session.
+    // Parts, each documented in its own header; they live as long as the session.
     [[nodiscard]] VoxelQuestions& questions();
     [[nodiscard]] SessionChunks& chunks();
     [[nodiscard]] const StepFindings& findings() const;
@@ -108,12 +117,12 @@ public:
     [[nodiscard]] SessionKeyframes& keyframes();
     [[nodiscard]] SessionStorage& storage();
 
-    /// Listeners live as long as the session or until they are replaced by empty ones.
+    /// A listener must live as long as the session, or until it is replaced by an empty one.
     void setListener(std::function<void(const DocumentChange&)> listener);
-    /// Told by poll(): what failed after the call that asked for it had returned (engine, disk).
-    /// settle() returns the first such failure since it was called last.
+    /// Called by poll() for failures that occur after the call that caused them has returned
+    /// (engine, disk). settle() returns the first such failure since its last call.
     void setErrorListener(std::function<void(const Error&)> listener);
-    /// Asked whenever a row is made. Until it is set: presentOrigin(), without a name.
+    /// @param origin called whenever a row is made. The default is presentOrigin() without a name.
     void setOrigin(std::function<RowOrigin()> origin);
 
 private:
@@ -123,7 +132,7 @@ private:
         std::unique_ptr<SessionFile> file, std::function<void()> wakeUp);
     [[nodiscard]] Result<void> mayEdit() const;
 
-    std::unique_ptr<Parts> m_parts; ///< before the queue, whose last answers may ask them
+    std::unique_ptr<Parts> m_parts; ///< before the queue, whose last answers may use them
     std::unique_ptr<OperationQueue> m_queue;
     QString m_whyReadOnly;
     FileInUse m_sources;

@@ -12,23 +12,24 @@ namespace core {
 class ChunkMap;
 class SessionState;
 
-/// The chunks that a session's segment is divided into (Document::chunks). They are worked out on a
-/// thread of their own, for whoever wants them; DocumentChange::What::Chunks tells that something
-/// is new here. Part of EditSession.
+/// The chunks into which a session's segment is divided (Document::chunks). They are computed on
+/// their own thread when somebody needs them; DocumentChange::What::Chunks reports news. Part of
+/// EditSession.
 class SessionChunks {
 public:
     explicit SessionChunks(SessionState& state);
 
-    /// Null while they are worked out, which this begins, and where nothing is divided. Kept until
-    /// another division is asked for.
+    /// The chunks. Null if nothing is divided, or while they are being computed, which this call
+    /// starts. They are kept until another division is requested.
     [[nodiscard]] std::shared_ptr<const ChunkMap> map();
-    /// How far that is; none: nothing is under way.
+    /// The progress of the computation; none: it is not running.
     [[nodiscard]] std::optional<ChunkStage> stage() const;
-    /// Why those that were wanted last never will be: the engine's reasons, OutOfMemory, Cancelled.
+    /// Why the chunks that were requested last cannot be computed: the engine's reasons,
+    /// OutOfMemory, Cancelled.
     [[nodiscard]] std::optional<Error> whyNot() const;
-    /// What failed may be tried again.
+    /// Allows a failed computation to be tried again.
     void forgetFailure();
-    /// What is under way is given up.
+    /// Cancels the computation.
     void cancel();
 
 private:

@@ -7,17 +7,18 @@ namespace core {
 
 class OperationQueue;
 
-/// What a session keeps of how it is looked at. None of it is a step of undo. Part of EditSession.
+/// The display state that is kept with a session. None of it is a step of undo. Part of
+/// EditSession.
 class SessionDisplay {
 public:
     explicit SessionDisplay(OperationQueue& queue);
 
     void setSegmentVisible(int label, bool visible);
 
-    /// How the window looked at it, for the next time it is opened: an object that means nothing
-    /// here (ui/window/DisplayState). Empty: none was kept.
+    /// The state of the window when the session was last displayed: an object that core does not
+    /// interpret (ui/window/DisplayState). Empty: none was kept.
     [[nodiscard]] const QJsonObject& kept() const;
-    /// Goes to the file if it is another one; not for every movement of the mouse.
+    /// Writes it to the file if it has changed. Not meant to be called for every mouse movement.
     void keep(const QJsonObject& display);
 
 private:

@@ -14,11 +14,12 @@ class SessionSurface {
 public:
     explicit SessionSurface(OperationQueue& queue);
 
-    /// Null: there is none, or something is under way. Until the next call that changes anything.
+    /// The mesh, valid until the next call that changes anything; null if there is no surface or an
+    /// edit is running.
     [[nodiscard]] const SimplexMesh* mesh() const;
-    /// Told what is to be drawn anew of it: first, behind what waits, all that there is. Called on
-    /// any thread, and must not wait for whoever draws. It lives as long as the session or until
-    /// another one is told.
+    /// @param listener told what must be drawn anew: first everything, after the operations that
+    /// are waiting. It is called on any thread and must not wait for the code that draws. It must
+    /// live as long as the session, or until another listener is set.
     void setListener(std::function<void(SurfaceUpdate)> listener);
 
 private:

@@ -12,18 +12,19 @@ namespace core {
 
 class SessionState;
 
-/// What steps that were carried out since the session was opened found besides what their rows
-/// tell. Part of EditSession.
+/// What the steps carried out since the session was opened found, in addition to what their rows
+/// say. Part of EditSession.
 class StepFindings {
 public:
     explicit StepFindings(const SessionState& state);
 
-    /// Later strokes that started on the surface that the last ReviseStroke changed: they stay
-    /// where they are. Empty unless that edit is the position.
+    /// Later strokes that started on the surface that the last ReviseStroke changed. They stay
+    /// where they are. Empty unless that edit is the current position.
     [[nodiscard]] std::vector<RowId> strokesOnRevisedSurface() const;
-    /// What the guard suspected of the growth that is the position; none of other steps.
+    /// The leak that the guard suspects in the growth at the current position; none for other
+    /// steps.
     [[nodiscard]] std::optional<LeakAlarm> leakAlarm() const;
-    /// What became of the places of the last SeedStroke, whether it left a row or changed nothing.
+    /// What became of the voxels of the last Edit, whether or not it left a row.
     [[nodiscard]] const std::optional<SketchedSeeds>& sketchedSeeds() const;
 
 private:

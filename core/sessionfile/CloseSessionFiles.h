@@ -7,18 +7,19 @@
 
 namespace core {
 
-/// Writes what waits of every session file that this process has open, and leaves each as one file:
-/// for a program that ends at once, from any thread, while the sessions' own are at work. Whatever
-/// they want to write after it waits in memory, because of @p why, and goes with the program.
+/// Writes what is still waiting of every session file that this process has open, and closes each
+/// as a single file. It is for a program that ends at once; any thread may call it while the
+/// sessions' own threads are working. What sessions want to write afterwards waits in memory, with
+/// @p why as the reason, and is lost when the program ends.
 void closeSessionFiles(const Error& why);
 
-/// While it lives closeSessionFiles() closes a session file by @p close.
+/// While an object exists, closeSessionFiles() calls its @p close.
 class ClosableSessionFile {
 public:
     explicit ClosableSessionFile(std::function<void(const Error& why)> close);
     ClosableSessionFile(const ClosableSessionFile&) = delete;
     ClosableSessionFile& operator=(const ClosableSessionFile&) = delete;
-    /// Waits until it is closed where that is under way.
+    /// Waits until the file is closed if that has begun.
     ~ClosableSessionFile();
 };
 

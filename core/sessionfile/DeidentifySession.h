@@ -9,19 +9,20 @@
 
 namespace core {
 
-/// A copy of a session file without what tells of the patient or the user: where the study was, its
-/// UIDs, description and date, authors, pictures, how the window looked, and the study's images
-/// where it holds them. When steps were done stays only where @p by keeps or shifts dates. Chain
-/// and seals are made anew; differences and state hashes are the same, so it replays to the same
-/// voxels on any copy of the study: that is known again by its grid and its voxels' checksum alone.
+/// Makes a copy of a session file without what identifies the patient or the user: the path of the
+/// study, its UIDs, description and date, authors, pictures, the state of the window, and the
+/// study's images if it holds them. The times of steps are kept only where @p by keeps or shifts
+/// dates. Chain and seals are computed anew. Differences and state hashes are the same, so the copy
+/// replays to the same voxels on any copy of the study, which is recognised by its grid and the
+/// checksum of its voxels alone.
 ///
-/// Names of segments, layers and bookmarks belong to the hashed state and stay. Where one of them,
-/// or any other text of a step, holds a word of the patient's identity (Deidentifier::words()),
-/// nothing is written. Then the copy is searched for all of them, byte by byte in its texts.
+/// Names of segments, layers and bookmarks belong to the hashed state and are kept. If one of them,
+/// or any other text of a step, contains a word of the patient's identity (Deidentifier::words()),
+/// nothing is written. Finally the texts of the copy are searched byte by byte for all these words.
 /// Blocks.
-/// @returns what was left out and checked, in sentences
-/// Errors: FileExists (unless @p replaceExisting), FileUnwritable, UnsupportedFormat (argument 1:
-/// the step that names the patient, or that the session is damaged), and those of checkSession().
+/// @returns sentences on what was left out and checked Errors: FileExists (unless @p
+/// replaceExisting), FileUnwritable, UnsupportedFormat (argument 1: the step that names the
+/// patient, or that the session is damaged), and those of checkSession().
 [[nodiscard]] Result<QStringList> deidentifySession(
     const QString& file, const QString& target, bool replaceExisting, const Deidentifier& by);
 

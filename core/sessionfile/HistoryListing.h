@@ -10,31 +10,31 @@
 
 namespace core {
 
-/// One line of rows from the beginning to a row without children.
+/// A branch of the history: the rows from the beginning to a row without children.
 struct HistoryBranch {
     RowId tip = 0;
-    RowId forksAt = 0; ///< the last row it shares with the line undo and redo walk; 0: none
-    std::vector<RowId> rows; ///< its own, behind the fork, oldest first
-    bool current = false; ///< it is the line that undo and redo walk
+    RowId forksAt = 0; ///< the last row that it shares with the line of undo and redo; 0: none
+    std::vector<RowId> rows; ///< those after the fork, oldest first
+    bool current = false; ///< the line of undo and redo
 };
 
-/// Every branch, the current one first, then by tip.
+/// All branches: the current one first, then by tip.
 [[nodiscard]] std::vector<HistoryBranch> branchesOf(const History& history);
 
-/// What `burin history --json` prints: {"position", "source": {"studyUid", "seriesUid",
+/// The output of `burin history --json`: {"position", "source": {"studyUid", "seriesUid",
 /// "voxelsSha256"}, "commands": [{"seq", "parent", "name", "at", "author", "program", "edit",
 /// "voxels", "bytes", "hashBefore", "hashAfter"}], "branches": [{"tip", "forksAt", "seqs",
-/// "current"}], "problems": [text]}. Of a damaged session the rows that are sound are listed and
-/// the problems name the rest. A row whose second half never reached the disk has null as its hash;
-/// one that a version without them wrote has null as at, author and program.
+/// "current"}], "problems": [text]}. Of a damaged session the sound rows are listed, and the
+/// problems name the others. The hash is null for a row whose second half never reached the disk;
+/// at, author and program are null for a row of a version that did not write them.
 [[nodiscard]] QJsonObject historyListing(const SessionContents& contents);
 
-/// The rows up to the position as a recipe, with the study they were recorded on. Carried out on
-/// that study it ends at the same hash.
+/// The rows up to the position as a recipe, with the study on which they were recorded. Run on that
+/// study, it ends with the same state hash.
 [[nodiscard]] QJsonObject historyAsRecipe(const SessionContents& contents);
 
-/// The edit as it reads where rows have other numbers: RevertRows and ReviseStroke name rows.
-/// @param numbers keeps the order of rows; a row that it does not know keeps its number
+/// An edit for a history whose rows have other numbers: RevertRows and ReviseStroke refer to rows.
+/// @param numbers from old to new; it preserves the order of rows. Unknown rows keep their number.
 [[nodiscard]] Edit renumbered(const Edit& edit, const std::map<RowId, RowId>& numbers);
 
 } // namespace core

@@ -15,19 +15,22 @@ class SessionWrites;
 class StagedFile;
 struct SessionSource;
 
-/// All of a session that is at work, of its writer's thread.
+/// What a session in use consists of, for its writer's thread.
 struct SessionParts {
     SessionTables* tables = nullptr; ///< null: there is no file
     const SessionSource& source;
     const SessionWrites& waiting;
 };
 
-/// Into a staged file that is empty, or holds images and nothing else; with what waits.
+/// Copies a session, with the writes that are waiting, into a staged file that is empty or holds
+/// only images.
 [[nodiscard]] Result<void> copySessionInto(
     const QString& path, const SessionParts& parts, const SavedImages& images);
 
-/// The same in a file that is to be committed at @p target. Where it fails nothing is left.
-/// @param ownPlace what lies there is the session itself. Errors: FileExists, FileUnwritable.
+/// Makes such a copy in a new file that is to be committed at @p target. If it fails, nothing
+/// remains.
+/// @param ownPlace whether the session itself lies at @p target
+/// Errors: FileExists, FileUnwritable.
 [[nodiscard]] Result<std::shared_ptr<StagedFile>> stageSessionCopy(const QString& target,
     bool replaceExisting, bool ownPlace, const SessionParts& parts, const SavedImages& images);
 

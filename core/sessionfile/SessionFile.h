@@ -23,90 +23,97 @@ class StagedFile;
 struct SessionParts;
 struct AuditReport;
 
-/// The history on disk (README.md beside this file): an SQLite database behind one writer thread
-/// that owns the connection. Writing calls return at once and are carried out in order. What cannot
-/// be written (a full disk, a folder that went away) waits in memory with all that follows it, and
-/// is tried again with every further call. Any thread may call.
+/// The session file: the history on disk (core/session/README.md), an SQLite database whose
+/// connection belongs to one writer thread. Calls that write return at once and are carried out in
+/// order. If writing fails (the disk is full, the folder is gone), the write waits in memory with
+/// all that follow it, and is tried again with each later call. Any thread may call.
 class SessionFile {
 public:
-    /// A new file, readable by its owner only. Replaces nothing: who wants that makes one elsewhere
-    /// and moves it by saveAs() once it is whole. Errors: FileExists, FileUnwritable.
+    /// Creates a file that only its owner can read. It never replaces one: to replace a file,
+    /// create one elsewhere and move it by saveAs() when it is complete. Errors: FileExists,
+    /// FileUnwritable.
     static Result<std::unique_ptr<SessionFile>> create(
         const QString& path, const SessionSource& source);
-    /// The same in the empty file that a StagedFile has made.
+    /// Creates one in the empty file of a StagedFile.
     static Result<std::unique_ptr<SessionFile>> createIn(
         const StagedFile& staged, const SessionSource& source);
-    /// Where create() fails with @p why and work is to begin all the same: everything waits in
-    /// memory until saveAs() gives it a place.
+    /// Begins without a file after create() failed with @p why: everything waits in memory until
+    /// saveAs() gives it a place.
     static std::unique_ptr<SessionFile> waiting(
         const QString& path, const SessionSource& source, const Error& why);
 
     using Access = SessionAccess;
-    /// Checks the chain of all rows; read-only media are fine with all but Access::ReadWrite.
-    /// Errors: FileNotFound, FileUnreadable (in use by another program), FileTruncated (empty),
-    /// FileUnwritable, UnsupportedFormat (no session, or a newer Burin's), SessionDamaged.
+    /// Opens a file and checks the chain of all rows. Read-only media work with every access but
+    /// Access::ReadWrite. Errors: FileNotFound, FileUnreadable (another program uses it),
+    /// FileTruncated (empty), FileUnwritable, UnsupportedFormat (no session, or one of a newer
+    /// Burin), SessionDamaged.
     static Result<std::unique_ptr<SessionFile>> open(const QString& path, Access access);
 
     [[nodiscard]] static bool isNamedAt(const QString& path); ///< isSessionNamedAt()
 
-    /// Writes what is waiting and leaves one file.
+    /// Writes what is waiting and closes the database as a single file.
     ~SessionFile();
 
-    /// As it was when the file was opened.
+    /// The contents when the file was opened.
     [[nodiscard]] const SessionContents& contents() const { return m_contents; }
     [[nodiscard]] QString path() const;
-    /// It is a copy of what lies at path(), until saveAs() gives it a place of its own.
+    /// Whether it is a copy of the file at path(); it remains one until saveAs() gives it its own
+    /// place.
     [[nodiscard]] bool isPrivateCopy() const;
-    /// The study's images are in it.
+    /// Whether the study's images are in it.
     [[nodiscard]] bool holdsImages() const;
-    /// Why there is no file at path() (waiting()); none: there is one.
+    /// The reason why there is no file at path() (waiting()); none: there is one.
     [[nodiscard]] std::optional<Error> whyNoFile() const;
 
-    /// First half of a row: it becomes the position, and the child that redo goes to.
+    /// Writes the first half of a row, which becomes the position and the child that redo goes to.
     void addRow(const HistoryRow& row);
-    /// Second half.
+    /// Writes the second half.
     void completeRow(RowId row, const QByteArray& stateHash, const BrickDelta& delta);
     void setPosition(RowId position);
     void setHiddenSegments(const std::vector<int>& labels);
     void setDisplay(const QJsonObject& display);
-    /// Replaces the picture that the row may have.
+    /// Replaces the picture of the row, if it has one.
     void addKeyframe(const Keyframe& keyframe);
-    /// The PNG of a row's picture; empty if there is none. @p take is called on the writer's
+    /// Reads the PNG of a row's picture; empty if there is none. @p take is called on the writer's
     /// thread.
     void fetchKeyframe(RowId row, std::function<void(const QByteArray& png)> take);
 
-    /// Everything read again and checked, told on the writer's thread; what follows waits
-    /// meanwhile.
+    /// Reads and checks everything again. @p take is called on the writer's thread; later writes
+    /// wait.
     void audit(std::function<void(const Result<AuditReport>&)> take);
 
-    /// Waits. What waits in memory is read from there. Errors: SessionDamaged.
+    /// Blocks. A delta that still waits in memory is returned from there. Errors: SessionDamaged.
     [[nodiscard]] Result<BrickDelta> readDelta(RowId row);
-    /// Waits until everything is on disk. Errors: FileUnwritable; what is left waits on.
+    /// Blocks until everything is on disk. Errors: FileUnwritable; what was not written keeps
+    /// waiting.
     [[nodiscard]] Result<void> flush();
 
-    /// Copies everything, also what waits in memory, into @p target, which appears under its name
-    /// only once it is whole and on disk; then goes on there, in line with what is written. The
-    /// file before stays, closed, unless it is the one replaced. On failure nothing has changed. @p
-    /// done: on the writer's thread. Errors: FileExists (unless @p replaceExisting),
-    /// FileUnwritable.
+    /// Copies everything, including writes that wait in memory, to @p target and continues there.
+    /// The target appears under its name only when it is complete and on disk. The copy takes its
+    /// turn among the writes. The previous file remains, closed, unless it is the one replaced. If
+    /// it fails, nothing changes.
+    /// @param done called on the writer's thread
+    /// Errors: FileExists (unless @p replaceExisting), FileUnwritable.
     void saveAs(const QString& target, bool replaceExisting,
         std::function<void(const Result<void>&)> done, SavedImages images = {});
 
-    /// The file under another name in its folder, replacing a session that is there. Waits. On
-    /// failure nothing has changed. Errors: FileUnwritable.
+    /// Renames the file within its folder, replacing a session of that name. Blocks. If it fails,
+    /// nothing changes. Errors: FileUnwritable.
     [[nodiscard]] Result<void> rename(const QString& target);
 
-    /// Copies all but the study's images into @p path, which must not exist, and goes on where it
-    /// is.
-    /// @p done: on the writer's thread. Errors: FileUnwritable.
+    /// Copies everything but the study's images to @p path, which must not exist, and continues in
+    /// the present file.
+    /// @param done called on the writer's thread
+    /// Errors: FileUnwritable.
     void copyTo(const QString& path, std::function<void(const Result<void>&)> done);
 
-    /// Tries again what waits in memory. Never waits.
+    /// Tries to write what waits in memory. Never blocks.
     void retry();
-    /// Why something waits in memory (without a file: a step); none: all is on disk or on its way.
+    /// The reason why something waits in memory (without a file: a step); none: all is on disk or
+    /// being written.
     [[nodiscard]] std::optional<Error> trouble() const;
-    /// Called on the writer's thread when writing begins to fail, and when all is written again.
-    /// Set it before the first write.
+    /// @param listener called on the writer's thread when writing begins to fail and when
+    /// everything is written again; to be set before the first write
     void setTroubleListener(std::function<void()> listener);
 
 private:
@@ -137,8 +144,8 @@ private:
     std::unique_ptr<SessionTables> m_tables; ///< null: there is no file
     SessionWrites m_waiting;
 
-    std::optional<ClosableSessionFile> m_closable; ///< gone before anything else of it is
-    TaskThread m_writer; ///< last: it uses all of the above
+    std::optional<ClosableSessionFile> m_closable; ///< destroyed first
+    TaskThread m_writer; ///< last, since it uses all of the above
 };
 
 } // namespace core

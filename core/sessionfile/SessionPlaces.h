@@ -8,20 +8,20 @@
 
 namespace core {
 
-/// An empty file for a new session, readable by its owner only. Errors: FileExists,
+/// Creates an empty file for a new session, readable only by its owner. Errors: FileExists,
 /// FileUnwritable.
 [[nodiscard]] Result<void> makeEmptySession(const QString& path);
 
-/// Whether there is a file that can be opened so, whatever it holds. Errors: FileNotFound,
-/// FileUnreadable, FileTruncated (empty), FileUnwritable.
+/// Checks that a file exists and can be opened with this access, whatever it contains. Errors:
+/// FileNotFound, FileUnreadable, FileTruncated (empty), FileUnwritable.
 [[nodiscard]] Result<void> checkSessionToOpen(const QString& path, SessionAccess access);
 
-/// Whether a session that is there, and not the one at hand, may be replaced. Errors:
-/// FileUnwritable.
+/// Checks that the file at @p target may be replaced by a session other than the one that lies
+/// there. Errors: FileUnwritable.
 [[nodiscard]] Result<void> checkOtherSessionAt(const QString& target);
 
-/// Whether a path is to be opened as a session, by name (.burin) or content: it may still be
-/// damaged, or not be one.
+/// Whether a path is to be opened as a session, judged by its name (.burin) or content. The file
+/// may still be damaged, or be no session.
 [[nodiscard]] bool isSessionNamedAt(const QString& path);
 
 } // namespace core

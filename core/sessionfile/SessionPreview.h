@@ -12,12 +12,12 @@
 
 namespace core {
 
-/// What can be told of a session file at a glance, to offer it.
+/// A short description of a session file for the list of the start page.
 struct SessionPreview {
     enum class Condition {
         Closed,
         Unfinished, ///< its program ended without closing it
-        InUse, ///< open in another window: nothing below is read
+        InUse, ///< open in another window; the members below are not read
     };
     QString file;
     QDateTime lastChange;
@@ -27,9 +27,10 @@ struct SessionPreview {
     QByteArray thumbnail; ///< PNG: its newest keyframe; empty if it has none
 };
 
-/// Reads no row and checks no chain; touches neither the file nor its folder. Any thread.
+/// Reads it. No row is read and no chain checked; neither the file nor its folder is changed. Any
+/// thread.
 /// Cost: a few pages of a closed file; a copy of one that is Unfinished.
-/// Errors: those of SessionFile::open() but SessionDamaged for rows.
+/// Errors: those of SessionFile::open(), except SessionDamaged for rows.
 [[nodiscard]] Result<SessionPreview> previewSession(const QString& path);
 
 } // namespace core

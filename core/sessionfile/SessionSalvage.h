@@ -7,18 +7,18 @@
 
 namespace core {
 
-/// Reads all of a session file, differences too, and touches neither it nor its folder. Of a
-/// damaged one everything before the damage is returned, and SessionContents::damage says what is
-/// not; a difference that is lost alone is no damage yet (SessionContents::redo). Blocks; cost:
-/// every byte is read and hashed once. Errors: those of SessionFile::open(), SessionDamaged
+/// Reads and checks all of a session file, including differences, and changes neither it nor its
+/// folder. Of a damaged file it returns everything before the damage; SessionContents::damage names
+/// what is lost. A row that only lost its difference is not damaged yet (SessionContents::redo).
+/// Blocks; every byte is read and hashed once. Errors: those of SessionFile::open(), SessionDamaged
 /// (nothing is sound), Cancelled.
 [[nodiscard]] Result<SessionContents> checkSession(
     const QString& path, const Progress& progress = Progress());
 
-/// A new session file with what checkSession() found sound in a damaged one, which stays as it is.
-/// It appears under its name only once it is whole. Rows to redo are carried out again when it is
-/// opened; whoever opens it compares their hashes. Blocks.
-/// Errors: FileExists, FileUnwritable, SessionDamaged (it changed meanwhile).
+/// Writes what checkSession() found sound in a damaged file to a new session file; the damaged one
+/// is left as it is. The new file appears under its name only when it is complete. Rows in `redo`
+/// are carried out again when it is opened, and the opener compares their hashes. Blocks. Errors:
+/// FileExists, FileUnwritable, SessionDamaged (the file has changed in the meantime).
 [[nodiscard]] Result<void> salvageSession(
     const QString& damaged, const SessionContents& sound, const QString& target);
 

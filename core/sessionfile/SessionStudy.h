@@ -10,22 +10,23 @@
 
 namespace core {
 
-/// Where the study of a session may lie now, most likely first; only paths that exist. First where
-/// it was when the session was made, then beside the session file and beside its folder, so that a
-/// folder with both can be moved or copied as one: of /data/case/ct.nii and /moved/case/s.burin the
-/// path's longest end that is there is tried. None for a path that no Burin writes: relative, with
-/// detours, of the file system's root or the machine's devices.
+/// Paths at which the study of a session may be now, most likely first; only paths that exist. The
+/// first is the one where the study was when the session was made. Others are beside the session
+/// file and beside its folder, so that a folder with both can be moved or copied as a whole: for
+/// /data/case/ct.nii and /moved/case/s.burin, the longest end of the study's path that exists there
+/// is used. Empty for a path that Burin never writes: one that is relative, is not in its shortest
+/// form, or leads to the root of the file system or to a device.
 [[nodiscard]] QStringList studyPlaces(const QString& sessionFile, const SessionSource& source);
 
-/// Loads the volume that a session was made on and checks that it is the one: size, affine, voxels
-/// and series UID. Where it is not found, the images that the session holds take its place
+/// Loads the volume on which a session was made and verifies it: size, affine, voxels and series
+/// UID must agree. If it is not found, the images in the session are used instead
 /// (LoadedVolume::notFromStudy says why). Blocks.
 ///
-/// @param place where to look, and nowhere else; empty: studyPlaces()
-/// @param series only this one; empty: the session's own
-/// @return errors: StudyMissing where nothing is left to look at (argument 2: why the session's own
-/// images are of no use, where it has any); SessionMismatch, with what differs, where something
-/// else is there; the loader's own
+/// @param place the only place to look at; empty: studyPlaces()
+/// @param series the only series to accept; empty: the session's own
+/// @return errors: StudyMissing if no place is left to look at (argument 2: why the images in the
+/// session cannot be used, if it has any); SessionMismatch, with the difference, if there is
+/// something else; those of the loader
 [[nodiscard]] Result<LoadedVolume> loadSessionStudy(const QString& sessionFile,
     const SessionSource& source, const QString& place = QString(),
     const QString& series = QString(), const Progress& progress = Progress());

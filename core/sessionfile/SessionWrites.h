@@ -16,30 +16,32 @@ namespace core {
 
 class SessionTables;
 
+/// One write into a session file that is waiting for the disk.
 struct SessionWrite {
-    std::function<Result<void>(SessionTables&)> carryOut; ///< may be done over
-    RowId row = 0; ///< whose second half it is; 0: another write
+    std::function<Result<void>(SessionTables&)> carryOut; ///< may be called again after a failure
+    RowId row = 0; ///< the row whose second half this is; 0: another write
     std::shared_ptr<const BrickDelta> delta; ///< of that row
     QByteArray picture{}; ///< of that row
-    bool isStep = false; ///< what the user would miss
+    bool isStep = false; ///< whether the user would lose a step without it
 };
 
-/// What is to be written into a session file, in order; what the disk does not take waits here with
-/// all that follows it. Part of SessionFile; belongs to its writer's thread.
+/// The writes into a session file, in order. What the disk does not accept waits here with all that
+/// follow it. Part of SessionFile; belongs to its writer's thread.
 class SessionWrites {
 public:
     using List = std::list<SessionWrite>;
 
-    /// Throws nothing. @p writes is empty then
+    /// Adds writes without throwing; @p writes is empty afterwards.
     void append(List& writes) noexcept { m_waiting.splice(m_waiting.end(), writes); }
-    /// Up to the first that fails. @param path for errors: FileUnwritable
+    /// Carries out all writes up to the first that fails. @param path named in errors:
+    /// FileUnwritable
     [[nodiscard]] std::optional<Error> carryOut(SessionTables& tables, const QString& path);
-    /// All of them in a copy; they stay.
+    /// Carries out all of them in a copy and keeps them here.
     [[nodiscard]] Result<void> carryOutIn(SessionTables& copy) const;
     void clear() { m_waiting.clear(); }
 
     [[nodiscard]] bool holdStep() const;
-    /// Of a row, the last that waits; null: none does.
+    /// The last picture of a row that waits; null if none does.
     [[nodiscard]] const QByteArray* pictureOf(RowId row) const;
     [[nodiscard]] const BrickDelta* deltaOf(RowId row) const;
 

@@ -6,12 +6,12 @@
 
 namespace core {
 
-/// What was downloaded.
+/// The cache of downloaded studies.
 class DownloadCache : public FolderCache {
 public:
     using FolderCache::FolderCache;
 
-    /// Where a wish at a source has its place, whether it is there or not.
+    /// The path for a requested study of a source, whether or not it exists.
     [[nodiscard]] QString pathOf(const QString& address, const RetrieveWish& wish) const;
 };
 

@@ -16,30 +16,31 @@
 
 namespace core {
 
-/// Where studies come from and masks go to, whatever it speaks: a DICOM node or a DICOMweb server.
+/// A server from which studies are retrieved and to which masks are sent: a DICOM node or a
+/// DICOMweb server.
 struct PacsSource {
-    QString name; ///< the user's own; may be empty
+    QString name; ///< chosen by the user; may be empty
     std::variant<PacsNode, WebNode> node;
-    std::optional<int> movePort; ///< of a DICOM node: it brings the objects there (C-MOVE)
+    std::optional<int> movePort; ///< for a DICOM node: the port to which it sends objects (C-MOVE)
 
     [[nodiscard]] bool isWeb() const { return std::holds_alternative<WebNode>(node); }
     /// "AETITLE@host:port" or "https://host/dicom-web"
     [[nodiscard]] QString address() const;
-    /// Reads an address of either kind. InvalidField.
+    /// Parses an address of either kind. Errors: InvalidField.
     [[nodiscard]] static Result<PacsSource> parse(const QString& address);
-    /// InvalidField: what PacsNode or WebNode say, or a name that could be an address.
+    /// Errors: InvalidField (those of PacsNode and WebNode, or a name that could be an address).
     [[nodiscard]] Result<void> check() const;
 };
 
-/// Without passwords and tokens, which are nowhere kept; entries that make no sense are left out.
+/// Without passwords and tokens, which are never stored. Invalid entries are left out when reading.
 [[nodiscard]] QJsonArray toJson(const std::vector<PacsSource>& sources);
 [[nodiscard]] std::vector<PacsSource> sourcesFromJson(const QJsonArray& json);
-/// By its name, whatever the case; null: none.
+/// Finds a source by its name, ignoring case; null if there is none.
 [[nodiscard]] const PacsSource* findSource(
     const std::vector<PacsSource>& sources, const QString& name);
 
-/// What pacs/ and dicomweb/ do for their nodes, with their errors. These wait for the network; call
-/// them on a worker's thread.
+/// The functions of pacs/ and dicomweb/ for either kind of node, with their errors. They block;
+/// call them on a worker thread.
 [[nodiscard]] Result<void> echoNode(const PacsSource& source, const Progress& progress);
 [[nodiscard]] Result<HitList<StudyHit>> findStudies(
     const PacsSource& source, const StudyFilter& filter, int most, const Progress& progress);
@@ -50,8 +51,8 @@ struct PacsSource {
 [[nodiscard]] Result<SentObjects> sendFiles(
     const PacsSource& source, const QStringList& files, const Progress& progress);
 
-/// Fetches the object in the middle of a series, by the numbers of its objects, into the folder
-/// @p target. @return what it is called there. NodeHasNone: the source lists no objects.
+/// Retrieves the object in the middle of a series, by instance number, into the folder @p target.
+/// @return its file name there. Errors also: NodeHasNone (the source lists no objects).
 [[nodiscard]] Result<QString> retrieveMiddle(const PacsSource& source, const SeriesHit& series,
     const QString& target, const Progress& progress);
 

@@ -8,11 +8,12 @@
 
 namespace core {
 
-/// Readies what decodeForAll() would read from files: called before a decoder gives up that right.
+/// Initialises what decodeForAll() would read from files; to be called before a decoder process
+/// gives up that right.
 void readyDecoders();
 
-/// What a decoder of this program does (core/fence): frames of DICOM, pages of PNG and TIFF. A
-/// FencedWork.
+/// The work of this program's decoder processes (core/fence): frames of DICOM, pages of PNG and
+/// TIFF. A FencedWork.
 [[nodiscard]] QString decodeForAll(std::span<const std::uint8_t> parameters,
     std::span<const std::uint8_t> bytes, std::span<std::uint8_t> output);
 

@@ -9,24 +9,24 @@
 
 namespace core {
 
-/// A format whose volumes are one file each, or one header with files of voxels beside it, known by
-/// the file's name; and pictures, known by the format's name only.
+/// A file format whose volumes are single files, or headers with separate files of voxels,
+/// recognised by the file name; or pictures, which are found only by the name of the format.
 struct FileFormat {
-    const char* name; ///< as Volume::sourceFormat has it
+    const char* name; ///< as in Volume::sourceFormat
     bool (*isName)(const QString& path);
-    /// Geometry and facts from the header. Files: the header, then others that hold its voxels.
+    /// Reads geometry and properties from the header. Files: the header, then those with voxels.
     Result<SeriesEntry> (*read)(const QString& path);
     Result<LoadedVolume> (*load)(const SeriesEntry& entry, const Progress& progress);
-    /// What a session keeps of the file so that exports can be checked without it; empty if it
-    /// cannot be read.
+    /// The part of the file that a session keeps, so that exports can be checked without the file;
+    /// empty if it cannot be read.
     QByteArray (*headerBytes)(const QString& path);
-    /// The grid of such a header. Null: whoever checks reads it by other means.
+    /// The grid of such a header. Null: the checks read it in another way.
     Result<VolumeGeometry> (*geometryOf)(const QByteArray& header, const QString& path);
 };
 
-/// Null: a file is none of these by its name.
+/// The format of a file by its name; null if it is none of these.
 [[nodiscard]] const FileFormat* fileFormatOf(const QString& path);
-/// Null: no such name.
+/// Null if there is no format of that name.
 [[nodiscard]] const FileFormat* fileFormatNamed(const QString& name);
 
 } // namespace core

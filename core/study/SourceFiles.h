@@ -7,8 +7,8 @@
 
 namespace core {
 
-/// The files that a volume was read from, also those that a repaired series left out; of a folder
-/// of pictures every picture in it. Cost: at most one look into a folder.
+/// The files from which a volume was read, including those that a repair left out; for a folder of
+/// pictures, every picture in it. Cost: reads at most one folder.
 [[nodiscard]] QStringList sourceFiles(const Volume& volume);
 
 } // namespace core

@@ -12,20 +12,20 @@
 
 namespace core {
 
-/// What a file, a folder with all below it, or an archive (zip, 7z, tar) holds, read once: list it,
-/// then open from it. An archive is unpacked into the user's cache (core/archive); archives within
-/// folders and archives are not.
+/// The contents of a file, of a folder with its subfolders, or of an archive (zip, 7z, tar). It is
+/// scanned once; then its volumes can be listed and opened. An archive is unpacked into the user's
+/// cache (core/archive); archives inside folders and archives are not.
 ///
-/// DICOM is known by content, whatever the file names; other formats by their endings
-/// (FileFormats.h), pictures by both (core/images). A DICOMDIR stands for its folder: what it names
-/// is a hint only. All calls block; make them beside the UI thread.
+/// DICOM is recognised by content, whatever the file name; other formats by file name
+/// (FileFormats.h), pictures by both (core/images). A DICOMDIR stands for its folder; what it lists
+/// is only a hint. All calls block; do not make them on the UI thread.
 class Study {
 public:
     static constexpr int mostFilesScanned = 500'000;
-    /// Reads headers only, by file on all cores. Unreadable files are part of the listing; an error
-    /// is returned when nothing at all could be read: FileNotFound, FolderEmpty, NoImages, the
-    /// file's own error if @p path is one file, or Cancelled.
-    /// @param mostFiles below a folder; where there are more: TooManyFiles
+    /// Reads only headers, on all cores. Unreadable files are part of the listing. An error is
+    /// returned only if nothing could be read: FileNotFound, FolderEmpty, NoImages, the file's own
+    /// error if @p path is a file, or Cancelled.
+    /// @param mostFiles limit for files below a folder; if there are more: TooManyFiles
     [[nodiscard]] static Result<Study> scan(const QString& path,
         const Progress& progress = Progress(), int mostFiles = mostFilesScanned);
 
@@ -37,17 +37,16 @@ public:
 
     /// Opens one volume with its voxels.
     ///
-    /// @param series key or SeriesInstanceUID, of a series in time with the point that is wanted
-    /// (SeriesEntry::keyAtTime()), else its first; empty: the only volume there is. With a repair
-    /// behind it where it is to be repaired (withRepair()); InvalidField where it cannot be.
-    /// InvalidGeometry where pictures lack their spacing (StudyListing::lacksSpacing()).
-    /// SeriesAmbiguous, with one line per candidate, where more than one is left; SeriesNotFound
-    /// where none is.
-    /// Slices that cannot be decoded are left out and named in Volume::problems; an error is
-    /// returned if none is left. Decodes on all cores; @p progress tells slices done and may
-    /// cancel.
-    /// @param early hears of the slice in the middle long before the rest is there, where it can be
-    /// shown then as it will be: of DICOM that has a window and needs no repair (loadStack())
+    /// @param series key or SeriesInstanceUID, for a series in time with the requested point
+    /// (SeriesEntry::keyAtTime()), else its first; empty: the only volume. A repair may follow
+    /// (withRepair()).
+    /// @param progress counts decoded slices and may cancel
+    /// @param early receives the middle slice long before the others, if it can be displayed then
+    /// as it will be afterwards: for DICOM with a window and without repair (loadStack()) Decodes
+    /// on all cores. Slices that cannot be decoded are left out and listed in Volume::problems; it
+    /// is an error if none is left. Further errors: InvalidField (the repair is impossible),
+    /// InvalidGeometry (pictures lack their spacing, StudyListing::lacksSpacing()), SeriesAmbiguous
+    /// with one line per candidate if several are left, SeriesNotFound if none is.
     [[nodiscard]] Result<LoadedVolume> load(const QString& series = QString(),
         const Progress& progress = Progress(), const EarlySliceListener& early = {}) const;
 

@@ -9,22 +9,23 @@
 
 namespace core {
 
-/// Triangles around voxels, in index space (voxel centres at whole numbers). Seen from outside they
-/// turn to the left wherever the index axes are right-handed.
+/// A surface of triangles around voxels, in index space (voxel centres at integers). Seen from
+/// outside, triangles are counter-clockwise if the index axes are right-handed.
 struct SegmentSurface {
     std::vector<glm::vec3> vertices;
     std::vector<glm::uvec3> triangles;
 };
 
-/// How far smoothing moves a point of the surface, in voxels along each axis.
+/// The greatest distance by which smoothing moves a point of the surface, in voxels along each
+/// axis.
 constexpr float greatestSurfaceShift = 0.45F;
 
 /// The closed surface of a label's voxels: their borders, smoothed.
 ///
-/// Every edge belongs to two triangles that run along it in opposite ways, also where voxels touch
-/// at an edge or a corner alone: such are kept apart. No point strays further from the border than
-/// greatestSurfaceShift, less than half a voxel; so no triangle can pass a voxel's centre, and
-/// exactly the centres of the label's voxels are inside.
+/// Every edge belongs to two triangles that run along it in opposite directions. Voxels that touch
+/// only at an edge or a corner are kept apart. No point is farther from the border than
+/// greatestSurfaceShift, which is less than half a voxel; so no triangle can pass a voxel's centre,
+/// and exactly the centres of the label's voxels are inside.
 ///
 /// @param labels x fastest
 [[nodiscard]] SegmentSurface segmentSurface(

@@ -11,26 +11,27 @@
 
 namespace core {
 
-/// How values run around a place: the principal directions of their gradients there (structure
-/// tensor), for whoever asks what lies there. Decides no voxel.
+/// The principal directions of gradients around a place (structure tensor), which tell whether a
+/// surface or a tube is there. It decides no voxel.
 struct LocalStructure {
-    /// LPS, of length 1: first the one along which values change most, last the one along which
-    /// they change least.
+    /// LPS, of length 1; the first is the direction in which values change most, the last the one
+    /// in which they change least.
     std::array<glm::dvec3, 3> directions{};
-    std::array<double, 3> changes{}; ///< mean squares, (codes per mm)², in that order
+    std::array<double, 3> changes{}; ///< mean squares, (codes per mm)², in the same order
 
-    /// Values change to all sides but along one direction, directions[2], as in a vessel; else most
-    /// of it is a surface, which lies across directions[0].
+    /// Values change in all directions but one, directions[2], as in a vessel. Otherwise most of
+    /// the surroundings is a surface, perpendicular to directions[0].
     [[nodiscard]] bool isTube() const;
 };
 
-/// @param codes of @p box, x fastest @param radiusMm that counts; the middle counts most
-/// None: values do not change there, or the box holds no voxel with all of its neighbours.
+/// @param codes of @p box, x fastest
+/// @param radiusMm radius of the surroundings; their middle has the greatest weight
+/// None: values do not change there, or the box contains no voxel with all its neighbours.
 [[nodiscard]] std::optional<LocalStructure> localStructure(std::span<const std::uint16_t> codes,
     const VoxelBox& box, const VolumeGeometry& geometry, const glm::dvec3& placeLps,
     double radiusMm);
 
-/// The voxels that it looks at; cut at the volume, empty beyond it.
+/// The voxels that it reads; clipped to the volume, empty outside it.
 [[nodiscard]] VoxelBox localStructureBox(
     const VolumeGeometry& geometry, const glm::dvec3& placeLps, double radiusMm);
 

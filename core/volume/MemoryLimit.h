@@ -7,8 +7,8 @@
 
 namespace core {
 
-/// Whether a volume of so many voxels may be loaded: 2 bytes each within 60 % of the machine's
-/// memory. OutOfMemory says how much is wanted and how much there is.
+/// Checks that a volume of that many voxels, with 2 bytes each, fits into 60 % of the machine's
+/// memory. The error OutOfMemory says how much is needed and how much there is.
 [[nodiscard]] Result<void> checkMemory(std::size_t voxels);
 
 } // namespace core

@@ -8,18 +8,19 @@
 
 namespace core {
 
-/// Work that has to take slices in their order, one at a time, while they come in any order: who
-/// brings one takes the work on as far as slices are there, unless somebody is at it already.
+/// Runs work that needs slices in their order, one at a time, although they arrive in any order.
+/// The thread that brings a slice continues the work as far as slices are available, unless another
+/// thread is doing so already.
 class SliceChain {
 public:
     /// @param work called for 0 … slices − 1, from any thread that calls what is below
     SliceChain(int slices, std::function<void(int k)> work);
 
-    /// Slice @p k is there, and nobody changes it until isPast(k). Any thread.
+    /// Slice @p k is available; it must not change until isPast(k). Any thread.
     void sliceIsThere(int k);
-    /// Takes the work to its end. @pre all slices are there
+    /// Runs the work to its end. @pre all slices are available
     void finish();
-    /// Waits until slice @p k is done with. @pre somebody is in finish(), or has been
+    /// Blocks until slice @p k was processed. @pre some thread is in finish(), or has been
     void waitFor(int k) const;
 
 private:

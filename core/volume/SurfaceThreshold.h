@@ -5,13 +5,14 @@
 
 namespace core {
 
-/// The value that parts what is seen from what is seen through while nobody has said another, in
-/// modality units: skin for CT, else half of what parts air from the rest. The window starts with
-/// it, and recipes that name no surface mean it.
+/// The default threshold between visible and invisible values in 3D, in modality units: that of
+/// skin for values in HU, otherwise halfway between the minimum and the value that separates air
+/// from the rest (otsuThreshold()). The window starts with it, and recipes that give no threshold
+/// use it.
 [[nodiscard]] double usualSurfaceThreshold(const Volume& volume);
 
-/// The value between the two classes of a histogram whose variance between them is greatest (Otsu
-/// 1979).
+/// The threshold between the two classes of a histogram whose between-class variance is greatest
+/// (Otsu 1979).
 [[nodiscard]] double otsuThreshold(const Histogram& histogram);
 
 } // namespace core

@@ -5,11 +5,12 @@
 
 namespace core {
 
-/// How thick each slice counts, mm: half the way to either neighbour; the outermost as if the next
-/// were as far beyond.
+/// The thickness that each slice counts for, mm: half the distance to either neighbour; the
+/// outermost as if the next slice were equally far on the other side.
 [[nodiscard]] std::vector<double> sliceThicknessesMm(const VolumeGeometry& geometry);
 
-/// LPS mm. Between uneven slices along the line from one to the next, beyond the last as before it.
+/// LPS mm of an index position. Between uneven slices it lies on the line from one to the next;
+/// beyond the last slice it continues as before it.
 [[nodiscard]] glm::dvec3 worldBetweenSlices(
     const VolumeGeometry& geometry, const glm::dvec3& index);
 

@@ -25,7 +25,7 @@ struct WindowLevel {
     bool operator==(const WindowLevel&) const = default;
 };
 
-/// Whose study it is, as the source says; empty where it does not. Text is Unicode.
+/// The patient, study and series of a volume, as far as the source gives them. Text is Unicode.
 struct StudyIdentity {
     QString patientName;
     QString patientId;
@@ -52,9 +52,9 @@ struct SourceSlice {
     int instanceNumber = 0;
 };
 
-/// Headers of source files by the files' names, for a volume whose files may be missing: of DICOM a
-/// data set in explicit VR little endian (core/dicom/source/KeptHeaders.h), of NIfTI the header's
-/// bytes.
+/// The headers of source files by file name, for a volume whose files may be missing. For DICOM, a
+/// data set in explicit VR little endian (core/dicom/source/KeptHeaders.h); for NIfTI, the bytes of
+/// the header.
 using KeptHeaders = std::map<QString, QByteArray>;
 
 /// Slices, counted from 1 along row × column direction, both ends included.
@@ -67,15 +67,15 @@ struct SliceSpan {
 /// "slice 5", "slices 2–4, 7"; spans in ascending order.
 [[nodiscard]] QString slicesInWords(const std::vector<SliceSpan>& slices);
 
-/// Something about the source that a reader must know before trusting a measurement.
+/// Something about the source that a user must know before trusting a measurement.
 struct VolumeProblem {
     enum class Kind {
         MissingSlices,
         UnevenSpacing,
         Tilt,
         AssumedSpacing,
-        MixedSlices, ///< several images at every place: points in time
-        DoubledSlices, ///< several images at some places
+        MixedSlices, ///< several images at every position: points in time
+        DoubledSlices, ///< several images at some positions
         DuplicateSlices, ///< files with the identity of another
         DamagedSlice,
         LossyCompression,
@@ -84,32 +84,33 @@ struct VolumeProblem {
     };
     Kind kind = Kind::Other;
     QString text; ///< one plain sentence
-    bool caution = false; ///< geometry that carries a caution bar until repaired or accepted
-    /// Which slices it is about; beside a gap the two that it lies between. Empty: all of them.
+    /// the geometry is doubtful; a warning is shown until it is repaired or accepted
+    bool caution = false;
+    /// The slices concerned; for a gap, the two beside it. Empty: all.
     std::vector<SliceSpan> slices{};
-    /// What was done about it on loading, as `--repair` takes it ("gap=fill"); empty: nothing.
+    /// What was done about it on loading, in the form of `--repair` ("gap=fill"); empty: nothing.
     QString repairedBy{};
 };
 
-/// The slices of a repaired volume as their images have them; what is drawn on the repaired voxels
-/// finds its way back to them (core/repair/WayBack.h).
+/// The original slices of a repaired volume. What is drawn on the repaired voxels is transferred
+/// back to them (core/repair/WayBack.h).
 struct SeriesAsIs {
     VolumeGeometry geometry;
     std::vector<SourceSlice> sources; ///< per slice
 };
 
-/// What else a volume's series can be opened as, while its study is at hand.
+/// What else the volume's series can be opened as, while its study is available.
 struct SeriesAlternatives {
     struct Stack {
         QString key; ///< what `--series` takes
         QString part; ///< which of the stacks it is, in words
         VolumeGeometry geometry;
     };
-    QString key; ///< its own, without the point in time
-    QString part; ///< which of several stacks it is, in words; empty where it is the only one
+    QString key; ///< that of the volume, without the point in time
+    QString part; ///< which of several stacks it is, in words; empty if it is the only one
     std::vector<Stack> stacks{}; ///< the others
-    QStringList times{}; ///< of a series in time what tells its points apart; else empty
-    int time = 0; ///< which of them it is, 0-based
+    QStringList times{}; ///< for a series in time, what distinguishes its points; else empty
+    int time = 0; ///< which of these points it is, 0-based
     std::optional<VolumeGeometry> undoubled{}; ///< SeriesEntry::undoubled
 };
 
@@ -120,14 +121,14 @@ struct CodeRange {
     bool operator==(const CodeRange&) const = default;
 };
 
-/// Counts of voxels over equal bins of the value range; for pictures, not for decisions.
+/// Voxel counts in equal bins of the value range; for display, not for decisions.
 struct Histogram {
     double minimum = 0.0;
     double maximum = 0.0;
     std::vector<std::uint32_t> counts;
 };
 
-/// The study's voxels, described; the voxels themselves live on the GPU only. Nothing changes it.
+/// The description of the study's voxels, which themselves are only on the GPU. It never changes.
 struct Volume {
     StudyIdentity identity;
     VolumeGeometry geometry;
@@ -138,34 +139,35 @@ struct Volume {
     Histogram histogram;
     WindowLevel defaultWindow;
     bool displayInverted = false; ///< MONOCHROME1: dark is high; voxels are unchanged
-    /// Per slice k; empty for formats without instances, and where a repair moved the voxels.
+    /// Per slice k; empty for formats without instances, and if a repair moved the voxels.
     std::vector<SourceSlice> sources;
-    /// How its series was repaired on loading, as `--repair` takes it (core/repair/SeriesRepair.h);
-    /// empty: it is as its files have it.
+    /// How its series was repaired on loading, in the form of `--repair`
+    /// (core/repair/SeriesRepair.h); empty: it is as in its files.
     QString repair;
-    std::shared_ptr<const SeriesAsIs> asIs; ///< where there is a repair
+    std::shared_ptr<const SeriesAsIs> asIs; ///< set if there is a repair
     QString sourcePath; ///< folder or file that was opened
-    QString seriesKey; ///< which of its volumes this is (SeriesEntry::keyAtTime()); may be empty
-    std::shared_ptr<const SeriesAlternatives> alternatives; ///< null: its study is not at hand
+    /// which of the volumes there this is (SeriesEntry::keyAtTime()); may be empty
+    QString seriesKey;
+    std::shared_ptr<const SeriesAlternatives> alternatives; ///< null: its study is not available
     QString sourceFormat; ///< "DICOM", "NIfTI"
     QByteArray voxelsSha256; ///< hex; float32 little-endian modality values, x fastest
-    /// Hex, of the codes, little-endian; only where the values do not follow from the codes.
+    /// Hex, of the codes, little-endian; only if the values do not follow from the codes.
     QByteArray codesSha256;
-    /// Of a volume that came out of a session file: what stands for its source files, which are not
-    /// read then. Null: the files are.
+    /// For a volume from a session file: replaces its source files, which are then not read. Null:
+    /// the files are read.
     std::shared_ptr<const KeptHeaders> keptHeaders;
     std::vector<VolumeProblem> problems;
 
     [[nodiscard]] bool needsCaution() const;
 };
 
-/// A volume together with its codes, on their way to the engine (x fastest, then y, then z).
+/// A volume together with its codes, for the engine (x fastest, then y, then z).
 struct LoadedVolume {
     Volume volume;
     std::vector<std::uint16_t> codes;
-    /// Codes of voxels outside what was scanned, where the source says so.
+    /// Codes of voxels outside the scanned region, if the source states them.
     std::optional<CodeRange> padding{};
-    /// Why they came out of a session file; none: they came from the study's own files.
+    /// Why the voxels come from a session file; none: they come from the study's own files.
     std::optional<Error> notFromStudy{};
 };
 

@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// Where the voxels of a volume lie in the patient.
+/// The position of a volume's voxels in the patient.
 ///
 /// Index space: voxel integers (i = column, j = row, k = slice), whole numbers at voxel centres.
 /// World space: DICOM patient coordinates, LPS (x to the left, y to posterior, z to superior), mm.
@@ -16,7 +16,7 @@ namespace core {
 struct VolumeGeometry {
     glm::ivec3 size{0}; ///< columns, rows, slices
     glm::dmat4 indexToWorld{1.0}; ///< voxel centres, index → LPS mm
-    /// LPS position of voxel (0, 0, k) of every slice, only where the affine does not meet them all
+    /// LPS position of voxel (0, 0, k) of every slice if the affine does not fit all of them
     /// (irregular spacing); otherwise empty.
     std::vector<glm::dvec3> slicePositions;
 
@@ -39,7 +39,7 @@ struct VolumeGeometry {
     [[nodiscard]] std::vector<glm::dvec3> cornersLps() const;
 };
 
-/// How far slices may stray from equal steps of this length and still count as evenly spaced.
+/// The deviation from equal steps of this length up to which slices count as evenly spaced.
 [[nodiscard]] double evenSlicesToleranceMm(double stepMm);
 
 } // namespace core

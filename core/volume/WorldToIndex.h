@@ -5,11 +5,12 @@
 
 namespace core {
 
-/// Places of the patient (LPS mm) as continuous voxel indices, also where slices lie unevenly:
-/// there between two of them, or beyond the outermost as far as its neighbour is away.
+/// Converts places of the patient (LPS mm) to continuous voxel indices. With uneven slices it
+/// interpolates between two of them, and continues beyond the outermost with the distance to its
+/// neighbour.
 class WorldToIndex {
 public:
-    /// @param geometry must outlive it
+    /// @param geometry must outlive this
     explicit WorldToIndex(const VolumeGeometry& geometry);
 
     [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& lps) const;
@@ -19,7 +20,7 @@ private:
     glm::dmat4 m_inverse;
     glm::dvec3 m_normal{0.0};
     glm::dmat3 m_inSlice{1.0};
-    std::vector<double> m_heights; ///< of uneven slices along their normal
+    std::vector<double> m_heights; ///< for uneven slices: their positions along the normal
 };
 
 } // namespace core

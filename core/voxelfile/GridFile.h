@@ -10,28 +10,29 @@
 
 namespace core {
 
-/// A file of one volume whose header is text (NRRD, MetaImage), read as far as that header.
+/// A file of one volume whose header is text (NRRD, MetaImage), of which only the header was read.
 struct GridFile {
     VolumeGeometry geometry;
     std::vector<VolumeProblem> problems; ///< those that the header shows
     VoxelSource voxels;
 };
 
-/// No header in words is longer: many segments with their tags, or a list of slices.
+/// The greatest length of a text header; long ones have many segments with tags, or a list of
+/// slices.
 constexpr qint64 longestTextHeader = qint64(1) << 22;
 
-/// Sets the geometry's size from the sides that a header names, and `voxels.voxels`.
-/// InvalidGeometry for sides below 1 or beyond 32768.
+/// Sets the geometry's size from the sides in a header, and `voxels.voxels`. Errors:
+/// InvalidGeometry for sides below 1 or above 32768.
 [[nodiscard]] Result<void> setGridSize(GridFile& grid, std::span<const qint64> sides);
-/// The axes span a volume of finite size, at a finite place; InvalidGeometry if not.
-/// @param path, where what the header calls its axes: for the sentence
+/// Checks that the axes span a volume of finite size at a finite position. Errors: InvalidGeometry.
+/// @param path, where the file, and the header's name for its axes; for the message
 [[nodiscard]] Result<void> checkGridAxes(
     const VolumeGeometry& geometry, const QString& path, const QString& where);
 
-/// What a listing shows of it: of files the header, then those that hold its voxels elsewhere; the
-/// key is left to the listing. Checks that the voxels are there: errors as of checkVoxelFiles().
+/// The entry of a file in a listing: its files are the header, then separate files with voxels; the
+/// listing sets the key. Checks that the voxels exist; errors: those of checkVoxelFiles().
 [[nodiscard]] Result<SeriesEntry> entryOf(const GridFile& grid);
-/// The volume with its voxels. Errors as of readVoxels().
+/// The volume with its voxels. Errors: those of readVoxels().
 [[nodiscard]] Result<LoadedVolume> loadGridFile(const GridFile& grid, const SeriesEntry& entry,
     const QString& format, const Progress& progress);
 

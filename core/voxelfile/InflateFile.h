@@ -9,28 +9,30 @@
 
 namespace core {
 
-/// What a packed file holds from its place on, unpacked as far as it is asked for.
+/// Decompresses a file from its present position on, as far as is requested.
 class InflateFile {
 public:
-    /// Nothing packs tighter than this (RFC 1951: 258 bytes for two bits), with room for headers.
+    /// The greatest possible compression ratio (RFC 1951: 258 bytes for two bits), with room for
+    /// headers.
     static constexpr double greatestRatio = 1040.0;
 
-    /// @param file open, at the first packed byte; must outlive this
+    /// @param file open, at the first compressed byte; must outlive this
     /// @param gzipOnly whether a zlib stream is an error
     InflateFile(QFile& file, bool gzipOnly);
     InflateFile(const InflateFile&) = delete;
     InflateFile& operator=(const InflateFile&) = delete;
     ~InflateFile();
 
-    /// @return how many bytes there were; fewer than asked for at the end or where reason() says
+    /// @return the number of bytes read; fewer than requested at the end, or if reason() is not
+    /// empty
     [[nodiscard]] std::size_t read(std::span<char> into);
-    /// Why no more can be read. Empty after a sound end, and where the file stops in the middle of
-    /// what had been asked for.
+    /// Why no more can be read. Empty after a proper end, and if the file ends in the middle of the
+    /// requested bytes.
     [[nodiscard]] const QString& reason() const { return m_reason; }
 
 private:
     struct Stream;
-    /// Input for the stream; false at the end of the file.
+    /// Reads input for the stream; false at the end of the file.
     bool refill();
 
     QFile& m_file;

@@ -9,13 +9,13 @@ struct gzFile_s;
 
 namespace core {
 
-/// A file under way, as it is or packed with gzip, that remembers the first error.
+/// A file that is being written, plain or compressed with gzip. It remembers the first error.
 class PackedOutput {
 public:
     enum class Form {
-        Plain, ///< begins the file
-        Gzip, ///< begins the file
-        GzipBehind, ///< one member behind what the file holds
+        Plain, ///< begins a new file
+        Gzip, ///< begins a new file
+        GzipBehind, ///< appends one member to the file
     };
 
     PackedOutput(const QString& path, Form form);
@@ -23,9 +23,9 @@ public:
     PackedOutput& operator=(const PackedOutput&) = delete;
     ~PackedOutput() { close(); }
 
-    /// Nothing happens after an error.
+    /// Does nothing after an error.
     void write(const void* bytes, std::size_t size);
-    /// @returns why the file is not whole; empty if it is
+    /// @returns why the file is incomplete; empty if it is complete
     QString close();
 
 private:

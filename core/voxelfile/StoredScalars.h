@@ -8,7 +8,7 @@
 
 namespace core {
 
-/// What one voxel of a file is. One number; colours and vectors are none.
+/// The type of one voxel in a file: a single number. Colours and vectors are not supported.
 enum class ScalarType {
     Int8,
     UInt8,
@@ -25,17 +25,17 @@ enum class ScalarType {
 [[nodiscard]] std::size_t bytesPerScalar(ScalarType type);
 [[nodiscard]] bool isFloating(ScalarType type);
 
-/// The number at a place, stored in the machine's byte order.
+/// Reads the number at an index, stored in the machine's byte order.
 using StoredAt = double (*)(const char* bytes, std::size_t index);
 [[nodiscard]] StoredAt storedAtFor(ScalarType type);
 
-/// Between a foreign byte order and the machine's, in place.
+/// Converts between a foreign byte order and the machine's, in place.
 void swapScalars(std::span<char> bytes, ScalarType type);
 
-/// Stored numbers, in the machine's byte order, x fastest, as what was read becomes a volume:
-/// value = slope · stored + intercept. Whole numbers of up to 16 bits keep their own code, all else
-/// is brought to a scale (encodeValues). The volume's geometry must be set.
-/// @param bytes as many as the volume has voxels
+/// Converts stored numbers, in the machine's byte order, x fastest, into the codes of a volume:
+/// value = slope · stored + intercept. Integers of up to 16 bits are encoded exactly, everything
+/// else is scaled (encodeValues). The volume's geometry must be set.
+/// @param bytes of as many numbers as the volume has voxels
 void encodeScalars(LoadedVolume& loaded, std::span<const char> bytes, ScalarType type, double slope,
     double intercept, bool hasWindow);
 

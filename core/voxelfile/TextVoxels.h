@@ -12,12 +12,13 @@
 
 namespace core {
 
-/// Numbers in words, apart by blanks or commas, from the file's place on, as the type is stored in
-/// this machine. Whether more follow; else why not: an empty reason where they end too soon.
+/// Reads numbers as text, separated by blanks or commas, from the file's position on, and stores
+/// them in the type's form on this machine. Returns whether more follow, or why it failed; the
+/// reason is empty if they end too soon.
 [[nodiscard]] tl::expected<bool, QString> readTextVoxels(
     QFile& file, ScalarType type, std::span<char> into, const Progress& progress);
 
-/// Two digits a byte, blanks between them or not. The same answer.
+/// Reads bytes of two hexadecimal digits, with or without blanks between them. Result as above.
 [[nodiscard]] tl::expected<bool, QString> readHexBytes(
     QFile& file, std::span<char> into, const Progress& progress);
 

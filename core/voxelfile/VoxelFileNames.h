@@ -10,15 +10,15 @@
 
 namespace core {
 
-/// Whether a header's word for its files announces a list of them: "LIST", with or without a
+/// Whether the header's value for its files announces a list of them: "LIST", with or without a
 /// number.
 [[nodiscard]] bool isFileList(const QByteArray& word);
 
-/// The files that a header names for its voxels, from the header's folder on: one, those that are
-/// listed, or a numbered series: "slice%03d.raw 1 40 1", perhaps with one number more (how many
-/// axes a file holds). Of what printf knows, one whole number with a width and nothing else.
-/// FileUnreadable: no names, or more than make up a volume.
-/// @param list the names behind a word that isFileList()
+/// The files with the voxels of a header, relative to the header's folder: a single one, a list, or
+/// a numbered series: "slice%03d.raw 1 40 1", optionally with a further number (the number of axes
+/// in each file). Of printf's formats, one integer with a width is supported and nothing else.
+/// FileUnreadable: no names, or more than a volume can have.
+/// @param list the names after a value for which isFileList() holds
 [[nodiscard]] Result<QStringList> namedVoxelFiles(
     const QString& header, const QByteArray& word, const QList<QByteArray>& list);
 

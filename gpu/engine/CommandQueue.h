@@ -13,9 +13,9 @@
 
 namespace gpu {
 
-/// The session's side of the engine: commands in, results out, as core::EditEngine has it. What
-/// carries them out stands behind it (GpuEditEngine) and takes them on the engine's thread. Any
-/// thread, but for what says otherwise.
+/// The queue between the session's thread and the engine's thread: commands go in, results come
+/// out, with the meaning that core::EditEngine gives them. Functions may be called from any thread
+/// unless their comment names one.
 class CommandQueue : public core::EditEngine {
 public:
     core::Ticket submit(core::EngineCommand command) final;
@@ -33,32 +33,35 @@ protected:
     explicit CommandQueue(EngineThread& thread);
     ~CommandQueue() override = default;
 
-    /// Takes the next command unless it has to wait for steps of a growth. Engine thread.
-    /// @param open null: none is
+    /// Takes the next command out of the queue, unless that command has to wait for growth steps of
+    /// the open edit. Engine thread.
+    /// @param open null if no edit is open
+    /// @return false if there is nothing to take
     [[nodiscard]] bool takeNext(Waiting& next, EditTransaction* open);
     void deliver(core::EngineResult result);
-    /// The command that was taken is done.
+    /// Reports that the command taken by takeNext() is done, and wakes threads that wait in
+    /// finish().
     void publish(const core::GrowthProgress& progress);
-    /// Somebody waits for the end: no pace.
+    /// Whether a thread waits in finish(): a paced growth then runs as fast as it can.
     [[nodiscard]] bool inHurry() const;
-    /// Whether that moment has come, or nobody may wait for it; else the engine's thread wakes
-    /// then.
+    /// Whether @p moment has come. True at once while a thread waits in finish(). If false, the
+    /// engine thread is woken at that moment.
     [[nodiscard]] bool isDue(EngineThread::Clock::time_point moment);
 
 private:
-    void takeMore(core::ExtendEdit& first, EditTransaction& open); ///< m_mutex is held
+    void takeMore(core::ExtendEdit& first, EditTransaction& open); ///< call with m_mutex held
 
     EngineThread& m_thread;
     mutable std::mutex m_mutex;
     std::condition_variable m_settled;
-    // Under m_mutex:
+    // The members below are guarded by m_mutex.
     std::deque<Waiting> m_waiting;
     std::vector<core::EngineResult> m_results;
     core::GrowthProgress m_progress;
     std::function<void()> m_wakeUp;
     core::Ticket m_lastTicket = 0;
     bool m_busy = false;
-    bool m_hurry = false; ///< finish() is waiting
+    bool m_hurry = false; ///< a thread waits in finish()
 };
 
 } // namespace gpu

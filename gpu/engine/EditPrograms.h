@@ -13,7 +13,8 @@
 
 namespace gpu {
 
-/// Every compiled kernel that edits, or works out what an edit would do.
+/// Every compiled kernel that edits voxels or computes what an edit would do. The kernels know of
+/// no volume, so one set serves all volumes that are opened.
 struct EditPrograms {
     explicit EditPrograms(const ShaderLibrary& library)
         : growth(library)

@@ -11,35 +11,39 @@
 
 namespace gpu {
 
-/// The one open edit: what was there before, and what becomes of it. What is written is its work's
-/// (EditWork), of which it knows no kind. Engine thread only.
+/// The one open edit. It keeps what was there before (BeforeImages) and decides whether the changes
+/// are kept or taken back. The voxels are written by its EditWork; the transaction does not know
+/// which kind of edit that is. Engine thread only.
 class EditTransaction {
 public:
-    /// Errors: InvalidField; then nothing was changed. Throws GlFailure with everything as it was,
-    /// or FieldsLost.
+    /// Errors: InvalidField; in that case nothing was changed. Throws GlFailure with all voxels as
+    /// they were, or FieldsLost.
     static core::Result<std::unique_ptr<EditTransaction>> begin(
         EditPrograms& programs, VoxelFields& fields, const core::EngineEdit& edit);
 
-    /// Errors: InvalidField where the extension is of another kind of edit.
+    /// Errors: InvalidField if the extension belongs to another kind of edit.
     core::Result<void> extend(const core::EngineExtension& extension);
-    /// Puts @p next behind @p earlier where extending by both at once comes to the same: pieces of
-    /// the open stroke's path. @return whether it did
+    /// Appends @p next to @p earlier if extending by both at once has the same result as extending
+    /// twice, as for two pieces of the path of the open stroke.
+    /// @return whether it did
     [[nodiscard]] bool join(core::EngineExtension& earlier, core::EngineExtension& next) const;
 
-    /// Whether there is more to do that was asked for: steps of a growth, or other work.
+    /// Whether requested work is left: growth steps, or other work that runs in slices.
     [[nodiscard]] bool hasStepsLeft() const { return m_work && m_work->hasStepsLeft(); }
     [[nodiscard]] double generationsPerSecond() const
     {
         return m_work ? m_work->generationsPerSecond() : 0.0;
     }
-    /// Does up to @p rings of them, or so much of that work. Only while there is more to do.
+    /// Runs up to @p rings growth steps, or a comparable amount of other work. Call it only while
+    /// hasStepsLeft().
     void advance(int rings) { m_work->advance(rings); }
 
-    /// Closes; fills changes, statistics, generation and atClosure of the result.
+    /// Closes the edit and keeps its changes. Fills in the changes, statistics, generation and
+    /// atClosure of the result. rollBack() closes it and restores every voxel.
     void commit(core::EngineResult& result);
     void rollBack(core::EngineResult& result);
-    /// After any of the above threw: puts everything back, and closes. What is asked of it from
-    /// then on is refused with @p why. Throws FieldsLost.
+    /// To be called after any of the functions above threw: restores every voxel and closes the
+    /// edit. From then on every request to it is refused with @p why. Throws FieldsLost.
     void abandon(const core::Error& why);
     [[nodiscard]] const std::optional<core::Error>& abandoned() const { return m_abandoned; }
     [[nodiscard]] core::GrowthProgress progress() const;
@@ -56,11 +60,11 @@ private:
     EditPrograms& m_programs;
     VoxelFields& m_fields;
     BeforeImages m_before;
-    std::unique_ptr<EditWork> m_work; ///< null once abandoned
+    std::unique_ptr<EditWork> m_work; ///< null after abandon()
     std::optional<core::Error> m_abandoned;
 };
 
-/// `failure(InvalidField, …)` in short.
+/// Checks whether the edit is valid for a volume, so that it could begin. Errors: InvalidField.
 [[nodiscard]] tl::unexpected<core::Error> refusal(const char* field, const char* reason);
 
 } // namespace gpu

@@ -15,10 +15,10 @@
 
 namespace gpu {
 
-/// The one thread on which all GL work is done, one context current from start to end.
+/// The one thread on which all GL work is done. Its context is current there from start to end.
 ///
-/// Its loop: jobs in the order they were posted, then one slice of edits, then one slice of
-/// frames, and again; when none has anything to do it sleeps until woken.
+/// Its loop runs the posted jobs in order, then one slice of edits, then one slice of frames, and
+/// starts over. When nothing is left to do it sleeps until it is woken.
 class EngineThread {
 public:
     using Clock = std::chrono::steady_clock;
@@ -36,16 +36,17 @@ public:
     /// std::system_error where no further thread can be started. Call once.
     core::Result<void> start();
 
-    /// Queue a job; any thread. Jobs must be short, and must not throw.
+    /// Queues a job; any thread. A job must be short and must not throw.
     void post(Job job);
-    /// Queue a job and wait for it; any thread (on the engine thread it runs at once). What it
-    /// throws is thrown here.
+    /// Queues a job and waits for it; any thread. On the engine thread the job runs at once. An
+    /// exception of the job is rethrown here.
     void run(const Job& job);
-    /// There is something to do; any thread.
+    /// Tells the thread that there is something to do; any thread.
     void wake();
-    /// Wake by yourself at this time; the earliest asked for counts. Engine thread.
+    /// Makes the thread wake up at this time; if several times were requested, at the earliest.
+    /// Engine thread.
     void wakeAt(Clock::time_point time);
-    /// What the loop calls, edits first. Engine thread.
+    /// Sets the two functions that the loop calls, edits first. Engine thread.
     void setSlices(Slice edits, Slice frames);
 
 private:

@@ -15,16 +15,17 @@
 
 namespace gpu {
 
-/// core::EditEngine by compute shaders. Commands wait in a queue (CommandQueue) that the engine
-/// thread works off, one slice at a time; a growth runs in batches between which other commands and
-/// frames are served.
+/// The implementation of core::EditEngine by compute shaders. Commands wait in a queue that the
+/// engine thread processes one slice at a time; a growth runs in batches, and other commands and
+/// frames are served between them.
 ///
-/// Where the GPU refuses memory or a command, what was asked is refused and every brick put back
-/// (gl/GlFailure.h): no result without an error is of an edit that failed. Where even that fails,
-/// every command is refused until a volume is opened. A context that is lost is told once by a
-/// result of no command, and everything is refused from then on.
+/// If the GPU refuses memory or a command, the edit is refused and every brick is restored
+/// (gl/GlFailure.h): a result without an error never belongs to a failed edit. If the restoring
+/// fails too, every command is refused until a volume is opened. The loss of the context is
+/// reported once, by a result that belongs to no command; from then on everything is refused.
 ///
-/// The EditEngine members belong to the session's thread, the EditWorker members to the engine's.
+/// The members of core::EditEngine are called on the session's thread, those of EditWorker on the
+/// engine's.
 class GpuEditEngine final : public CommandQueue, public EditWorker {
 public:
     /// Construct and destroy it on the engine thread. Throws ShaderError.
@@ -39,7 +40,7 @@ public:
     void showPieces(const std::vector<PieceSource>& sources) override;
     void showAtTolerance(const std::optional<ToleranceDisplay>& shown) override;
     void warmUp() override;
-    /// GPU bytes of the bricked fields.
+    /// Bytes of GPU memory that the bricked fields take.
     [[nodiscard]] std::size_t brickBytes() const;
 
 private:
@@ -64,7 +65,7 @@ private:
     void publishProgress();
     [[nodiscard]] core::Result<void> checkKeys(std::span<const core::BrickKey> keys) const;
 
-    /// Each returns a result to deliver, or nothing to say.
+    /// Each returns the result to deliver, or none if the command has none.
     using Outcome = core::Result<std::optional<core::EngineResult>>;
     Outcome attempt(core::EngineCommand& command);
     /// Puts away what a command that threw left behind: nothing, but of those named below.
@@ -94,7 +95,7 @@ private:
         const std::vector<core::BrickImage>& images, bool mayBeEmpty) const;
     Outcome put(const core::LabelGuard& guard, const std::vector<core::BrickImage>& now,
         std::vector<core::BrickImage> images);
-    /// What it reads is about to change.
+    /// Stops showing the tolerance field, because what it was computed from is about to change.
     void hideTolerance();
 
     EngineThread& m_thread;
@@ -108,14 +109,14 @@ private:
     std::unique_ptr<VoxelFields> m_fields;
     CutForesight m_foresight;
     std::unique_ptr<EditTransaction> m_transaction;
-    std::optional<core::Error> m_lost; ///< why no command can be carried out until a volume opens
+    std::optional<core::Error> m_lost; ///< why every command is refused until a volume is opened
     std::bitset<256> m_shownLabels;
     std::vector<PieceSource> m_shownPieces;
     std::optional<ToleranceDisplay> m_atTolerance;
     std::unique_ptr<ToleranceKernel> m_trace;
     std::size_t m_tracedAtOnce = leastTraced; ///< bricks
-    double m_editMilliseconds = 0.0; ///< of the open transaction
-    int m_followUpsFailed = 0; ///< one after the other
+    double m_editMilliseconds = 0.0; ///< time spent on the open transaction
+    int m_followUpsFailed = 0; ///< consecutive failures
     int m_ringsPerSlice = GrowthKernel::ringsPerBatch;
     Clock::time_point m_nextGeneration;
 };

@@ -8,17 +8,20 @@
 
 namespace gpu {
 
-/// What the engine does when nothing else is to be done: it derives fields from the voxels, and
-/// makes ready what edits will need. Engine thread.
+/// The work of the engine while no command waits: it updates fields that are derived from the
+/// voxels, and runs kernels for the first time so that edits need not wait for their compilation.
+/// Engine thread.
 class IdleWork {
 public:
     IdleWork(EditPrograms& programs, FieldPrograms& fieldPrograms);
 
-    /// Has kernels run for volumes of such a size, once each.
+    /// Requests that kernels are run once for volumes of such a size.
     void warmUp(const glm::ivec3& volumeSize);
-    /// Nothing is made ready any more.
+    /// Cancels what warmUp() has requested and has not run yet.
     void stop() { m_warmUp.reset(); }
-    /// One slice. @param fields null: no volume is open. @param editing a pen may be down
+    /// Does one slice of work.
+    /// @param fields null if no volume is open
+    /// @param editing a pen may be down
     /// @return whether more is to do
     [[nodiscard]] bool doSome(VoxelFields* fields, bool editing);
 
@@ -27,8 +30,9 @@ private:
 
     EditPrograms& m_programs;
     FieldPrograms& m_fieldPrograms;
-    std::optional<KernelWarmUp> m_warmUp; ///< what is left to run for the first time
-    std::vector<glm::ivec3> m_warmSizes; ///< of KernelWarmUp, that were run or are
+    std::optional<KernelWarmUp> m_warmUp; ///< kernels that were not run yet
+    /// Sizes (KernelWarmUp::sizeLike()) that were run or are being run.
+    std::vector<glm::ivec3> m_warmSizes;
 };
 
 } // namespace gpu

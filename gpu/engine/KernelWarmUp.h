@@ -9,20 +9,22 @@
 
 namespace gpu {
 
-/// Runs the kernels of every tool once, in a small volume of its own, since drivers compile a
-/// kernel only when it first runs. Engine thread only.
+/// Runs the kernels of every tool once, in a small volume of its own: drivers compile a kernel only
+/// when it first runs, and no stroke should wait for that. Engine thread only.
 class KernelWarmUp {
 public:
-    /// The size of a small volume for whose textures a driver compiles what it will need for those
-    /// of this one: llvmpipe has code of its own for sides that are powers of two, of voxels and of
-    /// bricks.
+    /// The size of a small volume for which the driver compiles the same code as for @p volumeSize.
+    /// llvmpipe compiles separate code for textures whose sides, in voxels or in bricks, are powers
+    /// of two.
     [[nodiscard]] static glm::ivec3 sizeLike(const glm::ivec3& volumeSize);
 
-    /// @param programs both outlive this @param size one of sizeLike()
+    /// @param programs both outlive this object
+    /// @param size a result of sizeLike()
     KernelWarmUp(EditPrograms& programs, FieldPrograms& fieldPrograms, const glm::ivec3& size);
 
-    /// The next tool, begun and rolled back. Costs what its compilation costs, up to a few tenths
-    /// of a second with a software driver. @return whether more are left
+    /// Begins an edit of the next tool and rolls it back. Costs what the compilation costs, up to a
+    /// few tenths of a second with a software driver.
+    /// @return whether more tools are left
     [[nodiscard]] bool runNext();
 
 private:

@@ -7,12 +7,14 @@
 
 namespace gpu {
 
-/// The pictures of whichever engine thread there is: views keep this one while the source behind it
-/// is made anew. What they had requested has to be requested again then. Any thread.
+/// A frame source that lasts when the engine thread is replaced (GpuEngine::renew()): views keep
+/// this one while the source behind it changes. After a change views have to repeat their requests.
+/// Any thread.
 class LastingFrames final : public FrameSource {
 public:
-    /// Hands on to @p source, which outlives this or is replaced; no call is under way in the one
-    /// before once this returns. Null: what is asked is dropped.
+    /// Forwards all calls to @p source, which must outlive this object or its next setSource().
+    /// When this returns no call to the previous source is running. With null, requests are
+    /// dropped.
     void setSource(FrameSource* source);
 
     void request(FrameRequest request) override;
@@ -21,7 +23,7 @@ public:
     void updateSurface(core::SurfaceUpdate update) override;
 
 private:
-    std::mutex m_mutex; ///< never taken by who listens
+    std::mutex m_mutex; ///< never locked by the listener
     FrameSource* m_source = nullptr; ///< guarded by m_mutex
     Listener m_listener; ///< guarded by m_mutex
 };

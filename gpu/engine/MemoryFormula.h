@@ -9,11 +9,11 @@
 
 namespace gpu {
 
-/// What an open volume takes of graphics memory, beside pictures on their way to the views.
+/// How much graphics memory an open volume takes, without the pictures on their way to the views.
 struct MemoryFormula {
-    /// Of what every volume of this size takes at once.
+    /// Bytes of the dense textures, which every volume of this size takes as soon as it is opened.
     [[nodiscard]] static std::size_t denseBytes(const glm::ivec3& size);
-    /// The whole in one line, in English.
+    /// The whole formula in one line of English, for `burin info --gl`.
     [[nodiscard]] static QString text();
 };
 

@@ -8,8 +8,8 @@
 
 namespace gpu {
 
-/// What an open transaction saved before it wrote: each brick once, on first touch, kept on the GPU
-/// until the transaction ends (DESIGN §3.3). Engine thread only.
+/// The bricks that an open transaction has saved before it wrote them: each brick once, on first
+/// touch, kept on the GPU until the transaction ends (DESIGN §3.3). Engine thread only.
 class BeforeImages {
 public:
     explicit BeforeImages(VoxelFields& fields)
@@ -18,15 +18,15 @@ public:
     }
 
     /// Saves those of the bricks that were not saved yet. Call it before writing them. Throws
-    /// GlFailure; then none of them was saved.
+    /// GlFailure; in that case none of them was saved.
     void capture(core::Field field, std::uint8_t plane, std::span<const std::uint32_t> bricks);
-    /// What was saved against what is there now, of the listed keys (all were captured); bricks
-    /// that did not change are left out. Sorted by key. Waits for the GPU.
+    /// Compares the saved images of the listed keys, all of which must have been captured, with
+    /// what is there now. Bricks that did not change are left out. Sorted by key. Waits for the
+    /// GPU.
     [[nodiscard]] std::vector<core::BrickChange> changes(std::vector<core::BrickKey> keys);
-    /// Puts the saved images of the listed keys back.
+    /// Restores the saved images of the listed keys.
     void restore(std::vector<core::BrickKey> keys);
-    /// Puts all that was saved back after something failed in between (putBackImages()). Throws
-    /// FieldsLost.
+    /// Restores everything that was saved, after a failure (putBackImages()). Throws FieldsLost.
     void restoreAll();
 
 private:
@@ -42,7 +42,7 @@ private:
     };
     [[nodiscard]] std::vector<core::BrickKey> keys() const;
     [[nodiscard]] std::vector<core::BrickImage> saved(std::vector<core::BrickKey> keys) const;
-    /// What was saved of each key (no key twice).
+    /// The saved image of each key; no key may occur twice.
     [[nodiscard]] std::vector<std::vector<std::uint8_t>> images(
         std::span<const core::BrickKey> keys) const;
 

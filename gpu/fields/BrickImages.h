@@ -7,39 +7,40 @@
 
 namespace gpu {
 
-// Bricks of any field as bytes, in and out; an image that is all empty has no bytes. Engine thread
-// only.
+// Reading and writing bricks of any field as bytes. A brick whose voxels are all empty is an image
+// without bytes. Engine thread only.
 
-/// What the bricks hold, in this order. Few dispatches where keys of one field and plane stand
-/// together; none for bricks without data. Waits for the GPU.
+/// The voxels of the bricks, in the order of the keys. Takes few dispatches if keys of one field
+/// and plane are adjacent, and none for bricks without data. Waits for the GPU.
 [[nodiscard]] std::vector<std::vector<std::uint8_t>> readImages(
     VoxelFields& fields, std::span<const core::BrickKey> keys);
 
-/// Puts the images in place of what the bricks hold: gives and takes pages, tells VoxelFields what
-/// changed. Voxels outside the volume stay empty.
+/// Replaces the voxels of the bricks by the images: gives bricks pages or takes pages away, and
+/// tells VoxelFields what changed. Voxels outside the volume stay empty.
 void writeImages(VoxelFields& fields, std::vector<core::BrickImage> images);
 
-/// The same after something failed in between: with patience, and brick by brick where there is no
-/// memory for all at once. Throws FieldsLost.
+/// The same after a failure: it tries several times, and goes brick by brick if there is no memory
+/// for all at once. Throws FieldsLost.
 void putBackImages(VoxelFields& fields, const std::vector<core::BrickImage>& images);
 
-/// What the bricks hold, with their keys.
+/// The voxels of the bricks, together with their keys.
 [[nodiscard]] std::vector<core::BrickImage> imagesNow(
     VoxelFields& fields, const std::vector<core::BrickKey>& keys);
 
-/// As writeImages(), and reads before what is there: bricks that hold their image already are left
-/// alone, and what follows from a brick is worked out anew only around the voxels that differ.
-/// Throws GlFailure with everything as it was, or FieldsLost.
+/// As writeImages(), but reads the present voxels first. Bricks that hold their image already are
+/// not written, and derived fields are updated only around the voxels that differ. Throws GlFailure
+/// with everything as it was, or FieldsLost.
 /// @param images no key twice
 /// @return the bricks that differ, sorted by key
 [[nodiscard]] std::vector<core::BrickChange> swapImages(
     VoxelFields& fields, std::vector<core::BrickImage> images);
-/// The same where it has been read already.
-/// @param now sorted by key, these bricks among them
+/// The same if the present voxels have been read already.
+/// @param now sorted by key; contains all bricks of @p images
 [[nodiscard]] std::vector<core::BrickChange> exchangeImages(VoxelFields& fields,
     const std::vector<core::BrickImage>& now, std::vector<core::BrickImage> images);
 
-/// Calls @p visit(field, plane, run) for runs of what has keys, sorted by key.
+/// Calls @p visit(field, plane, run) for each run of elements with the same field and plane. The
+/// elements have a `key` and are sorted by it.
 template <class Keyed, class Visit> void forEachField(std::span<Keyed> keyed, const Visit& visit)
 {
     for (std::size_t first = 0; first < keyed.size();) {

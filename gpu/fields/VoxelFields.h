@@ -17,14 +17,15 @@
 
 namespace gpu {
 
-/// Every field that edits write, and what is derived from them. Engine thread only.
+/// All fields of the open volume: those that edits write, and those that are derived from them.
+/// Engine thread only.
 ///
-/// Radiation follows the coverage of the layers that are not muted at once, since strokes and picks
-/// read it. The segmentation map is for pictures only and follows between edits
-/// (updateSegmentation). What pictures show of a change is marked dirty in VolumeTextures.
+/// Radiation (the smoothed coverage of the layers that are not muted) is updated at once, since
+/// strokes and picks read it. The segmentation map serves only pictures and is updated between
+/// edits (updateSegmentation()). What changes in pictures is marked dirty in VolumeTextures.
 class VoxelFields {
 public:
-    /// @param shared the dense textures of the open volume; both outlive the fields
+    /// @param shared the dense textures of the open volume; both outlive this object
     VoxelFields(FieldPrograms& programs, VolumeTextures& shared);
     ~VoxelFields();
     VoxelFields(const VoxelFields&) = delete;
@@ -39,75 +40,83 @@ public:
 
     [[nodiscard]] BrickField& coverage(std::uint8_t layer);
     [[nodiscard]] BrickField& seedWords(std::uint8_t plane);
-    /// Field::Beneath; only bricks where growth took something from another label have pages.
+    /// The labels that growth took from other segments (Field::Beneath). Only bricks where it took
+    /// any have pages.
     [[nodiscard]] BrickField& beneath(std::uint8_t plane);
     [[nodiscard]] bool anythingBeneath(std::uint8_t plane) const;
     [[nodiscard]] const Texture3D& labels(std::uint8_t plane);
-    /// What growing from seeds works out, and keeps for the next time; no truth.
+    /// The intermediate result of growing from seeds, kept for the next preview. It can be
+    /// recomputed.
     [[nodiscard]] SpreadField& spread() { return m_spread; }
     [[nodiscard]] FieldTextures textures(core::Field field, std::uint8_t plane);
     /// The paged field, or null for the dense label planes.
     [[nodiscard]] BrickField* paged(core::Field field, std::uint8_t plane);
     [[nodiscard]] bool hasData(const core::BrickKey& key);
-    /// Bricks in which a label plane was ever written, ascending: all that hold labels.
+    /// Bricks in which a label plane was ever written, ascending. They include all bricks that hold
+    /// labels.
     [[nodiscard]] std::vector<std::uint32_t> labelledBricks() const;
 
-    /// Tell what was written. Coverage: radiation is brought up to date around these bricks.
+    /// Must be called after writing bricks. For coverage, radiation is updated around them.
     void noteChanged(core::Field field, std::span<const std::uint32_t> bricks);
-    /// The same of coverage where it is known more closely: boxes within a brick each.
+    /// The same for coverage if the changed voxels are known more closely. Each box lies within one
+    /// brick.
     void noteCoverage(std::span<const core::VoxelBox> boxes);
-    /// Which layers are left out of radiation; brings it up to date where any of them has cut.
+    /// Sets which layers radiation leaves out, and updates it where any layer whose state changes
+    /// has cut.
     void setMutedLayers(const std::bitset<256>& muted);
     [[nodiscard]] const std::bitset<256>& mutedLayers() const { return m_mutedLayers; }
-    /// Bricks whose radiation depends on these: they and their neighbours.
+    /// Bricks whose radiation depends on the given ones: themselves and their neighbours.
     [[nodiscard]] std::vector<std::uint32_t> withNeighbours(
         std::span<const std::uint32_t> bricks) const;
 
-    /// Which labels count for the segmentation map; a change makes every labelled brick stale.
+    /// Sets which labels the segmentation map shows. After a change every labelled brick is out of
+    /// date.
     void setShownLabels(const std::bitset<256>& shown);
     [[nodiscard]] bool segmentationStale() const { return !m_staleSegmentation.empty(); }
-    /// Brings up to @p maxBricks stale bricks up to date.
+    /// Updates at most @p maxBricks bricks that are out of date.
     void updateSegmentation(std::size_t maxBricks);
 
-    /// Where pictures look for barriers follows between edits, too.
+    /// The list of bricks in which pictures look for barriers is updated between edits, too.
     [[nodiscard]] bool barriersStale() const { return m_barriers.stale(); }
     void updateBarriers();
 
-    /// What tracing works out; no truth.
+    /// The tolerance field that tracing computes. It can be recomputed.
     [[nodiscard]] ToleranceField& tolerance() { return m_tolerance; }
-    /// It is worked out: from now on it is told and shown.
+    /// Declares the tolerance field valid: it may now be reported and shown.
     void standTolerance();
-    /// What it read may be another now.
+    /// Declares the tolerance field invalid, because its input may have changed. Its memory is
+    /// kept.
     void hideTolerance();
-    /// Gives its memory back, too.
+    /// As hideTolerance(), and frees its memory.
     void dropTolerance();
-    /// How pictures are to show a segment while a field of it stands; the segmentation map follows
-    /// where members come or go.
+    /// Sets how pictures show a segment while its tolerance field is valid. The segmentation map is
+    /// updated where members come or go.
     void showAtTolerance(const std::optional<ToleranceDisplay>& shown);
 
-    /// Of which layers and segments footprints are kept in VolumeTextures::pieces().
+    /// Sets the layers and segments whose footprints are kept in VolumeTextures::pieces().
     void setPieces(const std::vector<PieceSource>& sources);
     [[nodiscard]] bool piecesStale() const;
-    /// Brings about @p maxBricks bricks of footprints up to date.
+    /// Updates about @p maxBricks bricks of footprints.
     void updatePieces(std::size_t maxBricks);
-    /// All that follows between edits is stale: some of it failed half-way.
+    /// Marks everything that is derived between edits as out of date, after a part of it failed.
     void deriveAnew();
     [[nodiscard]] std::size_t bytes() const;
 
 private:
     [[nodiscard]] core::VoxelBox boxOf(std::span<const std::uint32_t> bricks) const;
     [[nodiscard]] std::vector<core::VoxelBox> boxesOf(std::span<const std::uint32_t> bricks) const;
-    /// What radiation must be brought up to date in, around boxes that changed.
+    /// The regions whose radiation depends on changed boxes.
     [[nodiscard]] std::vector<RadiationKernel::Region> around(
         std::span<const core::VoxelBox> boxes) const;
 
-    /// Bricks that may hold some of a piece, with one brick around for what lies at its edge.
+    /// The box, in whole bricks, that may hold some of a piece, with one brick around it for its
+    /// smoothed edge.
     [[nodiscard]] core::VoxelBox roomFor(const PieceSource& source);
-    /// Makes room for all pieces anew where one has outgrown its own.
+    /// Allocates the footprints of all pieces again if one has outgrown its box.
     void arrangePieces();
     void updatePiece(const PieceSource& source, std::span<const RadiationKernel::Region> regions);
     void notePieces(bool ofLayers, std::span<const std::uint32_t> bricks);
-    /// At which tolerance pictures show the field's segment; none: as it is.
+    /// The tolerance at which pictures show the field's segment; none if they show it as it is.
     [[nodiscard]] std::optional<int> shownTolerance() const;
     void noteTolerance(std::optional<int> before);
 
@@ -127,11 +136,12 @@ private:
     std::optional<ToleranceDisplay> m_atTolerance;
     std::bitset<256> m_mutedLayers;
     std::bitset<256> m_shownLabels;
-    std::set<std::uint32_t> m_labelledBricks; ///< ever written; a superset of those with labels
+    std::set<std::uint32_t> m_labelledBricks; ///< ever written; includes all that hold labels
     std::set<std::uint32_t> m_staleSegmentation;
     FieldPrograms& m_programs;
-    std::map<PieceSource, std::set<std::uint32_t>> m_stalePieces; ///< of each what is to be done
-    bool m_arrangeAnew = false; ///< the pieces, before more is done for them
+    /// For each source, the bricks to update.
+    std::map<PieceSource, std::set<std::uint32_t>> m_stalePieces;
+    bool m_arrangeAnew = false; ///< the pieces have to be arranged before they are updated
 };
 
 } // namespace gpu

@@ -14,7 +14,7 @@ class EngineThread;
 class ShaderLibrary;
 class VolumeTextures;
 
-/// Where an edit engine works; all of it outlives the engine.
+/// What an edit engine works with; all of it outlives the engine.
 struct EditContext {
     EngineThread& thread;
     VolumeTextures& textures;
@@ -22,29 +22,31 @@ struct EditContext {
 };
 
 /// The part of the edit engine that runs on the engine thread, as the thread's loop and the frame
-/// scheduler see it. Every member is called there, with the context current.
+/// scheduler use it. Every member is called on that thread, with the context current.
 class EditWorker {
 public:
     virtual ~EditWorker() = default;
 
-    /// One slice of at most about 10 ms. @return whether more is to do at once; work that becomes
-    /// due later (a paced growth) asks EngineThread::wakeAt().
+    /// Does one slice of work, at most about 10 ms.
+    /// @return whether more is to do at once. For work that becomes due later (a paced growth) it
+    /// calls EngineThread::wakeAt().
     virtual bool work() = 0;
 
-    /// These labels are to be in VolumeTextures::segmentation() from now on. Does not wait: the map
-    /// follows by work(), which marks it dirty. None at first.
+    /// Sets the labels that VolumeTextures::segmentation() shows; none at first. Does not wait:
+    /// work() updates the map and marks it dirty.
     virtual void showSegments(const std::bitset<256>& labels) = 0;
 
-    /// The footprints of these are to be in VolumeTextures::pieces() from now on; they follow like
-    /// the map. None at first.
+    /// Sets the sources whose footprints VolumeTextures::pieces() holds; none at first. Updated
+    /// like the segmentation map.
     virtual void showPieces(const std::vector<PieceSource>& sources) = 0;
 
-    /// So is a segment to be in VolumeTextures::segmentation() while a tolerance field of it
-    /// stands.
+    /// Sets how VolumeTextures::segmentation() shows a segment while a valid tolerance field of it
+    /// exists.
     virtual void showAtTolerance(const std::optional<ToleranceDisplay>& shown) = 0;
 
-    /// Drivers compile a kernel when it first runs: run those of all tools now, a tool in each
-    /// slice of work() that has nothing else to do, so that no pen has to wait for it. Once.
+    /// Requests that the kernels of all tools are run once, one tool in each slice of work() that
+    /// has nothing else to do. Drivers compile a kernel when it first runs, and no pen should wait
+    /// for that. Has an effect only once.
     virtual void warmUp() = 0;
 };
 

@@ -11,18 +11,21 @@ namespace gpu {
 
 class VolumeTextures;
 
-/// Pictures on their way from the GPU, at most one per view, until they are handed out. Engine
-/// thread.
+/// Pictures that are being copied from the GPU to memory, at most one per view, until they are
+/// handed to the listener. Engine thread.
 class FrameDelivery {
 public:
     FrameDelivery(VolumeTextures& volume, FrameMail& mail);
 
-    /// Reads the view's picture into its buffer: none may be on its way there.
+    /// Starts copying the view's picture into its buffer. No copy into that buffer may be under
+    /// way.
     void send(ViewProgress& view, Frame::Quality quality);
-    /// Waits until that of a view, if there is one, or the first of all is there.
+    /// Waits until the picture of this view has arrived, if one is under way. awaitFirst() waits
+    /// for one picture of any view.
     void await(ViewId view);
     void awaitFirst();
-    /// Hands out what is there. @return how many
+    /// Hands out the pictures that have arrived.
+    /// @return how many
     int deliver(const std::map<ViewId, ViewProgress>& views);
 
     [[nodiscard]] bool empty() const { return m_sent.empty(); }

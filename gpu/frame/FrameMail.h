@@ -9,21 +9,22 @@
 
 namespace gpu {
 
-/// Between views and the thread that draws: requests in, finished frames out. Any thread; what is
-/// handed out reaches the listener on the thread that hands it.
+/// The exchange between the views and the thread that draws: requests go in, finished frames go
+/// out. Any thread. The listener is called on the thread that calls hand().
 class FrameMail {
 public:
     struct Incoming {
         FrameRequest request;
-        bool fresh = false; ///< forgotten before: nothing of the view's past counts
+        /// The view was forgotten before this request: its earlier pictures do not count.
+        bool fresh = false;
     };
     struct Letters {
-        std::map<ViewId, Incoming> requests; ///< the latest per view
-        std::set<ViewId> forgotten; ///< and not asked for since
+        std::map<ViewId, Incoming> requests; ///< the latest one of each view
+        std::set<ViewId> forgotten; ///< and without a request since
     };
 
     void request(FrameRequest request);
-    /// Once this returns nothing of the view is handed out until it is asked for again.
+    /// After this returns no frame of the view is handed out until its next request.
     void forget(ViewId view);
     void setListener(FrameSource::Listener listener);
 

@@ -21,14 +21,14 @@ namespace gpu {
 
 class VolumeTextures;
 
-/// Draws what views ask for, in slices between which the engine thread serves edits and newer
-/// requests. Per view: a coarse picture where a full one would take too long, a full one tile by
-/// tile, then a finer one: in 3D more with the pixels' sampling points moved, averaged; what scenes
-/// want interpolated by cubics is so only there. Then nothing until the request or the voxels
-/// change.
+/// Draws the pictures that views request, in slices between which the engine thread serves edits
+/// and newer requests. Each view gets a coarse picture if a full one would take too long, then a
+/// full one tile by tile, then a refined one: in 3D the average of several with moved sampling
+/// points. Cubic interpolation, where a scene wants it, is used only for the refined picture. After
+/// that nothing is drawn until the request or the voxels change.
 ///
-/// request(), forget(), setListener(), updateSurface(): any thread. All else: the engine thread.
-/// The listener must not wait for a thread that may be in forget().
+/// request(), forget(), setListener() and updateSurface() may be called on any thread, all other
+/// functions on the engine thread. The listener must not wait for a thread that may be in forget().
 class FrameScheduler : public FrameSource {
 public:
     struct Options {
@@ -46,8 +46,8 @@ public:
     void setListener(Listener listener) override;
     void updateSurface(core::SurfaceUpdate update) override;
 
-    /// One slice. @param editing edits are running: only coarse pictures meanwhile
-    /// @return whether more is to do at once
+    /// Does one slice of work.
+    /// @param editing edits are running; only coarse pictures are drawn meanwhile
     bool work(bool editing);
 
     /// Tiles drawn and frames handed out since the beginning; both stand still at rest.
@@ -56,7 +56,7 @@ public:
         std::int64_t frames = 0;
     };
     [[nodiscard]] const Counters& counters() const { return m_counters; }
-    /// What was sent of the surface that is being refined.
+    /// What was sent to the GPU of the surface that is being refined.
     [[nodiscard]] const SurfaceBuffers::Counters& surfaceCounters() const
     {
         return m_painter.surface().counters();
@@ -69,7 +69,7 @@ private:
         Fence fence;
         std::chrono::steady_clock::time_point queued;
         double pixels = 0.0;
-        double* cost = nullptr; ///< of its kind, in m_costs; null: nothing to be learnt from it
+        double* cost = nullptr; ///< entry of m_costs to update; null if this tile teaches nothing
     };
 
     [[nodiscard]] bool workUnguarded(bool editing);
@@ -81,7 +81,7 @@ private:
     void takeSurface();
     [[nodiscard]] ViewProgress* next(bool editing);
     void drawSlice(ViewProgress& view, bool editing);
-    void land(); ///< waits for the flying tile
+    void land(); ///< waits for the tile that is being drawn
     void finishPicture(ViewProgress& view);
     void warmUp(ViewProgress& view);
     bool deliver();
@@ -99,16 +99,16 @@ private:
     std::map<ViewId, ViewProgress> m_views;
     TileCosts m_costs;
     std::optional<Flying> m_flying;
-    bool m_contextLost = false; ///< and the edits know
-    std::chrono::steady_clock::time_point m_landed; ///< when a tile was last done
+    bool m_contextLost = false; ///< and the edit engine knows
+    std::chrono::steady_clock::time_point m_landed; ///< when the last tile was finished
     std::uint64_t m_turn = 0;
     Counters m_counters;
 
-    // Any thread.
+    // The next two may be used on any thread.
     FrameMail m_mail;
     SurfaceInbox m_surfaceInbox;
 
-    FrameDelivery m_delivery; ///< to the above; of the engine thread
+    FrameDelivery m_delivery; ///< delivers to m_mail; engine thread only
 };
 
 } // namespace gpu

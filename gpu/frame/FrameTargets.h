@@ -9,7 +9,8 @@
 
 namespace gpu {
 
-/// What one view draws into: a sum of pictures, the picture to hand out, and its way home.
+/// The textures and buffers that one view draws into: the sum of several pictures, the picture to
+/// hand out, and the buffer through which it is read back.
 struct FrameTargets {
     glm::ivec2 size{0};
     Texture2D sum; ///< RGBA16F; a coarse picture uses its upper left corner
@@ -18,17 +19,18 @@ struct FrameTargets {
     Framebuffer pictureFrame;
     Buffer home; ///< size.x · size.y · 4 bytes, mapped
 
-    /// Makes everything anew when the size differs.
+    /// Allocates everything again if the size differs.
     void resize(const glm::ivec2& newSize);
 };
 
-/// Brings the sum of pictures to bytes: divides by their number, or enlarges a coarse one.
+/// Converts the sum of pictures to bytes: divides it by their number, or enlarges a coarse picture.
 class Resolve {
 public:
     explicit Resolve(const ShaderLibrary& library);
 
-    /// @param pictures how many lie on top of each other in the sum
-    /// @param drawn size of the corner that was drawn; smaller than the frame: enlarged smoothly
+    /// @param pictures how many pictures were added up
+    /// @param drawn size of the corner that was drawn; if it is smaller than the frame it is
+    /// enlarged smoothly
     void draw(const FrameTargets& targets, int pictures, const glm::ivec2& drawn,
         const VertexArray& noVertices);
 

@@ -7,25 +7,28 @@
 
 namespace gpu {
 
-/// What drawing costs, as tiles that were drawn have shown: how much of a picture is drawn at a
-/// time, and how coarse it is at first. Costs are milliseconds per megapixel.
+/// How long drawing takes, learnt from the tiles that were drawn. From this follow the size of the
+/// next tile and the coarseness of a first picture. Costs are milliseconds per megapixel.
 class TileCosts {
 public:
     TileCosts();
 
-    /// @param cubics whether what the scene wants interpolated by cubics is
+    /// @param cubics whether cubic interpolation is used where the scene wants it
     [[nodiscard]] double& of(const Scene& scene, bool cubics);
-    /// Follows what a tile of so many pixels took.
+    /// Adapts a cost to what a tile of so many pixels took.
     static void learn(double& cost, double milliseconds, double pixels);
 
-    /// Pixels of the next tile. @param editing edits are running
+    /// How many pixels the next tile should have.
+    /// @param editing edits are running
     [[nodiscard]] static double pixelsAtOnce(double cost, bool editing, bool interacting);
-    /// By what the first picture is coarser than the frame; 1: it comes at once.
+    /// The factor, on each axis, by which the first picture is coarser than the frame; 1 if it is
+    /// drawn in full at once.
     [[nodiscard]] static int coarseFactor(
         double cost, const glm::ivec2& sizePixels, bool editing, bool interacting);
 
 private:
-    /// Of slices, then by render mode; without cubics and with.
+    /// First index: without and with cubic interpolation. Second index: slices, then each render
+    /// mode.
     std::array<std::array<double, 1 + renderModes>, 2> m_costs;
 };
 

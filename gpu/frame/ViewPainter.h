@@ -15,30 +15,33 @@
 
 namespace gpu {
 
-/// What of one view's picture is drawn before its tiles, or beside them.
+/// Parts of one view's picture that are drawn before its tiles or together with them, into textures
+/// of their own.
 struct ViewPictures {
     SurfacePicture surface; ///< of a 3D view
     PlanePicture plane; ///< likewise
     ContourPicture contour; ///< of a slice
 };
 
-/// Draws tiles of what views ask for, by the passes that their scenes need; keeps the surface that
-/// is being refined. Engine thread.
+/// Draws tiles of the pictures that views request, with the passes that their scenes need. It also
+/// keeps the surface that is being refined. Engine thread.
 class ViewPainter {
 public:
     /// Throws ShaderError. @param volume, shaders outlive the painter
     ViewPainter(VolumeTextures& volume, const ShaderLibrary& shaders);
 
-    /// Begins a picture: draws what it takes from the surface, whole; linear in that.
-    /// @return whether there is any
+    /// Begins a picture: draws what it shows of the surface, as a whole. Linear in the size of the
+    /// surface.
+    /// @return whether it shows any
     bool begin(ViewPictures& pictures, const Scene& scene, const PassTarget& target);
-    /// @param into at least as large as the tile @param add to what is in it
+    /// @param into at least as large as the tile
+    /// @param add whether to add to what it holds
     void draw(ViewPictures& pictures, const FrameRequest& request, const PassTarget& target,
         const Tile& tile, const Framebuffer& into, bool add);
-    /// As RaycastPass has it. Draws one pixel into the bound framebuffer.
+    /// As RaycastPass::warmUp(). Draws one pixel into the bound framebuffer.
     void warmUp(const VolumeScene& scene, const glm::ivec2& frameSize);
 
-    /// Whether chunks were sent since this was asked last.
+    /// Whether chunks were sent to the GPU since the last call.
     [[nodiscard]] bool takeChunksChanged() { return m_chunks.takeChanged(); }
     [[nodiscard]] SurfaceBuffers& surface() { return m_surface; }
     [[nodiscard]] const SurfaceBuffers& surface() const { return m_surface; }

@@ -10,36 +10,42 @@
 
 namespace gpu {
 
-/// How far the pictures of a view are, one of which is drawn at a time: a coarse one where a full
-/// one would take too long, a full one, then a finer one.
+/// The progress of the pictures of one view, which are drawn one after the other: a coarse one if a
+/// full one would take too long, a full one, then a refined one.
 struct ViewProgress {
     enum class Stage { Coarse, Full, Refine, Done };
 
     FrameRequest request;
     Stage stage = Stage::Done;
-    int sample = 0; ///< of Refine
-    std::optional<TilePlan> tiles; ///< of the picture being drawn; none: about to begin
-    bool stale = false; ///< changed while its coarse picture was drawn
+    int sample = 0; ///< which of the summed pictures of stage Refine is drawn
+    std::optional<TilePlan> tiles; ///< tiles of the picture being drawn; none if it has not begun
+    bool stale = false; ///< the content changed while its coarse picture was drawn
     double milliseconds = 0.0;
-    std::uint64_t turn = 0; ///< in which it was drawn last
+    std::uint64_t turn = 0; ///< the turn in which it was last drawn
     FrameTargets targets;
     ViewPictures pictures; ///< of the picture being drawn
 
-    /// What it shows is another picture.
+    /// The view shows something else: starts again with the first picture.
     void restart();
-    /// What it shows has changed.
+    /// The content has changed: starts again, but lets a coarse picture under way be finished
+    /// first.
     void changed();
-    /// Of no picture under way is it known what it shows.
+    /// After a failure: drops the picture under way and its textures, and draws nothing until the
+    /// next request.
     void giveUp();
 
-    /// @param editing edits are running: only coarse pictures meanwhile
+    /// Whether there is a picture to draw now.
+    /// @param editing edits are running; only coarse pictures are drawn meanwhile
     [[nodiscard]] bool wants(bool editing) const;
-    /// Whether it is drawn before a view that wants it, too. @param now the present turn
+    /// Whether this view is drawn before another that also wants to.
+    /// @param now the present turn
     [[nodiscard]] bool comesBefore(const ViewProgress& other, std::uint64_t now) const;
 
-    /// A picture of which more are to be summed: goes on to the next of them.
+    /// If more pictures are to be added to the sum, goes on to the next of them and returns true.
     [[nodiscard]] bool goesOnToNextSample();
-    /// Goes on to what is drawn next. @param drawn size of the picture that is ready
+    /// Goes on to the next stage.
+    /// @param drawn size in pixels of the picture that is ready
+    /// @return the quality of that picture
     [[nodiscard]] Frame::Quality finishStage(const glm::ivec2& drawn);
 
 private:

@@ -1,4 +1,4 @@
-// The sum of pictures, divided by their number; a coarse picture is enlarged bilinearly.
+// Divides the sum of pictures by their number; enlarges a coarse picture bilinearly.
 
 /* Textures */
 layout(binding = 0) uniform sampler2D sum;

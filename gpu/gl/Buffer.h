@@ -10,7 +10,7 @@
 
 namespace gpu {
 
-/// How the processor reaches a buffer after its creation.
+/// How the processor accesses a buffer after its creation.
 enum class BufferUse {
     Dynamic, ///< write() and read() by copy
     MappedRead, ///< readback: stays mapped, read mapped() after a Fence has passed
@@ -34,7 +34,7 @@ public:
     explicit operator bool() const { return bool(m_id); }
 
     void writeBytes(std::size_t offset, std::span<const std::byte> data);
-    /// Waits for the GPU where it still writes.
+    /// Waits if the GPU is still writing the buffer.
     void readBytes(std::size_t offset, std::span<std::byte> data) const;
 
     template <class T> void write(std::span<const T> values, std::size_t offset = 0)
@@ -47,15 +47,16 @@ public:
         static_assert(std::is_trivially_copyable_v<T>);
         readBytes(offset, std::as_writable_bytes(values));
     }
-    /// Fill with one 32-bit word; offset and bytes in multiples of four. bytes 0: to the end.
+    /// Fills with one 32-bit word. Offset and bytes are multiples of four; bytes 0 means to the
+    /// end.
     void fill(GLuint word, std::size_t offset = 0, std::size_t bytes = 0);
     void copyTo(Buffer& target, std::size_t bytes, std::size_t from = 0, std::size_t to = 0) const;
 
-    /// GL_SHADER_STORAGE_BUFFER, GL_UNIFORM_BUFFER, GL_ATOMIC_COUNTER_BUFFER
+    /// @param target GL_SHADER_STORAGE_BUFFER, GL_UNIFORM_BUFFER or GL_ATOMIC_COUNTER_BUFFER
     void bindBase(GLenum target, GLuint binding) const;
     void bindRange(GLenum target, GLuint binding, std::size_t offset, std::size_t bytes) const;
 
-    /// Coherent memory of a Mapped… buffer; null for others.
+    /// Coherent memory of a buffer for MappedRead or MappedWrite; null for others.
     [[nodiscard]] std::byte* mapped() const { return m_mapped; }
 
 private:

@@ -3,13 +3,13 @@
 
 namespace gpu {
 
-/// KHR_debug messages of the current context go to the log: errors as critical, the rest by their
-/// severity. Tests fail on errors.
+/// Sends KHR_debug messages of the current context to the log: errors as critical, the others by
+/// their severity. Tests fail on errors.
 class DebugOutput {
 public:
-    /// On the context's thread, after it was made current.
+    /// Call it on the context's thread, after the context was made current.
     static void install();
-    /// GL errors since the program began, over all contexts.
+    /// The number of GL errors since the program began, over all contexts.
     [[nodiscard]] static int errorCount();
 };
 

@@ -12,9 +12,10 @@ struct EglContextOptions {
     bool debug = false; ///< a debug context: errors are reported inside the call that made them
 };
 
-/// A context without a window: the first hardware device of EGL_EXT_platform_device that gives
-/// OpenGL 4.5 core, else Mesa's surfaceless platform (llvmpipe). Where the driver grants it, with
-/// robust access, and told when the graphics processor is reset (ContextLost in gl/GlFailure.h).
+/// A context without a window: that of the first hardware device of EGL_EXT_platform_device which
+/// gives OpenGL 4.5 core, else that of Mesa's surfaceless platform (llvmpipe). If the driver grants
+/// it, the context has robust access and reports resets of the graphics processor (ContextLost in
+/// gl/GlFailure.h).
 class EglContext : public GlContext {
 public:
     /// Errors: GraphicsUnavailable("EGL", reason). Any thread; not yet current.

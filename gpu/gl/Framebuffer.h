@@ -12,21 +12,23 @@ struct FramebufferOptions {
     const char* label = "";
     /// Draw buffer 0, 1, …; they must outlive the framebuffer.
     std::initializer_list<const Texture2D*> colours;
-    const Texture2D* depth = nullptr; ///< where it is needed
+    /// Null if no depth test is needed; must outlive the framebuffer.
+    const Texture2D* depth = nullptr;
 };
 
-/// A render target; without depth unless asked, since most passes draw one full-screen triangle.
+/// A render target. It has a depth buffer only on request, since most passes draw one full-screen
+/// triangle.
 class Framebuffer {
 public:
     Framebuffer() = default;
     explicit Framebuffer(const FramebufferOptions& options);
 
     [[nodiscard]] GLuint id() const { return m_id.get(); }
-    /// Draw into it from now on, into the whole of it.
+    /// Makes it the target of drawing, with a viewport of its full size.
     void bind() const;
-    /// All colours to 0, depth to the farthest.
+    /// Sets all colours to 0 and the depth to the farthest value.
     void clear() const;
-    /// Queue a copy of colour 0 into a buffer, tightly packed, rows bottom up; does not wait.
+    /// Queues a copy of colour 0 into a buffer, tightly packed, rows bottom up; does not wait.
     void readInto(GLuint packBuffer, std::size_t offset = 0) const;
 
 private:

@@ -3,13 +3,14 @@
 
 namespace gpu {
 
-/// An OpenGL 4.5 core context that the engine thread can own. Free of GL, so that ui can adapt
-/// Qt's.
+/// An OpenGL 4.5 core context that the engine thread can own. This header includes no GL, so that
+/// ui can implement it with Qt's context.
 class GlContext {
 public:
     virtual ~GlContext() = default;
 
-    /// On the calling thread, which keeps it. @return false when the driver refuses
+    /// Makes it current on the calling thread, where it then stays.
+    /// @return false if the driver refuses
     virtual bool makeCurrent() = 0;
     virtual void doneCurrent() = 0;
 };

@@ -8,8 +8,8 @@
 
 namespace gpu {
 
-/// The driver refused memory, or a command. Thrown on the engine thread where storage is made, and
-/// before what an edit or a picture has written is believed. Whoever runs a slice of that thread
+/// The driver refused memory or a command. Thrown on the engine thread where storage is allocated,
+/// and before the result of an edit or a picture is used. The code that runs a slice of that thread
 /// catches it and takes back what was under way.
 class GlFailure : public std::runtime_error {
 public:
@@ -20,38 +20,40 @@ private:
     core::Error m_error;
 };
 
-/// What was under way could not be taken back: what the GPU holds is no longer known.
+/// The edit under way could not be taken back, so what the GPU holds is no longer known.
 class FieldsLost : public GlFailure {
 public:
     using GlFailure::GlFailure;
 };
 
-/// The driver has given up the context of this thread, and with it every texture and buffer: it was
-/// reset, or taken away. Nothing can be put back, nor done at all; another context has to be made,
-/// on another thread. Once it was seen every look below throws it. Error: ContextLost.
+/// The driver has taken away the context of this thread, and with it every texture and buffer, for
+/// instance because the graphics processor was reset. Nothing can be restored or done any more;
+/// another context has to be made on another thread. Once it was detected, every function below
+/// throws it. Error: ContextLost.
 class ContextLost : public FieldsLost {
 public:
     using FieldsLost::FieldsLost;
 };
 
-/// What is being handled, as a value; only inside a catch block. GlFailure, ShaderError
-/// (GraphicsUnavailable), anything else as core::errorBeingHandled() has it. Throws nothing.
+/// The exception that is being handled as an Error; call it only inside a catch block. Converts
+/// GlFailure, ShaderError (to GraphicsUnavailable), and anything else as core::errorBeingHandled()
+/// does. Throws nothing.
 [[nodiscard]] core::Error errorBeingHandled() noexcept;
 
-// Each of these also throws ContextLost, whatever else went wrong: what a lost context does not
-// give is no want of memory.
+// Each function below also throws ContextLost, whatever else went wrong, because a failure in a
+// lost context does not mean that memory is short.
 
-/// Throws GlFailure (OutOfMemory: what, and how much of it) where a command has failed since the
-/// last look. Call it after making storage.
+/// Throws GlFailure (OutOfMemory, with what was allocated and how much) if a command has failed
+/// since the last check. Call it after allocating storage.
 void requireStorage(const char* label, std::size_t bytes);
-/// Throws GlFailure (OutOfMemory) where a command has failed since the last look because there was
-/// no more memory. Call it before another reason is told for what did not come about.
+/// Throws GlFailure (OutOfMemory) if a command has failed since the last check because memory ran
+/// out. Call it before reporting another reason for a failure.
 void requireMemory(const char* label);
-/// Throws GlFailure (OutOfMemory or Internal) where a command has failed since the last look.
-/// Commands that the GPU still works on may fail later.
+/// Throws GlFailure (OutOfMemory or Internal) if a command has failed since the last check.
+/// Commands that the GPU still executes may fail later.
 void requireNoError();
-/// Throws ContextLost only; errors stay for the next look. Call it before what was read back is
-/// handed on where the looks above come later.
+/// Throws ContextLost only; other errors stay for the next check. Call it before passing on what
+/// was read back, if the checks above come later.
 void requireContext();
 
 } // namespace gpu

@@ -51,7 +51,7 @@ void shader(GLuint id);
 void query(GLuint id);
 } // namespace glDelete
 
-/// Name an object for debug output and GL debuggers (KHR_debug); null or empty: no name.
+/// Names an object for debug output and GL debuggers (KHR_debug). Null or empty: no name.
 void labelObject(GLenum type, GLuint id, const char* label);
 
 } // namespace gpu

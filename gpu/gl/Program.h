@@ -25,14 +25,14 @@ struct GraphicsProgramOptions {
     const char* label = "";
     const char* vertexPath = "shaders/fullScreen.vert";
     const char* fragmentPath = "";
-    ShaderDefines defines{}; ///< of both stages
+    ShaderDefines defines{}; ///< for both stages
 };
 
-/// A linked program. Constructors throw ShaderError with file:line (a driver's refusal; the engine
-/// turns it into an Error where its thread starts).
+/// A linked shader program. The constructors throw ShaderError with file and line; the engine turns
+/// it into an Error where its thread starts.
 ///
-/// Uniforms are set by name, on the program itself, bound or not. A name that the linker dropped or
-/// never saw is ignored, so that variants by #define share their setters.
+/// Uniforms are set by name; the program need not be in use. A name that the program does not have
+/// is ignored, so that variants by #define share their setters.
 /// Texture units, image units and buffer bindings are fixed in the shaders by layout(binding = n);
 /// gpu/README.md lists them.
 class Program {
@@ -60,7 +60,7 @@ public:
     Program& set(std::string_view name, const glm::vec4& value);
     Program& set(std::string_view name, const glm::mat3& value);
     Program& set(std::string_view name, const glm::mat4& value);
-    /// Arrays, by the name without "[0]".
+    /// Arrays; the name is given without "[0]".
     Program& set(std::string_view name, std::span<const int> values);
     Program& set(std::string_view name, std::span<const unsigned> values);
     Program& set(std::string_view name, std::span<const float> values);
@@ -70,9 +70,9 @@ public:
     Program& set(std::string_view name, const std::bitset<256>& labels);
 
     void use() const;
-    /// Uses it and queues work groups; the caller places memory barriers.
+    /// Makes it the current program and queues work groups. The caller places memory barriers.
     void dispatch(const glm::uvec3& groups) const;
-    /// Group counts from three words at @p offset.
+    /// The same with the group counts in three words of @p groups at byte @p offset.
     void dispatchIndirect(const Buffer& groups, std::size_t offset = 0) const;
 
 private:

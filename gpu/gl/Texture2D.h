@@ -29,14 +29,14 @@ public:
     [[nodiscard]] GLenum format() const { return m_format; }
     explicit operator bool() const { return bool(m_id); }
 
-    /// Rows bottom up as GL has them, tightly packed.
+    /// Rows are bottom up, as GL stores them, and tightly packed.
     void upload(glm::ivec2 offset, glm::ivec2 size, std::span<const std::byte> texels);
     template <class T> void upload(std::span<const T> texels)
     {
         upload(glm::ivec2(0), m_size, std::as_bytes(texels));
     }
     void clear(); ///< all bits zero
-    void read(std::span<std::byte> texels) const; ///< all of it; waits
+    void read(std::span<std::byte> texels) const; ///< reads all texels; waits for the GPU
 
     void bindUnit(GLuint unit) const;
     void bindImage(GLuint unit, GLenum access) const;

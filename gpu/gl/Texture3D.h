@@ -15,7 +15,8 @@ struct Texture3DOptions {
     const char* label = "";
     glm::ivec3 size{1};
     GLenum format = GL_R8; ///< one that texelLayout() knows
-    bool linear = false; ///< filter; integer formats are always nearest, else they are incomplete
+    /// Filter; integer formats are always nearest, else they would be incomplete.
+    bool linear = false;
 };
 
 /// Immutable 3D texture (DSA), one level, clamped to its edge. Contents start undefined.
@@ -33,14 +34,14 @@ public:
     [[nodiscard]] std::size_t bytes() const;
     explicit operator bool() const { return bool(m_id); }
 
-    /// Texels x fastest, then y, then z, tightly packed.
+    /// Texels are ordered x fastest, then y, then z, and tightly packed.
     void upload(
         const glm::ivec3& offset, const glm::ivec3& size, std::span<const std::byte> texels);
     template <class T> void upload(std::span<const T> texels)
     {
         upload(glm::ivec3(0), m_size, std::as_bytes(texels));
     }
-    /// Fill with one texel (layout of texelLayout()); null: all bits zero.
+    /// Fills with one texel in the layout of texelLayout(); null sets all bits to zero.
     void clear(const void* texel = nullptr);
     void clear(const glm::ivec3& offset, const glm::ivec3& size, const void* texel = nullptr);
     /// Waits for the GPU.
@@ -49,7 +50,7 @@ public:
         const glm::ivec3& size) const;
 
     void bindUnit(GLuint unit) const;
-    /// All layers, in the texture's own format.
+    /// Binds all layers, in the texture's own format.
     void bindImage(GLuint unit, GLenum access) const;
 
 private:

@@ -7,7 +7,8 @@
 
 namespace gpu {
 
-/// GPU time between begin() and end(). One may be open at a time in a context.
+/// Measures the GPU time between begin() and end(). Only one query may be open at a time in a
+/// context.
 class TimerQuery {
 public:
     TimerQuery() = default;
@@ -15,7 +16,7 @@ public:
 
     void begin();
     void end();
-    /// None while the GPU has not finished; never waits.
+    /// The measured time, or none while the GPU has not finished; never waits.
     [[nodiscard]] std::optional<double> milliseconds() const;
 
 private:

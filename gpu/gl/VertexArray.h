@@ -8,34 +8,36 @@
 
 namespace gpu {
 
-/// One attribute in a vertex of the buffer.
+/// One attribute of a vertex in the buffer.
 struct AttributeOptions {
     int components = 1;
     GLenum type = GL_FLOAT;
-    bool normalized = false; ///< integers to 0 … 1 or −1 … 1
+    bool normalized = false; ///< maps integers to 0 … 1 or −1 … 1
     std::size_t offset = 0; ///< bytes
 };
 
-/// Where vertices come from; empty where the vertex shader makes its own, since the core profile
-/// wants one even then. Lives with one context (not shared).
+/// Describes where vertices come from. It stays empty if the vertex shader computes its own
+/// positions: the core profile requires a vertex array even then. It belongs to one context and is
+/// not shared.
 class VertexArray {
 public:
     VertexArray() = default;
     explicit VertexArray(const char* label);
 
-    /// Its one buffer. @param stride bytes from one vertex to the next
+    /// Sets its one buffer.
+    /// @param stride bytes from one vertex to the next
     void setVertices(const Buffer& buffer, std::size_t stride);
-    /// One step in the buffer for each instance, not each vertex.
+    /// Advances in the buffer once per instance instead of once per vertex.
     void setPerInstance();
     void setAttribute(GLuint location, const AttributeOptions& options);
-    /// Indices of 32 bits.
+    /// Sets the buffer of 32-bit indices.
     void setElements(const Buffer& buffer);
 
-    /// One triangle that covers the viewport, with the program in use (fullScreen.vert).
+    /// Draws one triangle that covers the viewport, with the program in use (fullScreen.vert).
     void drawFullScreenTriangle() const;
-    /// Triangles of the first so many elements, with the program in use.
+    /// Draws the triangles of the first @p elements indices, with the program in use.
     void drawTriangles(int elements) const;
-    /// So many instances of a strip of four vertices that the vertex shader makes.
+    /// Draws instances of a strip of four vertices that the vertex shader computes.
     void drawQuads(int instances) const;
 
 private:

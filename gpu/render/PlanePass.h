@@ -17,31 +17,36 @@ class SlicePass;
 class SurfaceBuffers;
 class VolumeTextures;
 
-/// The cutting plane as one view sees it, for the ray caster to lay among the rest. Nothing is kept
-/// before it is first drawn; then 8 bytes a pixel, and 4 for the contour.
+/// The cutting plane as one view sees it, drawn into textures that the ray caster composes with the
+/// rest. Nothing is allocated before it is first drawn; then it takes 8 bytes per pixel, and 4 more
+/// for the contour.
 struct PlanePicture {
-    Texture2D colours; ///< RGBA8; a: opacity; 0: none
+    Texture2D colours; ///< RGBA8; alpha is the opacity, 0 where there is no plane
     Texture2D ways; ///< R32F: where a pixel's ray meets it, millimetres along the ray
     Framebuffer frame;
     ContourPicture contour;
-    Tile blocks; ///< drawn pixels beyond which nothing of it is seen; may reach beyond the picture
+    /// Rectangle of drawn pixels outside which nothing of it is seen; may extend beyond the
+    /// picture.
+    Tile blocks;
 
     [[nodiscard]] bool isEmpty() const { return blocks.size.x <= 0; }
 };
 
-/// Draws the cutting plane (seed B §4.1, §5.1, §5.2) with the ray caster's camera, whatever hides
-/// it: in each pixel what SlicePass shows where the pixel's ray meets the rectangle, chunks that
-/// the scene shows included, its rim, and over both the line where the surface that is being
-/// refined meets it.
+/// Draws the cutting plane (seed B §4.1, §5.1, §5.2) with the ray caster's camera, whether or not
+/// something hides it. Each pixel shows what SlicePass shows where the pixel's ray meets the
+/// rectangle, including chunks that the scene shows. Over that come its rim and the line where it
+/// meets the surface that is being refined.
 class PlanePass {
 public:
     PlanePass();
 
-    /// Begins a picture, before its first tile: draws the contour, which is linear in the surface.
-    /// @param scene has a plane @param contours null: none is drawn
+    /// Begins a picture, before its first tile: draws the contour, in time linear in the surface.
+    /// @param scene has a plane
+    /// @param contours null if no contour is drawn
     void begin(PlanePicture& picture, ContourPass* contours, const SurfaceBuffers& surface,
         const VolumeScene& scene, const PassTarget& target);
-    /// Draws a tile of it. Throws ShaderError. @param chunks of the scene; null: none to be drawn
+    /// Draws one tile. Throws ShaderError.
+    /// @param chunks of the scene; null if none are drawn
     void draw(PlanePicture& picture, SlicePass& slices, VolumeTextures& volume,
         const VolumeScene& scene, const SegmentDisplay& segments, const Palette& palette,
         const PassTarget& target, const Tile& tile, const VertexArray& noVertices,

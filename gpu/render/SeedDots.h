@@ -16,23 +16,24 @@ namespace gpu {
 
 class VolumeTextures;
 
-/// A scene's seeds as the ray caster reads them (seeds.glsl): their radiation in tiles, one for
-/// every brick of 16³ that it reaches into, at 14 KB each. Nothing is kept where there are none.
+/// The seeds of a scene as the ray caster reads them (seeds.glsl): their radiation in tiles, one
+/// for every brick of 16³ voxels that it reaches, 14 KB each. Nothing is allocated without seeds.
 /// Engine thread.
 class SeedDots {
 public:
-    /// What is drawn is bounded: seeds in bricks beyond so many are not.
+    /// The greatest number of tiles. Seeds in further bricks are not drawn.
     static constexpr std::size_t mostTiles = 6144;
 
     explicit SeedDots(const ShaderLibrary& library);
 
-    /// Takes a scene's seeds; radiates them where they are others than before. Those outside the
-    /// volume are left out. @return whether there are any
+    /// Takes the seeds of a scene and computes their radiation if they have changed. Seeds outside
+    /// the volume are left out.
+    /// @return whether there are any
     bool set(const VolumeTextures& volume, const VolumeScene& scene);
-    /// The blocks (RayBlocks) of a picture that they are seen in, as one rectangle of drawn pixels
-    /// that may reach beyond it.
+    /// The blocks (RayBlocks) of a picture in which seeds are seen, as one rectangle of drawn
+    /// pixels that may extend beyond the picture.
     [[nodiscard]] Tile blocksIn(const VolumeScene& scene, const PassTarget& target) const;
-    /// Binds them for a program of the variant SEEDS.
+    /// Binds the tiles for a program of the variant SEEDS.
     void bind(Program& program) const;
 
 private:
@@ -41,12 +42,12 @@ private:
 
     const ShaderLibrary& m_library;
     std::optional<SparseRadiationKernel> m_kernel; ///< made with the first seeds
-    std::shared_ptr<const std::vector<SceneSeed>> m_seeds; ///< that the tiles hold
-    glm::ivec3 m_volumeSize{0}; ///< they were placed in
+    std::shared_ptr<const std::vector<SceneSeed>> m_seeds; ///< the seeds that the tiles hold
+    glm::ivec3 m_volumeSize{0}; ///< the volume for which they were computed
     glm::dmat4 m_indexToWorld{0.0};
     Texture3D m_pages; ///< R32UI, one texel a brick: tile + 1; 0: none
     Texture3D m_tiles; ///< RG8: radiation, label
-    glm::vec3 m_low{0.0f}; ///< index: the box they reach
+    glm::vec3 m_low{0.0f}; ///< in index space: the box that they reach
     glm::vec3 m_high{0.0f};
 };
 

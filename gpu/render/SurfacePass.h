@@ -16,35 +16,37 @@ namespace gpu {
 class SurfaceBuffers;
 class VolumeTextures;
 
-/// The surface that is being refined as one view sees it, for the ray caster to lay among the rest.
-/// Nothing is kept before it is first drawn; then 12 bytes a pixel.
+/// The surface that is being refined as one view sees it, drawn into textures that the ray caster
+/// composes with the rest. Nothing is allocated before it is first drawn; then it takes 12 bytes
+/// per pixel.
 struct SurfacePicture {
-    Texture2D colours; ///< RGBA8; a: how much of the pixel; 0: none
+    Texture2D colours; ///< RGBA8; alpha is how much of the pixel it covers, 0 where there is none
     Texture2D ways; ///< R32F: where a pixel's ray meets it, millimetres along the ray
     Texture2D depth;
     Framebuffer frame;
-    Tile blocks; ///< drawn pixels beyond which nothing of it is seen; may reach beyond the picture
+    /// Rectangle of drawn pixels outside which nothing of it is seen; may extend beyond the
+    /// picture.
+    Tile blocks;
 
     [[nodiscard]] bool isEmpty() const { return blocks.size.x <= 0; }
 };
 
-/// Rasterises the surface with the ray caster's camera, whatever hides it: the front-most of it in
-/// each pixel, lit like the rest of the 3D view, without what its plane or the scene's clip region
-/// hides. Marks win where most of a place has them.
+/// Rasterises the surface with the ray caster's camera, whether or not something hides it: in each
+/// pixel its front-most part, lit like the rest of the 3D view, without what its plane or the clip
+/// region of the scene hides. A place shows the mark that prevails there.
 class SurfacePass {
 public:
     /// @param library outlives the pass
     explicit SurfacePass(const ShaderLibrary& library);
 
-    /// Draws a whole picture; once for each, before its first tile. Cost: linear in the surface.
+    /// Draws a whole picture; call it once for each, before its first tile. Linear in the surface.
     /// Throws ShaderError.
-    /// @param scene has a surface
     void draw(SurfacePicture& picture, const SurfaceBuffers& surface, VolumeTextures& volume,
         const VolumeScene& scene, const PassTarget& target);
 
 private:
     static constexpr std::size_t styles = 3;
-    /// @param hides something of it is hidden by a plane
+    /// @param hides whether a plane hides a part of it
     [[nodiscard]] Program& programFor(SurfaceStyle style, bool hides);
 
     const ShaderLibrary& m_library;

@@ -1,10 +1,11 @@
-// Colours of a contour: its line in those of its marks, and a dark rim.
+// The colours of a contour: its line in those of its marks, and a dark rim.
 #include "render/surfaceColour.glsl"
 
 const float rimOpacity = 0.45;
 
-/// @param cover how much the line of yellow, green and red covers, and its rim
-/// @return what it adds; what is below counts for 1 − a
+/// @param cover how much of the pixel is covered by the line of yellow, green and red, and by its
+/// rim
+/// @return what it adds; what is below counts by 1 − alpha
 vec4 contourColour(vec4 cover)
 {
     const float inLine = max(max(cover.x, cover.y), cover.z);

@@ -1,4 +1,5 @@
-// How much of a pixel a line of the contour covers, by its distance; the greatest is kept.
+// Computes how much of a pixel a line of the contour covers, by its distance; the greatest value is
+// kept.
 #include "render/surfaceColour.glsl"
 
 /* Uniforms */

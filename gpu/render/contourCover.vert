@@ -1,4 +1,4 @@
-// A line of a contour as a rectangle that holds all that it may cover.
+// Draws a line of a contour as a rectangle that encloses all pixels that it may cover.
 
 /* Attributes, one line an instance */
 layout(location = 0) in vec4 ends; // frame pixels

@@ -1,4 +1,4 @@
-// A contour over a slice.
+// Draws a contour over a slice.
 #include "render/contourColour.glsl"
 
 /* Textures */

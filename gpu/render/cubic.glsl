@@ -1,8 +1,8 @@
-// Tri-cubic interpolation: Catmull and Rom's cubics along each axis in turn, through the values of
-// the voxels. All 64 of them are fetched and weighted here, since hardware that filters rounds its
-// weights to 8 bits. Beyond the border the outermost voxels go on.
+// Tri-cubic interpolation: Catmull-Rom along each axis in turn, through the values of the voxels.
+// All 64 voxels are fetched and weighted here, because filtering hardware rounds its weights to 8
+// bits. Beyond the border the outermost voxels are repeated.
 
-/// Weights of the values at −1, 0, 1 and 2.
+/// The weights of the values at −1, 0, 1 and 2.
 vec4 cubicWeights(float part)
 {
     const float square = part * part;
@@ -12,7 +12,7 @@ vec4 cubicWeights(float part)
             part + 4.0 * square - 3.0 * cube, cube - square);
 }
 
-/// @param place index
+/// @param place in index space
 float cubicAt(sampler3D field, vec3 place)
 {
     const ivec3 last = textureSize(field, 0) - 1;

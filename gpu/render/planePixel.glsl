@@ -1,49 +1,52 @@
-// Where a pixel of the 3D view meets the cutting plane, and what of its slice is seen there.
+// Finds where a pixel of the 3D view meets the cutting plane, and what of the plane's slice is seen
+// there.
 #include "render/contourColour.glsl"
 
 /* Textures */
 layout(binding = 23) uniform sampler2D covers; // of the contour: yellow, green, red, rim
 
 /* Uniforms */
-uniform mat3 mmFromPixel; // from the frame's middle → mm to the right and down, and 1, over depth
+// maps pixels from the frame's middle to (mm to the right, mm down, 1) / depth
+uniform mat3 mmFromPixel;
 uniform vec2 middle;      // frame pixels
 uniform vec3 centreIndex; // index
 uniform vec3 perRight;    // index per mm
 uniform vec3 perDown;
 uniform vec2 halfSize;    // mm
-uniform vec3 wayAlong;    // orthographic: t of (mm to the right, mm down, 1)
+uniform vec3 wayAlong; // orthographic: t as a function of (mm to the right, mm down, 1)
 uniform float eyeDistance; // mm from the eye to the target's plane; 0: orthographic
 uniform vec2 ahead;       // frame pixels: straight ahead of the eye
-uniform float pixelMm;    // in the target's plane
+uniform float pixelMm; // mm per pixel in the target's plane
 uniform float opacity;
 uniform vec3 rimColour;
 uniform float rimWidth;   // frame pixels
-uniform int contourThere; // 0: covers has one empty texel
+uniform int contourThere; // 0: there is none, and `covers` is one empty texel
 
 /* Output */
 layout(location = 1) out float way; // t
 
-const float contourBias = 3.0; // frame pixels that the line lies before its place
+const float contourBias = 3.0; // frame pixels by which the line is drawn in front of its place
 
-/// mm, and 1 / depth: negative behind the eye.
+/// Position on the plane in mm, and 1 / depth, which is negative behind the eye.
 vec3 onPlane(vec2 pixel)
 {
     const vec3 at = mmFromPixel * vec3(pixel - middle, 1.0);
     return vec3(at.xy / (abs(at.z) < 1e-7 ? 1e-7 : at.z), at.z);
 }
 
-/// Index space at a pixel.
+/// The index position at a pixel.
 vec3 indexAt(vec2 pixel)
 {
     const vec3 at = onPlane(pixel);
     return centreIndex + perRight * at.x + perDown * at.y;
 }
 
-/// @param slice what a slice shows there @param isInside the volume
+/// @param slice colour of a slice there
+/// @param isInside whether the place is inside the volume
 vec4 planeColour(vec3 slice, bool isInside, vec2 pixel)
 {
     const vec3 at = onPlane(pixel);
-    // Frame pixels to the border, by the differentials of the mapping.
+    // Distance to the border in frame pixels, by the differentials of the mapping.
     const vec2 perX = (mmFromPixel[0].xy - at.xy * mmFromPixel[0].z) / at.z;
     const vec2 perY = (mmFromPixel[1].xy - at.xy * mmFromPixel[1].z) / at.z;
     const vec2 room = (halfSize - abs(at.xy))

@@ -1,6 +1,6 @@
-// One pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, FORESEEN, CHUNKS: whether there is
-// anything of the kind to look for. AT_TOLERANCE: one segment is drawn as it would be at a tolerance.
-// CUBIC: interpolated by cubics. PLANE: of a cutting plane in the 3D view.
+// Draws one pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, FORESEEN, CHUNKS: whether
+// there is anything of this kind to draw. AT_TOLERANCE: one segment is drawn as it would be at a
+// tolerance. CUBIC: cubic interpolation. PLANE: draws the cutting plane in the 3D view.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
@@ -21,14 +21,14 @@ layout(binding = 7) uniform sampler2D palette;   // rgb, shown
 #endif
 
 #if CHUNKS
-layout(binding = 24) uniform usampler3D chunkLeaves; // of their box
+layout(binding = 24) uniform usampler3D chunkLeaves; // leaf + 1 by voxel of their box
 layout(binding = 25) uniform sampler2D chunkColours; // row by leaf, alpha 0: none
 uniform ivec3 chunkOrigin;
 uniform float chunkOpacity;
 #endif
 
 /* Uniforms */
-uniform vec3 base;   // index: place of pixel (0, 0)
+uniform vec3 base; // index: position of pixel (0, 0)
 uniform vec3 perX;   // index per pixel
 uniform vec3 perY;
 uniform float pixelScale;
@@ -54,7 +54,7 @@ const float chunkWidth = 0.8; // pixels
 #if PLANE
 #include "render/planePixel.glsl"
 #else
-/// Index space at a pixel (centres at + 0.5).
+/// The index position at a pixel (pixel centres at + 0.5).
 vec3 indexAt(vec2 pixel)
 {
     return base + perX * pixel.x + perY * pixel.y;
@@ -117,7 +117,7 @@ void main()
     vec3 result = vec3(inverted ? 1.0 - grey : grey);
 #if CARVED
     const float covered = texture(radiation, (index + 0.5) / size).r;
-    // Segments are drawn whole over it.
+    // Segments are drawn in full over it.
     result *= carvedAsHole && covered >= 0.5 ? 0.0 : 1.0;
 #endif
 

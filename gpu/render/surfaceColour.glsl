@@ -1,12 +1,12 @@
-// Colours of the surface that is being refined, by what is thought of its places.
+// The colours of the surface that is being refined, by its marks.
 
 /* Uniforms */
 uniform vec3 ownColour;
 uniform vec4 markColours[3]; // yellow, green, red
 uniform float markOpacity;
 
-/// The mark that most of a place has; between two, one of them, not their mixture.
-/// @param marks yellow, green, red
+/// The mark that prevails at a place; between two marks it is one of them, not a mixture.
+/// @param marks weights of yellow, green, red
 int markOf(vec3 marks)
 {
     const bool red = marks.z > max(marks.x, marks.y);

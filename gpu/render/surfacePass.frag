@@ -1,6 +1,6 @@
-// The surface that is being refined: its colour, and where the ray of the pixel meets it. WIRES: edges
-// alone; GREYS: values of the volume; HIDES: there are planes that hide parts of it. What discards
-// nothing is tested for its depth before it is computed.
+// Draws the surface that is being refined: its colour, and where the ray of the pixel meets it.
+// WIRES: only the edges; GREYS: values of the volume; HIDES: planes hide parts of it. Variants that
+// discard nothing are depth-tested before they are shaded.
 #include "render/raycast/light.glsl"
 #include "render/surfaceColour.glsl"
 
@@ -10,14 +10,14 @@ layout(binding = 0) uniform sampler3D intensity; // code / 65535
 /* Uniforms */
 uniform vec3 viewForward; // world, unit
 uniform vec3 viewTarget;  // world
-uniform vec3 sight;       // world, unit: of orthographic rays
+uniform vec3 sight; // world, unit: direction of orthographic rays
 uniform vec3 eyeToTarget; // world
-uniform float wayPerDepth; // of orthographic rays
+uniform float wayPerDepth; // t per depth, for orthographic rays
 uniform bool orthographic;
 uniform float wireHalf;    // drawn pixels
 #if HIDES
 uniform vec4 hiddenBeyond[10]; // world: hidden where dot(xyz, place) > w
-uniform int hiddenCount;       // six of a box, three planes, and its own
+uniform int hiddenCount; // six planes of a box, three clip planes, and its own
 #endif
 uniform mat4 worldToTexture;
 uniform vec2 window; // grey = code / 65535 · x + y
@@ -32,14 +32,14 @@ layout(location = 0) out vec4 colour;
 layout(location = 1) out float way;
 
 const float insideShade = 0.62;
-const float greyLight = 0.35; // grey values are to be read: they are shaded less
+const float greyLight = 0.35; // grey values must be readable, so they are shaded less
 
 void main()
 {
     const vec3 place = fromTarget + viewTarget;
     float cover = 1.0;
 #if WIRES
-    // Distance from the nearest rim of the face, in pixels.
+    // Distance from the nearest edge of the face, in pixels.
     const float toRim
         = placeMarks.w / max(length(vec2(dFdx(placeMarks.w), dFdy(placeMarks.w))), 1e-6);
     cover = clamp(wireHalf + 0.5 - toRim, 0.0, 1.0);
@@ -58,10 +58,11 @@ void main()
     way = orthographic ? dot(fromTarget, viewForward) * wayPerDepth : length(fromEye);
     const vec3 toViewer = orthographic ? -sight : normalize(-fromEye);
 
-    // Rows run downwards: what turns to the left seen from outside turns to the right in them.
+    // Rows run downwards, so what is counter-clockwise seen from outside is clockwise in the
+    // picture.
     const bool isInside = gl_FrontFacing;
     vec3 normal = normalize(outwards + 1e-6 * toViewer) * (isInside ? -1.0 : 1.0);
-    // At the rim the normal between vertices may look away.
+    // At the silhouette an interpolated normal may face away.
     const float away = min(dot(normal, toViewer), 0.0);
     normal = normalize(normal - (away - 0.02) * toViewer);
 

@@ -1,4 +1,4 @@
-// A vertex of the surface that is being refined, in the ray caster's camera.
+// Transforms a vertex of the surface that is being refined by the ray caster's camera.
 
 /* Attributes */
 layout(location = 0) in vec3 position; // world
@@ -6,7 +6,7 @@ layout(location = 1) in vec4 normal;   // world
 layout(location = 2) in vec4 marks;    // yellow, green, red; 1 in a face's middle, 0 on its rim
 
 /* Uniforms */
-uniform mat4 clipFromView; // of millimetres to the right, down and away from the target
+uniform mat4 clipFromView; // from millimetres to the right, down and away from the target
 uniform vec3 viewRight;    // world, unit
 uniform vec3 viewDown;
 uniform vec3 viewForward;

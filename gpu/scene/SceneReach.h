@@ -8,7 +8,7 @@
 
 namespace gpu {
 
-/// Voxels whose fields are other than they were drawn.
+/// Boxes of voxels that have changed since a picture was drawn, by field.
 struct DirtyVoxels {
     core::VoxelBox labels;
     core::VoxelBox radiation;
@@ -20,13 +20,13 @@ struct DirtyVoxels {
     [[nodiscard]] bool empty() const;
 };
 
-/// Whether a scene shows anything of what changed: a slice where its plane passes through it or its
-/// neighbours.
+/// Whether a scene shows anything of what changed. A slice does if its plane passes through the
+/// changed voxels or their neighbours.
 [[nodiscard]] bool showsChange(
     const Scene& scene, const core::VolumeGeometry& geometry, const DirtyVoxels& dirty);
-/// Whether a scene wants something of it interpolated by cubics.
+/// Whether a scene asks for cubic interpolation of anything.
 [[nodiscard]] bool wantsCubics(const Scene& scene);
-/// Whether a scene shows the surface that is being refined, and something of it in a box.
+/// Whether a scene shows a part of the surface that is being refined within a box.
 [[nodiscard]] bool showsSurface(const Scene& scene, const WorldBox& box);
 
 } // namespace gpu

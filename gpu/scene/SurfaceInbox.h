@@ -8,21 +8,21 @@
 
 namespace gpu {
 
-/// Adds a later update to one that nobody has taken in yet: what both tell of is as the later one
-/// has it. Linear in both.
+/// Merges a later update into one that was not taken yet. What both contain is taken from the later
+/// one. Linear in both.
 void mergeUpdate(core::SurfaceUpdate& pending, core::SurfaceUpdate later);
 
-/// Where updates of the surface wait for the engine's thread, as one. Any thread; the lock is held
-/// for a merge at most, so it never waits for a picture.
+/// Where updates of the surface wait for the engine thread, merged into one. Any thread. The lock
+/// is held at most for a merge, so callers never wait for a picture.
 class SurfaceInbox {
 public:
     void put(core::SurfaceUpdate update);
-    /// What came since it was last asked; none: nothing.
+    /// The update that arrived since the last call; none if there was none.
     [[nodiscard]] std::optional<core::SurfaceUpdate> take();
 
 private:
     std::mutex m_mutex;
-    std::optional<core::SurfaceUpdate> m_pending; ///< guarded
+    std::optional<core::SurfaceUpdate> m_pending; ///< guarded by m_mutex
 };
 
 } // namespace gpu

@@ -5,14 +5,14 @@
 
 namespace gpu {
 
-/// Part of a picture, in its own pixels.
+/// A rectangle of a picture, in the picture's own pixels.
 struct Tile {
     glm::ivec2 minimum{0};
     glm::ivec2 size{0};
 };
 
-/// Cuts a picture into rectangles of blocks of 64 × 64 pixels, in reading order, each about as
-/// large as is asked for at that moment. llvmpipe rasters such blocks one per thread.
+/// Cuts a picture into rectangles made of blocks of 64 × 64 pixels, in reading order. The size of
+/// each is chosen when it is taken. llvmpipe rasterises such blocks one per thread.
 class TilePlan {
 public:
     static constexpr int block = 64;

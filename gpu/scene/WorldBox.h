@@ -5,7 +5,7 @@
 
 namespace gpu {
 
-/// Along the axes of the world, LPS mm.
+/// A box along the axes of the world, LPS millimetres; empty at first.
 struct WorldBox {
     glm::dvec3 minimum{1e300};
     glm::dvec3 maximum{-1e300};

@@ -11,8 +11,8 @@
 
 namespace gpu {
 
-/// A shader cannot be read, resolved, compiled or linked: a fault of ours or of a driver. Thrown
-/// and caught inside gpu; the message names file and line.
+/// A shader cannot be read, resolved, compiled or linked, because of a fault of ours or of the
+/// driver. Thrown and caught inside gpu; the message names file and line.
 class ShaderError : public std::runtime_error {
 public:
     explicit ShaderError(const QString& message)
@@ -21,28 +21,29 @@ public:
     }
 };
 
-/// `#define name value` lines put in before the file.
+/// Lines `#define name value` that are put in front of the file.
 using ShaderDefines = std::vector<std::pair<const char*, int>>;
 
-/// One translation unit, ready for the driver.
+/// The complete source of one shader, ready for the driver.
 struct ShaderSource {
     QByteArray text;
-    QStringList files; ///< source string number n of #line → path below the root
+    /// The file for each source string number of #line, as a path below the root.
+    QStringList files;
 
-    /// A driver's log with "0:12", "0(12)" and their like turned into
+    /// A driver's log in which "0:12", "0(12)" and the like are replaced by
     /// "render/raycast/raycast.frag:12".
     [[nodiscard]] QString withFileNames(const QString& driverLog) const;
 };
 
-/// GLSL in files. Resolves `#include "path below the root"` (each file at most once per unit; a
-/// cycle is an error that shows the chain) and begins the unit with #version and the defines. Files
-/// carry no #version of their own. Needs no GL.
+/// Loads GLSL files. It resolves `#include "path below the root"` (each file at most once per unit;
+/// a cycle is an error that shows the chain) and puts #version and the defines in front. Files
+/// contain no #version of their own. Needs no GL.
 class ShaderLibrary {
 public:
-    /// The files built into the program, named by their path in gpu/
+    /// The files that are built into the program, named by their path in gpu/
     /// ("render/raycast/raycast.frag").
     [[nodiscard]] static ShaderLibrary builtIn();
-    /// Files below a folder of the file system or of the resources.
+    /// The files below a folder of the file system or of the Qt resources.
     explicit ShaderLibrary(QString root);
 
     /// Throws ShaderError.

@@ -1,4 +1,4 @@
-// One triangle over the whole viewport, without vertex buffers.
+// Draws one triangle over the whole viewport, without vertex buffers.
 void main()
 {
     const vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1);

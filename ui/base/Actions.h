@@ -15,8 +15,9 @@ class QWidget;
 
 namespace ui {
 
-/// Everything the window can be told to do, by name: text, keys, tip, and when it is possible.
-/// Menus and buttons show these actions; nobody else makes any.
+/// Everything that the user can tell the window to do, by name, with text, shortcut keys, tool tip,
+/// and a test whether it is possible. All menus and buttons show these actions; no other code makes
+/// any.
 class Actions : public QObject {
     Q_OBJECT
 
@@ -33,16 +34,16 @@ public:
         std::function<QString()> currentText{}; ///< replaces `text` on refresh(); none: fixed
     };
 
-    /// Keys work anywhere in @p window.
+    /// Shortcut keys work anywhere in @p window.
     explicit Actions(QWidget& window);
 
     QAction& add(Entry entry);
     [[nodiscard]] QAction& operator[](const QString& id) const;
     /// In the order they were added.
     [[nodiscard]] std::vector<QAction*> all() const;
-    /// A menu of these actions in this order; an empty name is a separator.
+    /// Fills a menu with these actions in this order; an empty id is a separator.
     void fill(QMenu& menu, const QStringList& ids) const;
-    /// Asks every action again whether it is possible, checked, and how it is called now.
+    /// Updates every action: whether it is possible, whether it is checked, and its present text.
     void refresh();
 
 private:

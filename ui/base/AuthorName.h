@@ -5,7 +5,8 @@
 
 namespace ui {
 
-/// The name that the user's steps bear in the audit trail; empty until somebody gives one.
+/// The name under which the user's steps stand in the audit trail (a setting); empty until it is
+/// set.
 [[nodiscard]] QString authorName();
 void setAuthorName(const QString& name);
 

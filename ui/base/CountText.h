@@ -5,7 +5,7 @@
 
 namespace ui {
 
-/// 18204 → "18 204", as the history's names have it.
+/// A count with its digits in groups of three, as in the names of the history: 18204 → "18 204".
 [[nodiscard]] QString countText(qlonglong count);
 
 } // namespace ui

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-/// Plain values of what a session keeps of the window (DisplayState). Reading leaves the target
-/// alone where there is nothing sensible.
+/// Reads values from the JSON in which a session keeps the state of the window (DisplayState). If
+/// the JSON holds nothing sensible the target stays unchanged.
 namespace ui::displayJson {
 
 inline void read(const QJsonValue& json, double& value)
@@ -16,7 +16,7 @@ inline void read(const QJsonValue& json, double& value)
         value = json.toDouble();
 }
 
-/// Values beyond the limits come to them.
+/// Values beyond the limits are clamped.
 inline void read(const QJsonValue& json, double& value, double minimum, double maximum)
 {
     read(json, value);

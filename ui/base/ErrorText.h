@@ -10,7 +10,8 @@ namespace ui {
 /// One sentence for a person: what went wrong, with which file or field, and why.
 [[nodiscard]] QString errorText(const core::Error& error);
 
-/// Why a session has no file (SessionStorage::whyNoFile()), in a clause: which folder takes none.
+/// Why a session has no file (SessionStorage::whyNoFile()), as a clause that names the folder which
+/// cannot be written.
 [[nodiscard]] QString noFileText(const core::Error& why);
 
 } // namespace ui

@@ -8,15 +8,16 @@
 
 namespace ui {
 
-/// Makes the program's icons and style known; a static library's resources are not found otherwise.
+/// Registers the program's icons and style sheet. Without this call the resources of a static
+/// library are not found.
 void registerResources();
 
 /// One of resources/icons (name without ".svg"), drawn in one colour at @p size logical pixels.
 [[nodiscard]] QPixmap tintedIcon(
     const QString& name, const QColor& colour, int size, double devicePixelRatio);
 
-/// The icon in its states: secondary text colour at rest, text colour when pointed at, accent when
-/// on, faint when disabled.
+/// An icon with its states: secondary text colour at rest, text colour under the pointer, accent
+/// colour when on, faint when disabled.
 [[nodiscard]] QIcon stateIcon(const QString& name);
 
 } // namespace ui

@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// What is told of strokes that began on the surface of a cut that was revised
-/// (core::EditSession::strokesOnRevisedSurface()).
+/// The sentence for the user about strokes that began on the surface of a cut which was revised and
+/// therefore keep their place (core::EditSession::strokesOnRevisedSurface()).
 [[nodiscard]] QString keepsPlaceText(std::size_t strokes);
 
 } // namespace ui

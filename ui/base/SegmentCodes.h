@@ -7,7 +7,8 @@
 
 namespace ui {
 
-/// The concepts the code chooser offers, from resources/segmentCodes.json, grouped as there.
+/// A coded concept that the code chooser offers, from resources/segmentCodes.json, with its group
+/// there.
 struct SegmentCode {
     QString group; ///< "Head", "Abdomen" …
     core::CodedConcept code;

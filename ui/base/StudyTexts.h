@@ -10,11 +10,12 @@
 
 namespace ui {
 
-// How whose study it is, and where in it one looks, is written; the same words everywhere.
+// Texts for the patient, the study, and positions and values in it, so that the same words are used
+// everywhere.
 
-/// "Doe, Jane · ID 4711 · born 1961-03-02 · F"; says so when the source names nobody.
+/// "Doe, Jane · ID 4711 · born 1961-03-02 · F"; if the source names nobody the text says so.
 [[nodiscard]] QString patientText(const core::StudyIdentity& identity);
-/// The same line by line for the corner of a view: name; ID; birth date and sex.
+/// The same in lines for the corner of a view: name; ID; birth date and sex.
 [[nodiscard]] QStringList patientLines(const core::StudyIdentity& identity);
 /// A DICOM person name as people write it: "DOE^JANE" is "DOE, JANE".
 [[nodiscard]] QString personName(const QString& dicomName);
@@ -26,8 +27,8 @@ namespace ui {
 /// "every 2.5 mm", or that slices are unevenly spaced.
 [[nodiscard]] QString slicesApartText(const core::VolumeGeometry& geometry);
 
-/// A modality value with its unit; as many decimals as @p span, the width of the range it is seen
-/// in, calls for.
+/// A modality value with its unit, with as many decimals as suit @p span, the width of the range in
+/// which it is seen.
 [[nodiscard]] QString valueText(double value, const QString& unit, double span);
 /// "±37 HU". @param tolerance in codes
 [[nodiscard]] QString toleranceText(int tolerance, const core::Volume& volume);

@@ -5,8 +5,8 @@ class QWidget;
 
 namespace ui {
 
-/// The tab key goes through a dialog as it is laid out, row by row, whatever was made first. To be
-/// called when the layout is complete.
+/// Sets the tab order of a dialog to its layout, row by row, whatever the order in which its
+/// widgets were made. Call it when the layout is complete.
 void tabAsLaidOut(QWidget& dialog);
 
 } // namespace ui

@@ -16,9 +16,9 @@ inline constexpr QColor raised{0x25, 0x29, 0x30};
 inline constexpr QColor line{0x34, 0x3a, 0x43};
 inline constexpr QColor text{0xd7, 0xdc, 0xe3};
 inline constexpr QColor secondary{0x8b, 0x94, 0xa1};
-inline constexpr QColor faint{0x5d, 0x65, 0x70}; ///< what is off, and marks that go with it
+inline constexpr QColor faint{0x5d, 0x65, 0x70}; ///< things that are off, and their marks
 inline constexpr QColor accent{0x4a, 0xa3, 0xff};
-inline constexpr QColor selected{0x21, 0x36, 0x4f}; ///< a row or tool that is chosen
+inline constexpr QColor selected{0x21, 0x36, 0x4f}; ///< a chosen row or tool
 inline constexpr QColor good{0x59, 0xc0, 0x7a};
 inline constexpr QColor caution{0xf0, 0xb0, 0x4a};
 inline constexpr QColor bad{0xef, 0x6a, 0x5b};
@@ -29,7 +29,7 @@ inline constexpr QColor coronal{0x5b, 0xbf, 0x6a};
 inline constexpr QColor volume{0xd7, 0xb1, 0x3f};
 inline constexpr QColor plane{0x5a, 0xa9, 0xe6}; ///< the cutting plane; gpu::ScenePlane's rim
 
-// Logical pixels, on a grid of 4.
+// Sizes in logical pixels, on a grid of 4.
 inline constexpr int smallPadding = 8;
 inline constexpr int padding = 14;
 inline constexpr int rowHeight = 28;

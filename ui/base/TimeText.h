@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// "point 3 of 10 · trigger time 80 ms" of a volume of a series in time; else empty.
+/// "point 3 of 10 · trigger time 80 ms" for a volume of a time series; else empty.
 [[nodiscard]] QString timeText(const core::Volume& volume);
 
 } // namespace ui

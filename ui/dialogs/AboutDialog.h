@@ -5,7 +5,7 @@
 
 namespace ui {
 
-/// What this program is, which version, and what it is not.
+/// Tells what this program is, which version it is, and that it is not a medical device.
 class AboutDialog : public QDialog {
     Q_OBJECT
 

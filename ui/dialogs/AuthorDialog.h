@@ -7,7 +7,7 @@ class QLineEdit;
 
 namespace ui {
 
-/// Asks for the name in the audit trail; accepted, it is the setting.
+/// Asks for the user's name in the audit trail; on OK the name becomes the setting (AuthorName.h).
 class AuthorDialog : public QDialog {
     Q_OBJECT
 

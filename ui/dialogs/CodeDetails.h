@@ -10,7 +10,8 @@ class QFormLayout;
 
 namespace ui {
 
-/// What a DICOM SEG says of a segment beside its type: category, side, and where a finding lies.
+/// Fields for what a DICOM SEG states about a segment besides its type: category, side, and the
+/// anatomic region of a finding.
 class CodeDetails : public QWidget {
     Q_OBJECT
 
@@ -19,7 +20,7 @@ public:
 
     void setCodes(const core::SegCodes& codes);
     [[nodiscard]] core::SegCodes codes() const;
-    /// Forms below each other begin their fields at one line.
+    /// Aligns forms that stand below each other, so that their fields begin at the same x.
     static void alignLabels(const QFormLayout& form);
 
 private:

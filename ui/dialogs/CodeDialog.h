@@ -15,19 +15,19 @@ namespace ui {
 
 class CodeDetails;
 
-/// Chooses the SNOMED CT concept of a segment: a short list that a few letters narrow down, or any
+/// Asks for the SNOMED CT concept of a segment: from a short list that typing narrows down, or any
 /// other concept by value and meaning.
 class CodeDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param segment its name, for the title and the first guess of the search
+    /// @param segment its name, for the title and as the first search text
     CodeDialog(
         const QString& segment, const core::CodedConcept& present, QWidget* parent = nullptr);
 
-    /// What was chosen; not set before.
+    /// The chosen concept; empty before one is chosen.
     [[nodiscard]] core::CodedConcept code() const;
-    /// Asks what else an export is to say of the segment, too.
+    /// Also asks for further codes that an export writes for the segment.
     void askDetails(const core::SegCodes& present);
     [[nodiscard]] core::SegCodes details() const;
 

@@ -7,7 +7,8 @@ namespace ui {
 
 class Actions;
 
-/// What mouse, pen and keys do: the pointer's bindings, and every action that has keys.
+/// Lists what mouse, pen and keys do: the bindings of the pointer, and every action that has a
+/// shortcut.
 class KeysDialog : public QDialog {
     Q_OBJECT
 

@@ -11,14 +11,15 @@ namespace ui {
 
 class StudyOpener;
 
-/// Long work: the step's name, how far it is, about how long it will take, and Abort.
+/// Shows the progress of long work: the name of the step, how far it is, about how long it will
+/// take, and a button Abort.
 class LoadingBar : public QFrame {
     Q_OBJECT
 
 public:
     explicit LoadingBar(QWidget* parent = nullptr);
 
-    /// Shows what it does, and aborts it.
+    /// Shows the work of this opener, and aborts it on request.
     void follow(StudyOpener& opener);
 
     void begin(const QString& what);
@@ -33,7 +34,7 @@ private:
     QLabel* m_step;
     QProgressBar* m_bar;
     QString m_stepName;
-    QElapsedTimer m_clock; ///< since the step began
+    QElapsedTimer m_clock; ///< started when the step began
 };
 
 } // namespace ui

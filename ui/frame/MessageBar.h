@@ -10,8 +10,8 @@ class QPushButton;
 
 namespace ui {
 
-/// One sentence above the views: what happened, to what, and what to do; with a button where
-/// something can be done about it. Hidden while there is nothing to say.
+/// Shows one sentence above the views: what happened, to what, and what to do; with a button if the
+/// program can help. Hidden while there is no message.
 class MessageBar : public QFrame {
     Q_OBJECT
 

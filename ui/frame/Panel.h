@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// A section of the window's right side. The window shows title and summary in the section's
-/// header, and the panel's actions() (QWidget::actions) as small buttons there.
+/// A panel: a section in the right column of the window. The window shows title and summary in the
+/// section's header, and the panel's actions() (QWidget::actions) as small buttons there.
 class Panel : public QWidget {
     Q_OBJECT
 
@@ -14,18 +14,18 @@ public:
     using QWidget::QWidget;
 
     [[nodiscard]] virtual QString title() const = 0;
-    /// Short, secondary, at the header's right: "41 steps · 312 KB".
+    /// A short text at the right of the header, for example "41 steps · 312 KB".
     [[nodiscard]] virtual QString summary() const { return {}; }
-    /// Takes what height is left (lists), instead of its size hint.
+    /// Whether it takes the remaining height (lists) instead of its size hint.
     [[nodiscard]] virtual bool stretches() const { return false; }
-    /// Until the user unfolds it.
+    /// Whether it starts folded, until the user unfolds it.
     [[nodiscard]] virtual bool foldedAtFirst() const { return false; }
-    /// A panel that has nothing takes no place.
+    /// Whether it has anything to show; a panel without takes no room.
     [[nodiscard]] virtual bool hasSomething() const { return true; }
 
 Q_SIGNALS:
     void summaryChanged(const QString& summary);
-    /// What was done in the header is to be seen.
+    /// The user did something in the header whose result is in the panel's body.
     void unfoldAsked();
     void hasSomethingChanged();
 };

@@ -14,31 +14,33 @@ namespace ui {
 
 class Panel;
 
-/// The window's right column, and the panels that were taken out of it. Lists share the height that
-/// the other panels leave; where a window is too low for all, the column scrolls.
+/// The right column of the window with its panels, and the panels that were moved to windows of
+/// their own. Lists share the height that the other panels leave. If the window is too low for all
+/// of them, the column scrolls.
 class PanelColumn : public QScrollArea {
     Q_OBJECT
 
 public:
-    /// With room for the scroll bar, so that panels keep theirs when it shows.
+    /// Includes the scroll bar, so that panels keep their width when it appears.
     static constexpr int leastWidth = PanelSection::leastWidth + 10;
 
     explicit PanelColumn(QWidget* parent = nullptr);
 
-    /// Takes it over; below those before it.
+    /// Takes ownership of a panel and appends it at the bottom.
     PanelSection& add(ui::Panel* panel);
 
-    /// One panel at its place: in the column, or in a window of its own.
+    /// Shows or hides one panel, in the column or in its own window.
     void setWanted(PanelSection& section, bool wanted);
     [[nodiscard]] bool isWanted(const PanelSection& section) const;
     void setFloating(PanelSection& section, bool floating);
-    /// Wanted, unfolded and in sight.
+    /// Shows a panel, unfolds it and scrolls to it.
     void bringUp(const ui::Panel& panel);
-    /// All wanted ones at once; the column hides when it holds none.
+    /// Shows or hides all wanted panels together. The column hides when it holds none.
     void showAll(bool shown);
-    /// Panels that are shown before there is a study to work on take their places and wait.
+    /// Enables or disables the panels. Before a study is open they take their places but cannot be
+    /// used.
     void setUsable(bool usable);
-    /// As at the first start.
+    /// Restores the arrangement of the first start.
     void reset();
 
     void save(QSettings& settings) const;
@@ -47,7 +49,7 @@ public:
     [[nodiscard]] QSize sizeHint() const override;
 
 Q_SIGNALS:
-    /// What is where, or shown at all.
+    /// Places or visibility of panels have changed.
     void changed();
 
 private:

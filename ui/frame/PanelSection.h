@@ -12,8 +12,9 @@ namespace ui {
 
 class Panel;
 
-/// A panel with its header: title, summary and the panel's actions. A click on the header folds it,
-/// a drag takes it out of the window; its button (or closing it there) puts it back.
+/// A panel with its header: title, summary and the panel's actions. A click on the header folds the
+/// panel, dragging the header moves it to a window of its own; its button there, or closing that
+/// window, puts it back.
 class PanelSection : public QWidget {
     Q_OBJECT
 
@@ -23,18 +24,19 @@ public:
     explicit PanelSection(Panel& panel, QWidget* parent = nullptr);
 
     [[nodiscard]] Panel& panel() const { return m_panel; }
-    /// The panel's class: what it is known by in the settings.
+    /// The class name of the panel, which identifies it in the settings.
     [[nodiscard]] QString id() const;
 
     void setFolded(bool folded);
     [[nodiscard]] bool isFolded() const { return m_folded; }
-    /// For the column, which moves it: a window of its own over @p owner, or part of a layout.
+    /// Called by the column, which moves the section: makes it a window of its own over @p owner,
+    /// or part of a layout.
     void becomeWindow(QWidget* owner);
     void becomePart(QWidget* parent);
     [[nodiscard]] bool isFloating() const { return isWindow(); }
 
-    // The column asks for one height: as much as the panel needs in the section's width, or for a
-    // list the least that is of use. (A height that depends on the width would end shrinking.)
+    // The column uses a single height: what the panel needs at the section's width, or for a list
+    // its least useful height. (A height that depends on the width would keep shrinking.)
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
     [[nodiscard]] bool hasHeightForWidth() const override { return false; }
@@ -57,7 +59,7 @@ private:
     QToolButton* m_fold;
     QToolButton* m_place;
     bool m_folded = false;
-    std::optional<QPoint> m_pressed; ///< in the header
+    std::optional<QPoint> m_pressed; ///< where the mouse was pressed in the header
 };
 
 } // namespace ui

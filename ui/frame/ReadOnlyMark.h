@@ -7,7 +7,7 @@ namespace ui {
 
 class Workspace;
 
-/// In the window's header while the open session is only looked at: that it is, and why.
+/// A mark in the window's header which tells that the open session is read-only, and why.
 class ReadOnlyMark : public QLabel {
     Q_OBJECT
 

@@ -12,9 +12,9 @@ class QVBoxLayout;
 
 namespace ui {
 
-/// On the start page: the sessions of a folder that can be gone on with, newest first, one card
-/// each. They are read beside the GUI thread and never changed by it. Those that are open in
-/// another window, hold no step or cannot be read are left out.
+/// The part of the start page that lists the sessions in a folder which can be continued, newest
+/// first, one card each. They are read on another thread and never changed. Sessions that are open
+/// in another window, hold no step or cannot be read are left out.
 class SessionOffers : public QWidget {
     Q_OBJECT
 
@@ -23,19 +23,20 @@ public:
 
     explicit SessionOffers(QWidget* parent = nullptr);
 
-    /// Empty: none.
+    /// Lists the sessions of a folder; an empty name clears the list.
     void showFolder(const QString& folder);
     [[nodiscard]] int count() const { return int(m_offers.size()); }
 
     /// "recovered: 41 steps, last at 14:02"
     [[nodiscard]] static QString stateText(
         const core::SessionPreview& preview, const QDateTime& now);
-    /// What it was made on: series, modality, date; without those the study's file or folder.
+    /// The study of the session: series, modality and date, or the study's file or folder if these
+    /// are not known.
     [[nodiscard]] static QString studyText(const core::SessionPreview& preview);
 
 Q_SIGNALS:
     void openAsked(const QString& sessionFile);
-    void changed(); ///< count() or what is shown
+    void changed(); ///< count() or the list has changed
 
 private:
     void showOffers(std::vector<core::SessionPreview> offers);

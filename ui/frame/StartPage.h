@@ -10,8 +10,8 @@ namespace ui {
 
 class SessionOffers;
 
-/// What the window shows while nothing is open: open a study, the demonstration, a recent one, or a
-/// session to go on with.
+/// What the window shows while nothing is open: buttons to open a study, the demonstration study or
+/// a recent study, and sessions to continue.
 class StartPage : public QWidget {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ public:
     explicit StartPage(QWidget* parent = nullptr);
 
     void showRecent(const QStringList& paths);
-    /// Offers the sessions in a folder.
+    /// Lists the sessions in a folder.
     void showSessions(const QString& folder);
 
 Q_SIGNALS:
@@ -35,7 +35,7 @@ protected:
 private:
     void arrange();
 
-    QBoxLayout* m_columns; ///< the choices, and the sessions beside or below them
+    QBoxLayout* m_columns; ///< the buttons, with the sessions beside or below them
     QWidget* m_choices;
     QVBoxLayout* m_recent;
     SessionOffers* m_sessions;

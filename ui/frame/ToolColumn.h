@@ -11,8 +11,8 @@ class QVBoxLayout;
 
 namespace ui {
 
-/// The column at the left: one button per tool, icon over a short name, in groups. Where the window
-/// is too low for that, icons alone; their tips name them.
+/// The column at the left with one button per tool, an icon over a short name, in groups. If the
+/// window is too low it shows only the icons; their tool tips name them.
 class ToolColumn : public QFrame {
     Q_OBJECT
 
@@ -29,7 +29,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// Of the whole column, with buttons of this height.
+    /// Height of the whole column with buttons of this height.
     [[nodiscard]] int heightWith(int buttonHeight) const;
 
     QVBoxLayout* m_layout;

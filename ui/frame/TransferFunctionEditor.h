@@ -8,9 +8,10 @@
 
 namespace ui {
 
-/// Colour and opacity over values, as points on the histogram: drag a point, double click on empty
-/// ground adds one, double click on a point chooses its colour, Delete removes the chosen one.
-/// Heights are the square roots of opacities per mm, so that faint tissue can be told apart.
+/// Edits colour and opacity as functions of the value, as points on the histogram. Dragging moves a
+/// point, a double click on empty ground adds one, a double click on a point asks for its colour,
+/// and Delete removes the chosen one. Heights are square roots of the opacity per millimetre, so
+/// that faint tissues can be distinguished.
 class TransferFunctionEditor : public HistogramPlot {
     Q_OBJECT
 
@@ -22,7 +23,7 @@ public:
     [[nodiscard]] const gpu::TransferFunction& function() const { return m_function; }
 
     [[nodiscard]] QSize sizeHint() const override { return {240, 96}; }
-    /// Where a point is drawn, logical pixels.
+    /// Where a point is drawn, in logical pixels.
     [[nodiscard]] QPointF positionOf(const gpu::TransferFunction::Point& point) const;
 
 Q_SIGNALS:

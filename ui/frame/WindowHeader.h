@@ -16,16 +16,16 @@ class Actions;
 class FittingLabel;
 class Workspace;
 
-/// Over all of the window: its menus, and whose study is shown.
+/// The header of the window: its menus, and whose study is shown.
 class WindowHeader : public QFrame {
     Q_OBJECT
 
 public:
     WindowHeader(Workspace& workspace, QWidget* parent);
 
-    /// @param plane, stage ids of the actions of those submenus of View
+    /// @param plane, stage ids of the actions for these two submenus of View
     void fillMenus(Actions& actions, const QStringList& plane, const QStringList& stage);
-    /// Here and in the title of the window. Null: nobody's.
+    /// Shows whose study it is, here and in the title of the window. Null: no study.
     void showIdentity(const core::Volume* volume);
 
     [[nodiscard]] QMenu& fileMenu() const { return *m_fileMenu; }

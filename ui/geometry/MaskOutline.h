@@ -11,22 +11,24 @@
 
 namespace ui {
 
-/// A mask's outline drawn by hand, as settings and presets keep it: right and up, its middle at 0,
-/// its greater side from −1 to 1. It closes by itself and may cross itself; empty: none is drawn.
+/// The outline of a mask (tool footprint) drawn by hand, as settings and presets store it: x to the
+/// right, y up, the middle at 0, the longer side from −1 to 1. The curve is closed implicitly and
+/// may cross itself; empty if none is drawn.
 using MaskOutline = std::vector<glm::dvec2>;
 
+/// A mask's outline as it was drawn, with its size.
 struct DrawnMask {
     MaskOutline outline;
-    double radiusMm = 0.0; ///< half its greater side, as it was drawn
+    double radiusMm = 0.0; ///< half of its longer side, as it was drawn
 };
 
-/// None: the curve covers next to nothing.
-/// @param toleranceMm points that change the curve by less are left out
+/// Converts a drawn curve; none if the curve covers next to no area.
+/// @param toleranceMm points that change the curve by less are dropped
 [[nodiscard]] std::optional<DrawnMask> drawnMask(
     const std::vector<glm::dvec2>& curveMm, double toleranceMm);
 
 [[nodiscard]] QJsonArray outlineJson(const MaskOutline& outline);
-/// Empty: what is there is no outline.
+/// Empty if the value is not an outline.
 [[nodiscard]] MaskOutline outlineFromJson(const QJsonValue& json);
 
 } // namespace ui

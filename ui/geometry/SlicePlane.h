@@ -9,28 +9,30 @@ namespace ui {
 
 enum class SliceOrientation { Axial, Sagittal, Coronal };
 
-/// The standard planes of the patient (LPS), whatever way the volume was acquired, in radiological
-/// convention: the patient's right is on the left of axial and coronal pictures, the front on the
-/// left of sagittal ones.
+/// The axes of a standard plane of the patient (LPS), independent of how the volume was acquired,
+/// in radiological convention: the patient's right is on the left of axial and coronal pictures,
+/// the front on the left of sagittal ones.
 struct SliceAxes {
     glm::dvec3 rightLps;
     glm::dvec3 downLps;
-    /// right × down: slice numbers grow this way, as k does in a volume acquired in this plane.
+    /// Right × down. Slice numbers grow in this direction, as k does in a volume acquired in this
+    /// plane.
     glm::dvec3 normalLps;
 };
 [[nodiscard]] SliceAxes sliceAxes(SliceOrientation orientation);
 
-/// The slices one walks through: as many as cover the volume, one voxel of the axis that comes
-/// nearest to the normal apart. For a volume acquired in this plane they are the acquired slices.
+/// The stack of slices through which the user scrolls: as many as cover the volume, with the
+/// spacing of the voxel axis that is nearest to the normal. For a volume acquired in this plane
+/// they are the acquired slices.
 struct SliceStack {
     glm::dvec3 normalLps;
-    double firstMm = 0.0; ///< of slice 0, along the normal
+    double firstMm = 0.0; ///< position of slice 0 along the normal
     double stepMm = 1.0;
     int count = 0;
 
-    /// Nearest slice to a point, 0 … count − 1.
+    /// The slice nearest to a point, 0 … count − 1.
     [[nodiscard]] int numberAt(const glm::dvec3& lps) const;
-    /// The point moved along the normal into slice @p number (kept inside the stack).
+    /// The point moved along the normal into slice @p number, which is clamped to the stack.
     [[nodiscard]] glm::dvec3 movedTo(const glm::dvec3& lps, int number) const;
 };
 /// @param normalLps unit

@@ -3,8 +3,9 @@
 
 namespace ui {
 
-/// While one lives, every reading of pen and mouse is delivered; otherwise Qt may join several
-/// moves into one, which is right for everything but a stroke. GUI thread; may be nested.
+/// While an object of this class exists, every event of pen and mouse is delivered. Otherwise Qt
+/// may merge several moves into one, which is good for everything except strokes. GUI thread; may
+/// be nested.
 class EveryPointerEvent {
 public:
     EveryPointerEvent();

@@ -9,13 +9,14 @@ class QEvent;
 
 namespace ui {
 
-/// What a mouse or pen event says, in one form for both.
+/// A mouse or pen event, in one form for both.
 struct PointerReading {
     enum class Phase { Press, Move, Release };
 
     Phase phase = Phase::Move;
-    Qt::MouseButton button = Qt::NoButton; ///< that went down or up; the pen's tip is the left one
-    Qt::MouseButtons buttons = Qt::NoButton; ///< held after the event; none: hovering
+    /// The button that went down or up; the pen's tip is the left one.
+    Qt::MouseButton button = Qt::NoButton;
+    Qt::MouseButtons buttons = Qt::NoButton; ///< buttons held after the event; none while hovering
     bool doubleClick = false; ///< a press shortly after another (mouse only)
     bool pen = false;
     PointerSample sample;
@@ -23,18 +24,20 @@ struct PointerReading {
     [[nodiscard]] bool hovering() const { return phase == Phase::Move && buttons == Qt::NoButton; }
 };
 
-/// The one place where QMouseEvent and QTabletEvent become PointerSample. One per view.
+/// Converts QMouseEvent and QTabletEvent to PointerSample; the only place that does. One object per
+/// view.
 ///
-/// Whoever uses a reading accepts the event. Mouse events that the system or Qt makes out of a
-/// pen's are swallowed (see isEcho), so nothing is done twice. Time is the event's own, never the
-/// clock's.
+/// The caller accepts the event if it uses the reading. Mouse events that the system or Qt
+/// synthesises from a pen's events are swallowed (see isEcho), so that nothing happens twice. Times
+/// are those of the events, never read from a clock.
 class StylusGlue {
 public:
-    /// None for events that are neither mouse nor pen, and for echoes; an echo is accepted here.
+    /// None for events that are neither mouse nor pen, and for synthesised ones, which are accepted
+    /// here.
     [[nodiscard]] std::optional<PointerReading> read(QEvent& event);
 
     [[nodiscard]] bool penDown() const { return m_penDown; }
-    /// The view lost the pen (hidden, grab taken away).
+    /// To be called when the view loses the pen (it is hidden, or the grab is taken away).
     void forget() { m_penDown = false; }
 
 private:

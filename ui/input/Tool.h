@@ -14,21 +14,22 @@ class QWidget;
 
 namespace ui {
 
-/// One reading of mouse or pen, in the view's logical pixels (made in ui/input/StylusGlue only).
+/// One sample of mouse or pen, in logical pixels of the view (made only in ui/input/StylusGlue).
 struct PointerSample {
     QPointF position;
-    double pressure = 1.0; ///< 0 … 1; a mouse presses fully
+    double pressure = 1.0; ///< 0 … 1; always 1 for a mouse
     double timeSeconds = 0.0;
     Qt::KeyboardModifiers modifiers;
     bool eraserEnd = false;
-    /// Of a pen: degrees from upright, positive to the right and towards the user. A mouse: 0.
+    /// For a pen: degrees from upright, positive to the right and towards the user. For a mouse: 0.
     QPointF tiltDegrees;
-    /// Of a pen about its own axis, clockwise; none: it does not tell.
+    /// For a pen: rotation about its own axis, clockwise, in degrees; none if it does not report
+    /// it.
     std::optional<double> rotationDegrees;
 };
 
-/// What the left button or the pen does now. By default it ignores everything; the view navigates
-/// with the other buttons meanwhile. A stroke runs press → drag* → release | cancel.
+/// A tool: what the left mouse button or the pen does. By default it ignores everything; the view
+/// navigates with the other buttons. A stroke runs press → drag* → release | cancel.
 class Tool : public QObject {
     Q_OBJECT
 
@@ -37,18 +38,22 @@ public:
 
     [[nodiscard]] virtual QString name() const = 0; ///< short, under the icon: "Drill"
     [[nodiscard]] virtual QString iconName() const = 0; ///< resources/icons/<name>.svg
-    [[nodiscard]] virtual QString hint() const = 0; ///< what it expects next, for the status line
+    /// What it expects next, shown in the status line.
+    [[nodiscard]] virtual QString hint() const = 0;
     [[nodiscard]] virtual QString target() const { return {}; } ///< "carves layer Sculpt 1"
-    [[nodiscard]] virtual QString keys() const { return {}; } ///< for the option bar's right end
-    /// The tool's few options for the option bar; null: none. The parent owns it.
+    /// Shown at the right end of the option bar.
+    [[nodiscard]] virtual QString keys() const { return {}; }
+    /// Makes the tool's widgets for the option bar; null if it has none. The parent owns the
+    /// result.
     [[nodiscard]] virtual QWidget* createOptions(QWidget* /*parent*/) { return nullptr; }
-    /// What the tool itself holds that a session keeps (ToolSettings.h); empty: nothing.
+    /// Settings that the tool itself holds and a session keeps (ToolSettings.h); empty if none.
     [[nodiscard]] virtual QJsonObject settingsJson() const { return {}; }
-    /// Puts back what is there and makes sense.
+    /// Restores the settings that are present and valid.
     virtual void applySettings(const QJsonObject&) { }
     [[nodiscard]] virtual bool worksIn(const ViewContext& view) const = 0;
 
-    /// Whether a press here is the tool's, in a view that it works in; else the view navigates.
+    /// Whether a press at this place, in a view where the tool works, belongs to the tool; else the
+    /// view navigates.
     [[nodiscard]] virtual bool takes(const PointerSample&, const ViewContext&) const
     {
         return true;
@@ -58,7 +63,8 @@ public:
     virtual void drag(const PointerSample&, const ViewContext&) { }
     virtual void release(const PointerSample&, const ViewContext&) { }
     virtual void cancel() { }
-    /// Something else is done: another tool is taken, another study opened, a step undone.
+    /// Called before something else happens: another tool is chosen, another study opened, a step
+    /// undone.
     virtual void putAway() { cancel(); }
     virtual void hover(const PointerSample&, const ViewContext&) { }
     virtual void leave() { } ///< the pointer left the view
@@ -69,8 +75,8 @@ public:
     /// Alt + Shift + wheel: @p steps is positive for counter-clockwise.
     virtual void turn(int /*steps*/) { }
 
-    /// What the tool will do, drawn over every view it works in; the cursor's part only where the
-    /// pointer is.
+    /// Draws what the tool will do, in every view where it works; the part at the cursor only in
+    /// the view under the pointer.
     virtual void paintOverlay(QPainter&, const ViewContext&) const { }
 
 Q_SIGNALS:

@@ -6,8 +6,8 @@
 
 namespace ui {
 
-/// The document's sculpt layers in their order. Names and mutes are changed through the session, as
-/// steps of undo.
+/// Item model of the document's sculpt layers in their order. Names and mutes are changed through
+/// the session, as steps of undo.
 class LayerListModel : public NumberedListModel {
     Q_OBJECT
 

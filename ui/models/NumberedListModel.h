@@ -12,8 +12,8 @@ namespace ui {
 
 class Workspace;
 
-/// A list of the document whose members are known by number, in its order: what the lists of sculpt
-/// layers and of pieces have in common. Members are changed through the session, as steps of undo.
+/// Base of item models for lists of the document whose members have numbers: sculpt layers and
+/// pieces. Members are changed through the session, as steps of undo.
 class NumberedListModel : public QAbstractListModel {
     Q_OBJECT
 
@@ -26,17 +26,18 @@ protected:
     NumberedListModel(Workspace& workspace, QObject* parent);
 
     [[nodiscard]] virtual std::vector<int> numbers(const core::Document& document) const = 0;
-    /// Reads the list again: a reset where it has other members, else all of them may have changed.
+    /// Reads the list again. If its members have changed this is a model reset, else all data may
+    /// have changed.
     void refresh();
-    /// 0: there is no such row, or no session.
+    /// 0 if there is no such row, or no session.
     [[nodiscard]] int numberAt(const QModelIndex& index) const;
-    /// @return whether it was carried out; what was wrong has been said
+    /// @return whether the edit was carried out; an error was reported to the user
     bool apply(const core::Edit& edit);
 
     Workspace& m_workspace;
 
 private:
-    std::vector<int> m_numbers; ///< what the views were last told
+    std::vector<int> m_numbers; ///< numbers that the views were last told
 };
 
 } // namespace ui

@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// The document's pieces. Names are changed through the session, as steps of undo; visibility is
-/// display state.
+/// Item model of the document's pieces. Names are changed through the session, as steps of undo;
+/// visibility is display state.
 class PieceListModel : public NumberedListModel {
     Q_OBJECT
 

@@ -9,8 +9,8 @@ namespace ui {
 
 class Workspace;
 
-/// The document's segments in their order. Names, colours and codes are changed through the
-/// session, as steps of undo; visibility is not one.
+/// Item model of the document's segments in their order. Names, colours and codes are changed
+/// through the session, as steps of undo; visibility is display state.
 class SegmentListModel : public QAbstractListModel {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
         VolumeRole, ///< QString: "9.8 mL", "—" while empty
         CodeRole, ///< QStringList {scheme, value, meaning}, empty if not coded; can be set
         CodeTextRole, ///< QString: the meaning, or "not coded yet"
-        UnwrittenRole, ///< bool: its surface is another by now, and was not written back
+        UnwrittenRole, ///< bool: its surface was changed and not written back
         ActiveRole, ///< bool
     };
 

@@ -11,8 +11,8 @@ class QPainter;
 
 namespace ui {
 
-/// The texts in the four corners of a view, line by line from the edge of the screen inwards where
-/// they are at the bottom and downwards where they are at the top.
+/// The texts in the four corners of a view. Each list of lines starts at the edge of the view:
+/// upper lists run downwards, lower ones upwards.
 struct CornerTexts {
     QString title;
     QColor titleColour;
@@ -23,20 +23,22 @@ struct CornerTexts {
 };
 void paintCorners(QPainter& painter, const QRect& view, const CornerTexts& texts);
 
-/// Orientation letters at the middle of the four edges of a picture.
+/// Draws orientation letters at the middle of the four edges of a picture.
 void paintEdgeLetters(
     QPainter& painter, const QRect& view, const glm::dvec3& rightLps, const glm::dvec3& downLps);
 
-/// A bar of a round length, right-aligned, its lower end at @p baseline.
+/// Draws a scale bar of a round length, right-aligned, its lower end at @p baseline.
 void paintScaleBar(QPainter& painter, const QRect& view, int baseline, double mmPerPixel);
-/// The longest of 1, 2 or 5 times a power of ten that fits, in millimetres.
+/// The length of the scale bar in millimetres: the longest of 1, 2 or 5 times a power of ten that
+/// fits.
 [[nodiscard]] double scaleBarLengthMm(double mmPerPixel, double maximumPixels);
 
-/// Dashed lines through @p centre, open in the middle so that they never cover what they mark.
+/// Draws dashed lines through @p centre, with a gap in the middle so that they never cover what
+/// they mark.
 void paintCrosshair(QPainter& painter, const QRect& view, const QPointF& centre,
     const QColor& horizontal, const QColor& vertical);
 
-/// Text that stays readable on any picture.
+/// Draws text that stays readable on any picture.
 void paintText(
     QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& colour);
 

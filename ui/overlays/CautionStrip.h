@@ -10,12 +10,12 @@ class QPainter;
 
 namespace ui {
 
-/// What is wrong with the geometry, all of it, in one line.
+/// All problems of the volume's geometry, in one line.
 [[nodiscard]] QString cautionText(const core::Volume& volume);
 
-/// The bar across a view whose volume must not be measured without thought: one line below the
-/// upper corner texts, so that it hides neither letters nor middle. The bar above the views and the
-/// series doctor say the rest.
+/// Draws a strip across a view whose volume must not be measured without caution: one line below
+/// the upper corner texts, so that it covers neither letters nor the middle. The bar above the
+/// views and the series doctor tell the details.
 void paintCautionStrip(QPainter& painter, const QRect& view, const core::Volume& volume);
 
 } // namespace ui

@@ -13,28 +13,29 @@ class QPainter;
 
 namespace ui {
 
-/// Lines of a clip region over pictures that do not obey it: where its box and its planes meet a
-/// slice, thin; a tick points to what a plane hides. Nothing where nothing is on.
+/// Draws the outline of a clip region over a slice, which is not clipped: thin lines where its box
+/// and planes meet the slice, with a tick to the side that a plane hides. Draws nothing if nothing
+/// is on.
 void paintClipSection(QPainter& painter, const ViewContext& slice, const core::ClipRegion& clip,
     const core::VolumeGeometry& geometry);
 
-/// Where a box along the volume's axes meets a slice.
+/// Draws where a box along the volume's axes meets a slice.
 void paintBoxSection(QPainter& painter, const ViewContext& slice, const core::ClipRegion::Box& box,
     const core::VolumeGeometry& geometry, const QColor& colour);
 
-/// A box in a 3D view: the edges towards the viewer bright, those behind faint. Drawn whether the
-/// box is on or not.
+/// Draws a box in a 3D view: the edges towards the viewer bright, the others faint. The box need
+/// not be on.
 void paintBox(QPainter& painter, const ViewContext& view, const core::ClipRegion::Box& box,
     const core::VolumeGeometry& geometry, const QColor& colour);
-/// In the colour of clip boxes.
+/// The same in the colour of clip boxes.
 void paintClipBox(QPainter& painter, const ViewContext& view, const core::ClipRegion::Box& box,
     const core::VolumeGeometry& geometry);
 
-/// The planes that are on, in a 3D view, as far as the volume reaches.
+/// Draws the planes that are on in a 3D view, cut to the volume.
 void paintClipPlanes(QPainter& painter, const ViewContext& view, const core::ClipRegion& clip,
     const core::VolumeGeometry& geometry);
 
-/// A polygon of the patient in pixels.
+/// Converts a polygon in the patient to pixels of the view.
 [[nodiscard]] QPolygonF toPixels(
     const std::vector<glm::dvec3>& polygonLps, const ViewContext& view);
 

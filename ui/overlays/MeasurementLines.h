@@ -10,12 +10,12 @@ namespace ui {
 
 class Workspace;
 
-/// A distance as a line with its length.
+/// Draws a distance as a line with its length.
 void paintMeasurement(
     QPainter& painter, const ViewContext& view, const QPointF& from, const QPointF& to, double mm);
 
-/// The measurements of the document: on a slice those that lie in it, to a voxel; in 3D all, those
-/// on a piece where that is shown.
+/// Draws the measurements of the document: in a slice those that lie in it, to within a voxel; in a
+/// 3D view all of them, those on a piece where that piece is shown.
 void paintMeasurements(QPainter& painter, const ViewContext& view, const Workspace& workspace);
 
 /// "34.2 mm".

@@ -11,14 +11,15 @@ class QPainter;
 
 namespace ui {
 
-/// The little cube that shows how the patient lies in a 3D view; its faces bear their letters.
+/// The small cube that shows the orientation of the patient in a 3D view, with orientation letters
+/// on its faces.
 class OrientationCube {
 public:
     /// @param centre and @param edge in pixels
     OrientationCube(const Camera& camera, const QPointF& centre, double edge);
 
     void paint(QPainter& painter) const;
-    /// The side of the patient (outward direction) whose face is at a pixel.
+    /// The side of the patient (outward direction) whose face is at a pixel; none outside the cube.
     [[nodiscard]] std::optional<glm::dvec3> sideAt(const QPointF& pixel) const;
 
 private:

@@ -9,8 +9,8 @@ namespace ui {
 
 class Workspace;
 
-/// At every shown piece that is not at home: its name, how far it was moved and turned, and its
-/// factor, so that nobody takes it for where it is.
+/// Draws a badge at every shown piece that is not at its true place: its name, how far it was moved
+/// and turned, and its zoom, so that nobody takes the shown place for the true one.
 void paintPieceBadges(QPainter& painter, const ViewContext& view, const Workspace& workspace);
 
 } // namespace ui

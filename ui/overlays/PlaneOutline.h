@@ -12,12 +12,12 @@ namespace ui {
 
 class CuttingPlane;
 
-/// Where the cutting plane meets a slice, within the volume: both ends, LPS. None: it does not, or
-/// lies in it, or is hidden.
+/// The two ends (LPS) of the line where the cutting plane meets a slice, within the volume. None if
+/// it does not meet it, lies in it, or is hidden.
 [[nodiscard]] std::optional<std::pair<glm::dvec3, glm::dvec3>> planeLine(
     const ViewContext& slice, const CuttingPlane& plane);
 
-/// That line, with ticks to the side that is above the plane; nothing where there is none.
+/// Draws that line, with ticks to the side above the plane.
 void paintPlaneLine(QPainter& painter, const ViewContext& slice, const CuttingPlane& plane);
 
 } // namespace ui

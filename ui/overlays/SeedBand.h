@@ -16,25 +16,27 @@ namespace ui {
 
 class Workspace;
 
-/// Which values strokes of seeds let in together. Modality units, both ends inclusive.
+/// The ranges of values that the strokes of seeds allow together, in modality units, both ends
+/// inclusive.
 struct SeedStretches {
     using Stretch = std::pair<double, double>;
-    std::vector<Stretch> values{}; ///< ascending, apart from each other; none: no value at all
-    std::optional<Stretch> newest{}; ///< of the stroke sketched last, where it is not the only one
+    std::vector<Stretch> values{}; ///< ascending, not overlapping; empty if no value qualifies
+    std::optional<Stretch> newest{}; ///< the range of the latest stroke, if it is not the only one
     int strokes = 0;
-    bool others = false; ///< besides them seeds that belong to none, as painted ones
+    bool others = false; ///< there are also seeds that belong to no stroke, such as painted ones
     bool operator==(const SeedStretches&) const = default;
 };
 
-/// To which values the seeds of the active segment would narrow the next growth's interval (mean ±
-/// k σ of each stroke), as the engine itself would: it follows seeds, interval, k and segment.
+/// The values to which the seeds of the active segment would narrow the interval of the next growth
+/// (mean ± k σ of each stroke), computed by the engine with the growth's own rule. It follows
+/// seeds, interval, k and segment.
 class SeedBand : public QObject {
     Q_OBJECT
 
 public:
     explicit SeedBand(Workspace& workspace, QObject* parent = nullptr);
 
-    /// None where it is off or nothing lies around seeds.
+    /// None if the limit is off or there are no values around seeds.
     [[nodiscard]] const std::optional<SeedStretches>& stretches() const { return m_stretches; }
 
 Q_SIGNALS:
@@ -48,8 +50,8 @@ private:
 
     Workspace& m_workspace;
     std::optional<SeedStretches> m_stretches;
-    bool m_waiting = false; ///< for an answer
-    bool m_stale = false; ///< ask once more when it is there
+    bool m_waiting = false; ///< waits for an answer
+    bool m_stale = false; ///< ask again after the answer
 };
 
 } // namespace ui

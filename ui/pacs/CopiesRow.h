@@ -12,19 +12,20 @@ class QSpinBox;
 
 namespace ui {
 
-/// How much room local copies take and may take, and a button that removes them.
+/// Shows how much disk space the downloaded copies take and may take, with a button that removes
+/// them.
 class CopiesRow : public QWidget {
     Q_OBJECT
 
 public:
     explicit CopiesRow(const core::DownloadCache& cache, QWidget* parent = nullptr);
 
-    /// Counts anew, beside the GUI thread.
+    /// Counts the copies again, on another thread.
     void count();
     void setClearable(bool clearable);
 
 Q_SIGNALS:
-    /// @param someStay those of what is open
+    /// @param someStay whether copies that are in use were kept
     void cleared(int removed, bool someStay);
 
 private:

@@ -11,8 +11,9 @@
 
 namespace ui {
 
-/// What a source holds: studies that open to their series, which are fetched then. The newest come
-/// first; a click on a column's head orders the studies by it, series keep the source's order.
+/// The result of a search at a source: studies, which can be expanded to their series; series are
+/// requested on expansion. The newest studies come first; a click on a column header sorts the
+/// studies by it, while series keep the source's order.
 class HitsTree : public QTreeWidget {
     Q_OBJECT
 
@@ -28,14 +29,15 @@ public:
 
     void showStudies(const std::vector<core::StudyHit>& studies);
     void showSeries(const QString& studyUid, const std::vector<core::SeriesHit>& series);
-    /// In place of series that could not be had.
+    /// Shows a sentence in place of series that could not be obtained.
     void showTrouble(const QString& studyUid, const QString& sentence);
-    /// Marks what is here already. @param isHere asked for each row
+    /// Marks what has been downloaded already.
+    /// @param isHere called for each row
     void markHere(const std::function<bool(const Choice&)>& isHere);
     [[nodiscard]] std::optional<Choice> chosen() const;
 
 Q_SIGNALS:
-    /// A study was opened whose series are not known yet.
+    /// A study was expanded whose series are not known yet.
     void seriesAsked(const QString& studyUid);
     void choiceChanged();
     void openAsked();
@@ -44,8 +46,8 @@ private:
     [[nodiscard]] std::optional<Choice> choiceOf(const QTreeWidgetItem* item) const;
     [[nodiscard]] QTreeWidgetItem* rowOf(const QString& studyUid) const;
 
-    std::vector<core::StudyHit> m_studies; ///< in the source's order; rows know their place in it
-    std::vector<std::vector<core::SeriesHit>> m_series; ///< of each, as far as they are known
+    std::vector<core::StudyHit> m_studies; ///< in the source's order; rows store their index in it
+    std::vector<std::vector<core::SeriesHit>> m_series; ///< series of each study, as far as known
 };
 
 } // namespace ui

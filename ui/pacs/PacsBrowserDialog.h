@@ -22,8 +22,8 @@ class SearchForm;
 class SeriesPreview;
 class StateLine;
 
-/// Studies at a source: looks for them, shows a picture of a series, downloads into the local
-/// copies, opens. All that waits for a network or a disk does so beside the GUI thread.
+/// Browses the studies of a PACS source: searches, shows a picture of a series, downloads into the
+/// local copies, and opens. Everything that waits for a network or a disk runs on other threads.
 class PacsBrowserDialog : public QDialog {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ public:
     ~PacsBrowserDialog() override;
 
 Q_SIGNALS:
-    /// A folder with what was chosen, whole.
+    /// The folder that holds the complete chosen study or series.
     void openAsked(const QString& folder);
 
 private:
@@ -50,7 +50,8 @@ private:
     void showCopies();
     void markCopies();
     [[nodiscard]] QString pathOf(const HitsTree::Choice& choice) const;
-    /// The copy that holds it: its own, or its study's. Empty: none.
+    /// The folder of the local copy that holds the choice: its own, or its study's. Empty if there
+    /// is none.
     [[nodiscard]] QString copyOf(const HitsTree::Choice& choice) const;
     void reject() override;
 

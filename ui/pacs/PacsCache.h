@@ -10,7 +10,7 @@ namespace ui {
 
 class Workspace;
 
-/// Where downloads of the window are kept, and how much of them: settings of the user's.
+/// The local copies of downloads, and how much disk space they may take: settings of the user.
 [[nodiscard]] core::DownloadCache pacsCache();
 constexpr int usualCacheGibibytes = 20;
 [[nodiscard]] int cacheGibibytes();
@@ -20,7 +20,7 @@ void setCacheGibibytes(int gibibytes);
 /// "812 MB", "1.4 GB"
 [[nodiscard]] QString bytesText(qint64 bytes);
 
-/// Keeps the download that the open study came from while it is open.
+/// Protects the copy that the open study came from against removal while it is open.
 class CacheHolder : public QObject {
     Q_OBJECT
 

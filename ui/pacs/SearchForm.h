@@ -11,17 +11,17 @@ class QPushButton;
 
 namespace ui {
 
-/// What to look for at a source: patient, dates, kind, number, description.
+/// The fields of a search at a source: patient, dates, modality, accession number, description.
 class SearchForm : public QWidget {
     Q_OBJECT
 
 public:
     explicit SearchForm(QWidget* parent = nullptr);
 
-    /// As the fields say. A name, number or text is looked for at the beginning unless it says
-    /// otherwise by `*`.
+    /// The search filter of the fields. A name, number or text matches at the beginning, unless the
+    /// user writes `*`.
     [[nodiscard]] core::StudyFilter filter() const;
-    /// Why it cannot be asked for; empty: it can.
+    /// Why the fields cannot be searched for; empty if they can.
     [[nodiscard]] QString problem() const;
 
 Q_SIGNALS:

@@ -17,7 +17,7 @@ class QPushButton;
 namespace ui {
 
 class StateLine;
-/// Stores files at one of the sources: C-STORE or STOW-RS, as it speaks.
+/// Sends files to one of the sources, by C-STORE or STOW-RS, whichever the source uses.
 class SendDialog : public QDialog {
     Q_OBJECT
 

@@ -16,8 +16,8 @@ class QLabel;
 
 namespace ui {
 
-/// Beside the hits: the middle of the series that is chosen, and whose it is. Asks for the picture
-/// once a choice has stood for a moment.
+/// Shows, beside the search results, the middle picture of the chosen series, and which patient it
+/// belongs to. It requests the picture once a choice has been unchanged for a moment.
 class SeriesPreview : public QWidget {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
 
     /// @param source where the hits come from
     void showChoice(const std::optional<HitsTree::Choice>& choice, const core::PacsSource& source);
-    /// What is on its way is not waited for.
+    /// Drops the picture that is being fetched.
     void stop();
 
 private:

@@ -18,7 +18,8 @@ class QSpinBox;
 namespace ui {
 
 class StateLine;
-/// The list of named sources: adds, changes, tries and removes them. OK keeps them (PacsSources.h).
+/// Edits the list of named sources: adds, changes, tests and removes them. OK saves them
+/// (PacsSources.h).
 class SourcesDialog : public QDialog {
     Q_OBJECT
 
@@ -28,7 +29,7 @@ public:
 private:
     QLineEdit* field(
         QFormLayout& form, const char* name, const QString& label, const QString& says);
-    /// A button in the field that looks for a file.
+    /// Adds a button to the field that opens a file dialog.
     void offerFiles(QLineEdit& edit);
     void add();
     void remove();
@@ -37,7 +38,7 @@ private:
     void showKind();
     void test();
     void keep();
-    /// What the fields say. InvalidField.
+    /// The source that the fields describe. Errors: InvalidField.
     [[nodiscard]] core::Result<core::PacsSource> source() const;
 
     std::vector<core::PacsSource> m_sources;

@@ -18,13 +18,13 @@ namespace ui {
 class VolumeView;
 class Workspace;
 
-/// What the 3D view shows of the volume without anything being carved: a box, up to three planes,
-/// and how cut faces look. Nothing here is a step of undo.
+/// Limits what the 3D view shows without carving anything: by a box and up to three planes, with a
+/// choice of how cut faces look. Nothing here is a step of undo.
 class ClippingPanel : public Panel {
     Q_OBJECT
 
 public:
-    /// @param view whose camera planes face
+    /// @param view the 3D view whose camera a new plane faces
     ClippingPanel(Workspace& workspace, VolumeView& view, QWidget* parent = nullptr);
 
     [[nodiscard]] QString title() const override;
@@ -47,7 +47,7 @@ private:
     void takeBox(bool on);
     void takeAxis(int axis, double lower, double upper);
     void takeOffset(std::size_t row, double offsetMm);
-    /// Through the crosshair, hiding what lies before it.
+    /// Places a plane through the crosshair; it hides what lies in front of it.
     void place(std::size_t row);
     void change(std::size_t row, const core::ClipPlane& plane);
     void reset();

@@ -13,18 +13,18 @@ class QLabel;
 
 namespace ui {
 
-/// One finding of the series doctor: what was found, and what can be done about it as choices, the
-/// first of which is to leave it as it is.
+/// Shows one finding of the series doctor: what was found, and a choice of repairs, the first of
+/// which is to leave it as it is.
 class FindingBox : public QFrame {
     Q_OBJECT
 
 public:
-    /// @param canChoose whether the study is at hand, so that another choice can be opened
+    /// @param canChoose whether the study is available, so that another choice can be opened
     FindingBox(const core::SeriesFinding& finding, bool canChoose, QWidget* parent = nullptr);
 
-    /// Null: as it is.
+    /// The chosen repair; null for none.
     [[nodiscard]] const core::RepairOffer* chosen() const;
-    /// 0: as it is; the offers follow.
+    /// Chooses: 0 for none, n for the n-th repair.
     void choose(int choice);
 
 Q_SIGNALS:
@@ -37,8 +37,8 @@ private:
 
     core::SeriesFinding m_finding;
     int m_choice = 0;
-    QButtonGroup* m_buttons = nullptr; ///< of few offers
-    QComboBox* m_list = nullptr; ///< of many
+    QButtonGroup* m_buttons = nullptr; ///< used for few repairs
+    QComboBox* m_list = nullptr; ///< used for many
     QLabel* m_effect = nullptr;
 };
 

@@ -16,9 +16,9 @@ namespace ui {
 class FindingBox;
 class Workspace;
 
-/// What was found about the open series, and what can be done about it on opening it anew: its
-/// files stay as they are, and every choice can be taken back. Of a series in time also which point
-/// is open. There only while there is something to say.
+/// The series doctor: shows what was found in the open series, and repairs with which it can be
+/// opened again. The files stay as they are, and every choice can be taken back. For a time series
+/// it also chooses the point in time. Hidden while there is nothing to say.
 class SeriesDoctorPanel : public Panel {
     Q_OBJECT
 
@@ -31,8 +31,8 @@ public:
     [[nodiscard]] bool hasSomething() const override;
 
 Q_SIGNALS:
-    /// Another choice is to be opened in place of what is open. @param series as loadVolume() takes
-    /// it
+    /// The user wants to open the series with another choice.
+    /// @param series as loadVolume() takes it
     void reopenAsked(const QString& path, const QString& series);
 
 private:
@@ -42,9 +42,9 @@ private:
     void showTimes();
     void apply();
     void openTime();
-    /// Another stack that was chosen; null: none.
+    /// The other stack that was chosen; null if none was.
     [[nodiscard]] const core::RepairOffer* otherStack() const;
-    /// All that was chosen, as `--repair` takes it.
+    /// All chosen repairs, as `--repair` takes them.
     [[nodiscard]] QString chosenRepair() const;
 
     Workspace& m_workspace;

@@ -14,8 +14,8 @@ namespace ui {
 class TransferFunctionEditor;
 class Workspace;
 
-/// How the volume is shown: render mode with its threshold or transfer function, and window
-/// presets. Nothing here is a step of undo.
+/// Sets how the volume is shown: the render mode with its threshold or transfer function, and
+/// window presets. Nothing here is a step of undo.
 class VolumePanel : public Panel {
     Q_OBJECT
 

@@ -5,7 +5,7 @@
 
 namespace ui {
 
-/// The report as one page of HTML that needs no other file; printed, it keeps rows whole.
+/// The audit report as one self-contained HTML page; when it is printed rows are not broken.
 [[nodiscard]] QString auditHtml(const AuditTexts& texts);
 
 } // namespace ui

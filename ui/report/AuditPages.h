@@ -13,10 +13,11 @@ class QPainter;
 
 namespace ui {
 
-/// The report laid out on paper. What belongs together (a row of the table, a row of pictures)
-/// stands whole on one page; the table's head is repeated; every page has its number.
+/// The audit report laid out on paper. What belongs together (a row of the table, a row of
+/// pictures) is not broken across pages; the table's header is repeated; every page has its number.
 ///
-/// Fonts are needed, no window: any thread, any paint device of the given size.
+/// It needs fonts but no window, so it may be used on any thread and for any paint device of the
+/// given size.
 class AuditPages {
 public:
     /// @param sizePixels a whole page of A4
@@ -25,19 +26,19 @@ public:
     [[nodiscard]] int count() const { return m_count; }
     void paint(QPainter& painter, int page) const;
 
-    /// Where each row of the table lies, in order, in pixels.
+    /// The place of each row of the table, in order, in pixels.
     struct Place {
         int page = 0;
         QRectF box;
     };
     [[nodiscard]] std::vector<Place> stepPlaces() const;
-    /// What is left for them between header and footer.
+    /// The area between header and footer.
     [[nodiscard]] QRectF contentBox() const;
 
 private:
     struct Block {
         double height = 0.0;
-        double spaceBefore = 0.0; ///< not at the top of a page
+        double spaceBefore = 0.0; ///< left out at the top of a page
         std::function<void(QPainter&, double top)> paint;
         bool isStep = false;
         bool keepWithNext = false;

@@ -12,17 +12,17 @@ namespace ui {
 
 class Workspace;
 
-/// Writes audit reports of the open session beside the window's work: the session's file is read on
-/// its own thread, the report is laid out on another. One at a time.
+/// Writes audit reports of the open session while the user goes on working: the session's file is
+/// read on its own thread, the report is laid out on another. One report at a time.
 class AuditSaver : public QObject {
     Q_OBJECT
 
 public:
     AuditSaver(Workspace& workspace, QWidget* window);
 
-    /// Asks where to.
+    /// Asks for a file and saves.
     void ask();
-    /// @param path replaced if it is there: whoever chose it was asked
+    /// @param path is replaced if it exists; the user has agreed to that
     void save(const QString& path);
 
 Q_SIGNALS:

@@ -9,7 +9,7 @@
 
 namespace ui {
 
-/// What an audit report says, in words, for whatever it is printed on.
+/// The texts of an audit report, independent of the output format.
 struct AuditTexts {
     struct Fact {
         QString name;
@@ -23,7 +23,7 @@ struct AuditTexts {
         QString what;
         QString note; ///< "undone", "old future, behind step 5"; empty: it stands
         QString howMuch;
-        QString hash; ///< its first digits
+        QString hash; ///< the first digits of the hash
         bool stands = true;
     };
     struct Picture {

@@ -13,7 +13,8 @@ class QPainter;
 
 namespace ui {
 
-/// Words set in a column of paper: broken at words, and inside those that are longer than a line.
+/// A text set in a column on paper: lines break between words, or inside words that are longer than
+/// a line.
 class PaperText {
 public:
     struct Style {
@@ -24,7 +25,8 @@ public:
         Qt::Alignment alignment = Qt::AlignLeft;
     };
 
-    /// @param width pixels, @param pixelsPerPoint of the paper
+    /// @param width in pixels
+    /// @param pixelsPerPoint of the paper
     PaperText(const QString& text, double width, double pixelsPerPoint, const Style& style);
 
     [[nodiscard]] double height() const { return m_height; }

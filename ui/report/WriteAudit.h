@@ -8,11 +8,11 @@
 
 namespace ui {
 
-/// Why a report cannot have this name; empty if it can: it ends in .html, .htm or .pdf.
+/// Why a report cannot have this file name; empty if it can. It must end in .html, .htm or .pdf.
 [[nodiscard]] QString auditNameProblem(const QString& path);
 
-/// Writes the report; the file is there once it is whole. Fonts are needed for .pdf, no window; any
-/// thread. Errors: FileExists (unless @p replaceExisting), FileUnwritable.
+/// Writes the report; the file appears only when it is complete. For .pdf fonts are needed, but no
+/// window; any thread. Errors: FileExists (unless @p replaceExisting), FileUnwritable.
 [[nodiscard]] core::Result<void> writeAudit(
     const core::AuditReport& report, const QString& path, bool replaceExisting);
 

@@ -10,14 +10,14 @@
 
 namespace ui {
 
-/// What a window makes of a division once: the chunks of the finest one ("leaves") by voxel, how
-/// large they are, and which of them touch. Of any thread; nothing changes afterwards.
+/// Data about a division into chunks that the window computes once: the chunks of its finest level
+/// ("leaves") by voxel, their sizes, and which of them touch. Immutable; may be used on any thread.
 struct ChunkLeaves {
-    /// Cost: some passes over the box.
+    /// Cost: a few passes over the box.
     explicit ChunkLeaves(std::shared_ptr<const core::ChunkMap> chunks);
 
     std::shared_ptr<const core::ChunkMap> map;
-    /// By voxel of the box, x fastest: leaf + 1; 0: none (gpu::SceneChunks).
+    /// By voxel of the box, x fastest: leaf + 1, or 0 for none (gpu::SceneChunks).
     std::shared_ptr<const std::vector<std::uint16_t>> ofVoxel;
     std::vector<std::uint32_t> voxels; ///< by leaf
     core::ChunkColours colours;

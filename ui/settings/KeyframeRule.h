@@ -11,22 +11,24 @@
 
 namespace ui {
 
-/// When a picture of the work is wanted: after the first step of a session, then after every ten or
-/// with the first one after a minute, and when the session is closed elsewhere than at the last
-/// picture. The window and `burin run` keep to it.
+/// The rule for when a picture (keyframe) of the 3D view is stored in the session: after the first
+/// step, then after every ten steps or with the first step after a minute, and on closing unless
+/// the position is that of the last picture. The window and `burin run` both use it.
 class KeyframeRule {
 public:
     static constexpr int stepsBetween = 10;
     static constexpr qint64 millisecondsBetween = 60'000;
-    /// Pictures fit into it.
+    /// Pictures are scaled to fit this size.
     static constexpr QSize pictureSize{256, 192};
 
-    /// @param rows of the history; @param now milliseconds of a steady clock
+    /// @param rows number of rows in the history
+    /// @param now milliseconds of a steady clock
     void begin(std::size_t rows, core::RowId position, bool anyPicture, qint64 now);
-    /// A step was made. @return whether a picture is due
+    /// To be called after a step.
+    /// @return whether a picture is due
     [[nodiscard]] bool dueAfterStep(std::size_t rows, qint64 now) const;
     [[nodiscard]] bool dueAtEnd(core::RowId position) const;
-    /// A picture of @p row was taken.
+    /// Tells that a picture of @p row was taken.
     void kept(core::RowId row, std::size_t rows, qint64 now);
 
 private:
@@ -36,10 +38,10 @@ private:
     bool m_any = false; ///< the session has a picture
 };
 
-/// Milliseconds of the machine's steady clock.
+/// The machine's steady clock, in milliseconds.
 [[nodiscard]] qint64 steadyMilliseconds();
 
-/// A picture brought to KeyframeRule::pictureSize. Any thread.
+/// A picture scaled to KeyframeRule::pictureSize, as PNG. Any thread.
 [[nodiscard]] QByteArray keyframePng(const QImage& picture);
 
 } // namespace ui

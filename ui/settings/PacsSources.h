@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// The user's named sources of studies, in his order; a setting. Passwords and tokens are none:
-/// those that were typed are known while the program runs.
+/// The user's named sources of studies, in the user's order; a setting. Passwords and tokens are
+/// not stored: those that were typed are known only while the program runs.
 [[nodiscard]] std::vector<core::PacsSource> pacsSources();
 void setPacsSources(const std::vector<core::PacsSource>& sources);
 

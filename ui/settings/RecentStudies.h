@@ -6,17 +6,17 @@
 
 namespace ui {
 
-/// The paths opened last, newest first, across runs; those that are gone are left out. Paths only,
-/// and how far apart the voxels of pictures are, which was given once: whose studies they are is
-/// not kept.
+/// The paths that were opened last, newest first, kept across runs; paths that no longer exist are
+/// left out. Only paths are stored, and the spacing that the user gave for pictures; not whose
+/// studies they are.
 class RecentStudies {
 public:
     static constexpr int kept = 8;
 
     [[nodiscard]] static QStringList paths();
-    /// @param series for core::Study::load(), of pictures whose spacing was given
+    /// @param series argument for core::Study::load(), for pictures whose spacing the user gave
     static void add(const QString& path, const QString& series = {});
-    /// What add() was told of it; empty: nothing.
+    /// The series that add() was given; empty if none.
     [[nodiscard]] static QString seriesOf(const QString& path);
 };
 

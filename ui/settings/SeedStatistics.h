@@ -11,14 +11,15 @@ class EditSession;
 
 namespace ui {
 
-/// The voxels of all seeds of a segment on the history's line up to its position.
+/// The voxels of all seeds of a segment, on the history's line up to its present position.
 [[nodiscard]] std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label);
-/// How many seed voxels were sketched, of all segments, on that line.
+/// The number of seed voxels of all segments that were sketched on that line.
 [[nodiscard]] int sketchedSeeds(const core::EditSession& session);
 
+/// Mean and standard deviation of the values under seeds, in modality units.
 struct SeedStatistics {
     double mean = 0.0;
-    double deviation = 0.0; ///< of the sample; 0 for a single value
+    double deviation = 0.0; ///< standard deviation of the sample; 0 for a single value
 };
 [[nodiscard]] SeedStatistics seedStatistics(const std::vector<double>& values);
 

@@ -17,59 +17,63 @@ struct SessionContents;
 
 namespace ui {
 
-/// Finds and loads volumes beside the GUI thread, one job at a time. Opens nothing by guess: where
-/// a path holds several volumes or points in time it asks, and where a session's study is gone.
+/// Finds and loads volumes on another thread, one job at a time. It never guesses: it asks if a
+/// path holds several volumes or points in time, and if the study of a session is not found.
 class StudyOpener : public QObject {
     Q_OBJECT
 
 public:
     using QObject::QObject;
 
-    /// A session file ends in sessionLoaded() or what openSession() says, anything else in a
-    /// volume.
+    /// Opens a path. A session file leads to sessionLoaded() or to the other signals of
+    /// openSession(), anything else to a volume.
     ///
-    /// @param series a key of StudyListing or a SeriesInstanceUID; empty: the only one there is,
-    /// else choiceNeeded() with the study as it was read; spacingNeeded() for pictures without one
+    /// @param series a key of StudyListing or a SeriesInstanceUID. If it is empty and there is a
+    /// single series, that one is opened; else choiceNeeded() is emitted with the study as it was
+    /// read. spacingNeeded() is emitted for pictures without spacing.
     void open(const QString& path, const QString& series = QString());
-    /// Opens one volume of a study that was read for a choice.
+    /// Opens one volume of a study that was already read for choiceNeeded().
     void open(const std::shared_ptr<const core::Study>& study, const QString& series);
-    /// Checks the session, file untouched, and loads the study that it was made on: from
+    /// Checks the session without changing its file, and loads the study on which it was made: from
     /// @p place, or from where it is found (core/sessionfile/SessionStudy.h).
     void openSession(const QString& sessionFile, const QString& place = QString());
-    /// Runs any other job that ends in a volume (the demonstration study), with the same progress.
+    /// Runs any other job that results in a volume (the demonstration study), with the same
+    /// progress.
     using Job = std::function<core::Result<core::LoadedVolume>(
         const core::Progress&, const core::EarlySliceListener&)>;
     void run(const QString& path, Job job);
-    /// What tells of an outcome, on this thread.
+    /// A function that reports an outcome; called on this object's thread.
     using Tell = std::function<void()>;
-    /// What more an opening takes beside the GUI thread; only while loaded() or sessionLoaded() is
-    /// told, by who is told. It is the same opening still: busy(), its first slice stays, and
-    /// finished() follows what @p work returns. When called off, that is dropped.
+    /// Continues the opening with more work on the other thread. Call it only while loaded() or
+    /// sessionLoaded() is emitted, from a receiver. It still counts as the same opening: busy()
+    /// stays true, its first slice stays, and finished() is emitted after what @p work returns was
+    /// called. If the opening is cancelled, that is not called.
     void goOn(const QString& step, std::function<Tell()> work);
     void cancel();
-    /// Cancels and waits, as the destructor does; tells nobody, now or later: the program ends.
+    /// Cancels and waits, as the destructor does, and reports nothing, now or later: the program
+    /// ends.
     void abandon();
     [[nodiscard]] bool busy() const { return m_task.running(); }
 
 Q_SIGNALS:
     void started(const QString& path);
     void progressed(const QString& step, int done, int total);
-    /// The first that there is to see of a volume; whether it will open is not known yet. Not told
-    /// of sessions, whose views are to stand where they were left.
+    /// The first slice of a volume that is ready; whether the volume will open is not known yet.
+    /// Not emitted for sessions, whose views are restored to where they were.
     void sliceReady(const std::shared_ptr<const core::EarlySlice>& early);
     void choiceNeeded(const std::shared_ptr<const core::Study>& study);
-    /// Pictures that do not say how far apart their voxels are: open() takes @p series with the
-    /// spacing behind it (core::withRepair()).
+    /// The spacing of pictures is not known: open() takes @p series with the spacing appended
+    /// (core::withRepair()).
     void spacingNeeded(const std::shared_ptr<const core::Study>& study, const QString& series);
     void loaded(const std::shared_ptr<core::LoadedVolume>& volume, const QString& path);
-    /// @p contents is what is sound of the session, and the volume is the one it was made on.
+    /// @p contents is the sound part of the session; the volume is the one on which it was made.
     void sessionLoaded(const std::shared_ptr<core::LoadedVolume>& volume,
         const QString& sessionFile, const std::shared_ptr<const core::SessionContents>& contents);
-    /// The session can be opened, but its study is not where it was looked for: somebody must know.
+    /// The session can be opened, but its study was not found: the user has to say where it is.
     void sessionStudyNeeded(
         const QString& sessionFile, const QString& format, const core::Error& why);
-    void failed(const core::Error& error); ///< not told when cancelled
-    /// After any of the above and what goOn() adds, or cancelled.
+    void failed(const core::Error& error); ///< not emitted after cancelling
+    /// After any of the above and the work of goOn(), or after cancelling.
     void finished();
 
 private:
@@ -77,7 +81,7 @@ private:
         std::function<Tell(const core::Progress&, const core::EarlySliceListener&)> work);
     void take(const core::Result<Tell>& outcome);
 
-    core::Background::Task m_task; ///< what is under way
+    core::Background::Task m_task; ///< the running task
     core::Background m_background; ///< last: it uses all of the above
 };
 

@@ -10,17 +10,18 @@
 
 namespace ui {
 
-/// A way to see through a volume, with a name.
+/// A named transfer function.
 struct TransferPreset {
     QString name;
     gpu::TransferFunction function;
 };
 
-/// What a volume starts with comes first. Bone, skin and vessels in HU for CT; for everything else
-/// ramps over the values that the bulk of the voxels hold, so that they suit any scale.
+/// The presets for a volume; the first is its initial one. For CT they show bone, skin and vessels
+/// in HU; for everything else they are ramps over the values that most voxels have, so that they
+/// suit any scale.
 [[nodiscard]] std::vector<TransferPreset> transferPresets(const core::Volume& volume);
 
-/// The value below which @p share of the voxels lie, after the histogram.
+/// The value below which @p share (0 … 1) of the voxels lie, by the histogram.
 [[nodiscard]] double quantile(const core::Histogram& histogram, double share);
 
 } // namespace ui

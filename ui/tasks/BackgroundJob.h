@@ -9,29 +9,30 @@
 
 namespace ui {
 
-/// One piece of work at a time beside the GUI thread, which never waits for it. What is begun anew
-/// calls off what was under way, whose outcome nobody hears of.
+/// Runs one piece of work at a time on another thread; the GUI thread never waits for it. Starting
+/// a new one cancels the one under way, whose outcome is dropped.
 class BackgroundJob : public QObject {
     Q_OBJECT
 
 public:
-    /// Called on a thread of its own. @return what is done with the outcome, on the GUI thread
+    /// Called on another thread.
+    /// @return a function that is called with the outcome on the GUI thread
     using Work = std::function<std::function<void()>(const core::Progress&)>;
 
     using Failed = std::function<void(const core::Error&)>;
 
     explicit BackgroundJob(QObject* parent = nullptr);
-    /// Calls off; waits for nothing. The program's end does, for all of them.
+    /// Cancels without waiting. All such work is waited for when the program ends.
     ~BackgroundJob() override;
 
-    /// @param failed told what @p work has thrown, on the GUI thread
+    /// @param failed called on the GUI thread with what @p work has thrown
     void start(Work work, Failed failed);
     void cancel();
     [[nodiscard]] bool running() const { return m_task.running(); }
 
 Q_SIGNALS:
     void progressed(const QString& step, int done, int total);
-    /// Behind the outcome, or called off.
+    /// Emitted after the outcome was delivered, or after cancelling.
     void ended();
 
 private:

@@ -11,8 +11,8 @@
 
 namespace ui {
 
-/// One export on a thread of its own: it holds copies of all it needs, so the study may be edited
-/// or closed meanwhile. Destroying it cancels and waits.
+/// Runs one export on another thread. It holds copies of all it needs, so the study may be edited
+/// or closed meanwhile. The destructor cancels and waits.
 class ExportJob : public QObject {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
 
     /// @param write called on the job's thread; owns all it needs
     void start(std::function<core::Result<core::ExportReport>(const core::Progress&)> write);
-    /// It ends soon, and tells how: the file may be there by then.
+    /// Asks it to end early. The outcome is still reported: the file may already be complete.
     void cancel() { m_task.stop(); }
     [[nodiscard]] bool running() const { return m_task.running(); }
 

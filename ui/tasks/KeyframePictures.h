@@ -13,18 +13,18 @@ namespace ui {
 
 class Workspace;
 
-/// The keyframes of the open session as pictures: fetched from its file when they are first asked
-/// for, the last ones kept in memory. Never waits.
+/// The keyframes of the open session as pictures. They are fetched from the session's file when
+/// they are first requested; the latest ones are kept in memory. Never waits.
 class KeyframePictures : public QObject {
     Q_OBJECT
 
 public:
     explicit KeyframePictures(Workspace& workspace, QObject* parent = nullptr);
 
-    /// The row on @p line whose picture is nearest to that of place @p lineIndex, the earlier of
-    /// two; −1: none has one.
+    /// The row on @p line that has a picture and is nearest to index @p lineIndex, the earlier one
+    /// of two; −1 if none has one.
     [[nodiscard]] core::RowId nearest(const std::vector<core::RowId>& line, int lineIndex) const;
-    /// Null while it is fetched, or where it cannot be read.
+    /// The picture of a row; null while it is fetched, or if it cannot be read.
     [[nodiscard]] QImage picture(core::RowId row);
 
 Q_SIGNALS:
@@ -36,8 +36,8 @@ private:
 
     Workspace& m_workspace;
     QCache<core::RowId, QImage> m_pictures;
-    std::set<core::RowId> m_asked; ///< and not arrived yet
-    int m_session = 0; ///< counts sessions: what comes late is another's
+    std::set<core::RowId> m_asked; ///< rows requested and not arrived yet
+    int m_session = 0; ///< number of the session; late pictures of an earlier one are dropped
 };
 
 } // namespace ui

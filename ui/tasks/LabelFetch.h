@@ -14,8 +14,8 @@
 
 namespace ui {
 
-/// Label planes, or the coverage of sculpt layers, of a session as they are after all that was
-/// asked of it, read from the engine a portion at a time while the window goes on. GUI thread;
+/// Reads label planes, or the coverage of sculpt layers, from the engine, a portion at a time while
+/// the window goes on, in the state after everything that was requested of the session. GUI thread;
 /// never waits.
 class LabelFetch : public QObject {
     Q_OBJECT
@@ -23,10 +23,11 @@ class LabelFetch : public QObject {
 public:
     using QObject::QObject;
 
-    /// Closes a growth that runs. @param session lives until the fetch ended or was cancelled
+    /// Starts reading; closes a running growth first.
+    /// @param session lives until the fetch has ended or was cancelled
     void start(core::EditSession& session, const std::set<std::uint8_t>& planes,
         core::Field field = core::Field::Labels);
-    /// Nothing is told any more.
+    /// Stops; nothing is reported any more.
     void cancel()
     {
         m_assembling.cancel();
@@ -51,7 +52,7 @@ private:
     void fail(const core::Error& error);
 
     std::shared_ptr<Work> m_work;
-    core::Background m_assembling; ///< last: what it tells comes back to all of the above
+    core::Background m_assembling; ///< last: its results are delivered to all of the above
 };
 
 } // namespace ui

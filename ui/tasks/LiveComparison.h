@@ -16,34 +16,34 @@
 
 namespace ui {
 
-/// How the surface that is being refined, or else the active segment, compares with a segment of a
-/// mask's file that is held for the truth: worked out beside the window's work whenever it has
-/// changed and nothing is under way. The reference is no part of the session. GUI thread.
+/// Compares the surface that is being refined, or else the active segment, with a segment of a
+/// reference mask. It is computed on another thread whenever something has changed and no edit is
+/// under way. The reference is not part of the session. GUI thread.
 class LiveComparison : public QObject {
     Q_OBJECT
 
 public:
     explicit LiveComparison(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Reads a mask of any format beside the window's work; its first segment is the reference
-    /// then.
+    /// Reads a mask of any format on another thread; then its first segment is the reference.
     void read(const QString& path);
     [[nodiscard]] bool isReading() const { return m_reading; }
-    /// Of the file; empty: there is none.
+    /// The reference file; empty if there is none.
     [[nodiscard]] const QString& path() const { return m_path; }
-    [[nodiscard]] QStringList references() const; ///< names
-    /// @param place in references()
+    [[nodiscard]] QStringList references() const; ///< names of the segments in the reference file
+    /// @param place index in references()
     void choose(int place);
     [[nodiscard]] int chosen() const { return m_chosen; } ///< −1: none
 
     struct Outcome {
-        int segment = 0; ///< label of what was compared
-        bool ofSurface = false; ///< the voxels inside its surface, written back or not
+        int segment = 0; ///< label of the segment that was compared
+        /// true: the voxels inside its surface were compared, written back or not
+        bool ofSurface = false;
         core::MaskComparison comparison;
     };
-    /// The last one; none: there is nothing to compare.
+    /// The latest result; none if there is nothing to compare.
     [[nodiscard]] const std::optional<Outcome>& outcome() const { return m_outcome; }
-    /// It is behind what the window shows.
+    /// Whether the result is older than what the window shows.
     [[nodiscard]] bool isBehind() const;
 
 Q_SIGNALS:
@@ -68,9 +68,9 @@ private:
     int m_chosen = -1;
     bool m_reading = false;
     std::optional<Outcome> m_outcome;
-    QTimer m_timer; ///< until things have settled
+    QTimer m_timer; ///< delay after the last change
     LabelFetch m_fetch;
-    Labels m_labels; ///< of the compared segment's plane as they are now; null: not known
+    Labels m_labels; ///< the present label plane of the compared segment; null if not known
     core::Background m_background; ///< last: it uses all of the above
 };
 

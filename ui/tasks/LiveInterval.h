@@ -15,29 +15,29 @@ namespace ui {
 
 class Workspace;
 
-/// Gives the growth that was made last another interval while the user moves its bounds: it follows
-/// at once, and is one step of undo when the bounds are let go. Bounds that come while the growth
-/// is still following are left out but for the last.
+/// Changes the interval of the last growth while the user moves its bounds: the growth follows at
+/// once, and it is one step of undo when the bounds are released. If bounds arrive faster than the
+/// growth can follow, only the latest ones are used.
 class LiveInterval : public QObject {
     Q_OBJECT
 
 public:
     explicit LiveInterval(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Whether something has grown that can follow.
+    /// Whether there is a growth that can follow.
     [[nodiscard]] bool possible() const;
-    /// It follows at present.
+    /// Whether it is following at present.
     [[nodiscard]] bool follows() const { return m_open; }
 
     void move(double lower, double upper);
-    /// The bounds were let go.
+    /// To be called when the bounds are released.
     void settle();
-    /// As if they had never been moved.
+    /// Restores the state before the bounds were moved.
     void cancel();
 
 Q_SIGNALS:
     void progressed();
-    /// Undo, redo or a walk through the history brought back a growth with other bounds.
+    /// Undo, redo or going to another step brought back a growth with other bounds.
     void returned(double lower, double upper);
 
 private:
@@ -48,11 +48,13 @@ private:
     void followHistory();
 
     Workspace& m_workspace;
-    std::optional<std::pair<double, double>> m_wanted; ///< not told to the session yet
-    std::optional<std::pair<double, double>> m_stands; ///< of the growth at the history's position
-    std::size_t m_rows = 0; ///< of the history, when it was looked at last
+    /// Bounds that were not sent to the session yet.
+    std::optional<std::pair<double, double>> m_wanted;
+    /// Bounds of the growth at the history's position.
+    std::optional<std::pair<double, double>> m_stands;
+    std::size_t m_rows = 0; ///< number of history rows when it was last checked
     bool m_open = false;
-    QTimer m_watch; ///< decides what is left out, never what comes of it
+    QTimer m_watch; ///< decides only which bounds are skipped, never the result
     QElapsedTimer m_sinceSent;
 };
 

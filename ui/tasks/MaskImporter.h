@@ -16,31 +16,32 @@ namespace ui {
 
 class Workspace;
 
-/// Of dialogs that ask for a mask's file.
+/// The file filter of dialogs that ask for a mask file.
 [[nodiscard]] QString maskFilter();
 
-/// Brings segments in from a mask's file: it is read beside the window's work, what it holds
-/// becomes one step. One file at a time.
+/// Imports segments from a mask file. The file is read on another thread; its segments become one
+/// step of the history. One file at a time.
 class MaskImporter : public QObject {
     Q_OBJECT
 
 public:
     MaskImporter(Workspace& workspace, QWidget* window);
 
-    /// Asks which file.
+    /// Asks for a file and imports it.
     void ask();
     void import(const QString& path);
     [[nodiscard]] bool busy() const { return m_background.busy(); }
 
-    /// Whether a file that was dropped is rather a mask than a study, by its name or, of a DICOM
-    /// file, by what it says it is. Reads no more than its beginning.
+    /// Whether a dropped file is a mask rather than a study, judged by its name or, for a DICOM
+    /// file, by its SOP class. Reads no more than the beginning of the file.
     [[nodiscard]] static bool looksLikeMask(const QString& path);
 
 Q_SIGNALS:
     void started(const QString& path);
-    /// It stands in the history. @p notes: what was resampled, left out or taken for granted
+    /// The import is in the history.
+    /// @param notes what was resampled, left out or assumed
     void imported(const QString& rowName, const QStringList& notes);
-    /// No voxel was free for it; no step came of it.
+    /// No voxel was free for the segments, so no step was made.
     void nothingTaken(const QString& path);
     void failed(const core::Error& error);
 

@@ -14,17 +14,17 @@ namespace ui {
 
 class Workspace;
 
-/// Parts of the surface that is being refined where a second look may pay (seed B §4.3;
-/// core/refine/fit/SurfaceDoubts.h): looked for beside the window's work, told, never applied. GUI
-/// thread.
+/// Finds parts of the surface that is being refined which may need a second look (seed B §4.3;
+/// core/refine/fit/SurfaceDoubts.h). The search runs on another thread; its results are reported,
+/// never applied. GUI thread.
 class SurfaceDoubts : public QObject {
     Q_OBJECT
 
 public:
     struct Doubt {
         enum class Why {
-            NoEdge, ///< it follows the mask where grey values show no edge
-            OffMask, ///< green or red stands off what the segment holds by now
+            NoEdge, ///< the surface follows the mask where grey values show no edge
+            OffMask, ///< a part marked green or red is away from the present segment
         };
         Why why = Why::NoEdge;
         core::MarkedRegion region;
@@ -32,10 +32,11 @@ public:
 
     explicit SurfaceDoubts(Workspace& workspace, QObject* parent = nullptr);
 
-    /// What was found before goes.
+    /// Starts the search; earlier results are dropped.
     void look();
     [[nodiscard]] bool isLooking() const { return m_job != nullptr; }
-    /// Of either kind the largest first; as the surface was when it was looked at.
+    /// The results, of each kind the largest first, for the surface as it was when the search
+    /// began.
     [[nodiscard]] const std::vector<Doubt>& doubts() const { return m_doubts; }
 
 Q_SIGNALS:

@@ -10,11 +10,12 @@
 
 namespace ui {
 
-/// The middle slice of a volume in its own grey mapping, in true proportions, on black.
+/// The middle slice of a volume with the volume's own window, in true proportions, on black.
+/// @param size side of the square picture, pixels
 [[nodiscard]] QImage thumbnail(const core::LoadedVolume& volume, int size);
 
-/// Makes small pictures of image files, one after the other, beside the GUI thread. What cannot be
-/// read has no picture. Destroyed, it stops after the file at hand.
+/// Makes small pictures of image files, one after the other, on another thread. A file that cannot
+/// be read gets no picture. The destructor stops it after the current file.
 class ThumbnailLoader : public QObject {
     Q_OBJECT
 

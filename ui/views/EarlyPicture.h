@@ -8,12 +8,13 @@
 
 namespace ui {
 
-/// What the engine will draw of a scene, as far as one slice tells it (gpu/render/slice.frag): for
-/// the time until all slices are there. Null where the scene's plane is not that slice.
+/// The picture of a slice that is drawn without the engine (by the rules of gpu/render/slice.frag)
+/// while the other slices of a study are still being loaded. Null if the scene's plane is not that
+/// slice.
 [[nodiscard]] QImage earlyPicture(
     const core::EarlySlice& early, const gpu::SliceScene& scene, const QSize& pixels);
 
-/// Whether a scene's plane is that slice, wherever it crosses the volume.
+/// Whether the plane of a scene is that slice.
 [[nodiscard]] bool showsEarlySlice(const core::EarlySlice& early, const gpu::SliceScene& scene);
 
 } // namespace ui

@@ -10,13 +10,14 @@
 
 namespace ui {
 
-/// Brings finished frames from the engine's thread to the GUI's. Of several frames of one view that
-/// arrive before the GUI looks, the latest wins; one queued call is under way at a time.
+/// Passes finished frames from the engine's thread to the GUI thread. If several frames of one view
+/// arrive before the GUI thread looks, the latest wins; only one queued call is under way at a
+/// time.
 class FrameInbox : public QObject {
     Q_OBJECT
 
 public:
-    /// Becomes the source's listener until it is destroyed.
+    /// Becomes the listener of the source until it is destroyed.
     explicit FrameInbox(gpu::FrameSource& source, QObject* parent = nullptr);
     ~FrameInbox() override;
 

@@ -15,12 +15,12 @@
 
 namespace ui {
 
-/// A picture of the open volume with what is written over it. Asks for frames at device pixels,
-/// shows the last finished one and lays overlays over exactly what that frame shows. What the
-/// pointer does to it and to the tool is ViewPointer's.
+/// A view: a picture of the open volume with annotations over it. It requests frames in device
+/// pixels, shows the latest finished one and draws overlays exactly for what that frame shows. What
+/// the pointer does is handled by ViewPointer.
 ///
-/// While a study is on its way, a view that looks at the slice that is there already shows it, as
-/// the engine will; the others say that they wait.
+/// While a study is being loaded, a view whose plane is the slice that has already arrived shows it
+/// as the engine will; other views show that they wait.
 class ImageView : public QWidget, protected PointedView {
     Q_OBJECT
 
@@ -32,22 +32,22 @@ public:
     [[nodiscard]] virtual QString title() const = 0;
     [[nodiscard]] virtual QColor barColour() const = 0;
 
-    /// What the user has asked to see, in logical pixels.
+    /// The scene that the user wants to see, in logical pixels.
     [[nodiscard]] ViewContext context() const override;
-    /// What the picture on the screen shows; the same once the engine has caught up.
+    /// The scene of the picture on the screen; it equals context() once the engine has caught up.
     [[nodiscard]] ViewContext shownContext() const;
     /// Where the crosshair is drawn.
     [[nodiscard]] QPointF crosshairPixel() const;
     [[nodiscard]] const QImage& picture() const { return m_picture; }
-    /// None until there is a picture of what is asked for.
+    /// The quality of the picture; none until there is a picture of the wanted scene.
     [[nodiscard]] std::optional<gpu::Frame::Quality> quality() const;
 
-    /// Whether frames of that name are this view's.
+    /// Whether frames with that id belong to this view.
     [[nodiscard]] virtual bool takes(gpu::ViewId view) const { return view == m_view; }
     virtual void takeFrame(const gpu::Frame& frame);
-    /// Null: no study is on its way, or nothing of it is there yet.
+    /// Sets the early slice; null if no study is being loaded, or none has arrived yet.
     void showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
-    /// Zoom, pan and camera back to the whole volume.
+    /// Resets zoom, pan and camera to show the whole volume.
     virtual void resetView() = 0;
 
 Q_SIGNALS:
@@ -56,35 +56,35 @@ Q_SIGNALS:
 
 protected:
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
-    /// Null where a volume is open, or none is on its way.
+    /// The early slice; null if a volume is open, or none is being loaded.
     [[nodiscard]] const core::EarlySlice* early() const;
-    /// The open volume, or that of the early slice, or null.
+    /// The open volume, or the volume of the early slice, or null.
     [[nodiscard]] const core::Volume* shownVolume() const;
     [[nodiscard]] bool penOverPicture() const { return m_pointer.position().has_value(); }
     /// The scene in logical pixels.
     [[nodiscard]] virtual gpu::Scene scene() const = 0;
     virtual void paintAnnotations(QPainter& painter, const ViewContext& shown) = 0;
-    /// Of early(), for scene(); null where this view does not look at it.
+    /// The picture of early() for scene(); null if the view's plane is another one.
     [[nodiscard]] virtual QImage earlyPictureOf(const gpu::Scene&, const QSize&) const
     {
         return {};
     }
-    /// What early() says has changed.
+    /// Called when early() has changed.
     virtual void earlySliceChanged() { resetView(); }
 
-    /// What has just been asked for, in device pixels.
+    /// Called with each request, in device pixels.
     virtual void requested(const gpu::FrameRequest&) { }
-    /// The picture as it comes onto the screen, and whether what lies over it can be laid there.
+    /// The picture as it is shown on the screen, and whether overlays can be drawn on it.
     [[nodiscard]] virtual QImage onScreen(const QImage& picture) const { return picture; }
     [[nodiscard]] virtual bool takesOverlays() const { return true; }
-    /// Its bytes live as long as the image.
+    /// The frame as an image, which keeps the frame's bytes alive.
     [[nodiscard]] static QImage imageOf(const gpu::Frame& frame);
 
-    /// Ask for a frame of scene() if it is not what was asked for last.
+    /// Requests a frame of scene() if it differs from the last request.
     void requestFrame(bool interacting = false);
-    /// The same while something turns or moves; full quality follows when it rests.
+    /// The same while something turns or moves; full quality follows when it stops.
     void requestMovingFrame();
-    /// Rightwards is wider, downwards is higher.
+    /// The window after a drag: rightwards makes it wider, downwards makes its centre higher.
     [[nodiscard]] static core::WindowLevel windowAfterDrag(
         core::WindowLevel window, const QPointF& moved);
 
@@ -110,12 +110,12 @@ private:
     gpu::ViewId m_view;
     ViewPointer m_pointer;
 
-    gpu::FrameRequest m_request; ///< the last one
+    gpu::FrameRequest m_request; ///< the latest request
     bool m_requested = false;
     std::shared_ptr<const core::EarlySlice> m_early;
     QImage m_picture;
     gpu::Scene m_pictureScene; ///< in device pixels, as it came
-    std::optional<gpu::Frame::Quality> m_pictureQuality; ///< none: the engine did not draw it
+    std::optional<gpu::Frame::Quality> m_pictureQuality; ///< none if the engine did not draw it
     QTimer m_rest;
 };
 

@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// The cutting plane as a slice (seed B §3, the pen view): for drawing precisely on any plane. The
-/// wheel moves it along its normal. Tri-cubic once nothing moves.
+/// Shows the cutting plane as a slice (the pen view, seed B §3), for precise drawing on any plane.
+/// The wheel moves the plane along its normal. Interpolation is tri-cubic once nothing moves.
 class PlaneView : public SliceView {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ protected:
     [[nodiscard]] gpu::Scene scene() const override;
     [[nodiscard]] glm::dvec3 throughLps() const override;
     void passThrough(const glm::dvec3& placeLps) override;
-    /// Only where the crosshair is.
+    /// Draws only where the crosshair is.
     void paintCross(QPainter& painter, const ViewContext& shown) override;
 
 private:

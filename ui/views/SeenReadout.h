@@ -13,8 +13,8 @@ namespace ui {
 
 class Workspace;
 
-/// Where the pointer points at in a 3D view: the voxel that is seen there, at its true place, for
-/// Workspace::pointedLps(). Asks the engine, one question at a time, and never waits for it.
+/// Finds the voxel that is seen under the pointer in a 3D view, at its true place, for
+/// Workspace::pointedLps(). It asks the engine, one question at a time, and never waits for it.
 class SeenReadout : public QObject {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ public:
 
     /// @param planeMm in the view plane, right of and above the target
     void pointAt(const gpu::VolumeScene& scene, const glm::dvec2& planeMm);
-    /// The pointer is elsewhere: answers under way mean nothing any more.
+    /// The pointer has left the view: answers under way are dropped.
     void leave();
 
 private:
@@ -34,9 +34,9 @@ private:
     void ask(const Place& place);
 
     Workspace& m_workspace;
-    std::optional<Place> m_next; ///< pointed at since the question was asked
+    std::optional<Place> m_next; ///< the place pointed at since the question was asked
     bool m_asking = false;
-    int m_asked = 0; ///< questions; an answer to another than the last is dropped
+    int m_asked = 0; ///< number of questions; only the answer to the latest one is used
 };
 
 } // namespace ui

@@ -6,7 +6,8 @@
 
 namespace ui {
 
-/// A plane of the patient: a standard one through the crosshair, or what who derives from it says.
+/// A view of a plane of the patient: a standard plane through the crosshair, or the plane that a
+/// derived class chooses.
 class SliceView : public ImageView {
     Q_OBJECT
 
@@ -14,7 +15,7 @@ public:
     SliceView(Workspace& workspace, gpu::ViewId view, SliceOrientation orientation,
         QWidget* parent = nullptr);
 
-    /// Whether this view would show an early slice.
+    /// Whether this view's plane is that of an early slice.
     [[nodiscard]] bool looksAt(const core::EarlySlice& early) const;
     [[nodiscard]] QString title() const override { return m_title; }
     [[nodiscard]] QColor barColour() const override { return m_colour; }
@@ -24,10 +25,10 @@ public:
     void goToSlice(int number);
     void resetView() override;
 
-    /// Zoom and pan. A view that follows the window's size has no such place: the user has neither
-    /// zoomed nor panned since resetView().
+    /// The zoom and pan of a view. A view that still fits the window's size has none: the user has
+    /// neither zoomed nor panned since resetView().
     struct Place {
-        glm::dvec3 centreLps{0.0}; ///< its part along the normal does not count
+        glm::dvec3 centreLps{0.0}; ///< its component along the normal does not count
         double mmPerPixel = 1.0;
     };
     [[nodiscard]] std::optional<Place> place() const;
@@ -38,12 +39,12 @@ protected:
     SliceView(Workspace& workspace, gpu::ViewId view, const SliceAxes& axes, const QString& title,
         const QColor& colour, QWidget* parent);
 
-    /// Turns it; its middle and its scale stay.
+    /// Turns the plane; its middle and its scale stay.
     void setAxes(const SliceAxes& axes);
     [[nodiscard]] const SliceAxes& axes() const { return m_axes; }
-    /// A place that the plane passes through.
+    /// A point through which the plane passes.
     [[nodiscard]] virtual glm::dvec3 throughLps() const;
-    /// The plane is to pass through there; it does not turn.
+    /// Moves the plane to pass through a point, without turning it.
     virtual void passThrough(const glm::dvec3& placeLps);
     virtual void paintCross(QPainter& painter, const ViewContext& shown);
     [[nodiscard]] const SliceStack& stack() const { return m_stack; }
@@ -64,7 +65,8 @@ protected:
 private:
     void openVolume();
     void zoomBy(double factor, const QPointF& at);
-    [[nodiscard]] core::WindowLevel windowLevel() const; ///< of the window, or of the early slice
+    /// Of the workspace, or of the early slice.
+    [[nodiscard]] core::WindowLevel windowLevel() const;
     [[nodiscard]] double fittingMmPerPixel() const;
     [[nodiscard]] QString windowText() const;
 
@@ -72,9 +74,9 @@ private:
     QString m_title;
     QColor m_colour;
     SliceStack m_stack;
-    glm::dvec3 m_centreLps{0.0}; ///< its part along the normal does not count
+    glm::dvec3 m_centreLps{0.0}; ///< its component along the normal does not count
     double m_mmPerPixel = 1.0;
-    bool m_fitted = true; ///< follows the window until the user zooms or pans
+    bool m_fitted = true; ///< fits the window until the user zooms or pans
     double m_wheelRest = 0.0;
 };
 

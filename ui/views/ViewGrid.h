@@ -13,9 +13,9 @@
 
 namespace ui {
 
-/// The linked views. Four: axial and 3D above, sagittal and coronal below. Pen and stage (seed B
-/// §3): the cutting plane beside the 3D view. Or one of them alone. The pen view can stand in a
-/// window of its own, on another screen, whatever the others do.
+/// The linked views in their layouts. Four: axial and 3D above, sagittal and coronal below. Pen and
+/// stage (seed B §3): the cutting plane beside the 3D view. Or one of them alone. In any layout the
+/// pen view can be in a window of its own, on another screen.
 class ViewGrid : public QWidget {
     Q_OBJECT
 
@@ -33,20 +33,22 @@ public:
 
     enum class Layout { Four, PenAndStage };
     [[nodiscard]] Layout arrangement() const { return m_layout; }
-    /// Those of a layout, none alone. Pen and stage show the cutting plane.
+    /// Shows the views of a layout and maximises none. Pen and stage also switches the cutting
+    /// plane on.
     void arrange(Layout layout);
-    /// One view alone; null: those of the layout.
+    /// Shows one view alone; null shows those of the layout again.
     void maximise(ImageView* view);
     [[nodiscard]] ImageView* maximised() const { return m_maximised; }
-    /// The pen view in a window of its own, or back among the others.
+    /// Moves the pen view to a window of its own, or back to the grid.
     void setPenApart(bool apart);
     [[nodiscard]] bool isPenApart() const { return m_penWindow != nullptr; }
     void resetViews();
-    /// A slice of a study that is on its way, until one is open; null: none. @return whether one of
-    /// the views looks at it: others have nothing to show yet
+    /// Shows a slice of a study that is being loaded, until one is open; null ends that.
+    /// @return whether the plane of any view is that slice; the other views have nothing to show
+    /// yet
     bool showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
     [[nodiscard]] const core::EarlySlice* earlySlice() const { return m_early.get(); }
-    /// Every view on the screen shows its finest picture of what is asked for.
+    /// Whether every visible view shows the finest picture of its scene.
     [[nodiscard]] bool refined() const;
 
 Q_SIGNALS:
@@ -70,7 +72,7 @@ private:
     SliceView* m_sagittal;
     SliceView* m_coronal;
     PlaneView* m_plane;
-    QWidget* m_penWindow = nullptr; ///< that the pen view is in; null: the grid
+    QWidget* m_penWindow = nullptr; ///< the window of the pen view; null: it is in the grid
     ImageView* m_current;
     ImageView* m_maximised = nullptr;
     Layout m_layout = Layout::Four;

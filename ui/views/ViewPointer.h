@@ -17,7 +17,8 @@ namespace ui {
 
 class Workspace;
 
-/// What the pointer does to a view where no tool takes it.
+/// What a view does with the pointer when no tool takes it; implemented by views, called by
+/// ViewPointer.
 class PointedView {
 public:
     /// What a drag does.
@@ -29,26 +30,26 @@ public:
     /// A left click without a drag and without a tool.
     virtual void clicked(const QPointF&) { }
     virtual void doubleClicked() = 0;
-    /// Moved with no button down.
+    /// The pointer has moved with no button down.
     virtual void hovered(const PointerSample&) { }
     virtual void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) = 0;
-    /// What it shows may have changed.
+    /// What the view shows may have changed.
     virtual void refresh() = 0;
 
 protected:
     ~PointedView() = default;
 };
 
-/// The pointer over a view: the left button and the pen belong to the active tool where it works;
-/// otherwise, and for the other buttons, the view navigates (UX §4.3).
+/// Handles the pointer over a view: the left button and the pen belong to the active tool where it
+/// works; otherwise, and for the other buttons, the view navigates (UX §4.3).
 class ViewPointer {
 public:
-    /// @param view, widget the same
+    /// @param view, widget the same object
     ViewPointer(Workspace& workspace, PointedView& view, QWidget& widget);
 
     void handle(QEvent& event);
     void turnWheel(QWheelEvent& event);
-    /// @return whether the key is the pointer's
+    /// @return whether the pointer uses the key
     bool pressKey(const QKeyEvent& event);
     bool releaseKey(const QKeyEvent& event);
     void leave();
@@ -58,13 +59,13 @@ public:
     void loseStroke();
     void takeToolAway();
     void endStrokeWithoutPen();
-    /// The view is hidden.
+    /// To be called when the view is hidden.
     void forget();
 
-    /// Over this view.
+    /// Where the pointer is over this view; none if it is elsewhere.
     [[nodiscard]] const std::optional<QPointF>& position() const { return m_pointer; }
     [[nodiscard]] bool isAtWork() const { return m_dragging || m_gesture == Gesture::Tool; }
-    /// That works in such a view; null: none does.
+    /// The active tool if it works in such a view; else null.
     [[nodiscard]] Tool* toolIn(const ViewContext& context) const;
 
 private:
@@ -85,10 +86,10 @@ private:
     QPointF m_pressedAt;
     QPointF m_lastAt;
     std::optional<glm::dvec3> m_crosshairBeforePressLps;
-    bool m_dragging = false; ///< moved farther than a click does
+    bool m_dragging = false; ///< the pointer has moved farther than in a click
     bool m_navigateKey = false; ///< Space: the left button navigates with a tool in hand
-    bool m_toolIsHere = false; ///< it was told of the pointer here, and not that it left
-    std::optional<QPointF> m_pointer; ///< over this view
+    bool m_toolIsHere = false; ///< the tool was told of the pointer here, and not yet that it left
+    std::optional<QPointF> m_pointer; ///< position over this view
     QPointer<Tool> m_tool; ///< the window may outlive it
 };
 

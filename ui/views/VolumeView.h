@@ -9,7 +9,7 @@
 
 namespace ui {
 
-/// The 3D view: the sculpted volume and its segments, seen orthographically.
+/// The 3D view: the sculpted volume and its segments, seen by an orthographic camera.
 class VolumeView : public ImageView {
     Q_OBJECT
 
@@ -20,19 +20,20 @@ public:
     [[nodiscard]] QColor barColour() const override;
     [[nodiscard]] const Camera& camera() const { return m_camera; }
     void setCamera(const Camera& camera);
-    /// Whether it shows the whole volume, whatever the window's size; until the user zooms or pans.
+    /// Whether it fits the whole volume to the window's size; true until the user zooms or pans.
     [[nodiscard]] bool fitted() const { return m_fitted; }
-    /// The whole volume, seen as @p camera sees it.
+    /// Shows the whole volume from the direction of @p camera.
     void fitCamera(const Camera& camera);
-    /// Look at the patient from a side, e.g. (0, −1, 0): from the front.
+    /// Looks at the patient from a side, e.g. (0, −1, 0) from the front.
     void lookFrom(const glm::dvec3& sideLps);
-    /// A place in the middle, seen from a side; 0: from where it is seen now.
+    /// Moves a point of the patient to the middle, seen from the direction @p fromLps; if that is
+    /// 0, from the present one.
     void flyTo(const glm::dvec3& placeLps, const glm::dvec3& fromLps);
     void resetView() override;
 
     [[nodiscard]] const Stereo& stereo() const { return m_stereo; }
     void setStereo(const Stereo& stereo);
-    /// As by a drag: what is seen goes to the right and downwards. Degrees.
+    /// Turns as a drag does: the object follows to the right and downwards, by degrees.
     void turn(double rightwards, double downwards);
     [[nodiscard]] bool takes(gpu::ViewId view) const override;
     void takeFrame(const gpu::Frame& frame) override;
@@ -50,7 +51,8 @@ protected:
     void paintAnnotations(QPainter& painter, const ViewContext& shown) override;
     void requested(const gpu::FrameRequest& request) override;
     [[nodiscard]] QImage onScreen(const QImage& picture) const override;
-    /// Side by side there is no one place for them; tools rest, too.
+    /// False for side-by-side stereo, where an overlay would have two places; tools do not work
+    /// there either.
     [[nodiscard]] bool takesOverlays() const override;
     void resizeEvent(QResizeEvent* event) override;
     void hideEvent(QHideEvent* event) override;
@@ -64,12 +66,12 @@ private:
     [[nodiscard]] QString modeText() const;
     [[nodiscard]] QString qualityText() const;
 
-    /// So far both eyes are from the middle, millimetres.
+    /// How far each eye is from the middle, in millimetres.
     [[nodiscard]] double eyeShiftMm() const;
 
     SeenReadout m_readout;
     Stereo m_stereo;
-    QImage m_otherEye; ///< the right one's picture
+    QImage m_otherEye; ///< the picture of the right eye
     Camera m_camera;
     bool m_fitted = true;
 };

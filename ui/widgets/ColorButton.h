@@ -6,7 +6,7 @@
 
 namespace ui {
 
-/// A swatch that opens a colour dialog.
+/// A button that shows a colour and opens a colour dialog.
 class ColorButton : public QAbstractButton {
     Q_OBJECT
 

@@ -5,12 +5,12 @@
 
 namespace ui {
 
-/// How every number field, list and slider of the program behaves. The wheel changes one only while
-/// it has the focus, and gives it none; a list that is folded up it never changes. Over a panel it
-/// scrolls the panel. In a number field the
-/// keys that are of no use there (letters, undo and redo) are the window's.
+/// An event filter for the behaviour of all number fields, lists and sliders of the program. The
+/// wheel changes a field only while it has the focus, and does not give it the focus; it never
+/// changes a closed combo box. Over a panel the wheel scrolls the panel. Keys without use in a
+/// number field (letters, undo and redo) go to the window.
 ///
-/// One, installed on the application.
+/// One object is installed on the application.
 class FieldManners : public QObject {
 public:
     using QObject::QObject;

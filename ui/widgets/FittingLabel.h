@@ -5,16 +5,17 @@
 
 namespace ui {
 
-/// One line of plain text, as much of it as fits; where something is cut, all of it is the tool
-/// tip. Takes what room its layout leaves and asks for none.
+/// A label with one line of plain text, cut to the available width; if it is cut, the tool tip
+/// shows all of it. It takes the room that its layout leaves and demands none.
 class FittingLabel : public QLabel {
     Q_OBJECT
 
 public:
     explicit FittingLabel(Qt::Alignment alignment, QWidget* parent = nullptr);
-    /// Cut between such parts only, without a mark: as many of the first ones as fit.
+    /// Makes it cut the text only at this separator, without an ellipsis: it shows as many of the
+    /// first parts as fit.
     void setParts(const QString& separator) { m_separator = separator; }
-    /// What of the text is to be seen.
+    /// The part of the text that is visible.
     [[nodiscard]] QString shownText() const;
 
 protected:

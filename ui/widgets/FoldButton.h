@@ -5,13 +5,14 @@
 
 namespace ui {
 
-/// The head of a part of a panel that folds away: a small line of text with an arrow. What the user
-/// unfolds is scrolled into view.
+/// The header of a foldable part of a panel: a small line of text with an arrow. A part that the
+/// user unfolds is scrolled into view.
 class FoldButton : public QToolButton {
     Q_OBJECT
 
 public:
-    /// Folded at first. @param body is shown and hidden; outlives the button
+    /// The part is folded at first.
+    /// @param body shown and hidden by the button; outlives the button
     explicit FoldButton(QWidget& body, QWidget* parent = nullptr);
 
     void setFolded(bool folded);

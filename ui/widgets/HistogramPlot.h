@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// A volume's histogram (logarithmic counts) with values along x: the ground that interval handles
-/// and transfer functions are drawn on. The wheel zooms at the cursor, a double click on empty
+/// Draws a volume's histogram (logarithmic counts) with values along x, as the background for
+/// interval handles and transfer functions. The wheel zooms at the cursor; a double click on empty
 /// ground shows the whole range again.
 class HistogramPlot : public QWidget {
     Q_OBJECT
@@ -18,12 +18,12 @@ public:
 
     void setHistogram(const core::Histogram& histogram);
     [[nodiscard]] const core::Histogram& histogram() const { return m_histogram; }
-    /// The stretch of values that is shown, kept inside the histogram's range.
+    /// Sets the range of values that is shown, clamped to the histogram's range.
     void showValues(double from, double to);
 
     [[nodiscard]] double xOf(double value) const;
     [[nodiscard]] double valueAt(double x) const;
-    /// The value whose readout has no more digits than a pixel is worth.
+    /// The value at x, rounded to as many digits as a pixel resolves.
     [[nodiscard]] double roundedValueAt(double x) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {240, 72}; }
@@ -33,7 +33,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
 
-    /// Where the picture is, inside the frame.
+    /// The area of the plot inside the frame.
     [[nodiscard]] QRectF plotArea() const;
     void showAll();
 

@@ -17,8 +17,9 @@ namespace ui {
 
 class HistogramRangePlot;
 
-/// An interval of values on a histogram: two handles to drag, the stretch between them to shift,
-/// and two fields for exact numbers with the unit. The interval is never upside down.
+/// Edits an interval of values on a histogram: two handles to drag, the range between them to
+/// shift, and two fields for exact numbers with the unit. The lower bound never exceeds the upper
+/// one.
 class HistogramRange : public QWidget {
     Q_OBJECT
 
@@ -30,27 +31,27 @@ public:
     void setRange(double lower, double upper);
     [[nodiscard]] double lower() const { return m_lower; }
     [[nodiscard]] double upper() const { return m_upper; }
-    /// Values of seeds, as ticks on the histogram's foot.
+    /// Shows values of seeds as ticks at the bottom of the histogram.
     void setMarkers(const std::vector<double>& values);
-    /// What the interval is narrowed to by something else, on the histogram. @param stronger a
-    /// part of it that stands out
+    /// Shows, on the histogram, the ranges to which another criterion narrows the interval.
+    /// @param stronger a range among them that is emphasised
     void setBands(const std::vector<std::pair<double, double>>& bands,
         const std::optional<std::pair<double, double>>& stronger);
-    /// Stands between the two numbers; taken over.
+    /// Places a widget between the two numbers; takes ownership.
     void setMiddleWidget(QWidget* widget);
-    /// The part of the histogram around the interval fills the width.
+    /// Zooms so that the range around the interval fills the width.
     void zoomToRange();
-    /// Does so where the handles are out of sight or lie on top of each other.
+    /// Does so if the handles are out of sight or too close to each other.
     void showRange();
 
     [[nodiscard]] HistogramRangePlot* plot() const { return m_plot; }
 
 Q_SIGNALS:
-    /// By the user, while dragging too.
+    /// The user has changed the interval; also emitted while dragging.
     void rangeEdited(double lower, double upper);
-    /// By the user: done for now. After each number that was typed too.
+    /// The user has finished a change; also emitted after each number that was typed.
     void rangeSettled();
-    /// By the user: the interval is again what it was before it was dragged.
+    /// The user has cancelled a drag: the interval is again what it was before.
     void rangeCancelled();
 
 private:

@@ -9,8 +9,8 @@
 
 namespace ui {
 
-/// The picture of HistogramRange. Arrow keys move the handle that was used last by one pixel's
-/// worth, Escape puts back what is dragged.
+/// The plot of HistogramRange. Arrow keys move the handle that was used last by the value of one
+/// pixel; Escape cancels a drag.
 class HistogramRangePlot : public HistogramPlot {
     Q_OBJECT
 
@@ -19,14 +19,15 @@ public:
 
     void setRange(double lower, double upper);
     void setMarkers(const std::vector<double>& values);
-    /// Stretches of their own within the interval. @param stronger one that stands out
+    /// Sets ranges within the interval that are drawn separately.
+    /// @param stronger one that is emphasised
     void setBands(const std::vector<std::pair<double, double>>& bands,
         const std::optional<std::pair<double, double>>& stronger);
 
 Q_SIGNALS:
     void rangeDragged(double lower, double upper);
-    void released(); ///< the handles were let go; after each key as well
-    void cancelled(); ///< Escape: the handles stand where they were taken
+    void released(); ///< the handles were released; also after each key
+    void cancelled(); ///< Escape was pressed: the handles are where they were before the drag
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -8,17 +8,17 @@ class QPainter;
 
 namespace ui {
 
-/// How a curve with a mark on it is drawn: of what lies left of the mark the area too.
+/// A curve with a movable mark on it; the area below the curve is filled to the left of the mark.
 struct MarkedCurve {
     QPolygonF curve; ///< from left to right, at least one point
-    double bottom = 0.0; ///< of the area below it
+    double bottom = 0.0; ///< y of the lower edge of the area
     double mark = 0.0; ///< pixels from the left
     bool moving = false; ///< the mark is dragged
-    bool knob = false; ///< it can be
+    bool knob = false; ///< the mark can be dragged
 };
-/// The curve and its area.
+/// Draws the curve and its area.
 void paintMarkedCurve(QPainter& painter, const QSizeF& size, const MarkedCurve& marked);
-/// The mark, over it.
+/// Draws the mark over it.
 void paintMark(QPainter& painter, const QSizeF& size, const MarkedCurve& marked);
 
 } // namespace ui

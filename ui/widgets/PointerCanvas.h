@@ -9,14 +9,14 @@
 
 namespace ui {
 
-/// One mouse or pen event as it came from the system, echoes and all.
+/// One mouse or pen event as it came from the system, including synthesised ones.
 struct RawPointerEvent {
     QString kind; ///< "press", "move", "hover", "release"
     QString device; ///< "Stylus 'Wacom Intuos Pro', eraser"
     bool pen = false;
     bool eraser = false;
-    QPointF position; ///< of the canvas, logical pixels
-    double pressure = 0.0; ///< as told; NaN where the device says so
+    QPointF position; ///< on the canvas, logical pixels
+    double pressure = 0.0; ///< as reported; NaN if the device reports that
     QPointF tiltDegrees;
     double rotationDegrees = 0.0;
     double wheel = 0.0; ///< an airbrush's, −1 … 1
@@ -25,7 +25,7 @@ struct RawPointerEvent {
     quint64 milliseconds = 0; ///< the event's own time
 };
 
-/// A place to scribble on that tells every event it gets. Strokes are as wide as they are pressed.
+/// A widget to scribble on that reports every event it gets. Strokes are as wide as the pressure.
 class PointerCanvas : public QWidget {
     Q_OBJECT
 

@@ -5,8 +5,9 @@
 
 namespace ui {
 
-/// Which share of the depth a pen's pressure cuts: pressure to a whole power, drawn as a curve. A
-/// click or drag takes the curve that comes nearest to the pointer.
+/// Edits how a pen's pressure sets the depth of a cut: the fraction of the depth is pressure to an
+/// integer power, drawn as a curve. A click or drag chooses the curve that is nearest to the
+/// pointer.
 class PressureCurve : public QWidget {
     Q_OBJECT
 

@@ -5,16 +5,17 @@
 
 namespace ui {
 
-/// A thin horizontal slider with two handles that never pass each other. The nearer handle comes to
-/// a press; arrow keys move the one that moved last, with Shift tenfold. The wheel is left to what
-/// scrolls around it.
+/// A thin horizontal slider with two handles that never pass each other. A press moves the nearer
+/// handle there; arrow keys move the handle that moved last, with Shift ten times as far. The wheel
+/// is left to the surrounding scroll area.
 class RangeSlider : public QWidget {
     Q_OBJECT
 
 public:
     explicit RangeSlider(QWidget* parent = nullptr);
 
-    /// The whole way, and the least distance of the handles; arrow keys go by that distance.
+    /// Sets the range and the least distance of the handles, which is also the step of the arrow
+    /// keys.
     void setBounds(double minimum, double maximum, double leastSpan);
     void setValues(double lower, double upper);
     [[nodiscard]] double lower() const { return m_values[0]; }
@@ -25,7 +26,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {60, 24}; }
 
 Q_SIGNALS:
-    /// By the user only.
+    /// Emitted only for changes by the user.
     void valuesEdited(double lower, double upper);
 
 protected:

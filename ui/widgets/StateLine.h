@@ -5,14 +5,16 @@
 
 namespace ui {
 
-/// The sentence of a dialog that says how things stand; plain text, in as many lines as it needs.
+/// The line of a dialog that tells its present state in a sentence; plain text, in as many lines as
+/// it needs.
 class StateLine : public QLabel {
     Q_OBJECT
 
 public:
     explicit StateLine(const QString& name, QWidget* parent = nullptr);
 
-    /// In place of the last one. @param role of the style: "secondary", "good", "caution", "bad"
+    /// Replaces the sentence.
+    /// @param role of the style: "secondary", "good", "caution", "bad"
     void say(const QString& sentence, const char* role = "secondary");
 };
 

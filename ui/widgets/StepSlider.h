@@ -5,9 +5,9 @@
 
 namespace ui {
 
-/// A thin horizontal slider with a tick per step, while there is room for them, and one line of
-/// words above it. A press anywhere takes the handle there; the wheel is left to what scrolls
-/// around it. It tells over which step the pointer is.
+/// A thin horizontal slider with a tick per step, if there is room for them, and a line of text
+/// above it. A press moves the handle there; the wheel is left to the surrounding scroll area. It
+/// reports over which step the pointer is.
 class StepSlider : public QAbstractSlider {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
     [[nodiscard]] const QString& caption() const { return m_caption; }
     void setCaption(const QString& caption);
 
-    /// Where a value lies on the groove, in pixels from the left.
+    /// The x position of a value on the groove, in pixels from the left.
     [[nodiscard]] double xOf(int value) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {240, 40}; }

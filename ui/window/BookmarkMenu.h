@@ -14,19 +14,19 @@ namespace ui {
 class VolumeView;
 class Workspace;
 
-/// Views of the patient to come back to: keeps the 3D view and the crosshair by name, as a step of
-/// undo, and lists what was kept. Going back to one is no step.
+/// Bookmarks of views: stores the 3D view and the crosshair under a name, as a step of undo, and
+/// lists the stored ones. Going back to one is not a step.
 class BookmarkMenu : public QObject {
     Q_OBJECT
 
 public:
     BookmarkMenu(Workspace& workspace, VolumeView& view, QObject* parent = nullptr);
 
-    /// Asks for a name.
+    /// Asks for a name and stores the present view.
     void ask();
     void keep(const QString& name);
     void show(const core::CameraBookmark& bookmark);
-    /// Fills the menu with what there is whenever it opens.
+    /// Fills the menu with the present bookmarks whenever it opens.
     void fill(QMenu& menu);
 
 private:

@@ -14,23 +14,24 @@ namespace ui {
 class Tool;
 class ViewGrid;
 
-/// How the window looks at a session, kept in the session's file and put back when it is opened
-/// again: views, grey scale, 3D look, crosshair, active segment and layer, the tools' settings.
-/// Never a step of undo. (Which segments are hidden the session keeps itself.)
+/// The display state of a session: views, grey scale, look of the 3D view, crosshair, active
+/// segment and layer, and settings of the tools. It is stored in the session's file and restored
+/// when the session is opened again; it is never a step of undo. (Which segments are hidden is
+/// stored by the session itself.)
 ///
-/// What changed is written every few seconds and when the session closes. The form is described in
-/// core/session/README.md; fields that are missing, unknown or make no sense are passed over.
+/// Changes are written every few seconds and when the session closes. The format is described in
+/// core/session/README.md; fields that are missing, unknown or invalid are ignored.
 class DisplayState : public QObject {
     Q_OBJECT
 
 public:
-    /// Make it after everything that sets itself up when a session opens.
+    /// Construct it after everything else that initialises itself when a session opens.
     DisplayState(
         Workspace& workspace, ViewGrid& views, std::vector<Tool*> tools, QObject* parent = nullptr);
 
     [[nodiscard]] QJsonObject composed() const;
     void apply(const QJsonObject& state);
-    /// Hands it to the session if it is not what the session has.
+    /// Passes the state to the session if it differs from what the session has.
     void keep();
 
 private:
@@ -44,7 +45,7 @@ private:
     ViewGrid& m_views;
     std::vector<Tool*> m_tools;
     QTimer m_timer;
-    QJsonObject m_known; ///< composed() when the session was told last
+    QJsonObject m_known; ///< composed() when it was last passed to the session
 };
 
 } // namespace ui

@@ -20,16 +20,16 @@ namespace ui {
 class ImageView;
 class Workspace;
 
-/// Keeps pictures of the work in its session file: of what a view shows, when KeyframeRule wants
-/// one. It takes finished frames as they are; nothing is drawn for it, and scaling and PNG are a
-/// worker's.
+/// Stores pictures of the work (keyframes) in its session file: what a view shows, whenever
+/// KeyframeRule wants one. It uses finished frames as they are; nothing is drawn for it, and
+/// scaling and PNG encoding run on another thread.
 class KeyframeRecorder : public QObject {
     Q_OBJECT
 
 public:
     KeyframeRecorder(Workspace& workspace, ImageView& view);
 
-    /// Milliseconds of some steady clock; until it is set, the machine's.
+    /// Sets a steady clock in milliseconds, in place of the machine's.
     void setClock(std::function<qint64()> clock) { m_clock = std::move(clock); }
 
 private:
@@ -37,18 +37,18 @@ private:
     void follow(const core::DocumentChange& change);
     void look();
     void close();
-    /// The picture is one of the present state: newer than the last change of voxels.
+    /// Whether the picture shows the present state: it is newer than the last change of voxels.
     [[nodiscard]] bool showsPresentState() const;
     void keep(core::RowId row, const QImage& picture);
 
     Workspace& m_workspace;
     ImageView& m_view;
     std::function<qint64()> m_clock;
-    std::size_t m_rows = 0; ///< of the history, as last seen
+    std::size_t m_rows = 0; ///< number of history rows, as last seen
     core::RowId m_position = 0; ///< as last seen
     KeyframeRule m_rule;
     bool m_due = false;
-    qint64 m_outdated = 0; ///< the picture that was shown when voxels last changed
+    qint64 m_outdated = 0; ///< key of the picture that was shown when voxels last changed
     core::Background m_encoder; ///< last: it uses all of the above
 };
 

@@ -29,8 +29,8 @@ class ToolColumn;
 class ViewGrid;
 class WindowHeader;
 
-/// Lays the window out and shows whose study is open. What can be done is in Actions, what happens
-/// in the views, tools and panels.
+/// The main window: it lays out the views, tools and panels and shows whose study is open. What the
+/// user can do is in Actions, and the work is done by views, tools and panels.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -39,14 +39,13 @@ public:
     MainWindow(Workspace& workspace, const QString& graphics);
     ~MainWindow() override;
 
-    /// The tool appears in the column at the left and in @p menu; @p key takes it up, and once more
-    /// lays it down.
+    /// Adds a tool to the column at the left and to @p menu. Pressing @p key activates the tool;
+    /// pressing it again deactivates it.
     void addTool(Tool& tool, QMenu& menu, const QKeySequence& key);
     void addToolGroup();
-    /// The panel appears in the right column, below those before it, and in the View menu. The
-    /// window owns it.
+    /// Adds a panel at the bottom of the right column and to the View menu. The window owns it.
     void addPanel(Panel* panel);
-    /// Shows the panels, and this one of them unfolded.
+    /// Shows the panels, with this one unfolded.
     void bringUp(const Panel& panel);
     [[nodiscard]] QMenu& fileMenu() const;
     [[nodiscard]] QMenu& editMenu() const;
@@ -64,19 +63,20 @@ public:
     [[nodiscard]] Actions& actionTable() { return m_actions; }
     [[nodiscard]] bool panelsShown() const;
     void showPanels(bool shown);
-    /// The panels as at the first start: all in the column.
+    /// Restores the panels of the first start: all in the column.
     void resetPanels();
 
-    /// The start page offers the sessions in a folder; they have no names of the user's own.
+    /// Makes the start page list the sessions in a folder, which were not named by the user.
     void offerSessionsIn(const QString& folder);
 
-    /// Size and panels as they were when a window was closed last; from now on closing keeps them.
+    /// Restores size and panels from when a window was last closed. From now on closing stores
+    /// them.
     void restoreLayout();
 
     void showAbout();
     void saveSessionAs();
     [[nodiscard]] MaskImporter& importer() { return *m_importer; }
-    /// Unless the user would rather keep steps that are not on disk yet.
+    /// Closes the study, unless the user wants to keep steps that are not on disk yet.
     void closeStudy();
 
 Q_SIGNALS:
@@ -93,7 +93,8 @@ private:
     void showSession();
     void showPages();
 
-    core::ThreadWithoutVoxels m_here; ///< what changes is handed on here, and not looked at
+    /// Forbids work on voxels in this thread: changes are only passed on.
+    core::ThreadWithoutVoxels m_here;
     Workspace& m_workspace;
     QString m_graphics;
     Actions m_actions;

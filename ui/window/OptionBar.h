@@ -14,8 +14,9 @@ namespace ui {
 
 class FittingLabel;
 
-/// Above the views: undo and redo with the name of what they concern (where the options leave room
-/// for it), the active tool's few options, and at the right what its modifier keys do.
+/// The bar above the views: undo and redo with the name of the step that they concern (if there is
+/// room beside the options), the options of the active tool, and at the right what its modifier
+/// keys do.
 class OptionBar : public QFrame {
     Q_OBJECT
 

@@ -5,7 +5,8 @@ namespace ui {
 
 class MainWindow;
 
-/// "From PACS …" and "Send to PACS …" of the File menu; keeps the copy that the open study is.
+/// Adds "From PACS …" and "Send to PACS …" to the File menu, and protects the local copy of the
+/// open study.
 void addPacsActions(MainWindow& window);
 
 } // namespace ui

@@ -5,7 +5,7 @@ namespace ui {
 
 class MainWindow;
 
-/// Menu entries that concern pieces: lift the active layer, open like a lid, all home.
+/// Adds the menu entries for pieces: lift the active layer, open like a lid, all home.
 void addPieceActions(MainWindow& window);
 
 } // namespace ui

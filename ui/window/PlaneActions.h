@@ -7,8 +7,8 @@ namespace ui {
 
 class MainWindow;
 
-/// What is done to the cutting plane by menu and key, and the layouts that show it. @return the
-/// names of the former, for a menu
+/// Adds the actions on the cutting plane for menu and keys, and the layouts that show it.
+/// @return the ids of the former, for a menu
 QStringList addPlaneActions(MainWindow& window);
 
 } // namespace ui

@@ -16,24 +16,25 @@ class MessageBar;
 class ViewGrid;
 class Workspace;
 
-/// What the window shows: the open volume, or the first slice of one that is on its way, with the
-/// caution that it is shown with in the bar.
+/// The study that the window shows: the open volume, or the first slice of one that is being
+/// loaded; together with the caution about it in the message bar.
 class ShownStudy : public QObject {
     Q_OBJECT
 
 public:
     ShownStudy(Workspace& workspace, ViewGrid& views, MessageBar& messages, QObject* parent);
 
-    /// Of what is being opened; null: nothing is, or nothing of it is there yet.
+    /// Sets the first slice of what is being opened; null if nothing is, or no slice has arrived.
     void setEarly(const std::shared_ptr<const core::EarlySlice>& early);
-    /// A study was closed: what takes its place may be on its way already.
+    /// To be called when a study was closed: shows the early slice of its successor if there is
+    /// one.
     void showEarlyAgain();
-    /// The open volume, or one of which a slice is there; null: the start page.
+    /// The open volume, or the one of which a slice has arrived; null if the start page is shown.
     [[nodiscard]] const core::Volume* volume() const;
     void showCaution();
 
 Q_SIGNALS:
-    void earlyChanged(); ///< as it is shown
+    void earlyChanged(); ///< the early slice that is shown has changed
 
 private:
     void showEarly(const std::shared_ptr<const core::EarlySlice>& early);

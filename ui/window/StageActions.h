@@ -7,8 +7,9 @@ namespace ui {
 
 class MainWindow;
 
-/// The 3D view as a stage (seed B §3): turned by keys, for the hand that does not draw, and seen by
-/// two eyes. @return their names, for a menu
+/// Adds the actions for the 3D view as a stage (seed B §3): turning it by keys, for the hand that
+/// does not draw, and stereo.
+/// @return their ids, for a menu
 QStringList addStageActions(MainWindow& window);
 
 } // namespace ui

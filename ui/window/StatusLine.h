@@ -10,8 +10,8 @@ class QLabel;
 
 namespace ui {
 
-/// Below the views: where, what value and which segment · what the tool expects next, or what has
-/// just happened · pen and timing.
+/// The line below the views: position, value and segment at the pointer · what the tool expects
+/// next, or what has just happened · pen pressure and frame time.
 class StatusLine : public QFrame {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ private:
     QLabel* m_hint;
     QLabel* m_machine;
     QTimer m_saidTimer;
-    double m_pressure = -1.0; ///< none so far
+    double m_pressure = -1.0; ///< −1: none so far
     double m_frameMilliseconds = 0.0;
 };
 

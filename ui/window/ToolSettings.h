@@ -10,11 +10,11 @@ namespace ui {
 class Tool;
 class Workspace;
 
-/// The settings of all tools as a session keeps them (DisplayState): those that the workspace holds
-/// under names of their own, and under `tools` what each tool keeps itself.
+/// The settings of all tools in the form that a session stores (DisplayState): those that the
+/// workspace holds have names of their own, and those that each tool holds are under `tools`.
 [[nodiscard]] QJsonObject toolSettings(const Workspace& workspace, const std::vector<Tool*>& tools);
 
-/// Fields that are missing or make no sense are passed over.
+/// Restores them. Fields that are missing or invalid are ignored.
 void applyToolSettings(
     const QJsonObject& state, Workspace& workspace, const std::vector<Tool*>& tools);
 

@@ -5,7 +5,7 @@ namespace ui {
 
 class MainWindow;
 
-/// Fills the window's table of actions: everything that needs no tool and no panel.
+/// Adds to the window's table of actions everything that needs neither a tool nor a panel.
 void addWindowActions(MainWindow& window);
 
 } // namespace ui

@@ -17,22 +17,23 @@ namespace ui {
 
 class Workspace;
 
-/// How many voxels of each chunk of the finest division a segment has now. The engine is asked for
-/// the bricks that changed, some at a time.
+/// Counts how many voxels of each chunk of the finest division belong to a segment. It asks the
+/// engine for the bricks that have changed, some at a time.
 class ChunkMembers : public QObject {
     Q_OBJECT
 
 public:
     explicit ChunkMembers(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Counts anew. @param leaves null: nothing is counted
+    /// Starts counting.
+    /// @param leaves null: nothing is counted
     void begin(std::shared_ptr<const ChunkLeaves> leaves, int segment);
-    /// Labels changed there.
+    /// Labels have changed in this box: counts there again.
     void look(const core::VoxelBox& box);
 
-    /// What own() says is still to change.
+    /// Whether counting is under way, so that own() may still change.
     [[nodiscard]] bool isCounting() const { return m_asking; }
-    /// By leaf.
+    /// The number of the segment's voxels, by leaf.
     [[nodiscard]] const std::vector<std::uint32_t>& own() const { return m_own; }
 
 Q_SIGNALS:
@@ -42,7 +43,7 @@ private:
     void askNext();
     void take(std::vector<core::BrickImage> bricks);
 
-    /// What is counted, beside the window: of the worker's thread while it counts.
+    /// The state of counting; used on the worker's thread.
     struct Voxels {
         std::shared_ptr<const ChunkLeaves> leaves;
         int segment = 0;
@@ -55,12 +56,12 @@ private:
     Workspace& m_workspace;
     std::shared_ptr<const ChunkLeaves> m_leaves;
     std::uint8_t m_plane = 0;
-    std::set<std::uint32_t> m_dirty; ///< bricks that are not asked about yet
+    std::set<std::uint32_t> m_dirty; ///< bricks that were not asked about yet
     std::vector<std::uint32_t> m_own;
     bool m_asking = false;
-    int m_count = 0; ///< of begin(): only answers to the present one matter
+    int m_count = 0; ///< number of the latest begin(); answers to earlier ones are dropped
     std::shared_ptr<Voxels> m_voxels;
-    core::Background m_counting; ///< last: what it tells comes back to all of the above
+    core::Background m_counting; ///< last: its results are delivered to all of the above
 };
 
 } // namespace ui

@@ -24,21 +24,21 @@ namespace ui {
 
 class Workspace;
 
-/// The chunks that a segment and what lies around it are divided into (seed B, section 4), as the
-/// window has them: into how many, what they look like, which of them the segment has. Tools click
-/// on them through the session. Part of Workspace.
+/// The chunks into which a segment and its surroundings are divided (seed B, section 4), as the
+/// window uses them: how many there are, how they look, and which of them the segment contains.
+/// Tools change the segment through the session. Part of Workspace.
 class Chunks : public QObject {
     Q_OBJECT
 
 public:
     using Chunk = core::ChunkTree::Chunk;
-    /// Which of them the 3D view shows: the segment's; those, too, that look more like the segment
-    /// than like what they are of; all.
+    /// Which chunks the 3D view shows: those of the segment; also those that look more like the
+    /// segment than like their surroundings; all.
     enum class Bodies { Own, Alike, All };
-    /// No step of undo.
+    /// How chunks are divided and shown; not a step of undo.
     struct Look {
-        bool shown = false; ///< chunks are worked out only for who looks at them
-        int count = 60; ///< into so many, as far as that is possible
+        bool shown = false; ///< chunks are computed only while they are shown
+        int count = 60; ///< wanted number of chunks; approximated where it is impossible
         float opacity = 0.4f;
         Bodies bodies = Bodies::Alike;
         bool operator==(const Look&) const = default;
@@ -48,53 +48,54 @@ public:
 
     explicit Chunks(Workspace& workspace);
 
-    /// None: nothing is divided.
+    /// The present division; none if nothing is divided.
     [[nodiscard]] std::optional<core::ChunkDivision> division() const;
-    /// Null: they are not shown, or are not there yet.
+    /// The chunks; null if they are not shown, or not computed yet.
     [[nodiscard]] const core::ChunkMap* map() const
     {
         return m_leaves ? m_leaves->map.get() : nullptr;
     }
-    /// They are to be shown, and are being worked out.
+    /// Whether chunks are to be shown and are still being computed.
     [[nodiscard]] bool isWorking() const;
-    /// Which of them are the segment's own is being counted; what is shown may change.
+    /// Whether the chunks of the segment are being counted, so that what is shown may change.
     [[nodiscard]] bool isCounting() const { return m_members.isCounting(); }
-    /// How far that is; changes without a signal.
+    /// How far the computation is; changes without a signal.
     [[nodiscard]] core::ChunkStage stage() const;
     [[nodiscard]] const Look& look() const { return m_look; }
     void setLook(const Look& look);
 
-    /// Into how many it is divided at present, for edits; specks that touch nothing of their kind
-    /// are on top of what was asked for, or a ragged mask would have nothing else.
+    /// The present number of chunks, for edits. Specks (small chunks that touch no other one of
+    /// their kind) come on top of the wanted number; without that a ragged mask would have nothing
+    /// else.
     [[nodiscard]] int count() const;
-    /// The same without specks, and how many of these the segment has.
+    /// The number without specks, and how many chunks the segment contains.
     [[nodiscard]] int shownCount() const { return count() - m_specks; }
     [[nodiscard]] int ownCount() const;
     [[nodiscard]] std::optional<Chunk> chunkAt(const glm::ivec3& voxel) const;
-    /// Whether the segment has more than half of it.
+    /// Whether the segment contains more than half of the chunk.
     [[nodiscard]] bool has(Chunk chunk) const;
     [[nodiscard]] double millilitres(Chunk chunk) const;
-    /// Drawn brightly: those that a tool is about.
+    /// Sets the chunks that are drawn brightly because a tool points at them.
     void setLit(std::vector<Chunk> chunks);
 
-    /// What slices and the 3D view draw of them; null: nothing.
+    /// What slices (areas) and the 3D view (bodies) draw of them; null if nothing.
     [[nodiscard]] std::shared_ptr<const gpu::SceneChunks> areas() const { return m_areas; }
     [[nodiscard]] std::shared_ptr<const gpu::SceneChunks> bodies() const { return m_bodies; }
 
-    /// The active segment and what lies around it.
+    /// Divides the active segment and its surroundings, as far as @p marginMm.
     void divide(double marginMm);
-    /// Chunks that are being worked out are not wanted: the division is undone.
+    /// Cancels the computation and undoes the division.
     void abort();
 
 Q_SIGNALS:
-    void changed(); ///< the division, what is known of its chunks, or which the segment has
+    void changed(); ///< the division, its chunks, or which of them the segment contains
     void lookChanged();
     void pictureChanged(); ///< areas() or bodies()
 
 private:
     void follow();
     void takeBack();
-    /// Of the session; null: there is none.
+    /// The chunks of the session; null if there is no session.
     [[nodiscard]] core::SessionChunks* chunks() const;
     void take(const std::shared_ptr<const ChunkLeaves>& leaves);
     void countOwn();
@@ -106,15 +107,16 @@ private:
     Workspace& m_workspace;
     Look m_look;
     ChunkMembers m_members;
-    std::shared_ptr<const core::ChunkMap> m_wanted; ///< of which m_leaves are, or are to be
+    /// The chunks from which m_leaves are made or being made.
+    std::shared_ptr<const core::ChunkMap> m_wanted;
     std::shared_ptr<const ChunkLeaves> m_leaves;
-    int m_segment = 0; ///< of the division that they are of
-    core::RowId m_dividedAfter = 0; ///< later divisions are of divide()
-    int m_specks = 0; ///< chunks that are never joined, and small
-    std::vector<Chunk> m_chunkOfLeaf; ///< at the present count, like the next two
+    int m_segment = 0; ///< the segment that they belong to
+    core::RowId m_dividedAfter = 0; ///< a division after this row comes from divide()
+    int m_specks = 0; ///< number of small chunks that are never merged
+    std::vector<Chunk> m_chunkOfLeaf; ///< for the present count, like the next two
     std::vector<std::uint8_t> m_colourOfLeaf;
-    int m_count = 0; ///< that these are for; 0: none
-    std::vector<bool> m_has; ///< by chunk: the segment has more than half of it
+    int m_count = 0; ///< the count for which they are; 0: none
+    std::vector<bool> m_has; ///< by chunk: whether the segment contains more than half of it
     std::vector<Chunk> m_lit;
     std::shared_ptr<const gpu::SceneChunks> m_areas;
     std::shared_ptr<const gpu::SceneChunks> m_bodies;

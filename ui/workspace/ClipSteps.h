@@ -14,22 +14,23 @@ namespace ui {
 
 class Workspace;
 
-/// What a user changed of the clip region since the last step of the history. Clipping is a way of
-/// looking and no step of the session, but whoever presses undo right after a clip means the clip.
-/// Once the history goes on, or the clip comes from somewhere else (another study, a bookmark),
-/// these steps are forgotten. Part of Workspace.
+/// The user's changes to the clip region since the last step of the history. Clipping is a way of
+/// viewing and not a step of the session, but a user who presses undo right after clipping means
+/// the clip. These steps are forgotten when the history goes on, or when the clip region is set by
+/// something else (another study, a bookmark). Part of Workspace.
 class ClipSteps : public QObject {
     Q_OBJECT
 
 public:
     explicit ClipSteps(Workspace& workspace);
 
-    /// The user clips. Changes that follow one another without a rest are one step.
+    /// Sets the clip region for the user. Changes that follow one another without a pause are one
+    /// step.
     void change(const core::ClipRegion& clip);
-    /// All changes until release() are one step, with or without rests: a drag.
+    /// Makes all changes until release() one step, with or without pauses: a drag.
     void hold();
     void release();
-    /// Ends a drag as if it had never been.
+    /// Ends a drag and restores the clip region from before it.
     void cancelHold();
 
     [[nodiscard]] bool canUndo() const;
@@ -44,12 +45,13 @@ private:
     void forget();
 
     Workspace& m_workspace;
-    std::vector<core::ClipRegion> m_before; ///< each step's, oldest first
-    std::vector<core::ClipRegion> m_after; ///< of those undone, the last undone at the end
-    std::optional<core::RowId> m_position; ///< of the history, when the steps were made
-    bool m_open = false; ///< the next change goes on with the last step
+    std::vector<core::ClipRegion> m_before; ///< the region before each step, oldest first
+    /// The regions of undone steps, the last undone at the end.
+    std::vector<core::ClipRegion> m_after;
+    std::optional<core::RowId> m_position; ///< position of the history when the steps were made
+    bool m_open = false; ///< the next change belongs to the last step
     bool m_held = false;
-    bool m_own = false; ///< the clip is being changed here
+    bool m_own = false; ///< the clip region is being changed by this object
     QTimer m_rest;
 };
 

@@ -9,20 +9,20 @@
 
 namespace ui {
 
-/// How a volume looks in 3D before the user has said anything (core::usualSurfaceThreshold()).
+/// How a volume looks in 3D before the user has changed anything (core::usualSurfaceThreshold()).
 [[nodiscard]] Workspace::VolumeDisplay initialVolumeDisplay(const core::Volume& volume);
 
-/// Where the crosshair stands at first: in the middle of the voxel in the middle.
+/// The initial position of the crosshair: the centre of the voxel in the middle.
 [[nodiscard]] glm::dvec3 initialCrosshairLps(const core::VolumeGeometry& geometry);
 
-/// A grey mapping with a name, for a digit key.
+/// A named window/level, for a digit key.
 struct WindowPreset {
     QString name;
     core::WindowLevel window;
 };
 
-/// What the digits 1, 2, 3 … stand for: named windows for CT, the source's own and shares of the
-/// value range for everything else.
+/// The presets of the digit keys 1, 2, 3 …: named windows for CT; for everything else the source's
+/// own window and fractions of the value range.
 [[nodiscard]] std::vector<WindowPreset> windowPresets(const core::Volume& volume);
 
 } // namespace ui

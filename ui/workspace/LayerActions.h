@@ -14,21 +14,23 @@ class Workspace;
 /// Adds a sculpt layer named "Sculpt 2" or so and makes it the active one. @return its id
 core::Result<int> addLayer(Workspace& workspace);
 
-/// What a tool that carves says of its target: "carves layer Sculpt 1, not Carotid".
+/// The target of a carving tool in words: "carves layer Sculpt 1, not Carotid".
 [[nodiscard]] QString carvingTarget(const Workspace& workspace, bool restores);
 
-// Each of the following is one step of undo; what cannot be done is told by the workspace.
+// Each of the following functions is one step of undo. Failures are reported by the workspace.
 
-/// Deletes a layer with what it has carved, and says so; the next one becomes the active one.
+/// Deletes a layer with what it has carved, and tells the user; the next layer becomes the active
+/// one.
 void removeLayer(Workspace& workspace, int id);
-/// Lays a layer into another one, which becomes the active one.
+/// Merges a layer into another one, which becomes the active one.
 void mergeLayers(Workspace& workspace, int from, int into);
-/// What a layer has carved becomes voxels of a segment. @param label none: of a new one, named like
-/// the layer
+/// Makes what a layer has carved voxels of a segment.
+/// @param label none: of a new segment with the layer's name
 void layerToSegment(Workspace& workspace, int layer, std::optional<int> label);
-/// What a segment holds is carved into a layer.
+/// Carves the voxels of a segment into a layer.
 void segmentToLayer(Workspace& workspace, int label, int layer);
-/// "Segment what I see": in the 3D view, whatever side one looks from. @param label none: a new one
+/// "Segment what I see": segments what the 3D view shows, whatever its camera.
+/// @param label none: a new segment
 void segmentWhatIsSeen(Workspace& workspace, std::optional<int> label);
 
 } // namespace ui

@@ -12,20 +12,20 @@ namespace ui {
 
 class Workspace;
 
-/// How what a sculpt layer carves looks in the 3D view.
+/// How the matter that a sculpt layer carves looks in the 3D view.
 struct LayerLook {
-    double hides = 1.0; ///< 0 … 1: how much of it is hidden; the rest shows through
-    /// Volume rendering: so far into the cut matter fades out, 0 … 1 of what radiation reaches
+    double hides = 1.0; ///< 0 … 1: how much of it is hidden; the rest shows faintly
+    /// Volume rendering: how far into the cut the matter fades out, 0 … 1 of the reach of radiation
     /// (three voxels).
     double softness = 0.0;
     bool operator==(const LayerLook&) const = default;
 };
 
-/// The looks of the document's sculpt layers. Display alone: no step of undo, since what is carved
-/// counts as carved for every tool, however little of it is hidden; kept with the session.
+/// The looks of the document's sculpt layers. This is display state and not a step of undo: what is
+/// carved counts as carved for every tool, however little of it is hidden. Kept with the session.
 ///
-/// Matter that a layer hides in part is drawn as a piece (gpu::ScenePiece) at home, translucent.
-/// Part of Workspace.
+/// Matter that a layer hides in part is drawn as a translucent piece (gpu::ScenePiece) at its true
+/// place. Part of Workspace.
 class LayerLooks : public QObject {
     Q_OBJECT
 
@@ -35,7 +35,8 @@ public:
     [[nodiscard]] const std::map<int, LayerLook>& looks() const { return m_looks; }
     [[nodiscard]] LayerLook look(int layer) const;
     void setLook(int layer, const LayerLook& look);
-    /// Not of a layer that is a piece: the piece's own look says how that is drawn.
+    /// Whether the layer has a look of its own. The layer of a piece has none: it is drawn by the
+    /// look of the piece.
     [[nodiscard]] bool hasLook(int layer) const;
 
     [[nodiscard]] std::vector<gpu::ScenePiece> scene() const;

@@ -17,10 +17,10 @@ namespace ui {
 
 class Workspace;
 
-/// The sketched seeds that are no members: those that no growth has come to yet (of the history's
-/// line up to its position, after the last growth), and those that growths have left waiting, since
-/// they do not qualify; as the engine holds them, so a place that took no seed has none. Of
-/// segments that are shown. Part of Workspace.
+/// The sketched seeds that are not members of a growth: those that no growth has reached yet (on
+/// the history's line up to its position, after the last growth), and those that growths have left
+/// waiting because they do not meet the criteria. They are taken from the engine, so a place that
+/// accepted no seed has none. Only seeds of shown segments. Part of Workspace.
 class PendingSeeds : public QObject {
     Q_OBJECT
 
@@ -28,9 +28,9 @@ public:
     explicit PendingSeeds(Workspace& workspace);
 
     [[nodiscard]] const std::vector<gpu::SceneSeed>& seeds() const { return *m_seeds; }
-    /// Those that growths have left waiting; drawn hollow.
+    /// The seeds that growths have left waiting; they are drawn hollow.
     [[nodiscard]] const std::vector<gpu::SceneSeed>& hollow() const { return m_hollow; }
-    /// The first for a picture of the 3D view.
+    /// The seeds() for a picture of the 3D view.
     [[nodiscard]] std::shared_ptr<const std::vector<gpu::SceneSeed>> scene() const
     {
         return m_seeds;
@@ -42,17 +42,17 @@ Q_SIGNALS:
 private:
     struct Sketched;
 
-    /// Those that the history says may wait.
+    /// The seeds that, by the history, may be waiting.
     [[nodiscard]] static Sketched seedsOf(const core::EditSession& session);
     void update();
-    /// Asks which of them wait indeed, and shows those.
+    /// Asks the engine which of them really wait, and shows those.
     void show(Sketched sketched);
     void set(std::vector<gpu::SceneSeed> pending, std::vector<gpu::SceneSeed> hollow);
 
     Workspace& m_workspace;
     std::shared_ptr<const std::vector<gpu::SceneSeed>> m_seeds;
     std::vector<gpu::SceneSeed> m_hollow;
-    std::uint64_t m_asked = 0; ///< questions; only the last counts
+    std::uint64_t m_asked = 0; ///< number of questions; only the answer to the last one counts
 };
 
 } // namespace ui

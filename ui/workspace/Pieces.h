@@ -20,20 +20,21 @@ namespace ui {
 
 class Workspace;
 
-/// How a piece looks in the 3D view; no step of undo, kept with the session.
+/// How a piece looks in the 3D view. Not a step of undo; kept with the session.
 struct PieceLook {
     bool visible = true;
     double opacity = 1.0;
-    /// Its own colour; none: untinted, and of a segment's piece the segment's.
+    /// Its own colour; if none, it is untinted, or has the segment's colour if it is a segment's
+    /// piece.
     std::optional<std::uint32_t> rgb{};
-    /// Of a segment's piece: its grey values are shown, not its body in its colour.
+    /// For a segment's piece: shows its grey values instead of a body in its colour.
     bool tissue = false;
-    gpu::TransferFunction map{}; ///< its own in volume rendering; empty: that of the rest
+    gpu::TransferFunction map{}; ///< its own transfer function; empty: that of the rest
     bool operator==(const PieceLook&) const = default;
 };
 
-/// The document's pieces as the window works with them: looks, the active one, a pose under the
-/// hand; and what can be done to them. Part of Workspace.
+/// The document's pieces as the window works with them: their looks, the active one, the pose
+/// during a drag, and the operations on them. Part of Workspace.
 class Pieces : public QObject {
     Q_OBJECT
 
@@ -46,44 +47,45 @@ public:
     [[nodiscard]] int active() const { return m_active; } ///< 0: none
     void setActive(int piece);
 
-    /// The pose that is shown: that under the hand, or the document's.
+    /// The pose that is shown: that of a drag, or the document's.
     [[nodiscard]] core::PiecePose pose(const core::Piece& piece) const;
-    /// Shows a pose; the document follows when it is kept.
+    /// Shows a pose during a drag; letGo() writes it to the document.
     void hold(int piece, const core::PiecePose& pose);
-    /// What is held becomes a step of undo. @param keep false: it goes back
+    /// Ends a drag, as a step of undo.
+    /// @param keep false: restores the pose from before
     void letGo(bool keep = true);
-    /// A step of undo at once.
+    /// Changes the pose as a step of undo.
     void setPose(int piece, const core::PiecePose& pose);
     void sendHome();
     [[nodiscard]] bool allHome() const;
-    /// Where a piece lies is being worked out; a step may follow.
+    /// Whether a piece's extent is being computed; a step may follow.
     [[nodiscard]] bool isMeasuring() const { return m_measuring.busy(); }
 
-    /// What a layer has carved becomes a piece that turns about its middle, and a fresh layer the
-    /// active one. The step comes when the engine has told where it lies.
+    /// Makes what a layer has carved a piece that turns about its middle, and a new layer the
+    /// active one. The step is made when the engine has told the extent.
     void lift(int layer);
     /// Shows a segment as a piece beside the volume, on the patient's left.
     void paste(int segment);
     void remove(int piece);
-    /// Turns it about the edge of its cut that lies highest in the view, outwards.
+    /// Turns it outwards about the edge of its cut that is highest in the view.
     void openLikeALid(int piece, const glm::dvec3& upLps);
 
     [[nodiscard]] std::vector<gpu::ScenePiece> scene() const;
-    /// "42 mm · 30° · 1.5×"; empty: at home.
+    /// "42 mm · 30° · 1.5×": how far it is from its true place; empty if it is there.
     [[nodiscard]] static QString badge(const core::PiecePose& pose);
 
 Q_SIGNALS:
-    void looksChanged(); ///< looks, or the pose under the hand
+    void looksChanged(); ///< looks, or the pose of a drag
     void activeChanged();
 
 private:
-    /// Where a piece's voxels lie.
+    /// The extent of a piece's voxels.
     struct Extent {
-        std::vector<glm::dvec3> pointsLps; ///< some of them, evenly
-        glm::dvec3 middleLps{0.0}; ///< of their box
+        std::vector<glm::dvec3> pointsLps; ///< an evenly chosen part of them
+        glm::dvec3 middleLps{0.0}; ///< of their bounding box
         glm::dvec3 sizeLps{0.0};
     };
-    /// Asks the engine; @p then is not called where there is nothing.
+    /// Asks the engine for the extent; @p then is not called if there are no voxels.
     void measure(int layer, int segment, std::function<void(const Extent&)> then);
     [[nodiscard]] static Extent extentOf(const std::vector<core::BrickImage>& bricks,
         const core::VolumeGeometry& geometry, int segment);
@@ -95,7 +97,7 @@ private:
     int m_active = 0;
     int m_held = 0;
     core::PiecePose m_heldPose;
-    core::Background m_measuring; ///< last: what it tells comes back to all of the above
+    core::Background m_measuring; ///< last: its results are delivered to all of the above
 };
 
 } // namespace ui

@@ -16,22 +16,22 @@ namespace ui {
 
 class Workspace;
 
-/// The surface that is being refined, as the window has it: what it looks like, what is marked on
-/// it, what is done to all of it. Tools work on it through the session. Part of Workspace.
+/// The surface that is being refined, as the window uses it: how it looks, what is marked on it,
+/// and operations on all of it. Tools edit it through the session. Part of Workspace.
 class Refinement : public QObject {
     Q_OBJECT
 
 public:
-    /// How it is drawn; no step of undo.
+    /// How it is drawn; not a step of undo.
     struct Look {
         gpu::SurfaceStyle style = gpu::SurfaceStyle::Shaded;
         float opacity = 1.0f;
         bool showMarks = true;
-        bool contours = true; ///< where it meets slices
+        bool contours = true; ///< draws lines where it meets slices
         bool operator==(const Look&) const = default;
     };
     enum class Mode { Mark, Sphere, Scrape, Drag, Smooth, Attract, Template };
-    /// Of the tool.
+    /// The settings of the refine tool.
     struct Settings {
         Mode mode = Mode::Mark;
         core::SurfaceMark mark = core::SurfaceMark::Red;
@@ -41,11 +41,12 @@ public:
 
     explicit Refinement(Workspace& workspace);
 
-    /// None: no surface is being refined.
+    /// The state of the surface; none if no surface is being refined.
     [[nodiscard]] std::optional<core::RefinedSurface> surface() const;
-    /// As far as it was told of: while something is under way it follows.
+    /// A copy of the surface as last reported by the session; it follows while an edit is under
+    /// way.
     [[nodiscard]] const core::SurfaceMirror& mirror() const { return m_mirror; }
-    /// What is marked red and not signed off, largest first.
+    /// The parts that are marked red and not signed off, largest first.
     [[nodiscard]] const std::vector<core::MarkedRegion>& errors() const { return m_errors; }
 
     [[nodiscard]] const Look& look() const { return m_look; }
@@ -53,53 +54,55 @@ public:
     [[nodiscard]] const Settings& settings() const { return m_settings; }
     void setSettings(const Settings& settings);
 
-    /// What the 3D view and slices draw of it; none: nothing.
+    /// What the 3D view and slices draw of it; none if nothing.
     [[nodiscard]] std::optional<gpu::SceneSurface> scene() const;
     [[nodiscard]] std::optional<gpu::SceneContour> contour() const;
 
-    /// Contours of a template that have been drawn but not taken (seed B §4.4), LPS.
+    /// Contours of a template that were drawn but not applied (seed B §4.4), LPS.
     [[nodiscard]] const std::vector<std::vector<glm::dvec3>>& contours() const
     {
         return m_contours;
     }
-    /// One more. One whose ends meet is closed: it describes a body. What is previewed is taken
-    /// back.
+    /// Adds a contour. If its ends meet it is closed and describes a body. A preview is taken back.
     void addContour(std::vector<glm::dvec3> pointsLps);
-    void removeContour(); ///< the last one
+    void removeContour(); ///< removes the last one
     void clearContours();
-    /// The surface shows what the contours make of it; takeTemplate() makes an edit of that,
+    /// Previews the surface that the contours produce. takeTemplate() makes an edit of it,
     /// dropPreview() takes it back and keeps the contours.
     void previewTemplate();
     [[nodiscard]] bool isPreviewing() const;
     void takeTemplate();
     void dropPreview();
 
-    /// What views say while the segment does not hold what the surface encloses; empty: it does.
+    /// The caution in views while the segment differs from what the surface encloses; else empty.
     [[nodiscard]] QString caution() const;
 
-    /// Around the active segment.
+    /// Makes the surface of the active segment.
+    /// @param vertices how many it has
     void lay(int vertices);
     void writeBack();
     void followMask();
-    /// Growth does not pass through the surface from now on; with @p erase it does again.
+    /// Makes the surface a barrier for growth; with @p erase, opens it again.
     void makeBarrier(bool erase);
     void drop();
     void changeMarks(core::ChangeMarks::Way way);
-    /// To the next error, or the one before (@p by −1): the crosshair goes there.
+    /// Goes to the next error, or the previous one (@p by −1): moves the crosshair there.
     void goToError(int by);
     /// @param place in errors()
     void showError(int place);
-    /// A part of the surface is looked at: the crosshair and the views go there.
+    /// Moves the crosshair and the views to a part of the surface.
     void showRegion(const core::MarkedRegion& region);
-    /// It turns green. @param place in errors()
+    /// Signs an error off: it turns green.
+    /// @param place index in errors()
     void signOff(int place);
 
 Q_SIGNALS:
-    void changed(); ///< it, or what is marked on it
+    void changed(); ///< the surface, or its marks
     void lookChanged();
     void settingsChanged();
-    void contoursChanged(); ///< or whether what they make of the surface is looked at
-    /// An error is to be looked at. @param normalLps outwards; 0: from wherever
+    void contoursChanged(); ///< the contours, or whether they are previewed
+    /// An error is to be shown.
+    /// @param normalLps outwards; 0: from any direction
     void shown(const glm::dvec3& placeLps, const glm::dvec3& normalLps);
 
 private:
@@ -111,7 +114,7 @@ private:
     Workspace& m_workspace;
     core::SurfaceMirror m_mirror;
     std::vector<core::MarkedRegion> m_errors;
-    int m_error = -1; ///< the one that was gone to
+    int m_error = -1; ///< index of the error last visited
     Look m_look;
     Settings m_settings;
     std::vector<std::vector<glm::dvec3>> m_contours;

@@ -17,18 +17,21 @@ namespace ui {
 
 class Workspace;
 
-/// The next of twelve colours that keep apart on grey, told by how many segments there are.
+/// The colour for a new segment: the next of twelve colours that are easy to distinguish on grey,
+/// by the number of segments.
 [[nodiscard]] std::uint32_t nextSegmentColour(const core::Document& document);
 /// "Segment 3": the first such name that is free.
 [[nodiscard]] QString nextSegmentName(const core::Document& document);
 
-/// Adds a segment as an entry of its own and makes it the active one. @return its label
+/// Adds a segment as a step of its own and makes it the active one.
+/// @return its label
 core::Result<int> addSegment(Workspace& workspace);
-/// The active segment; if there is none, the first one, and if there is no segment, a new one.
+/// The label of the active segment; if there is none, of the first one; if there is no segment, of
+/// a new one.
 core::Result<int> ensureActiveSegment(Workspace& workspace);
 
-/// Deletes a segment with its voxels, as an entry of its own, and says so; the one below it, or
-/// else above, becomes the active one. What cannot be done is told by the workspace.
+/// Deletes a segment with its voxels, as a step of its own, and tells the user. The segment below
+/// it, or else above it, becomes the active one. Failures are reported by the workspace.
 void removeSegment(Workspace& workspace, int label);
 
 /// What is done to a segment as a whole, and not to one that is locked: in the menu of its row, and

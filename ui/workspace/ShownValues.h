@@ -10,15 +10,15 @@
 
 namespace ui {
 
-/// Which values the 3D view shows, for "segment what I see".
+/// The range of values that the 3D view shows, for "segment what I see".
 struct ShownValues {
     std::optional<double> lower; ///< modality units, inclusive; none: any
     std::optional<double> upper;
-    QString why; ///< why that cannot be said, for the user; empty if it can
+    QString why; ///< why there is no such range, for the user; empty if there is
 };
 
 /// Surface: from the threshold on. Volume rendering: where the transfer function reaches half of
-/// its greatest opacity, if that is one interval. The others show no values before others.
+/// its greatest opacity, if that is a single interval. The other modes have no such range.
 [[nodiscard]] ShownValues shownValues(const Workspace::VolumeDisplay& display);
 
 } // namespace ui

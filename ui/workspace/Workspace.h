@@ -26,41 +26,41 @@ class Pieces;
 class Refinement;
 class Tool;
 
-/// What all views, tools and panels of one window share: the open session and the state that is not
-/// a step of undo (crosshair, window/level, active segment and layer, how the 3D view looks, tool
+/// What all views, tools and panels of one window share: the open session, and the state that is
+/// not a step of undo (crosshair, window/level, active segment and layer, look of the 3D view, tool
 /// settings).
 ///
-/// Setters emit their signal only when the value changed.
+/// Setters emit their signal only if the value has changed. GUI thread.
 class Workspace : public QObject {
     Q_OBJECT
 
 public:
-    /// Which way a drill goes in.
+    /// The direction in which a drill goes in.
     enum class Sweep { View, Normal, LeftRight, FrontBack, UpDown, Pen };
-    /// Of drill and laser: they share the tip.
+    /// The settings of drill and laser, which share the mask.
     struct DrillSettings {
-        double radiusMm = 8.0; ///< of other shapes than the circle: half the width
-        double depthMm = 8.0; ///< mode Rate: a second
+        double radiusMm = 8.0; ///< half the width for shapes other than the circle
+        double depthMm = 8.0; ///< in mode Rate: per second
         bool throughGaps = false;
         core::MaskShape::Kind shape = core::MaskShape::Kind::Circle;
-        double heightRatio = 0.5; ///< height to width, where they differ
+        double heightRatio = 0.5; ///< height / width, for shapes where they differ
         double rotationDegrees = 0.0;
-        double softnessMm = 0.0; ///< core::MaskShape's
-        bool turnsWithPen = true; ///< the mask, on top of rotationDegrees
-        bool foreshortened = false; ///< the mask, by the pen's tilt
+        double softnessMm = 0.0; ///< as in core::MaskShape
+        bool turnsWithPen = true; ///< the mask rotates with the pen, in addition to rotationDegrees
+        bool foreshortened = false; ///< the mask is foreshortened by the pen's tilt
         core::DrillMode mode = core::DrillMode::Limit;
-        double floorMm = 30.0; ///< mode Rate
+        double floorMm = 30.0; ///< for mode Rate
         int pressureExponent = 2; ///< 1 … 3: the depth goes with this power of the pressure
-        double laserDepthMm = 15.0; ///< the laser's depthMm
-        Sweep sweep = Sweep::View; ///< the drill's
-        bool freehand = false; ///< the outline in place of the shape
-        MaskOutline outline{}; ///< radiusMm is half its greater side
+        double laserDepthMm = 15.0; ///< depth of the laser
+        Sweep sweep = Sweep::View; ///< for the drill
+        bool freehand = false; ///< the outline replaces the shape
+        MaskOutline outline{}; ///< radiusMm is half of its longer side
         bool operator==(const DrillSettings&) const = default;
     };
-    /// Of paint, of the carve brush and of barriers, each its own.
+    /// The settings of one brush; paint, carve brush and barrier have their own.
     struct BrushSettings {
         double radiusMm = 4.0;
-        bool disc = false; ///< on slices: of the shown slice only, not a ball
+        bool disc = false; ///< on slices: a disc in the slice instead of a ball
         bool onlyBetween = false; ///< paint: only values from lower to upper
         double lower = 0.0; ///< modality units
         double upper = 0.0;
@@ -74,26 +74,27 @@ public:
         gpu::RenderMode mode = gpu::RenderMode::Surface;
         double surfaceThreshold = 300.0;
         gpu::TransferFunction transferFunction;
-        /// Its own: what shows soft tissue on a slice drowns every bone along a ray.
+        /// The window of MIP, separate from that of slices: a window for soft tissue would saturate
+        /// all bone along a ray.
         core::WindowLevel mipWindow;
-        core::WindowLevel xrayWindow; ///< of means, which air thins
+        core::WindowLevel xrayWindow; ///< the window of X-ray, whose means are lowered by air
         gpu::CutFaces cutFaces = gpu::CutFaces::Material;
         bool operator==(const VolumeDisplay&) const = default;
     };
 
-    /// The window that a display's grey values go through; null: its mode shows no grey values.
+    /// The window for the grey values of a render mode; null if the mode shows no grey values.
     using GreyWindow = core::WindowLevel VolumeDisplay::*;
     [[nodiscard]] static GreyWindow greyWindow(gpu::RenderMode mode);
 
-    /// What lies over the pictures, in every view.
+    /// What is drawn over the pictures, in every view.
     struct ViewOptions {
         bool showPatient = true; ///< name, ID and birth date in the corners
         bool showCrosshair = true;
         bool showSegments = true; ///< all segments at once; each keeps its own visibility
         bool showCarved = true; ///< in slices: what is carved away, as a tinted outline
         bool carvedAsHole = false; ///< in slices: what is carved away is black
-        bool showBarriers = true; ///< what is shut to growth, in slices and in the 3D view
-        bool inverted = false; ///< of slices: grey scale the other way round
+        bool showBarriers = true; ///< barriers, in slices and in the 3D view
+        bool inverted = false; ///< inverts the grey scale of slices
         bool operator==(const ViewOptions&) const = default;
     };
 
@@ -104,13 +105,13 @@ public:
     /// Null while nothing is open.
     [[nodiscard]] core::EditSession* session() const { return m_session.get(); }
     [[nodiscard]] const core::Volume* volume() const; ///< the open volume, or null
-    /// Shows another study (or none): crosshair to its middle, grey scale and 3D view to what suits
-    /// it.
+    /// Opens another study (or none): moves the crosshair to its middle, and sets grey scale and 3D
+    /// view to suit it.
     void setSession(std::unique_ptr<core::EditSession> session);
-    /// Closes the session without a word to anybody: the program ends, and windows may be gone.
+    /// Closes the session without emitting signals: the program ends, and windows may be gone.
     void dropSession();
 
-    /// The open session keeps as much of its history in memory as the user allows
+    /// Applies the user's setting of how much history the session keeps in memory
     /// (HistoryMemory.h).
     void applyHistoryMemory();
 
@@ -118,16 +119,18 @@ public:
     void setCrosshairLps(const glm::dvec3& position);
     [[nodiscard]] core::WindowLevel windowLevel() const { return m_windowLevel; }
     void setWindowLevel(const core::WindowLevel& window);
-    [[nodiscard]] int activeSegment() const { return m_activeSegment; } ///< label; 0: none
+    [[nodiscard]] int activeSegment() const { return m_activeSegment; } ///< its label; 0: none
     void setActiveSegment(int label);
-    [[nodiscard]] int activeLayer() const { return m_activeLayer; } ///< that tools carve; 0: none
+    /// The layer that tools carve; 0: none.
+    [[nodiscard]] int activeLayer() const { return m_activeLayer; }
     void setActiveLayer(int id);
     [[nodiscard]] const VolumeDisplay& volumeDisplay() const { return m_volumeDisplay; }
     void setVolumeDisplay(const VolumeDisplay& display);
-    /// What of the volume the 3D view shows; no step of the history. A new session shows all.
+    /// The part of the volume that the 3D view shows; not a step of the history. A new session
+    /// shows all.
     [[nodiscard]] const core::ClipRegion& clip() const { return m_clip; }
     void setClip(const core::ClipRegion& clip);
-    /// The way for whatever the user does to the clip, so that undo takes it back.
+    /// Changes the clip region on behalf of the user, so that undo takes it back.
     [[nodiscard]] ClipSteps& clipSteps() const { return *m_clipSteps; }
     [[nodiscard]] Pieces& pieces() const { return *m_pieces; }
     [[nodiscard]] Refinement& refinement() const { return *m_refinement; }
@@ -136,11 +139,11 @@ public:
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
-    /// What growth added after a generation is drawn in the warning colour; none: nothing is.
+    /// Draws what growth has added after a generation in the warning colour; none: nothing.
     void setWarnAfter(std::optional<std::uint32_t> generation);
 
-    /// A segment is drawn as it would be at a tolerance, where there is a field of it; a new
-    /// session shows what is.
+    /// Draws a segment as it would be at a tolerance, if there is a tolerance field of it. A new
+    /// session shows segments as they are.
     [[nodiscard]] const std::optional<gpu::ToleranceDisplay>& atTolerance() const
     {
         return m_atTolerance;
@@ -155,37 +158,37 @@ public:
 
     [[nodiscard]] const ViewOptions& viewOptions() const { return m_viewOptions; }
     void setViewOptions(const ViewOptions& options);
-    /// Whether the user has accepted what is wrong with the open volume's geometry; until then
-    /// every view carries a caution bar. A new session starts unaccepted.
+    /// Whether the user has accepted the problems of the open volume's geometry; until then every
+    /// view carries a caution bar. A new session starts unaccepted.
     [[nodiscard]] bool cautionAccepted() const { return m_cautionAccepted; }
     void acceptCaution();
-    /// Where the pointer is; none while it is over no picture. For the status line.
+    /// The place under the pointer, for the status line; none while it is over no picture.
     [[nodiscard]] const std::optional<glm::dvec3>& pointedLps() const { return m_pointedLps; }
     void setPointedLps(const std::optional<glm::dvec3>& position);
 
-    /// Null: navigate.
+    /// The active tool; null: the left button navigates.
     [[nodiscard]] Tool* activeTool() const { return m_tool; }
     void setActiveTool(Tool* tool);
 
-    /// One sentence for the status line: what happened, to what, what to do.
+    /// Shows one sentence in the status line: what happened, to what, what to do.
     void say(const QString& sentence) { Q_EMIT said(sentence); }
-    /// The session goes on in another file. @param before the one it left; empty: it was looked at
-    /// only
+    /// Tells that the session was moved to another file.
+    /// @param before the previous file; empty if the session was read-only
     void tellSaved(const QString& before, const QString& now) { Q_EMIT sessionSaved(before, now); }
-    /// What could not be done, for the bar above the views.
+    /// Reports a failure in the bar above the views.
     void fail(const core::Error& error) { Q_EMIT failed(error); }
-    /// Something that can be done about what happened; for the bar above the views.
+    /// A sentence with a button, for the bar above the views.
     struct Offer {
         QString sentence;
         QString button;
         std::function<void()> run;
     };
     void offer(const Offer& made) { Q_EMIT offered(made); }
-    /// Pen pressure as it comes, 0 … 1.
+    /// Shows the present pen pressure, 0 … 1.
     void showPressure(double pressure) { Q_EMIT pressureChanged(pressure); }
 
 Q_SIGNALS:
-    /// The open session is about to be closed; it can still be told things.
+    /// The open session is about to be closed; it can still be changed.
     void sessionClosing();
     void sessionChanged();
     void sessionSaved(const QString& before, const QString& now);
@@ -200,7 +203,7 @@ Q_SIGNALS:
     void brushSettingsChanged();
     void growSettingsChanged();
     void atToleranceChanged();
-    void viewOptionsChanged(); ///< or what warns
+    void viewOptionsChanged(); ///< or the warning of setWarnAfter()
     void cautionAcceptedChanged();
     void pointedLpsChanged();
     void activeToolChanged();

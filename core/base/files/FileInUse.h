@@ -11,11 +11,11 @@
 
 namespace core {
 
-/// Which file a path leads to, whatever links and spellings lie between: one that is there by
-/// device and inode, a name that is still free by its folder and itself.
+/// The file to which a path leads, independent of links and spelling: an existing file by device
+/// and inode, a free name by its folder and the name itself.
 class FileIdentity {
 public:
-    /// None where there is not even a folder.
+    /// None if not even the folder exists.
     [[nodiscard]] static std::optional<FileIdentity> of(const QString& path);
 
     friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
@@ -28,23 +28,23 @@ public:
 private:
     std::uint64_t m_device = 0;
     std::uint64_t m_inode = 0;
-    QString m_name; ///< in the folder that the numbers name; empty: they name the file
+    QString m_name; ///< in the folder given by the numbers; empty: they identify the file
 };
 
-/// While it lives these files are in use by this process: sources of a study, recipe, session.
-/// StagedFile and SessionFile refuse to write over them, whoever asks. Any thread.
+/// While an object exists, its files are in use by this process: sources of a study, recipe,
+/// session. StagedFile and SessionFile refuse to overwrite them. Any thread.
 class FileInUse {
 public:
     enum class As { Study, Session, Recipe, Mask };
 
-    FileInUse() = default; ///< of nothing
-    /// Paths that lead nowhere are left out. Cost: one look at the file system a path.
+    FileInUse() = default; ///< of no file
+    /// Paths that lead nowhere are ignored. Cost: one file system call per path.
     FileInUse(const QStringList& paths, As what);
     FileInUse(FileInUse&& other) noexcept;
     FileInUse& operator=(FileInUse&& other) noexcept;
     ~FileInUse();
 
-    /// What the file is in use as; none: it is not.
+    /// What the file is used as; none: it is not used.
     [[nodiscard]] static std::optional<As> whatIs(const QString& path);
     /// The same as a clause, "it is the recipe".
     [[nodiscard]] static QString text(As what);

@@ -12,9 +12,9 @@
 
 namespace core {
 
-/// A folder of folders that can be made again, of bounded size: what was used longest ago goes
-/// first, and never what somebody has open, in whichever process. Nobody else may look into it, and
-/// its names do not tell whose studies they are.
+/// A cache of bounded size: a folder of folders that can be created again. The least recently used
+/// one is removed first, and never one that some process has open. Other users cannot read it, and
+/// its names do not reveal whose studies they are.
 class FolderCache {
 public:
     struct Entry {
@@ -22,34 +22,34 @@ public:
         qint64 bytes = 0;
         QDateTime used;
     };
-    /// Keeps an entry from being removed while it lives.
+    /// Protects an entry from removal while it exists.
     using Hold = std::unique_ptr<QLockFile>;
 
     explicit FolderCache(QString folder);
 
-    /// Makes the folder. FileUnwritable.
+    /// Creates the folder. Errors: FileUnwritable.
     [[nodiscard]] Result<void> prepare() const;
-    /// Where an entry of this name has its place, whether it is there or not.
+    /// The path of an entry with this name, whether or not it exists.
     [[nodiscard]] QString placeOf(const QString& name) const { return m_folder + u'/' + name; }
-    /// Where it is to be gathered before it is renamed, with a lock beside it (".lock") that is
-    /// held meanwhile. What is left there goes after a day.
+    /// Where an entry is collected before it is renamed, with a lock file beside it (".lock") that
+    /// is held meanwhile. Leftovers are removed after a day.
     [[nodiscard]] static QString gatheringPlaceOf(const QString& path);
-    /// Whether a path is one of its entries, or lies in one. @return that; empty: it does not
+    /// The entry that a path is, or in which it lies; empty: none.
     [[nodiscard]] QString entryOf(const QString& path) const;
 
-    /// Newest use first, whole ones only.
+    /// The complete entries, last used first.
     [[nodiscard]] std::vector<Entry> entries() const;
-    /// Of all that is there, also of what is still gathered.
+    /// The size of everything there, including what is still being collected.
     [[nodiscard]] qint64 bytes() const;
-    /// Notes that it is used now.
+    /// Marks an entry as used now.
     void touch(const QString& path) const;
-    /// Null: it is gone.
+    /// Null if the entry no longer exists.
     [[nodiscard]] Hold hold(const QString& path) const;
     [[nodiscard]] bool isHeld(const QString& path) const;
 
-    /// Removes entries until no more than @p limit bytes are there. @return how many
+    /// Removes entries until at most @p limit bytes are left. @return how many were removed
     int shrinkTo(qint64 limit) const;
-    /// Removes all that nobody holds.
+    /// Removes everything that is not held.
     int clear() const { return shrinkTo(0); }
 
 private:

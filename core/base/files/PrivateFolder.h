@@ -5,12 +5,11 @@
 
 namespace core {
 
-/// Makes a folder, with those above it where they are missing, that its owner alone can look into:
-/// names of studies and sessions tell who was treated. One that is there becomes so. @return
-/// whether it is there
+/// Creates a folder, with missing parents, that only its owner can read, since names of studies and
+/// sessions reveal who was treated. An existing folder is made private. @return whether it exists
 bool makePrivateFolder(const QString& path);
 
-/// The same of a file, which is made empty where it is missing.
+/// The same for a file, which is created empty if it is missing.
 bool makePrivateFile(const QString& path);
 
 } // namespace core

@@ -7,9 +7,9 @@
 
 namespace core {
 
-/// Whether what a path leads to can be read to an end: a plain file or a folder. Pipes, sockets and
-/// devices would be waited for without end. What is not there passes.
-/// Errors: FileUnreadable with the reason.
+/// Checks that reading a path will come to an end: it must be a regular file or a folder. Reading
+/// pipes, sockets and devices could block for ever. A path that does not exist passes. Errors:
+/// FileUnreadable with the reason.
 [[nodiscard]] Result<void> checkReadsToAnEnd(const QString& path);
 
 /// The same of a file that is to be there.

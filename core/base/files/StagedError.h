@@ -7,8 +7,8 @@ namespace core {
 
 class StagedFile;
 
-/// An error about a file that is being staged, as its user knows it: the target is named wherever
-/// the error named the hidden file.
+/// Rewrites an error about a staged file for the user: the target's name replaces that of the
+/// hidden file.
 [[nodiscard]] Error namingTarget(Error error, const StagedFile& staged);
 
 } // namespace core

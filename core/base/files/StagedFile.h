@@ -7,29 +7,30 @@
 
 namespace core {
 
-/// Whether a file may be written under a name: a free one, or with @p replaceExisting that of a
-/// plain file that this process does not use (FileInUse). Links, pipes and devices are never
-/// replaced.
-/// @param overSession it may be a session in use: the caller knows that it is its own
+/// Checks that a file may be written under a name: the name must be free or, with @p
+/// replaceExisting, belong to a regular file that this process does not use (FileInUse). Links,
+/// pipes and devices are never replaced.
+/// @param overSession a session in use is accepted, since the caller knows that it is its own
 /// Errors: FileExists, FileUnwritable with the reason.
 [[nodiscard]] Result<void> checkFileTarget(
     const QString& target, bool replaceExisting, bool overSession = false);
 
-/// A hidden name that is free, in the folder of @p target and with its ending.
+/// A free hidden name in the folder of @p target, with the same ending.
 [[nodiscard]] QString temporaryNameBeside(const QString& target);
 
-/// The one door for files that are written: one that appears under its name only once it is whole.
+/// A file that appears under its name only when it is complete; all files are written through this
+/// class.
 ///
-/// It is written under a temporary name in the folder of its target (same ending, so that readers
-/// which go by the ending can check it), and renamed by commit(). Destroyed before commit() it
-/// leaves nothing behind, and a file of the target's name is as it was.
+/// It is written under a temporary name in the folder of its target, with the same ending so that
+/// readers which depend on the ending can check it, and renamed by commit(). If it is destroyed
+/// before commit(), nothing is left, and a file of the target's name is unchanged.
 class StagedFile {
 public:
-    /// Makes the empty temporary file. Errors: those of checkFileTarget().
+    /// Creates the empty temporary file. Errors: those of checkFileTarget().
     static Result<StagedFile> create(
         const QString& target, bool replaceExisting, bool overSession = false);
 
-    /// A file that is there already, in the folder of its target, which may be replaced.
+    /// Takes over an existing file in the folder of its target, which may be replaced.
     static StagedFile adopt(const QString& path, const QString& target);
 
     StagedFile(StagedFile&& other) noexcept;
@@ -39,13 +40,13 @@ public:
     [[nodiscard]] const QString& path() const { return m_path; } ///< the temporary name
     [[nodiscard]] const QString& target() const { return m_target; }
 
-    /// Brings the content to the disk and gives the file its name; once. The file that it replaces
-    /// is kept under the temporary name until this is destroyed.
-    /// Errors: FileExists (it came into being meanwhile), FileUnwritable.
+    /// Writes the content to the disk and gives the file its name; to be called once. A file that
+    /// it replaces is kept under the temporary name until this is destroyed. Errors: FileExists (it
+    /// was created in the meantime), FileUnwritable.
     Result<void> commit();
-    /// It stays under its temporary name.
+    /// Keeps the file under its temporary name.
     void release() { m_path.clear(); }
-    /// After commit(): what there was stands again under the name, or nothing.
+    /// After commit(): restores the file that was replaced, or removes the new one.
     void takeBack();
 
 private:

@@ -7,14 +7,14 @@
 
 namespace core {
 
-/// The door for folders that are written, as StagedFile is for files: one that appears under its
-/// name only once it is whole.
+/// A folder that appears under its name only when it is complete; all folders are written through
+/// this class, as files are through StagedFile.
 ///
-/// It is filled under a hidden name beside its target and renamed by commit(). Destroyed before
-/// that it leaves nothing behind. It takes the place of nothing but an empty folder.
+/// It is filled under a hidden name beside its target and renamed by commit(). If it is destroyed
+/// before that, nothing is left. It replaces nothing but an empty folder.
 class StagedFolder {
 public:
-    /// Makes the empty folder. Errors: FileExists, FileUnwritable.
+    /// Creates the empty folder. Errors: FileExists, FileUnwritable.
     static Result<StagedFolder> create(const QString& target);
     StagedFolder(StagedFolder&& other) noexcept;
     StagedFolder& operator=(StagedFolder&& other) noexcept;
@@ -22,8 +22,8 @@ public:
 
     [[nodiscard]] const QString& path() const { return m_path; } ///< the hidden name
 
-    /// Brings the files to the disk and gives the folder its name; once.
-    /// Errors: FileExists (something came into being there), FileUnwritable.
+    /// Writes the files to the disk and gives the folder its name; to be called once.
+    /// Errors: FileExists (something was created there in the meantime), FileUnwritable.
     Result<void> commit();
 
 private:

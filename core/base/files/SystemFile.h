@@ -5,11 +5,11 @@
 
 namespace core {
 
-/// What the system says of an errno, in words.
+/// The system's message for an errno.
 [[nodiscard]] QString systemReason(int error);
 
-/// Has what was written to a file, or which names a folder holds, on the disk (fsync). @return
-/// whether it is; errno says why not
+/// Writes the contents of a file, or the names in a folder, to the disk (fsync). @return whether
+/// that succeeded; errno has the reason if not
 bool syncToDisk(const QString& path);
 
 } // namespace core

@@ -3,8 +3,9 @@
 
 namespace core {
 
-/// Readies DCMTK once for the process: its own data dictionary, codecs, no messages (its warnings
-/// quote patients' names). Call before any use of DCMTK; any thread. Codecs stay until exit.
+/// Initialises DCMTK once for the process: its own data dictionary, codecs, no messages (its
+/// warnings quote patients' names). To be called before any use of DCMTK; any thread. Codecs stay
+/// registered until exit.
 void readyDcmtk();
 
 } // namespace core

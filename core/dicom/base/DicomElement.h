@@ -32,16 +32,16 @@ struct DataSetForm {
 /// The header of one data element.
 struct DicomElement {
     std::uint32_t tag = 0;
-    std::string_view vr{}; ///< into the bytes; empty in implicit VR and for items
+    std::string_view vr{}; ///< points into the bytes; empty in implicit VR and for items
     std::uint32_t length = 0; ///< may be undefinedLength
     std::size_t value = 0; ///< where the value begins
 
     [[nodiscard]] bool isPrivate() const { return ((tag >> 16) & 1U) != 0; }
 };
 
-/// Reads the header that begins at @p at, which must lie within @p bytes, with the length fields
-/// where DCMTK takes them from, also for a VR that nobody knows: otherwise a file could show its
-/// sequences to one parser and hide them from the other.
+/// Reads the header that begins at @p at, which must be inside @p bytes. Length fields are taken
+/// from where DCMTK takes them, also for an unknown VR: otherwise a file could show its sequences
+/// to one parser and hide them from the other.
 ///
 /// @return false if the header does not fit into the bytes
 [[nodiscard]] bool readElement(
@@ -50,7 +50,7 @@ struct DicomElement {
 [[nodiscard]] std::uint16_t readUint16(DicomBytes bytes, std::size_t at, bool bigEndian);
 [[nodiscard]] std::uint32_t readUint32(DicomBytes bytes, std::size_t at, bool bigEndian);
 [[nodiscard]] std::uint32_t readTag(DicomBytes bytes, std::size_t at, bool bigEndian);
-/// Two upper-case letters.
+/// Whether there are two upper-case letters.
 [[nodiscard]] bool looksLikeVr(DicomBytes bytes, std::size_t at);
 /// "(0028,0010)"
 [[nodiscard]] QString tagText(std::uint32_t tag);

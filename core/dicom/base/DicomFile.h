@@ -16,25 +16,25 @@ class DcmDataset;
 
 namespace core {
 
-/// One DICOM file whose structure was checked (Preflight.h): **the only door through which DCMTK
-/// gets to see a file**. A file that it would crash on, or hang, fails here with a sentence. It
-/// also finds the pixel data, so that decoding needs no second parse.
+/// One DICOM file whose structure was checked (Preflight.h). DCMTK sees files only through this
+/// class: a file on which DCMTK would crash or hang fails here with an error. It also locates the
+/// pixel data, so that decoding needs no second parse.
 class DicomFile {
 public:
     using Bytes = DicomBytes;
 
-    /// For its header: the pixel data of a deflated file stay unread.
+    /// Opens a file for its header; the pixel data of a deflated file are not read.
     /// UnsupportedFormat for files that are not DICOM; FileTruncated, FileUnreadable.
     [[nodiscard]] static Result<DicomFile> open(const QString& path);
     [[nodiscard]] static Result<DicomFile> openWithPixels(const QString& path);
 
-    /// Parses the elements before the pixel data by DCMTK into @p set, which must be empty. Long
-    /// values are read from the file when they are asked for. FileUnreadable.
+    /// Lets DCMTK parse the elements before the pixel data into @p set, which must be empty. Long
+    /// values are read from the file when they are requested. FileUnreadable.
     [[nodiscard]] Result<void> readInto(DcmDataset& set) const;
-    /// Both, for who wants nothing but the elements. FileNotFound, and as of the two.
+    /// Opens a file and parses its elements. Errors: FileNotFound, and those of both functions.
     [[nodiscard]] static Result<void> readHeader(const QString& path, DcmDataset& set);
 
-    /// As the file says; the guess where it does not.
+    /// As the file states it; guessed if it does not.
     [[nodiscard]] const QString& transferSyntaxUid() const { return m_transferSyntaxUid; }
     /// Of the file meta information, (0002,0002); may be empty.
     [[nodiscard]] const QString& mediaSopClassUid() const { return m_mediaSopClassUid; }
@@ -42,14 +42,14 @@ public:
     [[nodiscard]] const PromisedImage& image() const { return m_facts.image; }
 
     [[nodiscard]] bool hasPixels() const { return m_facts.hasPixels; }
-    /// 32 or 64 where pixels are floating-point numbers, else 0.
+    /// 32 or 64 if pixels are floating-point numbers, else 0.
     [[nodiscard]] int floatBits() const { return m_facts.floatBits; }
     /// The file ends before the pixel data do.
     [[nodiscard]] bool pixelsCut() const { return m_facts.pixelsCut; }
     [[nodiscard]] bool isEncapsulated() const { return m_facts.pixelsEncapsulated; }
     /// Stored in 16-bit words (VR OW), which matters for big endian.
     [[nodiscard]] bool pixelsAreWords() const { return m_facts.pixelsAreWords; }
-    /// How many bytes of unencapsulated pixel data there are, also where they are unread yet.
+    /// Number of bytes of unencapsulated pixel data, even if they have not been read yet.
     [[nodiscard]] std::size_t pixelBytes() const { return m_facts.pixels.size; }
     /// The bytes of unencapsulated pixel data.
     [[nodiscard]] Bytes pixels() const;
@@ -72,7 +72,7 @@ private:
     std::unique_ptr<QFile> m_file; ///< keeps the mapping alive
     std::unique_ptr<Inflater> m_inflater; ///< of a deflated data set
     std::size_t m_dataSetAt = 0; ///< in the file
-    Bytes m_dataSet; ///< inflated as far as it was needed
+    Bytes m_dataSet; ///< inflated as far as necessary
     QString m_transferSyntaxUid;
     QString m_mediaSopClassUid;
     DataSetForm m_form;

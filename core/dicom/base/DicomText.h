@@ -9,14 +9,14 @@
 
 namespace core {
 
-/// Text of a data set in Unicode.
+/// Converts text of a data set to Unicode.
 ///
-/// @param characterSet value of SpecificCharacterSet (0008,0005). Where it cannot be converted, the
-/// bytes are taken as Latin-1: a name that looks odd is better than a study that does not open.
+/// @param characterSet value of SpecificCharacterSet (0008,0005). If the text cannot be converted,
+/// its bytes are taken as Latin-1: a wrong-looking name is better than a study that does not open.
 [[nodiscard]] QString dicomText(const QByteArray& bytes, const QByteArray& characterSet);
 
-/// A decimal string (VR DS or IS) in the way of PS3.5, whatever the locale; none if it is no
-/// number.
+/// A decimal string (VR DS or IS) as defined in PS3.5, independent of the locale; none if it is not
+/// a number.
 [[nodiscard]] std::optional<double> dicomNumber(std::string_view text);
 
 /// "20240131" → "2024-01-31"; other texts unchanged.

@@ -26,7 +26,8 @@ struct PixelLayout {
     int bitsStored = 0;
     int highBit = 0;
     bool isSigned = false;
-    int floatBits = 0; ///< 32 or 64: pixels are floating-point numbers, bits say nothing
+    /// 32 or 64: pixels are floating-point numbers, and the bits above mean nothing
+    int floatBits = 0;
     QString photometric;
 };
 
@@ -38,27 +39,27 @@ struct ImagePlane {
     [[nodiscard]] glm::dvec3 normal() const { return glm::cross(row, column); }
 };
 
-/// What Burin reads from the header of one image: of a single-frame DICOM file, or of one frame of
-/// a multi-frame one. Plain data.
+/// What Burin reads from the header of one image: a single-frame DICOM file, or one frame of a
+/// multi-frame file. Plain data.
 struct ImageHeader {
     QString file;
     StudyIdentity identity;
     QString sopInstanceUid;
     QString sopClassUid;
-    QString transferSyntaxUid; ///< as the file says; the guess where it does not
+    QString transferSyntaxUid; ///< as the file states it; guessed if it does not
     QStringList imageType;
-    QString quantity; ///< what the values measure: "magnitude", "field map"; empty: nothing says
+    QString quantity; ///< what the values measure: "magnitude", "field map"; empty: not stated
 
     bool hasPixels = false;
     bool pixelsCut = false; ///< the file ends before its pixel data do
     bool isEnhanced = false; ///< geometry in functional groups
     bool hasModalityLut = false;
-    std::shared_ptr<const ModalityLut> modalityLut{}; ///< null: none, or none that can be used
+    std::shared_ptr<const ModalityLut> modalityLut{}; ///< null: none, or none that is usable
     bool isLossy = false;
     int frames = 1; ///< in the file
     int frame = 0; ///< which of them this is, 0-based
-    bool framesUnplaced = false; ///< several frames, and nothing says where each of them lies
-    /// How many frames the pixel data have room for; none where that cannot be told beforehand.
+    bool framesUnplaced = false; ///< there are several frames without a position for each
+    /// Number of frames for which there are pixel data; none if it cannot be determined beforehand.
     std::optional<int> framesPresent{};
     PixelLayout layout;
 
@@ -74,13 +75,13 @@ struct ImageHeader {
     QString rescaleType;
     QString units; ///< (0054,1001), PET
     std::optional<WindowLevel> window;
-    bool inverted = false; ///< shown dark where values are high; the values are what they are
-    std::optional<StoredRange> padding{}; ///< stored values of pixels outside what was scanned
+    bool inverted = false; ///< high values are displayed dark; the values themselves are unchanged
+    std::optional<StoredRange> padding{}; ///< stored values of pixels outside the scanned region
 
     int instanceNumber = 0;
-    QString stackId; ///< of a frame: which stack of its file it belongs to; may be empty
-    /// Values that may tell images at one position apart, most telling first; empty where absent.
-    /// Same attributes in the same order for every image (core/dicom/header/PhaseAttributes.h).
+    QString stackId; ///< for a frame: the stack of its file to which it belongs; may be empty
+    /// Values that may distinguish images at one position, most significant first; empty if absent.
+    /// Every image has the same attributes in the same order (core/dicom/header/PhaseAttributes.h).
     std::vector<QString> phases;
 };
 

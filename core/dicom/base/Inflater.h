@@ -9,23 +9,23 @@
 
 namespace core {
 
-/// Inflates a deflated data set (PS3.5 A.5) as far as it is asked for: 2.0 GiB out of 2 MB were
-/// measured, and a header is a few KB.
+/// Inflates a deflated data set (PS3.5 A.5) only as far as it is needed: a header is a few KB,
+/// while 2 MB can inflate to 2.0 GiB.
 class Inflater {
 public:
     enum class State {
         More, ///< there may be more to come
-        Finished, ///< the stream has ended as it should
-        Damaged, ///< the stream is cut or no deflated one; what came before stands
-        TooLarge, ///< it grows beyond any sensible size
+        Finished, ///< the stream has ended properly
+        Damaged, ///< the stream is cut off or invalid; the output before that is usable
+        TooLarge, ///< it grows beyond any reasonable size
     };
 
-    /// @p deflated must outlive it.
+    /// @param deflated must outlive this
     explicit Inflater(DicomBytes deflated);
     ~Inflater();
 
-    /// Goes on until @p size bytes are there or no more come. So many as @p freeBytes may come out
-    /// of however few; beyond, what came must be in some proportion to what it came out of.
+    /// Continues until @p size bytes are available or the stream ends. Up to @p freeBytes are
+    /// accepted from any input; beyond that, output must be in proportion to input.
     State growTo(std::size_t size, std::size_t freeBytes = std::size_t(64) << 20);
 
     [[nodiscard]] State state() const { return m_state; }

@@ -5,8 +5,8 @@
 
 namespace core {
 
-/// How pixel data are packed (PS3.5 section 10 and annex A). Decided by the UID string: DCMTK 3.6.7
-/// takes syntaxes it does not know for Explicit Little Endian and would show compressed bytes.
+/// How pixel data are encoded (PS3.5 section 10 and annex A). The UID string decides: DCMTK 3.6.7
+/// takes unknown syntaxes for Explicit Little Endian and would display compressed bytes.
 enum class PixelCoding {
     Native,
     Rle,
@@ -23,10 +23,10 @@ struct TransferSyntax {
     bool explicitVr = true;
     bool bigEndian = false;
     bool deflated = false;
-    bool lossy = false; ///< always, whatever the data set says
+    bool lossy = false; ///< always lossy, whatever the data set states
 };
 
-/// The syntax of this UID; coding Unknown where Burin cannot read it.
+/// The transfer syntax with this UID; its coding is Unknown if Burin cannot read it.
 [[nodiscard]] const TransferSyntax& transferSyntax(const QString& uid);
 
 } // namespace core

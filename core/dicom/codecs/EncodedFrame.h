@@ -10,12 +10,13 @@
 
 namespace core {
 
-/// The bytes of one frame out of encapsulated pixel data. Fragments are not frames (PS3.5 A.4): a
-/// frame may be torn into several. Where there are as many as frames each is one; else JPEG frames
-/// begin where a codestream begins. No offset table is trusted, many files have none.
+/// The bytes of one frame from encapsulated pixel data. Fragments are not frames (PS3.5 A.4): a
+/// frame may consist of several. If there are as many fragments as frames, each is one frame;
+/// otherwise JPEG frames begin where a codestream begins. Offset tables are not used, since many
+/// files have none.
 ///
 /// @param frame of @p frames, 0-based
-/// @return none where the fragments cannot be told apart
+/// @return none if the fragments cannot be assigned to frames
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> encodedFrame(
     const std::vector<DicomBytes>& fragments, int frame, int frames, PixelCoding coding);
 

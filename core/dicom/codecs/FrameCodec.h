@@ -10,7 +10,7 @@
 
 namespace core {
 
-/// What a decoder needs to know of a compressed frame besides its bytes.
+/// What a decoder must know of a compressed frame besides its bytes.
 struct CodedFrame {
     PixelCoding coding = PixelCoding::Unknown;
     QString transferSyntaxUid;
@@ -19,17 +19,21 @@ struct CodedFrame {
     [[nodiscard]] std::size_t cellBytes() const;
 };
 
-/// Decodes one frame (encodedFrame()) and gives @p take the little-endian cells of its pixels, as
-/// many as the layout says. Other people's code runs in a decoder (core/fence); RLE, our own, here.
-/// @pre undecodableReason() has none @return why it failed, in words; empty if it did not
+/// Decodes one frame (encodedFrame()) and passes the little-endian cells of its pixels to @p take,
+/// as many as the layout says. Third-party code runs in a decoder process (core/fence); our own RLE
+/// decoder runs here.
+/// @pre undecodableReason() has none
+/// @return why it failed, in words; empty if it did not
 [[nodiscard]] QString decodeFenced(const CodedFrame& frame, std::span<const std::uint8_t> bytes,
     const std::function<void(std::span<const std::uint8_t> cells)>& take);
 
-/// The same here and now, whatever comes of it: what a decoder does. The FencedWork of frames.
+/// The same in the calling process, without protection: what a decoder process does (its FencedWork
+/// for frames).
 [[nodiscard]] QString decodeHere(std::span<const std::uint8_t> parameters,
     std::span<const std::uint8_t> bytes, std::span<std::uint8_t> cells);
 
-/// Readies what decodeHere() would read from files: called before a decoder gives up that right.
+/// Initialises what decodeHere() would read from files; to be called before a decoder process gives
+/// up the right to open files.
 void readyCodecs();
 
 } // namespace core

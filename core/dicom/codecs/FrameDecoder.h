@@ -12,11 +12,11 @@ namespace core {
 
 class DicomFile;
 
-/// Why Burin cannot decode this image, in words; empty if it can (as far as the header tells).
+/// Why Burin cannot decode this image, in words; empty if it can, as far as the header shows.
 [[nodiscard]] QString undecodableReason(const ImageHeader& header);
 
-/// An open file whose frames are decoded one by one: checked and mapped once, however many frames
-/// it has. All calls on one of them may come from several threads.
+/// An open file whose frames are decoded one by one. It is checked and mapped once, whatever the
+/// number of frames. Several threads may use it at once.
 class FrameFile {
 public:
     /// FileTruncated, UnsupportedFormat, FileUnreadable; all errors name the file.
@@ -25,8 +25,8 @@ public:
     FrameFile& operator=(FrameFile&&) noexcept;
     ~FrameFile();
 
-    /// Decodes the frame that @p header tells of into stored values (extractStoredBits), columns
-    /// first. No parser but our own sees more of the file than its pixel data.
+    /// Decodes the frame described by @p header into stored values (extractStoredBits), columns
+    /// first. Apart from our own parser, no code sees more of the file than its pixel data.
     [[nodiscard]] Result<void> decode(
         const ImageHeader& header, std::span<std::uint16_t> stored) const;
 

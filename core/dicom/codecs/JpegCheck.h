@@ -8,9 +8,9 @@
 
 namespace core {
 
-/// Looks at a JPEG or JPEG-LS stream before DCMTK does: its frame header must name the size the
-/// DICOM header names and one component, and its markers must be such that no decoder loops (the
-/// TEM marker, FF01, hangs DCMTK 3.6.7).
+/// Checks a JPEG or JPEG-LS stream before DCMTK reads it: its frame header must have the size of
+/// the DICOM header and one component, and no marker may make a decoder loop (the TEM marker, FF01,
+/// hangs DCMTK 3.6.7).
 ///
 /// @return what is wrong, in words; empty if nothing is
 [[nodiscard]] QString checkJpeg(std::span<const std::uint8_t> stream, const PixelLayout& layout);

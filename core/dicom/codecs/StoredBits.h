@@ -8,12 +8,12 @@
 
 namespace core {
 
-/// Takes stored values out of their cells (PS3.5 8.1.1): the BitsStored bits below and at HighBit,
-/// sign-extended from the topmost of them if the values are signed. Whatever else a cell holds
-/// (overlays, dirt) is masked. No decoder's own sign extension is trusted.
+/// Extracts stored values from their cells (PS3.5 8.1.1): the BitsStored bits at and below HighBit,
+/// sign-extended from the topmost of them if the values are signed. All other bits of a cell
+/// (overlays, garbage) are masked. The sign extension of decoders is not relied on.
 ///
 /// @param cells little-endian cells of layout.bitsAllocated (8 or 16) bits, one per pixel
-/// @param stored 16-bit two's complement where layout.isSigned, else unsigned
+/// @param stored 16-bit two's complement if layout.isSigned, else unsigned
 void extractStoredBits(std::span<const std::uint8_t> cells, const PixelLayout& layout,
     std::span<std::uint16_t> stored);
 

@@ -5,12 +5,12 @@ class DcmTagKey;
 
 namespace core {
 
-/// What becomes of an attribute when the patient is taken out of an object.
+/// How an attribute is treated when an object is de-identified.
 enum class TagFate {
-    Remove, ///< whatever is not named below
-    Keep, ///< tells of pixels, places, acquisition and codes
-    Empty, ///< must be there (type 2)
-    Enter, ///< a sequence: its items are treated likewise
+    Remove, ///< everything that is not listed below
+    Keep, ///< describes pixels, positions, acquisition or codes only
+    Empty, ///< must be present (type 2), so it stays without a value
+    Enter, ///< a sequence whose items are treated in the same way
     Date,
     Time,
     NeededDate, ///< must have a value (type 1)
@@ -19,9 +19,9 @@ enum class TagFate {
     Description,
 };
 
-/// Of an attribute of an even group outside curves and overlays that is no UID; those are mapped.
-/// Follows PS3.15 table E.1-1 (X, Z, D, K, C), and removes what that does not name either.
-/// Only for sources of core/dicom.
+/// The treatment of an attribute of an even group, outside curves and overlays, that is not a UID
+/// (UIDs are mapped). It follows PS3.15 table E.1-1 (X, Z, D, K, C) and removes what that table
+/// does not list. Only for sources of core/dicom.
 [[nodiscard]] TagFate fateOf(const DcmTagKey& tag);
 
 } // namespace core

@@ -13,12 +13,12 @@ class DcmItem;
 
 namespace core {
 
-/// What is kept of what PS3.15 Annex E's Basic Application Level Confidentiality Profile takes
-/// away.
+/// What is kept of the attributes that the Basic Application Level Confidentiality Profile (PS3.15
+/// Annex E) removes.
 struct DeidentifyOptions {
     enum class Dates {
         Remove,
-        Shift, ///< by shiftDays; times of day stay (113107)
+        Shift, ///< by shiftDays; times of day are kept (113107)
         Keep, ///< 113106
     };
     Dates dates = Dates::Remove;
@@ -28,14 +28,17 @@ struct DeidentifyOptions {
     bool keepDescriptions = false;
 };
 
-/// Takes the patient out of data sets, by one mapping: the same UID becomes the same everywhere.
+/// Removes the patient's identity from data sets by one consistent mapping: the same UID is
+/// replaced by the same new one everywhere.
 ///
-/// A UID becomes 128 bits of HMAC-SHA256 under a secret: whoever lacks that can neither undo nor
-/// repeat it. Attributes stay only where it is known that they tell nothing of the patient
-/// (DeidentifiedTags.h); all others go, private ones, overlays and curves among them. Any thread.
+/// A UID becomes 128 bits of HMAC-SHA256 with a secret; without the secret this can neither be
+/// reversed nor repeated. Attributes are kept only if they are known to reveal nothing about the
+/// patient (DeidentifiedTags.h). All others are removed, including private ones, overlays and
+/// curves. Any thread.
 class Deidentifier {
 public:
-    /// @param secret empty: drawn anew, so that nothing written by another one can be linked
+    /// @param secret empty: a random one, so that files written by different objects cannot be
+    /// linked
     Deidentifier(
         const DeidentifyOptions& options, const StudyIdentity& patient, QByteArray secret = {});
 
@@ -43,23 +46,23 @@ public:
     [[nodiscard]] QString uid(const QString& uid) const;
     [[nodiscard]] QString patientName() const { return QStringLiteral("Anonymous"); }
     [[nodiscard]] QString patientId() const { return m_patientId; }
-    /// YYYYMMDD, as the options have it; empty where dates are removed.
+    /// YYYYMMDD, according to the options; empty if dates are removed.
     [[nodiscard]] QString date(const QString& date) const;
-    /// Without the words of the patient's identity.
+    /// The text without the words of the patient's identity.
     [[nodiscard]] QString cleanText(const QString& text) const;
-    /// What must not be found in anything that is written: names, numbers, dates, UIDs.
+    /// Words that must not occur in anything written: names, numbers, dates, UIDs.
     [[nodiscard]] const QStringList& words() const { return m_words; }
-    /// "basic profile; dates removed": what was done, for a person.
+    /// What was done, in words: "basic profile; dates removed".
     [[nodiscard]] QString method() const;
 
-    /// A segment's name: its code's meaning, or "Segment 3"; its own, cleaned, where those are
-    /// kept.
+    /// The name for a segment: the meaning of its code, or "Segment 3"; if names are kept, its own,
+    /// cleaned.
     [[nodiscard]] QString segmentName(int label, const QString& name, const QString& meaning) const;
-    /// What a header of the source says once it is de-identified.
+    /// The de-identified form of a header of the source.
     [[nodiscard]] SourceHeader masked(SourceHeader header) const;
     [[nodiscard]] StudyIdentity masked(StudyIdentity identity) const;
 
-    /// Only for sources of core/dicom. @param settled UIDs that this one has made already
+    /// Only for sources of core/dicom. @param settled UIDs that this object has already mapped
     void apply(DcmDataset& set, const QStringList& settled = {}) const;
 
 private:
@@ -72,10 +75,9 @@ private:
     QStringList m_words;
 };
 
-/// Opens what was written and looks through every text and UID of it, sequences included.
+/// Opens what was written and searches every text and UID in it, including sequences.
 /// @returns what was checked, as a sentence
-/// Errors: ExportMismatch (argument 1: which attribute holds what it must not), and those of
-/// reading.
+/// Errors: ExportMismatch (argument 1: the attribute with a forbidden word), and those of reading.
 [[nodiscard]] Result<QString> checkDeidentified(const QString& file, const Deidentifier& by);
 
 } // namespace core

@@ -8,14 +8,14 @@
 
 namespace core {
 
-/// Reads what Burin needs to know about one DICOM file, up to its pixel data: one header per image
-/// of it (framesOf()), never none. Any thread.
+/// Reads the headers of one DICOM file, up to its pixel data: one per image in it (framesOf()), at
+/// least one. Any thread.
 ///
-/// UnsupportedFormat for files that are not DICOM, FileTruncated, FileUnreadable: each with the
-/// file and the reason.
+/// Errors: UnsupportedFormat for files that are not DICOM, FileTruncated, FileUnreadable; each with
+/// the file and the reason.
 [[nodiscard]] Result<std::vector<ImageHeader>> readImageHeaders(const QString& path);
 
-/// The first image's.
+/// The header of the first image.
 [[nodiscard]] Result<ImageHeader> readImageHeader(const QString& path);
 
 } // namespace core

@@ -6,18 +6,18 @@
 
 namespace core {
 
-// Each reads one group of attributes, which single-frame objects have in their data set and
-// multi-frame ones in an item per frame. Only for sources of core/dicom.
+// Each function reads one group of attributes, which single-frame objects have in their data set
+// and multi-frame objects in an item for each frame. Only for sources of core/dicom.
 
 /// Image Position (Patient).
 void readPosition(const HeaderAttributes& from, ImageHeader& header);
-/// Image Orientation (Patient); none where its vectors are neither long nor square enough.
+/// Image Orientation (Patient); none if its vectors are not of unit length or not perpendicular.
 void readOrientation(const HeaderAttributes& from, ImageHeader& header);
 /// Pixel spacing, slice thickness, spacing between slices.
 void readMeasures(const HeaderAttributes& from, ImageHeader& header);
 /// Slope and intercept of stored values.
 void readRescale(const HeaderAttributes& from, ImageHeader& header);
-/// The first window, if it is one.
+/// The first window, if it is valid.
 void readWindow(const HeaderAttributes& from, ImageHeader& header);
 
 } // namespace core

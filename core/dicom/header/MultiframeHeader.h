@@ -9,12 +9,12 @@ class DcmDataset;
 
 namespace core {
 
-/// The frames of an object whose functional groups say of each where it lies and what its values
-/// mean, in the order of the file (DICOM.md 1.6). Only for sources of core/dicom.
+/// The frames of an object whose functional groups state the position and meaning of values of each
+/// frame, in the order of the file. Only for sources of core/dicom.
 ///
-/// One header, with framesUnplaced set, for several frames of which nothing is said one by one;
-/// colour stays one header, too.
-/// @param whole what the data set says about all of them
+/// If nothing is stated for individual frames, it returns a single header with framesUnplaced set;
+/// colour objects also give a single header.
+/// @param whole what the data set states about all frames
 [[nodiscard]] std::vector<ImageHeader> framesOf(
     DcmDataset& set, const QByteArray& characterSet, const ImageHeader& whole);
 

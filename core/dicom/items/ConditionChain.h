@@ -7,7 +7,7 @@ class OFCondition;
 
 namespace core {
 
-/// Carries the first failure of a chain of DCMTK calls. Only for sources of core/dicom.
+/// Remembers the first failure in a chain of DCMTK calls. Only for sources of core/dicom.
 class ConditionChain {
 public:
     void operator()(const OFCondition& condition, const char* what);

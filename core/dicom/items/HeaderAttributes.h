@@ -12,8 +12,8 @@ class DcmTagKey;
 
 namespace core {
 
-/// Typed look at one item of a data set. Only for sources of core/dicom; the checks of exports read
-/// by ItemReader, which shares nothing with it.
+/// Typed access to the attributes of one item. Only for sources of core/dicom. The checks of
+/// exports use ItemReader instead, which shares no code with it.
 class HeaderAttributes {
 public:
     /// @param characterSet SpecificCharacterSet of the data set
@@ -23,7 +23,7 @@ public:
     {
     }
 
-    /// All values joined by backslashes; empty where the attribute is absent.
+    /// All values joined by backslashes; empty if the attribute is absent.
     [[nodiscard]] QByteArray bytes(const DcmTagKey& key) const;
     [[nodiscard]] QString text(const DcmTagKey& key) const;
     /// US

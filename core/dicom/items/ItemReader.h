@@ -13,8 +13,8 @@ namespace core {
 
 /// Reads attributes of one DICOM item as plain data. Only for sources of core/dicom.
 ///
-/// Numbers are parsed here, not by DCMTK: the checks that use this must not share a fault with the
-/// code that they check.
+/// Numbers are parsed here and not by DCMTK, since the checks that use this must not share an error
+/// with the code that they check.
 class ItemReader {
 public:
     explicit ItemReader(DcmItem* item)

@@ -6,11 +6,11 @@
 
 namespace core {
 
-/// What a DICOM object is if it can hold no slices of a volume ("DICOM SEG", "RT structure set",
+/// What a DICOM object is if it cannot contain slices of a volume ("DICOM SEG", "RT structure set",
 /// "DICOMDIR", "report" …); empty if it may be an image.
 [[nodiscard]] QString kindWithoutSlices(const ImageHeader& header);
 
-/// The SOP class of a DICOM file, by its header. Errors: those of DicomFile::open().
+/// The SOP class of a DICOM file, from its header. Errors: those of DicomFile::open().
 [[nodiscard]] Result<QString> sopClassOf(const QString& path);
 
 } // namespace core

@@ -21,23 +21,23 @@ struct SegSegment {
     QString algorithmType;
     QString algorithmName;
     std::optional<std::array<std::uint16_t, 3>> cieLab; ///< PS3.3 C.10.7.1.1
-    std::optional<std::uint32_t> rgb; ///< 0xRRGGBB, what that is on a screen
+    std::optional<std::uint32_t> rgb; ///< 0xRRGGBB, that colour on a screen
 };
 
 /// One frame: the pixels of one segment in one plane.
 struct SegFrame {
     int segment = 0; ///< SegSegment::number
     HeaderPlane plane;
-    QString referencedSopUid; ///< the source image; empty if none is named
+    QString referencedSopUid; ///< the source image; empty if none is stated
     int referencedFrame = 0; ///< 0-based
 };
 
-/// A DICOM SEG, as it lies in the file.
+/// The contents of a DICOM SEG, unchanged.
 struct SegFile {
     enum class Type {
         Binary,
-        Fractional, ///< a pixel says how much of it belongs to the frame's segment
-        LabelMap, ///< a pixel is the number of its segment, a frame's own says nothing
+        Fractional, ///< a pixel states how much of it belongs to the frame's segment
+        LabelMap, ///< a pixel is the number of its segment; the frame's own number means nothing
     };
     Type type = Type::Binary;
     HeaderPatient patient;
@@ -51,8 +51,9 @@ struct SegFile {
     int columns = 0;
     std::vector<SegSegment> segments;
     std::vector<SegFrame> frames;
-    double planeDistance = 0.0; ///< SpacingBetweenSlices, else SliceThickness; 0: it says neither
-    int fullPixel = 1; ///< of a fractional one: MaximumFractionalValue
+    /// SpacingBetweenSlices, else SliceThickness; 0: neither is present
+    double planeDistance = 0.0;
+    int fullPixel = 1; ///< for a fractional SEG: MaximumFractionalValue
     int bitsPerPixel = 1; ///< 1, 8 or 16
     /// PS3.5 8.1.1: least significant bit and byte first, frames without gaps.
     std::vector<std::uint8_t> bits;
@@ -62,11 +63,10 @@ struct SegFile {
     [[nodiscard]] int value(std::size_t frame, int column, int row) const;
 };
 
-/// Reads a DICOM SEG by itself, without dcmseg (whose reading of bits is as wrong as its writing).
-/// Cost: the file once. Any thread.
-/// Errors: FileNotFound, FileUnreadable, FileTruncated (less pixel data than frames),
-/// UnsupportedFormat (no SEG, of a type that is not one of the three, or compressed),
-/// InvalidGeometry (a frame without a place).
+/// Reads a DICOM SEG without dcmseg, which reads and writes bits incorrectly. Cost: the file is
+/// read once. Any thread. Errors: FileNotFound, FileUnreadable, FileTruncated (less pixel data than
+/// frames), UnsupportedFormat (not a SEG, of another type than the three, or compressed),
+/// InvalidGeometry (a frame without a position).
 Result<SegFile> readSeg(const QString& path);
 
 } // namespace core

@@ -18,11 +18,11 @@ struct SrFileGroup {
     QString segUid;
     int segmentNumber = 0;
     QString sourceSeriesUid;
-    /// By code value: of the derivation where a number has one, else of its concept.
+    /// By code value: that of the derivation if a number has one, else that of its concept.
     std::map<QString, double> numbers;
 };
 
-/// What of a measurement report (TID 1500) the check of exports compares.
+/// The parts of a measurement report (TID 1500) that the check of exports compares.
 struct SrFile {
     HeaderPatient patient;
     QString studyUid;
@@ -30,7 +30,7 @@ struct SrFile {
     std::vector<SrFileGroup> groups;
 };
 
-/// Errors: FileNotFound, FileUnreadable, UnsupportedFormat (no such report).
+/// Errors: FileNotFound, FileUnreadable, UnsupportedFormat (not such a report).
 [[nodiscard]] Result<SrFile> readSr(const QString& path);
 
 } // namespace core

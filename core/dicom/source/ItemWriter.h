@@ -15,8 +15,8 @@ class DcmTagKey;
 
 namespace core {
 
-/// Writes attributes of DICOM items as plain data; what goes wrong is in the chain. Items that
-/// could not be made are null and take everything. Only for sources of core/dicom.
+/// Writes attributes of DICOM items; failures are recorded in the chain. An item that could not be
+/// created is null, and writing to it does nothing. Only for sources of core/dicom.
 class ItemWriter {
 public:
     explicit ItemWriter(ConditionChain& chain)
@@ -24,7 +24,7 @@ public:
     {
     }
 
-    /// A new item at the end of a sequence, which is made where it is missing.
+    /// Appends a new item to a sequence, which is created if it is missing.
     DcmItem* append(DcmItem* parent, const DcmTagKey& sequence) const;
     void put(DcmItem* item, const DcmTagKey& tag, const std::string& value) const;
     void put(DcmItem* item, const DcmTagKey& tag, const QString& value) const;
@@ -33,10 +33,10 @@ public:
     void putWord(DcmItem* item, const DcmTagKey& tag, int value) const;
     /// A sequence of one item that holds a code.
     void putCode(DcmItem* item, const DcmTagKey& sequence, const CodedConcept& code) const;
-    /// SOP class, instance and, of a file of several, frame.
+    /// A reference: SOP class, instance and, for a multi-frame file, the frame.
     void refer(DcmItem* item, const SegSlice& slice) const;
-    /// Every image of the slices once: an item of @p seriesSequence for each series, in it one of
-    /// @p imageSequence for each image.
+    /// References to all images of the slices, each once: an item of @p seriesSequence for each
+    /// series, containing one of @p imageSequence for each image.
     void referAll(DcmItem* parent, const DcmTagKey& seriesSequence, const DcmTagKey& imageSequence,
         const std::vector<SegSlice>& slices) const;
 

@@ -9,9 +9,10 @@
 
 namespace core {
 
-/// What stands for the files of slices where these may be missing: of every file patient, study,
-/// series, instance and where its frames lie; enough for writeSeg() and readSourceHeaders(), and
-/// nothing else of the header. About 1 KB each. Errors: those of visitSourceFiles().
+/// Replacements for the files of slices, for when the files are missing: patient, study, series,
+/// instance and the positions of frames of every file. This is enough for writeSeg() and
+/// readSourceHeaders(), and nothing else of the headers is kept. About 1 KB each. Errors: those of
+/// visitSourceFiles().
 [[nodiscard]] Result<KeptHeaders> keepHeaders(
     const std::vector<SourceSlice>& slices, const Progress& progress);
 

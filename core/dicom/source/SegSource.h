@@ -16,7 +16,7 @@ class DcmDataset;
 
 namespace core {
 
-/// What a SEG takes over from the instance of one slice: the very text of its numbers (DS).
+/// What a SEG takes from the instance of one slice: numbers as their original text (DS).
 struct SegSlice {
     std::array<std::string, 3> position;
     std::array<std::string, 6> orientation;
@@ -26,16 +26,16 @@ struct SegSlice {
     std::string sopInstanceUid;
     std::string seriesUid;
     int frame = 0; ///< 0-based
-    bool multiFrame = false; ///< the instance has frames that a reference must name
+    bool multiFrame = false; ///< the instance has several frames, so a reference must name one
 };
 
-/// Reads what writeSeg() needs from the sources' headers. Only for sources of core/dicom.
+/// What writeSeg() needs from the headers of the sources. Only for sources of core/dicom.
 struct SegSource {
     std::vector<SegSlice> slices;
-    /// Patient, study and frame of reference of the first slice's header, in UTF-8, holding only
-    /// values that DICOM allows.
+    /// Patient, study and frame of reference from the header of the first slice, in UTF-8 and only
+    /// with values that DICOM allows.
     std::unique_ptr<DcmDataset> header;
-    std::string lossyCompression; ///< "01" if a source says so
+    std::string lossyCompression; ///< "01" if a source states it
     std::string lossyRatio;
     std::string lossyMethod;
     std::string bodyPart;
@@ -47,11 +47,11 @@ struct SegSource {
     ~SegSource();
 };
 
-/// @param kept stands for the files (visitSourceFiles()); null: they are read
+/// @param kept replaces the files (visitSourceFiles()); null: the files are read
 Result<SegSource> readSegSource(
     const std::vector<SourceSlice>& sources, const KeptHeaders* kept, const Progress& progress);
 
-/// A decimal string of at most 16 characters (PS3.5 6.2), as close as that allows.
+/// A decimal string of at most 16 characters (PS3.5 6.2), as precise as that allows.
 std::string decimalString(double value);
 
 } // namespace core

@@ -13,18 +13,18 @@
 
 namespace core {
 
-/// Whom an object is about, as its header says. Dates are digits only (YYYYMMDD).
+/// The patient in the header of an object. Dates are digits only (YYYYMMDD).
 struct HeaderPatient {
     QString name;
     QString id;
     QString birthDate;
 };
 
-/// Where a plane of pixels lies, as its header says. LPS mm; directions as stored.
+/// The position of a plane of pixels in a header. LPS mm; directions as stored.
 struct HeaderPlane {
     glm::dvec3 position{0.0}; ///< centre of the first pixel
-    glm::dvec3 rowDirection{0.0}; ///< along a row, with growing column index
-    glm::dvec3 columnDirection{0.0}; ///< down a column, with growing row index
+    glm::dvec3 rowDirection{0.0}; ///< along a row, with increasing column index
+    glm::dvec3 columnDirection{0.0}; ///< down a column, with increasing row index
     double rowSpacing = 0.0; ///< from row to row
     double columnSpacing = 0.0; ///< from column to column
 
@@ -32,7 +32,7 @@ struct HeaderPlane {
     [[nodiscard]] glm::dvec3 at(double column, double row) const;
 };
 
-/// What the header of a slice's instance says about itself.
+/// What the header of a slice's instance states about itself.
 struct SourceHeader {
     HeaderPatient patient;
     QString studyUid;
@@ -44,8 +44,8 @@ struct SourceHeader {
     HeaderPlane plane;
 };
 
-/// Reads the headers of the slices' files anew, pixel data not touched; each file once; or what is
-/// @p kept of them (visitSourceFiles()).
+/// Reads the headers of the slices' files without pixel data, each file once, or those that were @p
+/// kept (visitSourceFiles()).
 /// Errors: FileNotFound, FileUnreadable, InvalidGeometry (no position, orientation or spacing),
 /// Cancelled.
 Result<std::vector<SourceHeader>> readSourceHeaders(

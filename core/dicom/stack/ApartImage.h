@@ -7,14 +7,14 @@
 
 namespace core {
 
-/// Why an image is no slice of a volume, in words.
+/// Why an image is not a slice of a volume, in words.
 struct ApartImage {
     QString kind; ///< "localizer", "colour image" …
     QString reason;
 };
 
-/// Colour, localizers, mosaics and images without a place or a scale (DICOM.md 1.2); none for a
-/// slice. They are listed beside the volumes, never dropped.
+/// Recognises colour images, localizers, mosaics and images without a position or a scale; none for
+/// a slice. Such images are listed beside the volumes and never dropped.
 [[nodiscard]] std::optional<ApartImage> whyApart(const ImageHeader& image);
 
 } // namespace core

@@ -11,7 +11,7 @@
 
 namespace core {
 
-/// A stack and how it is listed.
+/// A stack with its entry in the list of series.
 struct ListedStack {
     SeriesEntry entry; ///< without a key
     QString seriesKey; ///< SeriesInstanceUID, or a name made from the header
@@ -19,14 +19,15 @@ struct ListedStack {
     SliceStack stack{};
 };
 
+/// What a set of DICOM files contains.
 struct DicomScan {
     std::vector<ListedStack> stacks;
     std::vector<ForeignObject> foreign;
     std::vector<UnreadableFile> unreadable;
 };
 
-/// Reads the headers of @p files on all cores and sorts what they hold.
-/// Stopped early, incomplete, if @p progress is cancelled.
+/// Reads the headers of @p files on all cores and sorts their images into stacks. Incomplete if @p
+/// progress is cancelled.
 [[nodiscard]] DicomScan scanDicom(const QStringList& files, const Progress& progress);
 
 } // namespace core

@@ -9,16 +9,15 @@
 
 namespace core {
 
-/// Images of one quantity (ImageHeader::quantity), with at least one at every place.
+/// The images of one quantity (ImageHeader::quantity), at least one at each position.
 struct QuantityImages {
     QString quantity;
     std::vector<ImageHeader> images{};
 };
 
-/// Images of several quantities that share their places, such as a field map and its magnitude:
-/// they are volumes beside each other, not points in time. In order of their instance numbers.
-/// Empty, and @p places as they were, unless every place has images of every quantity and of
-/// nothing else.
+/// Separates images of several quantities that share their positions, such as a field map and its
+/// magnitude: these are different volumes, not points in time. Ordered by instance number. Empty,
+/// with @p places unchanged, unless every position has images of every quantity and no others.
 [[nodiscard]] std::vector<QuantityImages> takeApartByQuantity(std::vector<SlicePlace>& places);
 
 } // namespace core

@@ -7,31 +7,32 @@
 
 namespace core {
 
-/// Sets the geometry of a stack whose slices are in order, and the problems that positions show:
-/// missing slices, uneven spacing, tilt, assumed spacing (DICOM.md 1.4).
+/// Sets the geometry of a stack whose slices are in order, and adds the problems that follow from
+/// their positions: missing slices, uneven spacing, tilt, assumed spacing.
 ///
-/// The affine runs from the first slice's position to the last one's; it may be sheared. Where
-/// it does not meet every slice (0.01 mm, 1 % of the distance), slicePositions hold them all.
+/// The affine leads from the first slice's position to that of the last and may be sheared. If it
+/// does not fit every slice (0.01 mm, 1 % of the distance), slicePositions contain all of them.
 void placeSlices(SliceStack& stack);
 
 /// Largest distance of a slice's position from the straight line through the first and the last,
 /// measured across the normal.
 [[nodiscard]] double sidewaysDriftMm(const SliceStack& stack);
 
-/// The problem that names slices left out because their pixel data are damaged.
-/// @param names as imageName() has them
+/// The problem that lists slices left out because their pixel data are damaged.
+/// @param names from imageName()
 [[nodiscard]] VolumeProblem damagedSlices(const QStringList& names);
 
-/// A slice and why it could not be decoded, for people.
+/// A slice, and why it could not be decoded, for the user.
 struct UndecodedSlice {
     int number = 0; ///< in its stack, from 1
-    QString image; ///< as imageName() has it
+    QString image; ///< from imageName()
     QString reason;
 };
-/// The problem that names slices left out because decoding them failed; of many the first.
+/// The problem that lists slices left out because decoding failed; if there are many, the first
+/// ones.
 [[nodiscard]] VolumeProblem undecodedSlices(const std::vector<UndecodedSlice>& slices);
 
-/// Name of the image's file, and of several frames which it is, for people.
+/// The file name of an image, with the frame number if there are several, for the user.
 [[nodiscard]] QString imageName(const ImageHeader& image);
 
 } // namespace core

@@ -8,12 +8,12 @@
 
 namespace core {
 
-/// Decodes a stack, or of one in time the point @p time (0: the first). Slices that fail are left
-/// out and named in the problems; FileTruncated or the first failure if none is left, OutOfMemory,
-/// Cancelled.
-/// @param early hears of the slice in the middle as soon as it is decoded, which is before the
-/// others, where it looks then as it will afterwards: not where the window follows from all voxels
-/// because the file of the middle slice has none, and not of floating-point numbers
+/// Decodes a stack, or the point @p time of a stack in time (0: the first). Slices that fail are
+/// left out and listed in the problems. Errors: FileTruncated or the first failure if no slice is
+/// left, OutOfMemory, Cancelled.
+/// @param early receives the middle slice as soon as it is decoded, before all others, if it can be
+/// displayed then as it will be afterwards. This is impossible for floating-point numbers, and if
+/// the window depends on all voxels because the middle slice's file has none.
 [[nodiscard]] Result<LoadedVolume> loadStack(const ListedStack& listed, int time,
     const Progress& progress, const EarlySliceListener& early = {});
 

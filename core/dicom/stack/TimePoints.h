@@ -9,26 +9,26 @@
 
 namespace core {
 
-/// One of the images at every place.
+/// One point in time: one of the images at each position.
 struct TimePoint {
-    QString label; ///< what tells it from the others, in words; empty where nothing does
-    std::vector<ImageHeader> slices{}; ///< in the order of the places
+    QString label; ///< what distinguishes it from the others, in words; empty if nothing does
+    std::vector<ImageHeader> slices{}; ///< in the order of positions
 };
 
-/// How the images that share their places with others come apart (DICOM.md 1.3).
+/// How the images that share their positions can be separated.
 struct TimeAxis {
     std::vector<TimePoint> points{};
-    /// Whether every place has one image of every point, at the very same position: a time axis.
-    /// Otherwise the points are candidates of which one must be chosen.
+    /// Every position has one image of every point, at exactly the same position: a time axis.
+    /// Otherwise the points are candidates, of which one must be chosen.
     bool complete = false;
-    /// Whether an attribute tells the points apart, or instance numbers that run through all slices
-    /// of one before they come to the next.
+    /// The points are distinguished by an attribute, or by instance numbers that run through all
+    /// slices of one point before those of the next.
     bool certain = false;
 };
 
-/// Takes the first attribute, else the first two together, that tells the images of every place
-/// apart and has the same values at all of them; else their instance numbers. Points that a number
-/// or a time names are in its order, others in that of their instance numbers.
+/// Uses the first attribute, or the first two together, that distinguishes the images at each
+/// position and has the same values at all positions; otherwise their instance numbers. Points
+/// identified by a number or a time are ordered by it, others by their instance numbers.
 /// @param places at least one with several images; none empty
 [[nodiscard]] TimeAxis findTimeAxis(std::vector<SlicePlace> places);
 

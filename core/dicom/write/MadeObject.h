@@ -9,31 +9,32 @@ class DcmDataset;
 
 namespace core {
 
-/// What an object is that Burin makes, and of which series.
+/// The kind and series of an object that Burin makes.
 struct MadeObject {
     const char* sopClassUid = nullptr;
     const char* modality = nullptr;
     int seriesNumber = 0;
-    QString seriesDescription; ///< cut to what DICOM holds
+    QString seriesDescription; ///< shortened to what DICOM allows
 };
 
-/// When it was made, as DICOM writes it.
+/// The time of creation in DICOM's form.
 struct MadeAt {
     QString date;
     QString time;
 };
 
-/// The number of a series made from another one: beside it in a list, and of no scanner's own.
+/// The number of a series that is derived from another one: close to it in a list, and not used by
+/// scanners.
 /// @param from 1000 for SEG, 3000 for RTSTRUCT …
 [[nodiscard]] int madeSeriesNumber(int from, const StudyIdentity& source);
 
-/// The attributes that all of them begin with: a new instance, the only one of a new series, made
-/// now, by this program (PS3.3 C.12.1, C.7.3.1, C.7.5.1).
+/// Writes the attributes with which all such objects begin: a new instance, the only one of a new
+/// series, made now by this program (PS3.3 C.12.1, C.7.3.1, C.7.5.1).
 MadeAt describeMadeObject(DcmItem* item, const MadeObject& object, const ItemWriter& items);
-/// The same of one that says when its series and its content were made, too.
+/// The same for an object that also states when its series and content were made.
 void describeMadeContent(DcmItem* item, const MadeObject& object, const ItemWriter& items);
 
-/// Copies what cleanPatientHeader() left of a source, and what every object must have besides.
+/// Copies what cleanPatientHeader() kept of a source, and adds what every object must have.
 void takePatientAndStudy(DcmDataset& set, DcmDataset& header, ConditionChain& chain);
 
 } // namespace core

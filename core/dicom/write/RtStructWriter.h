@@ -17,7 +17,7 @@ namespace core {
 
 class Deidentifier;
 
-/// What goes into an RTSTRUCT. Contours are ordered by segment, then by slice.
+/// The contents of an RTSTRUCT to be written. Contours are ordered by segment, then by slice.
 struct RtStructContent {
     struct Contour {
         int segment = 0; ///< index into `segments`
@@ -28,20 +28,21 @@ struct RtStructContent {
     StudyIdentity identity; ///< of the source, as it was loaded
     QString repair; ///< how the series was repaired on loading (Volume::repair); empty: not at all
     std::vector<SourceSlice> sources;
-    std::shared_ptr<const KeptHeaders> keptHeaders; ///< of these; null: their files are read
+    std::shared_ptr<const KeptHeaders> keptHeaders; ///< replaces these; null: their files are read
     std::vector<Segment> segments; ///< each with a contour
     std::vector<Contour> contours;
-    std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient stays named
+    std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient's identity is kept
 };
 
+/// The result of writing.
 struct RtStructWritten {
-    /// What of the source's header was not valid and had to be normalised or left out; sentences.
+    /// Sentences on invalid parts of the source's header that were normalised or left out.
     QStringList notes;
 };
 
-/// Writes a DICOM RT Structure Set (PS3.3 A.19) at @p path, which it creates or overwrites: one ROI
-/// a segment, its contours CLOSED_PLANAR in the planes of the source images, placed by the images'
-/// own headers. In implicit VR, since explicit VR ends at 64 KiB for a contour's numbers.
+/// Writes a DICOM RT Structure Set (PS3.3 A.19) to @p path, which is created or overwritten: one
+/// ROI per segment, with CLOSED_PLANAR contours in the planes of the source images, positioned by
+/// the images' own headers. In implicit VR, since explicit VR limits a contour's numbers to 64 KiB.
 ///
 /// Patient, study and frame of reference are those of the source's header. UIDs are new. Reads the
 /// header of every source. Any thread.

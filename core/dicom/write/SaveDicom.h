@@ -9,9 +9,8 @@ class DcmFileFormat;
 
 namespace core {
 
-/// Writes a DICOM file to its last byte, or tells what the system says against it: DCMTK's own
-/// saveFile() does not notice a disk that fills up. For sources of core/dicom.
-/// Errors: FileUnwritable.
+/// Writes a DICOM file completely, or returns the system's error: DCMTK's own saveFile() does not
+/// notice when the disk becomes full. For sources of core/dicom. Errors: FileUnwritable.
 [[nodiscard]] Result<void> saveDicom(
     DcmFileFormat& format, const QString& path, const char* transferSyntaxUid);
 

@@ -19,7 +19,7 @@ namespace core {
 struct ScreenPicture {
     int width = 0;
     int height = 0;
-    std::span<const std::uint8_t> rgb; ///< row after row from the top, three bytes a pixel
+    std::span<const std::uint8_t> rgb; ///< row by row from the top, three bytes per pixel
     bool showsPatient = true; ///< its pixels show text that may name the patient
 };
 
@@ -30,14 +30,14 @@ struct SecondaryCaptureContent {
     ScreenPicture picture;
 };
 
-/// Writes a Secondary Capture image (PS3.3 A.8.1) of the sources' patient and study, in a series of
-/// its own, at @p path, which it creates or overwrites.
-/// @returns what of the source's header was normalised or left out, in sentences
-/// Errors: as writeSeg(); UnsupportedFormat for more than 65535 pixels a side.
+/// Writes a Secondary Capture image (PS3.3 A.8.1) with the sources' patient and study, in a series
+/// of its own, to @p path, which is created or overwritten.
+/// @returns sentences on what was normalised or left out of the source's header
+/// Errors: as for writeSeg(); UnsupportedFormat for more than 65535 pixels per side.
 [[nodiscard]] Result<QStringList> writeSecondaryCapture(
     const QString& path, const SecondaryCaptureContent& content, const Progress& progress);
 
-/// What the check compares.
+/// The parts of such a file that the check compares.
 struct SecondaryCaptureFile {
     HeaderPatient patient;
     QString studyUid;

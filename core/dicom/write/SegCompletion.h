@@ -12,14 +12,13 @@ class DcmDataset;
 
 namespace core {
 
-// What dcmseg 3.6.7 cannot write or writes wrong, put into the data set that it made: text beyond
+// Corrects in a finished data set what dcmseg 3.6.7 cannot write or writes incorrectly: text beyond
 // ASCII, the bits, numbers of referenced frames. Only for sources of core/dicom.
 
-/// Stands in for text until completeSeg(): dcmseg takes no letters beyond ASCII, whatever the
-/// character set.
+/// Replaces text until completeSeg(), since dcmseg accepts only ASCII, whatever the character set.
 std::string placeholder(const QString& text);
 
-/// A copy of the source's header in placeholders.
+/// A copy of the source's header with placeholders for text.
 std::unique_ptr<DcmDataset> placeholderHeader(DcmDataset& header);
 
 QString seriesDescription(const SegContent& content);

@@ -11,29 +11,29 @@ class DcmFileFormat;
 
 namespace core {
 
-// What both writers of DICOM SEG share. Only for sources of core/dicom.
+// Parts that both writers of DICOM SEG share. Only for sources of core/dicom.
 
-/// What a segment is, as the object says it.
+/// The codes that are written for a segment.
 [[nodiscard]] SegCodes segCodesOf(const SegContent& content, const Segment& segment);
 
-/// Errors: InvalidField (a code that DICOM cannot hold).
+/// Errors: InvalidField (a code that DICOM does not allow).
 [[nodiscard]] Result<void> checkSegCodes(const Segment& segment, const SegCodes& codes);
 
-/// Puts modifier and region of a segment into its item of SegmentSequence.
+/// Writes modifier and region of a segment into its item of SegmentSequence.
 void putSegDetails(DcmItem* segment, const SegCodes& codes, const ItemWriter& items);
 
 /// "MANUAL" …
 [[nodiscard]] std::string algorithmTypeText(const SegSettings& settings);
-/// Empty where there is none: by hand. Placeholders for letters beyond ASCII.
+/// Empty if there is none (manual). Letters beyond ASCII are replaced by placeholders.
 [[nodiscard]] std::string algorithmName(const SegSettings& settings);
 
 /// RecommendedDisplayCIELabValue of a colour 0xRRGGBB.
 [[nodiscard]] std::array<std::uint16_t, 3> cieLabOf(std::uint32_t rgb);
 
-/// Beside the series it was drawn on in a list, and of no scanner's own numbers.
+/// Close to the number of the source series in a list, and not used by scanners.
 [[nodiscard]] int segSeriesNumber(const StudyIdentity& source);
 
-/// De-identifies the object where that is asked for, and writes the file.
+/// De-identifies the object if requested, and writes the file.
 [[nodiscard]] Result<SegWritten> saveSeg(
     const QString& path, const SegContent& content, DcmFileFormat& format, QStringList notes);
 

@@ -9,21 +9,22 @@
 
 namespace core {
 
-/// How segments came about, as a DICOM SEG says it.
+/// How segments were made, in the terms of DICOM SEG.
 enum class SegAlgorithm { Manual, Semiautomatic, Automatic };
 
-/// What a DICOM SEG says of a segment beside its type; not set: nothing.
+/// The codes of a segment besides its type; those that are not set are not written.
 struct SegCodes {
-    CodedConcept category; ///< not set: that of all
+    CodedConcept category; ///< not set: the one for all segments
     CodedConcept modifier; ///< of the type: "Left"
-    CodedConcept region; ///< where it lies, for what can lie in several places: "Liver"
+    CodedConcept region; ///< where it is, for structures that occur in several places: "Liver"
     CodedConcept regionModifier;
 };
 
+/// How a DICOM SEG is written.
 struct SegSettings {
-    bool deflated = false; ///< compressed whole, in the deflated transfer syntax
+    bool deflated = false; ///< the whole data set is compressed (deflated transfer syntax)
     SegAlgorithm algorithm = SegAlgorithm::Semiautomatic;
-    QString algorithmName = QStringLiteral("Burin"); ///< of all but manual ones
+    QString algorithmName = QStringLiteral("Burin"); ///< for all but manual segments
     std::map<int, SegCodes> codes{}; ///< by label
 };
 

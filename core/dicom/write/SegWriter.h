@@ -17,9 +17,9 @@ namespace core {
 
 class Deidentifier;
 
-/// Bits of frames one after the other: least significant first, no gap between frames, padded to a
-/// whole number of 16-bit words at the very end (PS3.5 8.1.1). Our own, because dcmseg 3.6.7 loses
-/// bits wherever rows × columns is no multiple of 8.
+/// Packs the bits of frames one after the other: least significant first, without gaps between
+/// frames, padded to a whole number of 16-bit words at the very end (PS3.5 8.1.1). This is our own
+/// code because dcmseg 3.6.7 loses bits if rows × columns is not a multiple of 8.
 class FrameBits {
 public:
     /// Appends one frame: 1 where a label equals @p label.
@@ -32,48 +32,51 @@ private:
     std::uint64_t m_bits = 0;
 };
 
-/// What goes into a DICOM SEG. Frames are ordered by segment, then by slice.
+/// The contents of a DICOM SEG to be written. Frames are ordered by segment, then by slice.
 struct SegContent {
     enum class Type {
         Binary,
-        Fractional, ///< of type OCCUPANCY, 255 is whole
+        Fractional, ///< of type OCCUPANCY; 255 is the whole pixel
         LabelMap, ///< for writeLabelMapSeg()
     };
     struct Frame {
-        int segment = 0; ///< index into `segments`; of a label map none
+        int segment = 0; ///< index into `segments`; not used for a label map
         int slice = 0; ///< index into `sources`
     };
 
     StudyIdentity identity; ///< of the source, as it was loaded
     QString repair; ///< how the series was repaired on loading (Volume::repair); empty: not at all
     std::vector<SourceSlice> sources;
-    std::shared_ptr<const KeptHeaders> keptHeaders; ///< of these; null: their files are read
+    std::shared_ptr<const KeptHeaders> keptHeaders; ///< replaces these; null: their files are read
     int columns = 0;
     int rows = 0;
-    /// Distance of neighbouring slices along their normal; 0 if it is not the same everywhere.
+    /// Distance of neighbouring slices along their normal; 0 if it varies.
     double sliceDistanceMm = 0.0;
     std::vector<Segment> segments; ///< each coded, each with a frame
     CodedConcept category;
     bool segmentsOverlap = false;
     std::vector<Frame> frames;
     Type type = Type::Binary;
-    /// In the order of `frames`: FrameBits::take(), of the other types a byte a pixel.
+    /// In the order of `frames`: FrameBits::take() for Binary; for the other types one byte per
+    /// pixel.
     std::vector<std::uint8_t> pixels;
     SegSettings settings{};
-    std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient stays named
+    std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient's identity is kept
 };
 
+/// The result of writing.
 struct SegWritten {
-    /// What of the source's header was not valid and had to be normalised or left out; sentences.
+    /// Sentences on invalid parts of the source's header that were normalised or left out.
     QStringList notes;
 };
 
-/// Writes a BINARY or FRACTIONAL DICOM SEG (PS3.3 A.51) at @p path, which it creates or overwrites.
+/// Writes a BINARY or FRACTIONAL DICOM SEG (PS3.3 A.51) to @p path, which is created or
+/// overwritten.
 ///
 /// Patient, study and frame of reference are those of the source's header; positions, orientations
-/// and spacings are its very text. UIDs are new. Reads the header of every source. Any thread.
+/// and spacings are its exact text. UIDs are new. Reads the header of every source. Any thread.
 /// Errors: FileUnreadable and FileNotFound (a source), UnsupportedFormat (what the source lacks),
-/// InvalidField (a code or name that DICOM cannot hold), FileUnwritable, Cancelled, Internal.
+/// InvalidField (a code or name that DICOM does not allow), FileUnwritable, Cancelled, Internal.
 Result<SegWritten> writeSeg(
     const QString& path, const SegContent& content, const Progress& progress);
 

@@ -15,7 +15,7 @@ namespace core {
 
 class Deidentifier;
 
-/// What a measurement report says of one segment.
+/// The measurements of one segment in a report.
 struct SrGroup {
     Segment segment;
     double volumeMl = 0.0;
@@ -30,20 +30,22 @@ struct SrGroup {
 struct SrContent {
     StudyIdentity identity; ///< of the source, as it was loaded
     std::vector<SourceSlice> sources;
-    std::shared_ptr<const KeptHeaders> keptHeaders; ///< of these; null: their files are read
-    QString seg; ///< the DICOM SEG it refers to: segments 1, 2 … are those of `groups`, in order
+    std::shared_ptr<const KeptHeaders> keptHeaders; ///< replaces these; null: their files are read
+    /// the DICOM SEG to which it refers: its segments 1, 2 … are those of `groups`, in order
+    QString seg;
     std::vector<SrGroup> groups;
     QString unit; ///< of values: "HU", "SUVbw" …; may be empty
-    std::shared_ptr<const Deidentifier> deidentifier; ///< the SEG was written by it, too
+    /// the one with which the SEG was written; null: the patient's identity is kept
+    std::shared_ptr<const Deidentifier> deidentifier;
 };
 
-/// Writes a DICOM SR measurement report (PS3.16 TID 1500, groups of TID 1411) at @p path, an
-/// Enhanced SR: a group a segment with tracking, finding, the segment of the SEG, its source
-/// series, volume (cm3), surface (mm2) and values with their derivation. By plain dcmdata: DCMTK's
-/// own templates take no letters beyond ASCII.
+/// Writes a DICOM SR measurement report (PS3.16 TID 1500, groups of TID 1411) to @p path as an
+/// Enhanced SR: one group per segment with tracking, finding, the segment of the SEG, its source
+/// series, volume (cm3), surface (mm2), and values with their derivation. It uses plain dcmdata,
+/// since DCMTK's own templates accept only ASCII.
 ///
-/// @returns what of the source's header was normalised or left out, in sentences
-/// Errors: as writeSeg(), and those of reading the SEG.
+/// @returns sentences on what was normalised or left out of the source's header
+/// Errors: as for writeSeg(), and those of reading the SEG.
 [[nodiscard]] Result<QStringList> writeSr(
     const QString& path, const SrContent& content, const Progress& progress);
 

@@ -5,26 +5,26 @@
 
 namespace core {
 
-// What every kind of edit X answers, in X.cpp beside X.h. Each has these functions, by exactly
-// these signatures; EditTask.h, EditRows.h and DocumentEdits.h ask them of any edit.
+// The functions that every kind of edit X must provide, in X.cpp beside X.h, with exactly these
+// signatures. EditTask.h, EditRows.h and DocumentEdits.h call them for any edit.
 //
 //   Result<void> check(const X&, const Document&)
-//     Whether it may be done, asked at the door and again where it waited in line: what it changes
-//     in the document, what it names, and that an engine's command can be made of it.
+//     Whether it may be carried out. It is asked when the edit is requested and again after it has
+//     waited: is the change of the document possible, does everything that it refers to exist, and
+//     can an engine's command be made of it?
 //   Result<bool> apply(const X&, Document&)
-//     What it changes in the document, lists and what they say; whether anything is different then.
-//     Errors: UnknownSegment, SegmentLocked, InvalidField; nothing is changed then.
+//     Changes the document's lists and their entries; returns whether anything differs now.
+//     Errors: UnknownSegment, SegmentLocked, InvalidField; then nothing was changed.
 //   EditEffects effects(const X&)
-//     Who carries it out, and what follows from that it was (EditEffects.h).
+//     Who carries it out, and what else follows (EditEffects.h).
 //   RowTitle rowTitle(const X&, const RowFacts&)
-//     What its row says to people, as a code with arguments (core/titles). The name that is made of
-//     it is part of the hash chain, so an old one must come out as it was.
+//     The name of its row for people. It is part of the hash chain, so old rows must keep theirs.
 //   EditReach reach(const X&, const ReachFacts&)
-//     What its result depends on: rather too much than too little (EditReach.h).
+//     What its result depends on; it may be too much, never too little (EditReach.h).
 //   Result<EngineEdit> engineEdit(const X&, const Document&)
-//     Of those that the engine carries out: the command in whole numbers by which it is begun.
+//     Only for those that the engine carries out: the command, in integers, that begins it.
 //
-// Here is only what headers of edits need to declare them.
+// This header contains only what headers of edits need to declare them.
 
 struct Document;
 struct EditEffects;

@@ -6,10 +6,11 @@
 
 namespace core {
 
-// What check() of several edits is made of.
+// Parts from which check() of several edits is made.
 
-/// A stroke into a layer that is not there or not seen would be lost work. Errors: InvalidField.
-/// @param field for the error
+/// Refuses a layer that does not exist or is not visible, since a stroke into it would be lost
+/// work. Errors: InvalidField.
+/// @param field named in the error
 [[nodiscard]] Result<void> checkLayer(const char* field, int id, const Document& document);
 
 template <class T> [[nodiscard]] Result<void> discardValue(const Result<T>& result)
@@ -19,7 +20,7 @@ template <class T> [[nodiscard]] Result<void> discardValue(const Result<T>& resu
     return {};
 }
 
-/// Whether what an edit changes in a document could be changed.
+/// Whether the change that an edit makes to a document is possible.
 template <class E> [[nodiscard]] Result<void> checkApplied(const E& edit, const Document& document)
 {
     Document copy = document;

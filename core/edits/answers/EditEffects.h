@@ -9,11 +9,11 @@
 
 namespace core {
 
-/// Who carries an edit out.
+/// The part of the program that carries an edit out.
 enum class EditTask {
-    Document, ///< nobody else: lists and what they say
-    Engine, ///< the engine, and the document with it where it says so (changedPart())
-    Surface, ///< the surface that is refined; writing back goes on to the engine
+    Document, ///< no other part: it changes lists of the document and their entries
+    Engine, ///< the engine, and the document too if changedPart() says so
+    Surface, ///< the surface that is refined; writing back also uses the engine
     Chunks, ///< the chunks around a segment
     History, ///< older rows are taken back or changed
 };
@@ -22,32 +22,33 @@ enum class EditTask {
 struct FilledSegments {
     std::optional<int> label{};
     QString name{}; ///< those that are called so; empty: none
-    bool added = false; ///< those that it adds to the document
+    bool added = false; ///< the history: it takes older rows back or changes them
 };
 
-/// What can be said of an edit before it is carried out. The first two have to be said of each.
+/// What is known of an edit before it is carried out. The first two members must be given for each
+/// edit.
 struct EditEffects {
     EditTask task;
-    /// Whether it can be begun, and told bit by bit until it ends: what is under the pen, a growth
-    /// that is watched, a preview. All others are carried out whole.
+    /// Whether it can be begun and then continued until it ends: a stroke, a growth that is
+    /// watched, a preview. All other edits are carried out whole.
     bool standsOpen;
-    /// Which list of the document it changes; none if it changes voxels only.
+    /// The list of the document that it changes; none if it changes only voxels.
     std::optional<DocumentChange::What> changes{};
-    /// Whether it changes the document, and no voxel.
+    /// It changes the document and no voxel.
     bool onlyDocument = false;
-    /// Whether it does nothing at all, in the document neither, where it changes no voxel.
+    /// It does nothing, not even in the document, if it changes no voxel.
     bool takesVoxelsOrNothing = false;
-    /// The label whose voxels it is about: of a surface around that segment the surface differs
-    /// from then on. What growth does is not known before; nor what others lose.
+    /// The label whose voxels it is about; a surface around that segment differs from it
+    /// afterwards. What a growth changes is not known in advance, nor what other segments lose.
     std::optional<int> writesTo{};
     /// Who will have to be coded where it is exported with a code.
     FilledSegments fills{};
-    /// Whether it names places of one study, or rows of one history, and so means nothing in a
-    /// recipe for another.
+    /// It refers to places of one study or to rows of one history, so it means nothing in a recipe
+    /// for another study.
     bool boundToStudy = false;
 };
 
-/// Of what is carried out on the document alone.
+/// The effects of an edit of the document alone.
 [[nodiscard]] inline EditEffects documentEffects(
     DocumentChange::What changes, bool boundToStudy = false)
 {

@@ -18,16 +18,16 @@ namespace core {
 
 struct BrushPath;
 
-/// What is known of how a row was carried out, beside its edit.
+/// What is known of how a row was carried out, in addition to its edit.
 struct RowTrace {
-    /// EditStatistics::searchedTo; none: a cut may have looked through the whole volume.
+    /// EditStatistics::searchedTo; none: a cut may have read the whole volume.
     std::optional<std::int32_t> searchedTo{};
-    /// Of a growth: where labels may have been asked for, which is wherever seed words stood or
-    /// came, and beside them. None: anywhere.
+    /// For a growth: the bricks in which it may have read labels, which is where seed words were or
+    /// came, and next to them. None: anywhere.
     std::optional<std::set<std::uint32_t>> grownBeside{};
 };
 
-/// The forms that a reach has.
+/// The forms that a set of dependencies can have.
 namespace editReach {
 
 struct Bricks {
@@ -37,7 +37,7 @@ struct Bricks {
 struct Plane {
     std::uint8_t plane = 0;
 };
-/// All seed words of a plane, and of some bricks more.
+/// All seed words of a plane, and labels (with `coverage` that too) in some bricks.
 struct Growth {
     std::uint8_t plane = 0;
     bool coverage = false;
@@ -48,27 +48,28 @@ struct Fields {
     std::optional<std::uint8_t> plane; ///< labels and seed words
     std::bitset<256> layers; ///< coverage
 };
-/// In the plane of a cut's view.
+/// The volume in front of the path of a mask, in the plane of a cut's view.
 struct SweptMask {
     glm::dvec3 origin{0.0}; ///< of voxel (0, 0, 0), mm
     glm::dmat3 perVoxel{0.0}; ///< mm
     BrickGrid grid;
-    std::optional<std::uint8_t> labels; ///< the plane whose labels are read, if any is
+    std::optional<std::uint8_t> labels; ///< the plane whose labels are read; none: no labels are
     std::vector<glm::dvec2> path; ///< mm
-    double reachMm = 0.0; ///< from the path to whatever is read
-    double endMm = 0.0; ///< nothing is read behind it
+    double reachMm = 0.0; ///< from the path to the farthest place that is read
+    double endMm = 0.0; ///< nothing behind this is read
 };
 
 using Any = std::variant<Bricks, Plane, Growth, SweptMask, Fields>;
 
 } // namespace editReach
 
-/// What the result of a row depends on, bricks it wrote included (core/session/past/RowReach.h).
+/// The bricks on which the result of a row depends, including those that it wrote
+/// (core/session/past/RowReach.h).
 struct EditReach : editReach::Any {
     using editReach::Any::variant;
 };
 
-/// What a reach is told from, beside the edit.
+/// What such a set is computed from, in addition to the edit.
 struct ReachFacts {
     const Document& document; ///< as it was when the row was carried out
     const std::vector<BrickKey>& written; ///< bricks that the row changed
@@ -76,18 +77,18 @@ struct ReachFacts {
 
     [[nodiscard]] const VolumeGeometry& geometry() const;
     [[nodiscard]] BrickGrid grid() const;
-    /// Of a label; the first plane where there is no such segment.
+    /// The plane of a label; the first plane if there is no such segment.
     [[nodiscard]] std::uint8_t planeOf(int label) const;
     [[nodiscard]] std::uint8_t growthPlane() const;
 
-    /// Of what writes no voxel, or only what it took back or folded anew.
+    /// For an edit that writes no voxel, or only those that it takes back or combines anew.
     [[nodiscard]] EditReach whatWasWritten() const;
-    /// Of growths that take back, plug or show something first: every seed word and label of the
+    /// For growths that first remove, plug or show something: all seed words and labels of the
     /// plane.
     [[nodiscard]] EditReach wholeGrowth() const;
-    /// The bricks under a brush; none where it could not be worked out.
+    /// The bricks under a brush; none if they cannot be computed.
     [[nodiscard]] std::set<std::uint32_t> under(const BrushPath& path) const;
-    /// All that is kept of labels under a brush.
+    /// Everything that is stored for labels under a brush.
     [[nodiscard]] EditReach labelled(const BrushPath& path, std::uint8_t plane) const;
 };
 

@@ -11,14 +11,14 @@
 
 namespace core {
 
-// What apply() of several edits is made of: changes of the document's lists.
+// Parts from which apply() of several edits is made: changes of the document's lists.
 
 [[nodiscard]] tl::unexpected<Error> unknownSegment(int label);
-/// @param field for the error
+/// @param field named in the error
 [[nodiscard]] tl::unexpected<Error> unknownLayer(const char* field, int id);
 [[nodiscard]] tl::unexpected<Error> unknownPiece(const char* field, int id);
 
-/// Takes what is given and differs. @return whether there was any
+/// Assigns a value if it is given and differs. @return whether it did
 template <class T> bool assign(T& target, const std::optional<T>& value)
 {
     if (!value || target == *value)
@@ -27,7 +27,7 @@ template <class T> bool assign(T& target, const std::optional<T>& value)
     return true;
 }
 
-/// Puts a member of a list to a place counted from 1. @return whether it was elsewhere
+/// Moves an element of a list to a place counted from 1. @return whether it moved
 template <class T>
 bool moveTo(std::vector<T>& list, typename std::vector<T>::iterator from, int place)
 {
@@ -39,7 +39,7 @@ bool moveTo(std::vector<T>& list, typename std::vector<T>::iterator from, int pl
     return from != to;
 }
 
-/// What was measured on them stays, at its true place.
+/// Removes pieces. Measurements on them are kept, at their true places.
 template <class Which> void removePieces(Document& document, const Which& which)
 {
     for (const Piece& piece : document.pieces) {
@@ -54,7 +54,7 @@ template <class Which> void removePieces(Document& document, const Which& which)
     std::erase_if(document.pieces, which);
 }
 
-/// @param layer of the document. Its pieces go with it.
+/// Removes a layer of the document with its pieces.
 void removeLayer(const SculptLayer* layer, Document& document);
 
 } // namespace core

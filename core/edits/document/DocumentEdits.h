@@ -9,26 +9,28 @@
 
 namespace core {
 
-/// Whether an edit changes the document only, and no voxel.
+/// Whether an edit changes only the document and no voxel.
 [[nodiscard]] bool changesDocumentOnly(const Edit& edit);
 
-/// Whether an edit does nothing at all, in the document neither, where it changes no voxel.
+/// Whether an edit does nothing, not even in the document, if it changes no voxel.
 [[nodiscard]] bool takesVoxelsOrNothing(const Edit& edit);
 
-/// Which list of the document an edit changes; none if it changes voxels only.
+/// The list of the document that an edit changes; none if it changes only voxels.
 [[nodiscard]] std::optional<DocumentChange::What> changedPart(const Edit& edit);
 
-/// Carries out on the document what an edit changes there; its voxels are an engine's.
-/// @return whether anything is different now
-/// Errors: UnknownSegment, SegmentLocked, InvalidField (no label, layer or bookmark of that number,
-/// none left, a view without a direction). Nothing is changed then.
+/// Makes the change of an edit to the document; an engine changes the voxels.
+/// @return whether anything differs now Errors: UnknownSegment, SegmentLocked, InvalidField (no
+/// label, layer or bookmark with that number, no number left, a view without a direction). Then
+/// nothing was changed.
 Result<bool> applyToDocument(const Edit& edit, Document& document);
 
-/// What would be refused later: segments, seeds, bounds and views that do not fit the document.
-/// Changes nothing. Errors: those of applyToDocument() and of engineEditOf() (EditTask.h).
+/// Checks in advance what would be refused later: segments, seeds, bounds and views that do not fit
+/// the document. Changes nothing. Errors: those of applyToDocument() and of engineEditOf()
+/// (EditTask.h).
 [[nodiscard]] Result<void> checkAgainst(const Document& document, const Edit& edit);
 
-/// A document as a session begins with: one volume, one sculpt layer, one label plane, no segment.
+/// The document with which a session begins: one volume, one sculpt layer, one label plane, no
+/// segment.
 [[nodiscard]] Document initialDocument(Volume volume);
 
 } // namespace core

@@ -14,11 +14,12 @@ namespace core {
 struct BrushPath;
 struct SegmentChoice;
 
-// What conversions of several edits share: from millimetres and modality units to the integers an
-// engine works with. Doubles are used here and nowhere after; the build forbids fused multiply-add,
-// so every machine agrees. The conversion of an edit itself stands beside it (DrillStroke.h).
+// Functions that conversions of several edits share: from millimetres and modality units to the
+// integers of an engine. Doubles are used here and nowhere later. The build forbids fused
+// multiply-add, so the results are the same on every machine. The conversion of one edit is in that
+// edit's header (DrillStroke.h).
 
-/// A command as any one.
+/// Converts a specific command to the general type.
 template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<Command> command)
 {
     if (!command)
@@ -26,36 +27,37 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
     return EngineEdit(*std::move(command));
 }
 
-/// None outside the volume.
+/// The nearest voxel; none outside the volume.
 [[nodiscard]] std::optional<glm::ivec3> voxelNearest(
     const glm::dvec3& point, const VolumeGeometry& geometry);
 /// For messages: "[1, 2, 3]".
 [[nodiscard]] QString pointText(const glm::dvec3& lps);
 
-/// The voxels nearest to a stroke's points, each once, slices first. Errors: SeedOutsideVolume
-/// (names the point and the field).
+/// The voxels nearest to the points of a stroke, each once, ordered by slice first. Errors:
+/// SeedOutsideVolume (names the point and the field).
 [[nodiscard]] Result<std::vector<glm::ivec3>> seedVoxels(const std::vector<glm::dvec3>& pointsLps,
     const VolumeGeometry& geometry, const char* field = "pointsLps");
 
-/// A view's axes in LPS: right, up, forward, as matrix columns. Errors: InvalidField (below
-/// @p field: eye and target are one point, or up points along the view).
+/// The axes of a view in LPS: right, up, forward, as matrix columns. Errors: InvalidField (a field
+/// below @p field: eye and target coincide, or up is parallel to the view direction).
 [[nodiscard]] Result<glm::dmat3> viewAxes(const OrthographicView& view, const QString& field);
 
-/// The label that receives voxels: of a new segment the next one. Errors: UnknownSegment,
-/// SegmentLocked.
+/// The label that receives voxels; for a new segment that is the next free one. Errors:
+/// UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<LabelTarget> labelTarget(
     const SegmentChoice& choice, bool overwriteUnlocked, const Document& document);
 
-/// The frame of a brush; of its points only a disc's first is looked at. Errors: InvalidField,
-/// below @p name (no point, a disc without a direction across its plane).
+/// The frame of a brush; of its points only the first is used, and only for a disc. Errors:
+/// InvalidField below @p name (no point, a disc without a normal across its plane).
 [[nodiscard]] Result<CapsuleFrame> capsuleFrame(
     const BrushPath& path, const VolumeGeometry& geometry, const QString& name);
 
-/// A brush's way, in pieces that the frame has room for; what cannot meet the volume is left out.
+/// The path of a brush as capsules of a length that the frame allows; those that cannot meet the
+/// volume are left out.
 [[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry);
 
-/// A part of it, through @p points: `from` is the last point of the part before (none for the
-/// first, and where the path begins anew).
+/// A part of the path, through @p points. @p from is the last point of the part before; null for
+/// the first part and where the path begins anew.
 [[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
     const glm::dvec3* from, const std::vector<glm::dvec3>& points);
 

@@ -7,10 +7,10 @@
 
 namespace core {
 
-/// What a clip region hides, as edits name it; nothing where it is off.
+/// The half-spaces that a clip region hides, as edits store them; none if it is off.
 [[nodiscard]] HiddenSides hiddenSides(const ClipRegion& region, const VolumeGeometry& geometry);
 
-/// In an engine's integers. Doubles are used here and nowhere after.
+/// The same in the integers of an engine. Doubles are used here and nowhere later.
 [[nodiscard]] std::vector<HiddenHalf> hiddenHalves(
     const HiddenSides& hidden, const VolumeGeometry& geometry);
 

@@ -9,7 +9,7 @@
 
 namespace core {
 
-/// What a frame is made from, besides the volume.
+/// The values from which a frame is made, in addition to the volume.
 struct MaskFrameOptions {
     OrthographicView view{};
     double surfaceThreshold = 0.0;
@@ -21,15 +21,15 @@ struct MaskFrameOptions {
     SparedSegments spared{};
 };
 
-/// Half the finest spacing resolves a mask; one that spans more than 512 elements needs no finer
-/// ones. mm16.
+/// The side of a mask element, mm16. Half the finest spacing resolves a mask; a mask that would
+/// span more than 512 elements gets larger ones.
 [[nodiscard]] std::int32_t maskPitch(const VolumeGeometry& geometry, double maskReachMm);
 
-/// Puts a mask plane before the first volume of a document. Doubles are used here and nowhere
-/// after; the build forbids fused multiply-add, so every machine agrees.
-/// @param edit name of the edit, for errors
-/// Errors: InvalidField (no volume; a view without direction, or that looks far past the volume;
-/// segments to spare while restoring).
+/// Places a mask plane in front of the first volume of a document. Doubles are used here and
+/// nowhere later. The build forbids fused multiply-add, so the results are the same on every
+/// machine.
+/// @param edit name of the edit, for errors Errors: InvalidField (no volume; a view without
+/// direction, or one that looks far past the volume; protected segments in an edit that restores).
 [[nodiscard]] Result<MaskFrame> maskFrame(
     const MaskFrameOptions& options, const Document& document, const QString& edit);
 

@@ -12,15 +12,16 @@
 
 namespace core {
 
-/// Rays of an orthographic view, in an engine's integers.
+/// The rays of an orthographic view, in the integers of an engine.
 struct PickRays {
-    /// One per point, in the order of the points; a ray that misses the volume has no samples.
+    /// One per point, in their order; a ray that misses the volume has no samples.
     std::vector<PickRay> rays;
     double sampleMm = 0.0; ///< distance of neighbouring samples: half the finest spacing
 };
 
+/// Makes them. Each ray starts at its first sample inside the volume and the clip region and ends
+/// at its last.
 /// @param planeMm points in the view plane: right of and above the target, mm
-/// Each ray starts at its first sample inside the volume and the clip region and ends at its last.
 [[nodiscard]] PickRays pickRays(const OrthographicView& view,
     const std::vector<glm::dvec2>& planeMm, const VolumeGeometry& geometry,
     const ClipRegion& clip = {});

@@ -8,19 +8,20 @@
 
 namespace core {
 
-/// Adds the segments that are protected to what an edit spares, as it is carried out. From then on
-/// the edit says by itself what it reads: neither replay nor a revision asks what is protected.
+/// Adds the segments that are protected from sculpting to those that an edit leaves uncut, when it
+/// is carried out. From then on the edit itself states what it reads, so replay and revision need
+/// not know what is protected.
 void spareProtected(SparedSegments& spared, const Document& document);
 
-/// In an engine's form, in the label plane that the document has.
+/// The same list in the form of an engine, for the label plane of the document.
 [[nodiscard]] SparedLabels sparedLabels(const SparedSegments& spared, const Document& document);
 
-/// Errors: InvalidField, where a cut that restores is told to spare something.
+/// Errors: InvalidField if a cut that restores has such a list.
 /// @param edit its name, for errors
 [[nodiscard]] Result<void> checkSpared(
     const SparedSegments& spared, bool restore, const QString& edit);
 
-/// Errors: UnknownSegment, where one of those that a cut spares is not there.
+/// Errors: UnknownSegment if a listed segment does not exist.
 [[nodiscard]] Result<void> checkSparedAreThere(
     const SparedSegments& spared, bool restore, const Document& document);
 

@@ -14,12 +14,12 @@
 
 namespace core::editFields {
 
-// What a field of an edit can hold. Each kind below knows one JSON form, one range and one
+// The types that a field of an edit can have. Each one defines one JSON form, one range and one
 // rounding:
 //
 //   type(), unit()   for the documentation
 //   write(value)     the JSON form
-//   read(json, out)  empty if it went well, else the reason ("must be a number")
+//   read(json, out)  empty on success, else the reason ("must be a number")
 //   check(value)     empty if the value is allowed, else the reason
 //   rounded(value)   the nearest value of the field's grid; idempotent (EditQuantise.h)
 
@@ -52,14 +52,14 @@ struct WholeNumber {
     [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
-/// The number by which an edit names a thing of the document. Where the edit is carried out on
-/// another study, the thing may have another one (core/recipe/RecipeElsewhere.h).
+/// The number by which an edit refers to an object of the document. If the edit is carried out on
+/// another study, the object may have another number there (core/recipe/RecipeElsewhere.h).
 struct ThingNumber : WholeNumber {
     enum class Thing { Segment, Layer, Piece, Bookmark, Measurement };
     Thing thing = Thing::Segment;
 };
 
-/// How many neighbours a voxel has.
+/// The number of neighbours of a voxel.
 struct Connectivity {
     using Value = int;
 
@@ -118,10 +118,10 @@ struct Code {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
-/// Takes exactly count numbers out of a JSON list; empty if it went well, else the reason.
+/// Reads exactly @p count numbers from a JSON list; returns empty on success, else the reason.
 [[nodiscard]] QString readNumbers(const QJsonValue& json, double* numbers, int count);
 
-/// [x, y, z], each by the same rule.
+/// [x, y, z]; the same rule applies to each number.
 struct Point {
     using Value = glm::dvec3;
     Number component;
@@ -134,7 +134,7 @@ struct Point {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
-/// One of some names, in the order of the enumerators.
+/// One of several names, in the order of the enumerators.
 template <class E, std::size_t N> struct Choice {
     using Value = E;
     std::array<const char*, N> names{};

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Every kind of edit, whole, with its fields (schema/SchemaParts.h says how they are shown to a
-// visitor). Only sources that ask all of them alike include this: they are built anew when any edit
-// changes.
+// All kinds of edits with their definitions. Only sources that handle every kind include this
+// header, since they are compiled again whenever any edit changes.
 
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/EditKinds.h"
@@ -26,8 +25,8 @@ struct EditVariant : VariantOfKinds<AllEdits>::Type {
     using VariantOfKinds<AllEdits>::Type::variant;
 };
 
-/// Calls the visitor with the edit as what it is. It must have an answer for every kind: one that
-/// it forgot does not compile.
+/// Calls the visitor with the actual edit. It must handle every kind; if one is missing, it does
+/// not compile.
 template <class Visitor> decltype(auto) visitEdit(Visitor&& visitor, const Edit& edit)
 {
     return std::visit(std::forward<Visitor>(visitor), edit.any());

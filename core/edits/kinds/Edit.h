@@ -7,9 +7,9 @@
 
 namespace core {
 
-// Edits are plain data: what the user did, in the patient's millimetres and modality units, with no
-// pointer and nothing left to be read elsewhere. Recipe, session file and replay share this form.
-// Numbers that decide voxels are rounded once by quantised() (EditQuantise.h).
+// Edits are plain data: what the user did, in the patient's millimetres and modality units, without
+// pointers and without anything that must be looked up elsewhere. Recipe, session file and replay
+// share this form. Numbers that decide voxels are rounded once by quantised() (EditQuantise.h).
 
 struct AddBookmark;
 struct AddLayer;
@@ -70,7 +70,7 @@ struct WriteBack;
 template <class... Es> struct EditKinds {
     static constexpr std::size_t count = sizeof...(Es);
 };
-/// Every kind of edit there is. Nothing that is kept depends on their order.
+/// All kinds of edits. Nothing that is stored depends on their order.
 using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment, AddLayer,
     ChangeLayer, MoveLayer, AddBookmark, RemoveBookmark, SeedStroke, GrowSteps, DrillStroke,
     RevertRows, ReviseStroke, PaintStroke, BrushStroke, PeelCut, ScissorsCut, RemoveLayer,
@@ -87,15 +87,16 @@ template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...
     static_cast<void>(((std::is_same_v<E, Es> || (++place, false)) || ...));
     return place;
 }
-/// The place of a kind in that list; beyond its end: it is none.
+/// The index of a kind in that list; AllEdits::count if it is none.
 template <class E> inline constexpr std::size_t editPlace = placeAmong<E>(AllEdits());
 template <class E>
 concept isEdit = (editPlace<E> < AllEdits::count);
 
 struct EditVariant; ///< a std::variant of all kinds (AnyEdit.h)
 
-/// Any one edit, a value. Who holds one, copies one or hands it on needs no more than this header;
-/// who makes or reads a kind includes the header of that kind; who asks all kinds alike, AnyEdit.h.
+/// Any edit, as a value. Code that stores, copies or passes one on needs only this header. Code
+/// that makes or reads a kind includes the header of that kind; code that handles all kinds
+/// includes AnyEdit.h.
 class Edit {
 public:
     Edit(); ///< an AddSegment
@@ -105,14 +106,14 @@ public:
     {
     }
     Edit(const Edit& other);
-    /// @p other holds nothing then: it can be given another edit, and that is all.
+    /// @p other is empty afterwards: it can only be assigned to or destroyed.
     Edit(Edit&& other) noexcept;
     Edit& operator=(const Edit& other);
     Edit& operator=(Edit&& other) noexcept;
     ~Edit();
 
     template <isEdit E> [[nodiscard]] bool is() const { return find(editPlace<E>) != nullptr; }
-    /// Null: it is of another kind.
+    /// Null if it is of another kind.
     template <isEdit E> [[nodiscard]] const E* as() const
     {
         return static_cast<const E*>(find(editPlace<E>));
@@ -121,7 +122,7 @@ public:
     {
         return static_cast<E*>(const_cast<void*>(find(editPlace<E>)));
     }
-    /// Throws std::bad_variant_access where it is of another kind.
+    /// Throws std::bad_variant_access if it is of another kind.
     template <isEdit E> [[nodiscard]] const E& get() const
     {
         return *static_cast<const E*>(demand(editPlace<E>));
@@ -131,7 +132,7 @@ public:
         return *static_cast<E*>(const_cast<void*>(demand(editPlace<E>)));
     }
 
-    /// Its place in AllEdits.
+    /// Its index in AllEdits.
     [[nodiscard]] std::size_t kind() const;
     /// For visitEdit() (AnyEdit.h).
     [[nodiscard]] const EditVariant& any() const { return *m_edit; }

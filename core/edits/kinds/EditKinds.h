@@ -12,14 +12,14 @@ template <class... Es> struct VariantOfKinds<EditKinds<Es...>> {
     using Type = std::variant<Es...>;
 };
 
-/// Whether an edit is of one of some kinds.
+/// Whether an edit is of one of the given kinds.
 template <class... Es> [[nodiscard]] bool isAmong(const Edit& edit, EditKinds<Es...>)
 {
     return (edit.is<Es>() || ...);
 }
 
-/// Calls the visitor with an edit that is of one of some kinds, as what it is; does nothing with
-/// others. Only these kinds have to be whole where this is asked.
+/// Calls the visitor with the actual edit if it is of one of the given kinds; otherwise does
+/// nothing. Only the headers of these kinds are needed.
 template <class Visitor, class... Es>
 void visitAmong(const Visitor& visitor, const Edit& edit, EditKinds<Es...>)
 {

@@ -5,8 +5,8 @@
 
 namespace core {
 
-/// Whether a kind of edit is one of these. Visitors name every kind that they treat alike, so that
-/// one that is added later does not compile until somebody has thought of it.
+/// Whether a kind of edit is one of these. Visitors list every kind that they treat alike, so that
+/// a kind added later does not compile until it was considered.
 template <class E, class... Es> inline constexpr bool isOneOf = (std::is_same_v<E, Es> || ...);
 
 } // namespace core

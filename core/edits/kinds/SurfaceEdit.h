@@ -9,16 +9,16 @@ namespace core {
 
 struct SurfacePath;
 
-/// Any one edit that works on the surface that is being refined, or lays it.
+/// Any edit that lays the surface that is refined, or works on it.
 using SurfaceKinds = EditKinds<LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks,
     SpherePush, PlaneScrape, PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack,
     SurfaceBarrier>;
 using SurfaceEdit = VariantOfKinds<SurfaceKinds>::Type;
 
-/// None: it is no such edit.
+/// None if it is no such edit.
 [[nodiscard]] std::optional<SurfaceEdit> surfaceEditOf(const Edit& edit);
 
-/// The way of a tool of the surface; null: it has none.
+/// The path of a tool of the surface; null if the edit has none.
 [[nodiscard]] const SurfacePath* surfacePathOf(const Edit& edit);
 [[nodiscard]] SurfacePath* surfacePathOf(Edit& edit);
 

@@ -9,7 +9,7 @@
 
 namespace core::editFields {
 
-// Fields of the edits that divide and take chunks: kinds as in EditFields.h.
+// Fields of the edits that divide into chunks and add or remove them; types as in EditFields.h.
 
 /// [{"label", "voxels"}, …], at least one, labels ascending; voxels in base 64.
 struct ChunkOwnerList {
@@ -23,8 +23,7 @@ struct ChunkOwnerList {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
-/// [brick, …]: numbers of bricks of the volume, from 0, each greater than the one before; may be
-/// empty.
+/// [brick, …]: numbers of bricks of the volume, from 0, ascending; may be empty.
 struct BrickList {
     using Value = std::vector<std::int64_t>;
 

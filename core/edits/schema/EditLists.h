@@ -11,7 +11,7 @@
 
 namespace core::editFields {
 
-// Fields that hold lists: kinds as in EditFields.h.
+// Fields that contain lists; types as in EditFields.h.
 
 /// [[x, y, z], …], at least one.
 struct PointList {
@@ -40,7 +40,7 @@ struct ContourList {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
-/// [[x, y], …], at least three.
+/// [[x, y], …], at least three points.
 struct Outline {
     using Value = std::vector<glm::dvec2>;
     Number component;
@@ -53,7 +53,7 @@ struct Outline {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
-/// [[x, y, z, offset], …]: sides of planes, at least one, at most 16.
+/// [[x, y, z, offset], …]: half-spaces, 1 to 16 of them.
 struct HiddenSideList {
     using Value = std::vector<HiddenSide>;
 
@@ -65,7 +65,7 @@ struct HiddenSideList {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
-/// [[x, y, pressure, t], …], at least one, t never falling.
+/// [[x, y, pressure, t], …], at least one; t never decreases.
 struct SampleList {
     using Value = std::vector<PenSample>;
 
@@ -77,7 +77,7 @@ struct SampleList {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
-/// [row, …]: rows of the history, at least one, each greater than the one before.
+/// [row, …]: rows of the history, at least one, ascending.
 struct RowList {
     using Value = std::vector<std::int64_t>;
 
@@ -89,7 +89,7 @@ struct RowList {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
-/// [place, …]: places in another list, from 1, each greater than the one before; may be empty.
+/// [place, …]: places in another list, from 1, ascending; may be empty.
 struct PlaceList {
     using Value = std::vector<std::int64_t>;
 
@@ -114,7 +114,7 @@ struct CornerPair {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
-/// [segment, …]: numbers of segments, at least one, each greater than the one before.
+/// [segment, …]: numbers of segments, at least one, ascending.
 struct SegmentList {
     using Value = std::vector<int>;
 

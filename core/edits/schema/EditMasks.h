@@ -8,9 +8,9 @@
 
 namespace core::editFields {
 
-// Fields of the edit that brings a mask in: kinds as in EditFields.h.
+// Fields of the edit that imports a mask; types as in EditFields.h.
 
-/// The name of a file, with its folder or without.
+/// The name of a file, with or without its folder.
 struct FileName {
     using Value = QString;
 

@@ -38,14 +38,14 @@ template <class Visitor> void visitFields(Visitor& visit, SeedStroke& edit)
         "none");
 }
 
-/// A box with sides along the volume's axes.
+/// A box along the volume's axes.
 template <class Visitor>
 void visitBox(Visitor& visit, std::optional<GrowBox>& box, const char* meaning, const char* absent)
 {
     visit.maybe("box", box, editFields::CornerPair{positionLps}, meaning, absent);
 }
 
-/// All but the interval.
+/// All criteria except the interval.
 template <class Visitor> void visitOtherCriteria(Visitor& visit, GrowCriteria& criteria)
 {
     visit.field("connectivity", Presence::Optional, criteria.connectivity,

@@ -11,10 +11,10 @@
 
 namespace core::editSchema {
 
-/// Whether a field may be left out; then it has the value of a default-constructed edit.
+/// Whether a field may be left out; it then has the value of a default-constructed edit.
 enum class Presence { Required, Optional };
 
-// The one place that knows the fields of each edit. visitFields() shows them to a visitor, which
+// The fields of each edit are defined only here. visitFields() presents them to a visitor, which
 // reads, writes, checks, rounds or documents them:
 //
 //   field(name, presence, value, kind, meaning)    kind: editFields
@@ -73,7 +73,7 @@ void visitOnlyValues(Visitor& visit, std::optional<double>& lower, std::optional
     visit.maybe("upper", upper, modalityValue, "only voxels up to this value, inclusive", "any");
 }
 
-/// A camera, as every edit that needs one writes it.
+/// A camera, in every edit that has one.
 template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)
 {
     using namespace editFields;
@@ -95,7 +95,7 @@ template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)
     });
 }
 
-/// What a clip box or planes hid when the cut was made.
+/// What clip box and clip planes hid when the cut was made.
 template <class Visitor> void visitHidden(Visitor& visit, HiddenSides& hidden)
 {
     visit.maybe("hidden", hidden, editFields::HiddenSideList{},
@@ -104,7 +104,7 @@ template <class Visitor> void visitHidden(Visitor& visit, HiddenSides& hidden)
         "nothing");
 }
 
-/// What a cut leaves as it is.
+/// What a cut leaves uncut.
 template <class Visitor> void visitSpared(Visitor& visit, SparedSegments& spared)
 {
     visit.maybe("spared", spared, editFields::SegmentList{},
@@ -113,7 +113,7 @@ template <class Visitor> void visitSpared(Visitor& visit, SparedSegments& spared
         "those that are protected");
 }
 
-/// A brush and the way it went, as every edit that has one writes it.
+/// A brush and its path, in every edit that has one.
 template <class Visitor> void visitPath(Visitor& visit, BrushPath& path)
 {
     using namespace editFields;

@@ -53,7 +53,7 @@ template <class Visitor> void visitSurface(Visitor& visit, double& threshold)
     });
 }
 
-/// What is pressed into the volume.
+/// The mask that is pressed into the volume.
 template <class Visitor> void visitMask(Visitor& visit, MaskShape& mask)
 {
     using namespace editFields;
@@ -97,7 +97,7 @@ template <class Visitor> void visitMask(Visitor& visit, MaskShape& mask)
     });
 }
 
-/// How deep a stroke cuts at what pressure, as drill and laser write it.
+/// The depth of a stroke as a function of pressure, for drill and laser.
 template <class Visitor, class Stroke>
 void visitDepth(Visitor& visit, Stroke& edit, const char* depthMeaning)
 {
@@ -113,7 +113,7 @@ void visitDepth(Visitor& visit, Stroke& edit, const char* depthMeaning)
         "depth = depthMm · pressure to this power");
 }
 
-/// The way of the pen, as drill and laser write it.
+/// The path of the pen, for drill and laser.
 template <class Visitor, class Stroke>
 void visitSamples(Visitor& visit, Stroke& edit, const char* samplesMeaning)
 {

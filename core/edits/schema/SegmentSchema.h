@@ -92,7 +92,7 @@ template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)
         "whether what is painted takes part in growth: the next one goes on from there");
 }
 
-/// Which segment receives voxels.
+/// The segment that receives voxels.
 template <class Visitor> void visitTarget(Visitor& visit, SegmentChoice& target)
 {
     visit.maybe(

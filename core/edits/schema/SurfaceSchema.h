@@ -45,7 +45,7 @@ inline constexpr const char* editMeaning<FollowMask> =
     "Has the yellow parts of the surface follow the boundary of what the segment holds now.";
 template <class Visitor> void visitFields(Visitor&, FollowMask&) { }
 
-/// Where a tool of the surface went, as every edit that has one writes it.
+/// The path of a tool of the surface, in every edit that has one.
 template <class Visitor> void visitSurfacePath(Visitor& visit, SurfacePath& path)
 {
     visit.field("radiusMm", Presence::Required, path.radiusMm, brushRadius,

@@ -17,9 +17,9 @@ namespace core {
 
 using SculptKinds = EditKinds<DrillStroke, BrushStroke, PeelCut, ScissorsCut, LaserStroke>;
 
-/// An edit that writes the coverage of a sculpt layer: by the greater value where it carves, by the
-/// lesser where it restores. As with Edit, nobody who only hands one on needs more than this
-/// header; visitSculpt() (SculptVisit.h) asks all kinds alike.
+/// Any edit that cuts into the coverage of a sculpt layer: it raises coverage when it carves and
+/// lowers it when it restores. As with Edit, code that only passes one on needs just this header;
+/// visitSculpt() (SculptVisit.h) handles all kinds.
 class SculptEdit {
 public:
     SculptEdit(); ///< a DrillStroke
@@ -44,37 +44,37 @@ private:
 [[nodiscard]] bool isSculptEdit(const Edit& edit);
 [[nodiscard]] int layerOf(const SculptEdit& edit);
 [[nodiscard]] bool restores(const SculptEdit& edit);
-/// Whether what is seen decides where it cuts.
+/// Whether the visible surface decides where it cuts.
 [[nodiscard]] bool startsOnSurface(const SculptEdit& edit);
 
-/// The outline that was drawn for it by hand; null: there is none.
+/// The list of segments that an edit leaves uncut. Null: it does not carve.
 [[nodiscard]] const std::vector<glm::dvec2>* outlineOf(const SculptEdit& edit);
 
 /// What an edit that carves spares: its own list. Null: it carves nothing, or restores.
 [[nodiscard]] SparedSegments* sparedBy(Edit& edit);
 [[nodiscard]] const SparedSegments* sparedBy(const Edit& edit);
-/// Adds the segments that are protected to that (core/edits/engine/SparedSegments.h).
+/// Adds the segments that are protected to that list (core/edits/engine/SparedSegments.h).
 void spareProtected(Edit& edit, const Document& document);
 
 [[nodiscard]] StrokeParameters parametersOf(const SculptEdit& edit);
 
-/// The edit as @p revision makes it. Errors: InvalidField for what it has not.
+/// The edit after a revision. Errors: InvalidField for a parameter that it does not have.
 [[nodiscard]] Result<SculptEdit> revised(SculptEdit edit, const ReviseStroke& revision);
 
-/// Whether an edit writes a layer's coverage otherwise than by a cut, so that the cuts alone do not
-/// make up what stands there.
+/// Whether an edit writes the coverage of a layer in another way than by a cut, so that cuts alone
+/// do not give its content.
 [[nodiscard]] bool writesLayer(const Edit& edit, int layer);
 /// The same of whatever layer.
 [[nodiscard]] bool writesSomeLayer(const Edit& edit);
 
-/// An edit in one go, as submitWhole() takes it.
+/// A complete edit, as submitWhole() takes it.
 struct WholeCut {
     EngineEdit edit;
     std::vector<EngineExtension> extensions;
 };
 
-/// What an edit cuts by itself, into an empty layer; what a restoring one gives back is cut too.
-/// Errors: InvalidField.
+/// The cut of an edit by itself, into an empty layer. For an edit that restores, what it would
+/// refill is cut. Errors: InvalidField.
 [[nodiscard]] Result<WholeCut> cutAlone(
     const SculptEdit& edit, const Document& document, std::uint8_t layer);
 

@@ -13,7 +13,7 @@
 
 namespace core {
 
-/// Which of the kinds a cut is. @tparam Cut SculptEdit, const or not
+/// The kind of a cut. @tparam Cut SculptEdit, const or not
 template <class Cut, class... Es> auto sculptKindOf(Cut& cut, EditKinds<Es...>)
 {
     std::variant<decltype(cut.template as<Es>())...> found;
@@ -25,7 +25,7 @@ template <class Cut, class... Es> auto sculptKindOf(Cut& cut, EditKinds<Es...>)
     return found;
 }
 
-/// Calls the visitor with the cut as what it is; it has to have an answer for every kind.
+/// Calls the visitor with the actual edit; it must handle every kind.
 template <class Visitor> decltype(auto) visitSculpt(Visitor&& visitor, const SculptEdit& cut)
 {
     return std::visit([&visitor](const auto* known) -> decltype(auto) { return visitor(*known); },

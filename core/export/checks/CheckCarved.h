@@ -9,18 +9,18 @@
 
 namespace core {
 
-/// What a voxel must be, by its place in the array.
+/// The expected value of a voxel, by its index in the array.
 using ExpectedValue = std::function<double(std::size_t)>;
 
-/// Opens a NIfTI file with the NIfTI C library: the grid is the volume's, every voxel as expected,
-/// in the precision that the file holds.
-/// Errors: ExportMismatch (argument 0 the file, 1 what does not agree), FileUnreadable.
+/// Opens a NIfTI file with the NIfTI C library and checks that the grid is the volume's and that
+/// every voxel is as expected, within the precision of the file. Errors: ExportMismatch (argument 0
+/// the file, 1 the difference), FileUnreadable.
 Result<QStringList> checkNiftiValues(
     const QString& file, const Volume& volume, const ExpectedValue& expected);
 
-/// Opens a folder as any study is opened: one series, new, of the same study and frame of
-/// reference, derived, on the same grid, every voxel as expected.
-/// @param tolerance of values, where those of the volume are rounded
+/// Opens a folder like any study and checks that it is one new, derived series of the same study
+/// and frame of reference on the same grid, and that every voxel is as expected.
+/// @param tolerance of values, if those of the volume are rounded
 /// Errors: as above, and those of opening a study.
 Result<QStringList> checkCarvedSeries(const QString& folder, const Volume& volume,
     const ExpectedValue& expected, double tolerance, const Progress& progress);

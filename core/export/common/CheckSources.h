@@ -13,22 +13,24 @@
 
 namespace core {
 
-/// Reads the headers of a volume's slices anew and compares each with the volume as it was shown
-/// and drawn on: patient, study, frame of reference, instance, size, and where its corners lie.
+/// Reads the headers of a volume's slices again and compares each with the volume that was
+/// displayed and edited: patient, study, frame of reference, instance, size, and the positions of
+/// its corners.
 /// @param file the export that is checked, for the message
 /// Errors: ExportMismatch, and those of reading.
 Result<std::vector<SourceHeader>> checkedSourceHeaders(
     const QString& file, const Volume& volume, const Progress& progress);
 
-/// The same, as the export has to name them: de-identified where that is asked for.
+/// The same headers as the export must refer to them: de-identified if that was requested.
 Result<std::vector<SourceHeader>> checkedSourceHeaders(
     const QString& file, const ExportExpectation& expected, const Progress& progress);
 
-/// What differs between two patients, as a clause; empty if nothing does.
+/// The difference between two patients, as a clause; empty if there is none.
 [[nodiscard]] QString differenceOfPatients(const HeaderPatient& a, const HeaderPatient& b);
 
-/// How far positions from a header may lie from the volume's: rounding in decimal strings and in
-/// the least-squares line through the slices, never near half a voxel.
+/// The greatest allowed difference between positions in a header and in the volume. It covers
+/// rounding in decimal strings and of the least-squares line through the slices, and is far below
+/// half a voxel.
 [[nodiscard]] double positionToleranceMm(const VolumeGeometry& geometry);
 
 /// LPS centre of the first voxel of slice @p k.

@@ -9,15 +9,16 @@
 
 namespace core {
 
-/// Follows every voxel of every slice by its millimetres in the patient into the repaired volume,
-/// with nothing of what made the way back, and compares what both hold.
-/// @param onSlices the labels as they came back, @param repaired as they were drawn
-/// @return what does not agree, as a clause; empty if all does
+/// Follows every voxel of every slice, by its position in mm, into the repaired volume, without any
+/// code of WayBack, and compares the labels of both.
+/// @param onSlices the labels that were transferred back
+/// @param repaired the labels as drawn
+/// @return the difference, as a clause; empty if there is none
 [[nodiscard]] QString differenceOfWayBack(const WayBack& back, const Volume& volume,
     const ExportRequest& onSlices, const ExportRequest& repaired);
 
-/// What was drawn where no image is, in sentences: on slices that were filled in, and beside what
-/// was scanned. A segment each; empty where there is none.
+/// Sentences on what was drawn where there is no image: on interpolated slices, and outside the
+/// scanned region. One for each segment; empty if there is nothing.
 [[nodiscard]] QStringList beyondSlices(
     const WayBack& back, const Volume& volume, const ExportRequest& repaired);
 

@@ -9,6 +9,7 @@
 
 namespace core {
 
+/// The formats of masks, surfaces and statistics that can be written.
 enum class ExportFormat {
     DicomSeg,
     DicomSegFractional,
@@ -25,30 +26,30 @@ enum class ExportFormat {
     Sr
 };
 
-/// Where the axes of a surface point: LPS to the left, posterior and superior, as DICOM has it; RAS
-/// to the right, anterior and superior.
+/// The axes of a surface: LPS to the left, posterior and superior, as in DICOM; RAS to the right,
+/// anterior and superior.
 enum class MeshSpace { Lps, Ras };
 
-/// What is to be known of a format before anything is written.
+/// The properties of a format.
 struct ExportFormatFacts {
     ExportFormat format = ExportFormat::DicomSeg;
-    const char* name = ""; ///< as recipes say it: "dicom-seg"
-    const char* ending = ""; ///< of a file's name, as it is proposed: ".nii.gz"
-    const char* otherEnding = ""; ///< that will do as well; may be empty
-    bool anyEnding = false; ///< the name may end as it likes
-    bool namesSourceImages = false; ///< only where dicomSegObstacle() is empty
-    bool isSurface = false; ///< a MeshSpace is to be chosen
-    bool isSeg = false; ///< a DICOM SEG: SegSettings apply, every segment has a code
-    bool isStatistics = false; ///< numbers about segments: ExportRequest::codes are needed
+    const char* name = ""; ///< the name in recipes: "dicom-seg"
+    const char* ending = ""; ///< proposed file name extension: ".nii.gz"
+    const char* otherEnding = ""; ///< also accepted; may be empty
+    bool anyEnding = false; ///< any file name extension is accepted
+    bool namesSourceImages = false; ///< available only if dicomSegObstacle() is empty
+    bool isSurface = false; ///< a MeshSpace must be chosen
+    bool isSeg = false; ///< a DICOM SEG: SegSettings apply, and every segment needs a code
+    bool isStatistics = false; ///< numbers about segments; needs ExportRequest::codes
     const char* title = ""; ///< for a list: "DICOM SEG"
     const char* says = ""; ///< a clause: "one object, references the source images"
 };
 
-/// All of them, in the order of a list.
+/// All formats, in the order of a list.
 [[nodiscard]] std::span<const ExportFormatFacts> exportFormats();
 [[nodiscard]] const ExportFormatFacts& factsOf(ExportFormat format);
 [[nodiscard]] std::optional<ExportFormat> exportFormatNamed(const QString& name);
-/// The first whose names end so; none: no format's do.
+/// The first format with this file name extension; none if there is none.
 [[nodiscard]] std::optional<ExportFormat> exportFormatOfFile(const QString& file);
 /// "dicom-seg", "nifti" …
 [[nodiscard]] QStringList exportFormatNames();

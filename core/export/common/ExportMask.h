@@ -25,68 +25,69 @@ struct LabelPlaneView {
     std::span<const std::uint8_t> labels;
 };
 
-/// "Anatomical Structure" (DICOM CID 7150): what a segment is unless something else is said.
+/// "Anatomical Structure" (DICOM CID 7150): the default category of a segment.
 [[nodiscard]] CodedConcept anatomicalStructure();
 
 class Deidentifier;
 
-/// What a segment was made of: a sculpt layer whose coverage says how much of each voxel it fills
-/// (Occupancy.h).
+/// The sculpt layer from which a segment was made; its coverage says how much of each voxel the
+/// segment fills (Occupancy.h).
 struct SegmentCoverage {
     std::uint8_t label = 0;
     QString layer; ///< its name, for the report
     std::span<const std::uint8_t> coverage; ///< x fastest
 };
 
-/// What to write, and where.
+/// A request to export segments.
 struct ExportRequest {
     ExportFormat format = ExportFormat::DicomSeg;
     QString file;
     bool force = false; ///< replace a file of that name
     std::vector<Segment> segments; ///< in the order of their numbers in the file
-    std::vector<LabelPlaneView> planes; ///< every plane that a segment names
+    std::vector<LabelPlaneView> planes; ///< every plane that contains one of the segments
     CodedConcept category = anatomicalStructure();
-    MeshSpace space = MeshSpace::Lps; ///< of surfaces
-    SegSettings seg{}; ///< of a DICOM SEG
-    std::vector<SegmentCoverage> coverages{}; ///< of a fractional one
-    std::span<const std::uint16_t> codes{}; ///< the volume's, x fastest; for statistics
-    std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient stays named
+    MeshSpace space = MeshSpace::Lps; ///< for surfaces
+    SegSettings seg{}; ///< for a DICOM SEG
+    std::vector<SegmentCoverage> coverages{}; ///< for a fractional SEG
+    std::span<const std::uint16_t> codes{}; ///< those of the volume, x fastest; for statistics
+    std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient's identity is kept
 };
 
-/// What was done, in sentences for a person.
+/// What an export did, in sentences for the user.
 struct ExportReport {
     QString file;
     QStringList written;
     QStringList checked;
     QStringList cautions; ///< what a reader of the file must know
-    QString sha256{}; ///< of the file, in hexadecimal digits, read from the disk after the check
+    QString sha256{}; ///< of the file, hex, read from the disk after the check
 };
 
 /// Writes the voxels of the segments and nothing else, then opens the file and the volume's source
-/// files again and checks one against the other (CheckExport.h). The file appears under its name
-/// only after that; on any failure nothing is left behind, and a file of that name is as it was.
+/// files again and compares them (CheckExport.h). The file appears under its name only after that.
+/// If anything fails, nothing is left, and an existing file is unchanged.
 ///
-/// Segments without a voxel are left out and named. DICOM SEG: one BINARY object, empty frames left
-/// out, every frame on its native slice, also where the stack is tilted or uneven; or a FRACTIONAL
-/// one of type OCCUPANCY, or a LABELMAP. RTSTRUCT: closed
-/// contours along the borders of the voxels, on the native slices. NIfTI: one label
-/// map on the source's grid; the file's name must end in .nii or .nii.gz. 3D Slicer segmentation:
-/// the same map with names, colours and codes in one layer; the name must end in .seg.nrrd.
-/// Statistics: numbers of SegmentStatistics.h; SR also writes the DICOM SEG that it refers to,
-/// beside it ("a-seg.dcm").
+/// Segments without voxels are left out and listed. The formats:
+/// - DICOM SEG: one BINARY object without empty frames, every frame on its native slice even if the
+///   stack is tilted or uneven; or a FRACTIONAL one of type OCCUPANCY, or a LABELMAP.
+/// - RTSTRUCT: closed contours along the borders of the voxels, on the native slices.
+/// - NIfTI: one label map on the source's grid; the file name must end in .nii or .nii.gz.
+/// - 3D Slicer segmentation: the same map with names, colours and codes in one layer; the file name
+///   must end in .seg.nrrd.
+/// - Statistics: the numbers of SegmentStatistics.h; an SR also writes the DICOM SEG to which it
+///   refers beside it ("a-seg.dcm").
 ///
-/// De-identified, segments have neutral names, DICOM objects neither patient nor old UIDs; the file
-/// is searched for both.
+/// In a de-identified export, segments have neutral names, and DICOM objects contain neither the
+/// patient nor original UIDs; the file is searched for both.
 ///
-/// Cost: reads every source header twice and the export once. Any thread.
-/// Errors: NothingToExport, SegmentNotCoded (argument 0: the segment), UnknownSegment, FileExists,
-/// FileUnwritable, UnsupportedFormat (argument 1: why, and what is possible instead),
-/// InvalidField, ExportMismatch, Cancelled, and those of reading the sources.
+/// Cost: every source header is read twice, the export once. Any thread. Errors: NothingToExport,
+/// SegmentNotCoded (argument 0: the segment), UnknownSegment, FileExists, FileUnwritable,
+/// UnsupportedFormat (argument 1: why, and what is possible instead), InvalidField, ExportMismatch,
+/// Cancelled, and those of reading the sources.
 Result<ExportReport> exportMask(
     const Volume& volume, const ExportRequest& request, const Progress& progress);
 
-/// Why this volume cannot carry a DICOM SEG or RTSTRUCT, as a clause; empty if it can. Reads no
-/// file.
+/// Why a DICOM SEG or RTSTRUCT cannot be written for this volume, as a clause; empty if it can.
+/// Reads no file.
 [[nodiscard]] QString dicomSegObstacle(const Volume& volume);
 
 } // namespace core

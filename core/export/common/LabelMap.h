@@ -13,28 +13,28 @@ struct LabelMap {
     QStringList names; ///< "3 Skull", in the order of the segments
 };
 
-/// "the source's grid", or that of its repair.
+/// "the source's grid", or the name of the repaired grid.
 [[nodiscard]] QString gridName(const Volume& volume);
 
-/// For formats that have one number a voxel and one step for all slices. What slices that lie
-/// unevenly mean for the reader goes into the report.
-/// @param format for the sentences
+/// Makes the map for formats with one number per voxel and one distance for all slices. If slices
+/// are uneven, the report says what that means for the reader.
+/// @param format its name, for the sentences
 /// Errors: UnsupportedFormat (segments that overlap or share a label, slices too uneven).
 Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,
     const MaskSelection& selection, const QString& format, ExportReport& report);
 
-/// Where the source files themselves have the corners of such a map, and how far it may be off.
+/// The corners of such a map according to the source files, with the tolerance.
 struct LabelMapPlace {
     GridCorners corners{};
     double toleranceMm = 0.0;
 };
 
-/// Errors: those of sourceCorners(), and ExportMismatch where the sources do not lie where the
-/// volume has them.
+/// Errors: those of sourceCorners(), and ExportMismatch if the sources are not where the volume has
+/// them.
 Result<LabelMapPlace> labelMapPlace(
     const QString& file, const Volume& volume, const Progress& progress);
 
-/// How many voxels of a map are not as they should have been written.
+/// The number of voxels of a map that are not as they should have been written.
 [[nodiscard]] std::size_t wrongVoxels(
     std::span<const std::uint8_t> voxels, const ExportExpectation& expected);
 

@@ -6,40 +6,41 @@
 
 namespace core {
 
-/// What is written and checked and has only to be given its name.
+/// An export that was written and checked and only needs its name.
 struct StagedExport {
     StagedFile file;
     ExportReport report;
-    std::shared_ptr<StagedExport> beside{}; ///< of a report: the SEG that it refers to
+    std::shared_ptr<StagedExport> beside{}; ///< for a report: the SEG to which it refers
 };
 
-/// What is left of a request once the empty segments are out of it.
+/// The segments of a request without the empty ones.
 struct MaskSelection {
     std::vector<Segment> segments;
-    std::vector<std::vector<int>> slices; ///< per segment, those that hold a voxel, ascending
+    /// per segment: slices with at least one voxel, ascending
+    std::vector<std::vector<int>> slices;
     QStringList empty;
 };
 
-/// Errors: NothingToExport, UnknownSegment (its plane is not there).
+/// Errors: NothingToExport, UnknownSegment (its plane is missing).
 Result<MaskSelection> selectMask(const Volume& volume, const ExportRequest& request);
 
-/// The plane that a segment lives in; null if the request lacks it.
+/// The plane of a segment; null if the request lacks it.
 const LabelPlaneView* planeOf(const ExportRequest& request, const Segment& segment);
 
 std::size_t voxelsPerSlice(const Volume& volume);
 
-/// The coverage that a segment was made of; null: none.
+/// The coverage from which a segment was made; null: none.
 const SegmentCoverage* coverageOf(
     std::span<const SegmentCoverage> coverages, const Segment& segment);
 
-/// Hexadecimal digits. Errors: FileUnreadable.
+/// The checksum as hexadecimal digits. Errors: FileUnreadable.
 Result<QString> sha256OfFile(const QString& path);
 
-/// Whether a file is one that the volume was read from.
+/// Whether the volume was read from this file.
 bool isSourceFile(const Volume& volume, const QString& file);
 
-/// Writes what was selected at @p path, which the caller staged; what the reader of the file must
-/// know goes into the report. @returns what was written, in sentences
+/// Writes the selection to @p path, which the caller has staged, and adds what a reader of the file
+/// must know to the report. @returns sentences on what was written
 Result<QStringList> writeSegMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
     ExportReport& report);
@@ -51,7 +52,8 @@ Result<QStringList> writeSurfaces(const QString& path, const Volume& volume,
     ExportReport& report);
 Result<QStringList> writeNiftiMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, ExportReport& report);
-/// As CSV, JSON or SR. @param seg which an SR refers to and names in the report; else null
+/// Writes CSV, JSON or SR. @param seg the SEG to which an SR refers and which the report names;
+/// else null
 Result<QStringList> writeStatistics(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const StagedExport* seg,
     const Progress& progress, ExportReport& report);

@@ -8,7 +8,8 @@
 
 namespace core {
 
-// NIfTI by its C library, for checks that share nothing with our own reader and writer.
+// Access to NIfTI through its C library, for checks that share no code with our own reader and
+// writer.
 
 struct NiftiDeleter {
     void operator()(nifti_image* image) const { nifti_image_free(image); }

@@ -5,11 +5,13 @@
 
 namespace core {
 
-/// How much of a voxel a segment fills, 0 … 255, where it was made of what a sculpt layer covers.
+/// How much of a voxel a segment fills, 0 … 255, if it was made from the coverage of a sculpt
+/// layer.
 ///
-/// The voxel's coverage, wherever that agrees with the segment: one half and more (128) is a voxel
-/// of it, less is none. Where the two have parted since, the segment is right: what was painted
-/// later is whole, what was erased is nothing. So exactly the segment's voxels have 128 and more.
+/// It is the voxel's coverage if that agrees with the segment: a value of one half and more (128)
+/// belongs to the segment, a lower one does not. Where segment and layer were changed since, the
+/// segment decides: what was painted later is full, what was erased is empty. So exactly the
+/// segment's voxels have 128 and more.
 [[nodiscard]] constexpr std::uint8_t occupancyOf(bool inSegment, std::uint8_t coverage)
 {
     if (inSegment)

@@ -7,18 +7,18 @@
 
 namespace core {
 
-/// Shares of a segment's voxels, in percent, whose values are told.
+/// The percentiles that are computed.
 constexpr std::array<int, 6> statisticsPercentiles{5, 10, 25, 75, 90, 95};
 
-/// What is measured of one segment. Values are in modality units, exactly those of the voxels'
-/// codes; counts decide, so nothing depends on an order.
+/// The measurements of one segment. Values are in modality units, exactly those of the voxels'
+/// codes. They are computed from counts, so they do not depend on an order.
 struct SegmentStatistics {
     Segment segment;
     std::int64_t voxels = 0;
-    /// Each voxel counts as much as the grid has room for it: where slices lie unevenly, half the
+    /// Each voxel counts with the volume that it represents; with uneven slices it extends half the
     /// way to either neighbour.
     double millilitres = 0.0;
-    glm::ivec3 first{0}; ///< of the box of its voxels, inclusive
+    glm::ivec3 first{0}; ///< of the bounding box of its voxels, inclusive
     glm::ivec3 last{0};
     glm::dvec3 lowestLps{0.0}; ///< mm, of the centres of its voxels
     glm::dvec3 highestLps{0.0};
@@ -27,9 +27,9 @@ struct SegmentStatistics {
     double minimum = 0.0;
     double maximum = 0.0;
     double mean = 0.0;
-    double deviation = 0.0; ///< of all its voxels (divided by their number)
+    double deviation = 0.0; ///< population standard deviation (divided by the number of voxels)
     double median = 0.0;
-    /// The least value that so many percent of the voxels do not exceed; one that occurs.
+    /// The least value that occurs and that at least this percentage of the voxels do not exceed.
     std::array<double, statisticsPercentiles.size()> percentiles{};
 };
 

@@ -13,11 +13,11 @@ namespace core {
 using GridCorners = std::array<glm::dvec3, 8>;
 
 [[nodiscard]] GridCorners cornersOf(const glm::dmat4& affine, const glm::ivec3& size);
-/// The greatest distance between corners of one index.
+/// The greatest distance between corresponding corners.
 [[nodiscard]] double farthest(const GridCorners& a, const GridCorners& b);
 
-/// The corners as the volume's source files themselves say them, read from the disk now, or from
-/// the headers that its session keeps.
+/// The corners according to the volume's source files, which are read from the disk now, or to the
+/// headers that its session keeps.
 /// @param file the export that is checked, for the message
 /// Errors: ExportMismatch, and those of reading.
 Result<GridCorners> sourceCorners(

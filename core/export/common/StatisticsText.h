@@ -7,25 +7,25 @@
 
 namespace core {
 
-/// One number of a segment's statistics, as both texts name it.
+/// One number of a segment's statistics, with its name in both text formats.
 struct StatisticsNumber {
     const char* name = ""; ///< "volumeMl"
     double value = 0.0;
 };
 
-/// All of them, in the order of the columns.
+/// All numbers, in the order of the columns.
 [[nodiscard]] std::vector<StatisticsNumber> numbersOf(const SegmentStatistics& statistics);
 
-/// RFC 4180, UTF-8: a line of names, then a line a segment.
+/// RFC 4180, UTF-8: a line of names, then one line per segment.
 [[nodiscard]] QByteArray statisticsCsv(
     const std::vector<SegmentStatistics>& all, const Volume& volume);
 
-/// {"study", "unit", "segments": [{"label", "name", "code", "voxels", …}]}; @p identity is that of
-/// the study as it may be named.
+/// {"study", "unit", "segments": [{"label", "name", "code", "voxels", …}]}. @p identity is that of
+/// the study in the form that may be written.
 [[nodiscard]] QByteArray statisticsJson(
     const std::vector<SegmentStatistics>& all, const Volume& volume, const StudyIdentity& identity);
 
-/// The SEG that a report speaks of lies beside it under this name: "a-seg.dcm".
+/// The name of the SEG to which a report refers and which is written beside it: "a-seg.dcm".
 [[nodiscard]] QString segBeside(const QString& file);
 
 } // namespace core

@@ -7,21 +7,24 @@
 
 namespace core {
 
-/// What a cut would take of the plane, brick by brick, before it is known what the plane holds.
+/// What a cut would remove, brick by brick, computed from the seed words alone, before the label
+/// plane has been read.
 struct LeavingBricks {
     struct Brick {
         std::uint32_t brick = 0;
-        std::vector<std::uint8_t> labels; ///< 4096; leaves where the plane holds it; 0: none does
+        /// 4096: the label that would leave if the plane holds it there; 0: none
+        std::vector<std::uint8_t> labels;
     };
-    std::int64_t members = 0; ///< that leave
-    std::vector<Brick> bricks; ///< ascending
+    std::int64_t members = 0; ///< members that would leave the growth
+    std::vector<Brick> bricks; ///< ascending by number
 };
 
-/// By the rules of GrowthCut.h, refused like the cut. Cost like that of the cut itself.
+/// Finds them by the rules of GrowthCut.h. Errors and cost are those of cutGrowth().
 [[nodiscard]] Result<LeavingBricks> leavingBricks(
     const WordBricks& words, const CutGrowth& command);
 
-/// @param held what the plane holds in each of these bricks; no bytes: nothing
+/// Compares them with the plane.
+/// @param held the plane's labels in each of these bricks, in their order; an empty vector: all 0
 [[nodiscard]] ForeseenCut foreseenCut(
     const LeavingBricks& leaving, std::span<const std::vector<std::uint8_t>> held);
 

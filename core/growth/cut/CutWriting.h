@@ -9,22 +9,22 @@
 
 namespace core {
 
-/// The bricks that a cut writes, as they will be (GrowthCut.h, rules 10 and 11).
+/// Collects the bricks that a cut writes, with their new content (GrowthCut.h, rules 10 and 11).
 class CutWriting {
 public:
-    /// @param words outlive this
+    /// @param words must outlive this
     explicit CutWriting(const WordBricks& words);
 
-    /// A voxel of a brick that is there becomes unvisited.
-    /// @param label that leaves the plane; 0: none
+    /// Makes a voxel unvisited; it must lie in a brick of `words`.
+    /// @param label the label that the plane loses there; 0: none
     void leave(WordBricks::Voxel voxel, std::uint32_t label);
-    /// A member stays, with another word.
+    /// Gives a member that stays another word.
     void replace(WordBricks::Voxel voxel, std::uint32_t word);
-    /// Any voxel of the volume becomes a barrier.
+    /// Sets a barrier at any voxel of the volume.
     void shut(const glm::ivec3& place);
-    /// So do those of its 26 neighbours that are no member and no pending seed.
+    /// Sets barriers at those of its 26 neighbours that are neither members nor pending seeds.
     void shutEmptyAround(const glm::ivec3& place);
-    /// Ascending; nothing is left here.
+    /// The bricks, ascending by number; nothing remains here.
     [[nodiscard]] std::vector<CutBrick> take();
 
 private:
@@ -32,8 +32,9 @@ private:
     CutBrick& begun(std::size_t place);
 
     const WordBricks& m_words;
-    std::map<std::uint32_t, std::size_t> m_places; ///< of each brick that is there
-    std::vector<CutBrick> m_bricks; ///< of those; without words: not written
+    std::map<std::uint32_t, std::size_t> m_places; ///< index of each brick of `words`
+    std::vector<CutBrick> m_bricks; ///< one for each of them; those without words are not written
+    /// By number: bricks that are not in `words` and that receive barriers.
     std::map<std::uint32_t, CutBrick> m_further;
 };
 

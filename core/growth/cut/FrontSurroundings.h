@@ -9,8 +9,8 @@
 
 namespace core {
 
-/// The members around a front, in order of steps from it: where GrowthCut.h (rule 8) looks for the
-/// narrowest cut. Its nodes are numbered in that order.
+/// The members around a front, in order of their distance from it in steps: where the narrowest cut
+/// is searched for (GrowthCut.h, rule 8). Nodes are numbered in that order.
 class FrontSurroundings {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFFu;
@@ -20,7 +20,7 @@ public:
         const std::function<bool(std::uint32_t word)>& isMember);
 
     [[nodiscard]] const std::vector<WordBricks::Voxel>& voxels() const { return m_voxels; }
-    /// Whether it lies as many steps away as is looked at.
+    /// Whether it lies as many steps from the front as are searched.
     [[nodiscard]] bool isFarthest(std::size_t node) const { return m_steps[node] == m_farthest; }
     [[nodiscard]] std::uint32_t nodeAt(const glm::ivec3& place) const;
 

@@ -11,22 +11,22 @@
 
 namespace core {
 
-/// What leaves of one label, by the rules of GrowthCut.h.
+/// Determines which members of one label a cut removes, by the rules of GrowthCut.h.
 class LabelCut {
 public:
     using Voxel = WordBricks::Voxel;
     using Voxels = std::vector<Voxel>;
-    /// Words that change of members that stay.
+    /// New words of members that stay.
     using WordChanges = std::vector<std::pair<Voxel, std::uint32_t>>;
 
-    /// @param words, command, marks outlive this
-    /// @param marks of each voxel; those of the label's members are this one's
+    /// @param words, command, marks must outlive this
+    /// @param marks one byte per voxel; only those of the label's members are used
     LabelCut(const WordBricks& words, const CutGrowth& command, std::uint32_t label,
         std::vector<std::uint8_t>& marks);
 
-    /// Sets `leaves` in the marks of what leaves.
+    /// Sets `leaves` in the marks of the voxels that leave.
     /// @param sketch ascending; members that are no roots
-    /// @return what leaves, each once
+    /// @return the voxels that leave, each once
     Voxels run(const Voxels& sketch, WordChanges& changes);
 
     static constexpr std::uint8_t leaves = 1;
@@ -41,8 +41,9 @@ private:
     // Further marks:
     static constexpr std::uint8_t onWay = 4;
     static constexpr std::uint8_t beyond = 8;
-    static constexpr std::uint8_t liesBehind = 16; ///< of what behind() was asked for last
-    static constexpr std::uint8_t looked = 32; ///< by behind()
+    /// lies behind the set that behind() was last called for
+    static constexpr std::uint8_t liesBehind = 16;
+    static constexpr std::uint8_t looked = 32; ///< examined by behind()
 
     [[nodiscard]] bool has(Voxel voxel, std::uint8_t mark) const
     {

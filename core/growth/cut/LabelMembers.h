@@ -8,17 +8,18 @@
 
 namespace core {
 
-/// The members of one label among seed words, and who came from whom (GrowthCut.h, rules 1 and 2).
+/// The members of one label among the seed words, with their parents and children (GrowthCut.h,
+/// rules 1 and 2).
 class LabelMembers {
 public:
     using Voxel = WordBricks::Voxel;
 
-    /// @param words linked; outlive this. Looks through all of them.
+    /// @param words linked; must outlive this. The constructor reads all of them.
     LabelMembers(const WordBricks& words, std::uint32_t label);
 
     [[nodiscard]] const WordBricks& words() const { return m_words; }
     [[nodiscard]] std::uint32_t label() const { return m_label; }
-    /// K of GrowthCut.h: directions in which parents are looked for at most.
+    /// K of GrowthCut.h, rule 9: the most directions in which parents are looked for.
     [[nodiscard]] std::uint32_t reach() const { return m_reach; }
     [[nodiscard]] std::uint32_t greatestGeneration() const { return m_greatest; }
     [[nodiscard]] const std::vector<Voxel>& roots() const { return m_roots; }
@@ -53,7 +54,7 @@ public:
                     visit(neighbour);
             });
     }
-    /// Members that are one step away, as distances count (GrowthCut.h, rule 9).
+    /// The members that are one step away (GrowthCut.h, rule 9).
     template <class Visit> void forNext(Voxel voxel, const Visit& visit) const
     {
         m_words.forNeighbours(
@@ -64,7 +65,7 @@ public:
     }
 
 private:
-    /// Of a member that is no root: directions in which its parents lie.
+    /// Number of directions in which the parents of a member that is no root lie.
     [[nodiscard]] std::uint32_t parentReach(Voxel voxel) const;
 
     const WordBricks& m_words;

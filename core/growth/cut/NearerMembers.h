@@ -7,8 +7,9 @@
 
 namespace core {
 
-/// Which members are nearer to the roots than to a sketch, in steps over members (GrowthCut.h, rule
-/// 9): both spread at once, ring by ring, and where they arrive in the same ring the sketch has it.
+/// Finds the members that are nearer to the roots than to a sketch, in steps over members
+/// (GrowthCut.h, rule 9). Both spread at once, ring by ring; a member that both reach in the same
+/// ring belongs to the sketch.
 class NearerMembers {
 public:
     /// @param sketch members of which none is a root

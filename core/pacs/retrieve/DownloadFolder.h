@@ -11,34 +11,35 @@
 
 namespace core {
 
-/// A folder of downloaded objects that comes into being only when it is whole.
+/// A folder of downloaded objects that appears only when it is complete.
 ///
-/// Until then they gather in a hidden folder beside it, which a later download into the same target
-/// finds and goes on with. Nobody else uses it meanwhile. Files are brought to the disk all at once
-/// when it ends; after a power failure before that, none of them is believed.
+/// Until then the objects are collected in a hidden folder beside it, which a later download into
+/// the same target finds and continues. It is locked meanwhile. Files are written to the disk all
+/// at once at the end; after a power failure before that, none of them is trusted.
 class DownloadFolder {
 public:
-    /// FileUnwritable, also where there is something at @p target, or another download goes there.
+    /// Errors: FileUnwritable, also if @p target exists or another download uses it.
     [[nodiscard]] static Result<DownloadFolder> open(const QString& target);
-    /// Whether @p target is a folder with all these objects, each of them sound.
+    /// Whether @p target is a folder with all these objects, each undamaged.
     [[nodiscard]] static bool isWhole(const QString& target, const QStringList& sopInstanceUids);
 
     DownloadFolder(DownloadFolder&&) noexcept = default;
     DownloadFolder& operator=(DownloadFolder&&) noexcept = default;
-    /// What has gathered stays; a folder without anything does not.
+    /// Keeps what was collected, unless it is empty.
     ~DownloadFolder();
 
-    /// Where the object gathers. Letters of a node get no say in it.
+    /// The path at which the object is collected. It does not depend on characters chosen by the
+    /// node.
     [[nodiscard]] QString pathOf(const QString& sopInstanceUid) const;
-    /// A name under which its file is written; a later download removes it.
+    /// The path under which its file is written; leftovers are removed by a later download.
     [[nodiscard]] QString partPathOf(const QString& sopInstanceUid) const;
-    /// Whether it is here, from an earlier download, and sound; a damaged one is removed.
+    /// Whether an undamaged object is here from an earlier download; a damaged one is removed.
     [[nodiscard]] bool holds(const QString& sopInstanceUid) const;
-    /// Gives a part that was checked its place. FileUnwritable.
+    /// Moves a checked part to its path. Errors: FileUnwritable.
     [[nodiscard]] Result<void> accept(const QString& partPath, const QString& sopInstanceUid) const;
     [[nodiscard]] const QString& target() const { return m_target; }
 
-    /// Gives it its name. FileUnwritable.
+    /// Gives the folder its name. Errors: FileUnwritable.
     [[nodiscard]] Result<void> finish();
 
 private:
@@ -49,10 +50,10 @@ private:
     std::unique_ptr<QLockFile> m_lock;
 };
 
-/// The SOP instance UID of a file that is a DICOM object that Burin can read to its end:
-/// FileUnreadable, FileTruncated. Through the door that DicomFile is.
+/// The SOP instance UID of a file if it is a complete DICOM object that Burin can read; errors:
+/// FileUnreadable, FileTruncated. The file is read through DicomFile.
 [[nodiscard]] Result<QString> soundObject(const QString& path);
-/// Whether a file is such an object, of that UID.
+/// Checks that a file is such an object with that UID.
 [[nodiscard]] Result<void> checkObject(const QString& path, const QString& sopInstanceUid);
 
 } // namespace core

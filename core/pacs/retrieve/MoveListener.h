@@ -17,19 +17,19 @@ namespace core {
 
 class Association;
 
-/// Where a node brings the objects of a C-MOVE: listens on a port, on a thread of its own, while
-/// the move is under way; takes one association after the other, addressed to our title.
+/// Receives the objects of a C-MOVE: it listens on a port, on its own thread, during the move, and
+/// accepts one association after the other that is addressed to our title.
 class MoveListener {
 public:
-    /// @param intake used by that thread until stop()
-    /// InvalidField: the port is taken, or the node wants TLS, which this does not speak.
+    /// @param intake used by that thread until stop() Errors: InvalidField (the port is in use, or
+    /// the node requires TLS, which is not supported here).
     [[nodiscard]] static Result<std::unique_ptr<MoveListener>> start(
         const PacsNode& node, int port, ObjectIntake& intake);
     MoveListener(const MoveListener&) = delete;
     MoveListener& operator=(const MoveListener&) = delete;
     ~MoveListener();
 
-    /// Ends it within moments. @return the first error that did not come from stopping
+    /// Ends it shortly. @return the first error that was not caused by stopping
     std::optional<Error> stop();
 
 private:
@@ -45,7 +45,7 @@ private:
     std::unique_ptr<DcmTransportLayer> m_layer;
     T_ASC_Network* m_network = nullptr;
     std::optional<Error> m_trouble;
-    /// Last: it uses all of the above. None: it has ended.
+    /// Last, since it uses all of the above. None: it has ended.
     std::optional<TaskThread> m_thread;
 };
 

@@ -18,22 +18,22 @@ namespace core {
 
 class Association;
 
-/// Takes the objects that a node stores at us, byte for byte, into a folder. What is not sound is
-/// refused, and so is what nobody asked for. Only for sources of core/pacs.
+/// Stores the objects that a node sends (C-STORE), byte by byte, in a folder. Objects that are
+/// damaged or were not requested are refused. Only for sources of core/pacs.
 class ObjectIntake {
 public:
-    /// @param awaited SOP instance UIDs; empty: whatever comes
+    /// @param awaited SOP instance UIDs; empty: all objects
     ObjectIntake(const DownloadFolder& folder, const QSet<QString>& awaited, int total,
         const Progress& progress);
 
-    /// Receives the object of a C-STORE request and answers. An error ends the transfer: the
-    /// connection's, and FileUnwritable.
+    /// Receives the object of a C-STORE request and answers. An error ends the transfer: those of
+    /// the connection, and FileUnwritable.
     [[nodiscard]] Result<void> take(
         Association& association, std::uint8_t context, const T_DIMSE_C_StoreRQ& request);
 
     [[nodiscard]] int received() const { return m_received; }
     [[nodiscard]] const QSet<QString>& missing() const { return m_missing; }
-    /// Why the first of those that are not sound was refused.
+    /// Why the first damaged object was refused.
     [[nodiscard]] const std::optional<Error>& refusal() const { return m_refusal; }
 
 private:
@@ -44,7 +44,7 @@ private:
     bool m_takesAll;
     QSet<QString> m_missing;
     int m_total;
-    std::atomic<int> m_received = 0; ///< looked at while a listener takes objects
+    std::atomic<int> m_received = 0; ///< read while a listener receives objects
     std::optional<Error> m_refusal;
     const Progress& m_progress;
 };

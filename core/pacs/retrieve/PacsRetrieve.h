@@ -11,31 +11,31 @@
 
 namespace core {
 
-/// What to fetch from a node: a series, or with an empty seriesUid the whole study.
+/// What to retrieve from a node: a series, or the whole study if seriesUid is empty.
 struct RetrieveWish {
     QString studyUid;
     QString seriesUid;
-    QString instanceUid; ///< of the series only this object
+    QString instanceUid; ///< only this object of the series
 };
 
-/// How objects come from a node.
+/// How objects are transferred from a node.
 struct RetrieveWay {
-    /// C-MOVE: the node connects to this port, under the address that it has for our title. None:
-    /// C-GET, over the connection that asks.
+    /// C-MOVE: the node connects to this port, at the address that it has for our title. None:
+    /// C-GET, over the same connection.
     std::optional<int> movePort;
 };
 
+/// The result of retrieving.
 struct Retrieved {
     int received = 0;
     int kept = 0; ///< from an earlier download
 };
 
-/// Fetches objects into the folder @p target, which comes into being when all are there and sound.
-/// What an earlier call left of the same is not fetched again. Waits for the network; call it on a
-/// worker's thread.
+/// Retrieves objects into the folder @p target, which appears when all are there and undamaged.
+/// Objects left by an earlier call are not retrieved again. Blocks; call it on a worker thread.
 ///
-/// Errors: as of Association::request(); NodeHasNone, NodeFailed; TransferIncomplete and whatever
-/// ended the connection (what came is kept for the next call); FileUnwritable.
+/// Errors: those of Association::request(); NodeHasNone, NodeFailed; TransferIncomplete and
+/// whatever ended the connection (what was received is kept for the next call); FileUnwritable.
 [[nodiscard]] Result<Retrieved> retrieve(const PacsNode& node, const RetrieveWish& wish,
     const QString& target, const RetrieveWay& way, const Progress& progress);
 

@@ -17,46 +17,47 @@ namespace core {
 
 class DownloadFolder;
 
-/// What a node or a server of the web holds of a wish, and what of that is to be fetched.
+/// What a DICOM node or web server has of a requested study, and what of that is to be retrieved.
 struct RetrievePlan {
     struct Series {
         QString seriesUid;
-        std::vector<InstanceHit> instances; ///< empty: the node does not tell
+        std::vector<InstanceHit> instances; ///< empty: the node does not list them
         QStringList missing;
-        bool isPart = false; ///< only some of it is wanted
+        bool isPart = false; ///< only some of it is requested
 
-        /// Everything, as far as anybody knows.
+        /// Whether everything is to be retrieved, as far as is known.
         [[nodiscard]] bool asWhole() const
         {
             return !isPart && std::size_t(missing.size()) == instances.size();
         }
     };
-    /// How the node is asked.
+    /// The queries with which the node is asked.
     struct Listing {
         QString nodeName;
         std::function<Result<std::vector<SeriesHit>>(const QString& study)> series;
         std::function<Result<std::vector<InstanceHit>>(const QString& study, const QString& series)>
             instances;
     };
-    /// NodeHasNone, and errors of the questions.
+    /// Errors: NodeHasNone, and those of the queries.
     [[nodiscard]] static Result<RetrievePlan> make(
         const Listing& listing, const RetrieveWish& wish);
 
     void lookWhatIsMissing(const DownloadFolder& folder);
-    /// Whether the node told what to await.
+    /// Whether the node listed what to expect.
     [[nodiscard]] bool isKnown() const;
     [[nodiscard]] QStringList instances() const;
     [[nodiscard]] QSet<QString> missing() const;
-    /// As missing(); nothing where nobody knows what to await.
+    /// As missing(); empty if it is not known what to expect.
     [[nodiscard]] QSet<QString> awaited() const;
-    /// SOP classes; empty where the node does not tell all of them.
+    /// SOP classes; empty if the node does not list all of them.
     [[nodiscard]] std::vector<QByteArray> classes() const;
 
     QString studyUid;
     std::vector<Series> series;
 };
 
-/// A node of either kind, asked by its findSeries() and findInstances(). For as long as both live.
+/// The queries of a node of either kind, by its findSeries() and findInstances(). Both arguments
+/// must outlive it.
 template <class Node>
 [[nodiscard]] RetrievePlan::Listing listingOf(const Node& node, const Progress& progress)
 {
@@ -68,10 +69,10 @@ template <class Node>
             }};
 }
 
-/// Lays the folder @p target: nothing is fetched that is there; what came before a failure stays
-/// for the next time; the folder gets its name when all is there.
-/// @param fetch brings what the plan awaits. @return how many objects came
-/// Errors: of the questions, of DownloadFolder and of @p fetch.
+/// Fills the folder @p target. Existing objects are not retrieved again, objects received before a
+/// failure are kept for the next call, and the folder gets its name when everything is there.
+/// @param fetch retrieves what the plan contains and returns the number of objects received
+/// Errors: those of the queries, of DownloadFolder and of @p fetch.
 [[nodiscard]] Result<Retrieved> retrieveInto(const QString& target,
     const RetrievePlan::Listing& listing, const RetrieveWish& wish,
     const std::function<Result<int>(const RetrievePlan& plan, const DownloadFolder& folder)>&

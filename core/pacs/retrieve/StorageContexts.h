@@ -9,13 +9,13 @@
 
 namespace core {
 
-/// Kinds of objects that Burin opens, writes, or meets beside them.
+/// SOP classes that Burin opens, writes, or encounters in studies.
 [[nodiscard]] const std::vector<QByteArray>& storageClasses();
 /// Every transfer syntax in which Burin can read an object, the uncompressed ones first.
 [[nodiscard]] const std::vector<QByteArray>& readableSyntaxes();
 
-/// What to propose so that a node sends objects of these kinds as it has them: a context for each
-/// compressed syntax, since of the syntaxes of one context it would choose, and convert.
+/// The contexts to propose so that a node sends objects of these classes unchanged: one context for
+/// each compressed syntax, since a node would choose one syntax of a context and convert.
 /// @param classes empty: storageClasses()
 [[nodiscard]] std::vector<ProposedContext> retrieveContexts(std::vector<QByteArray> classes);
 

@@ -9,13 +9,14 @@ namespace core {
 struct SurfacePoint {
     VertexId vertex = noId;
     glm::dvec3 positionLps{0.0};
-    glm::dvec3 normalLps{0.0}; ///< outwards; 0 where its neighbours lie in a line
+    glm::dvec3 normalLps{0.0}; ///< outwards; 0 if its neighbours lie in a line
     SurfaceMark mark = SurfaceMark::Yellow;
-    double curvaturePerMm = 0.0; ///< as even as it is to be; positive where it bulges outwards
-    double distanceMm = 0.0; ///< of its neighbours, in the mean
+    /// averaged as the settings say; positive where the surface bulges outwards
+    double curvaturePerMm = 0.0;
+    double distanceMm = 0.0; ///< mean distance to its neighbours
 };
 
-/// What pulls at the surface from without (seed B §6.3): the mask's boundary, a tool.
+/// A force on the surface from outside it (seed B §6.3): the boundary of the mask, a tool.
 class ExternalForce {
 public:
     ExternalForce() = default;
@@ -23,13 +24,13 @@ public:
     ExternalForce(const ExternalForce&) = delete;
     ExternalForce& operator=(const ExternalForce&) = delete;
 
-    /// The way from a vertex to where it is wanted; 0: no matter. Called by several threads at
-    /// once, with vertices that are not green. It depends on the point alone.
+    /// The vector from a vertex to where it should be; 0: no force. Called by several threads at
+    /// once, for vertices that are not green. The result depends on the point alone.
     [[nodiscard]] virtual glm::dvec3 forceMm(const SurfacePoint& point) const = 0;
 };
 
-/// Has the last word on where a vertex goes, after all forces: what a tool holds on to is exactly
-/// where the tool has it.
+/// Decides where a vertex finally goes, after all forces, so that what a tool holds is exactly
+/// where the tool puts it.
 class SurfaceGuide {
 public:
     SurfaceGuide() = default;
@@ -37,9 +38,11 @@ public:
     SurfaceGuide(const SurfaceGuide&) = delete;
     SurfaceGuide& operator=(const SurfaceGuide&) = delete;
 
-    /// Called by several threads at once, but once a step for a vertex, none of them green.
-    /// @param forceMm what works on it: decides who rests and who wakes neighbours
-    /// @param placeLps where the step would take it
+    /// Called by several threads at once, but only once per step for a vertex, and never for green
+    /// ones.
+    /// @param forceMm the force on it, which decides whether it rests and whether neighbours become
+    /// active
+    /// @param placeLps where the step would move it
     virtual void guide(const SurfacePoint& point, glm::dvec3& forceMm, glm::dvec3& placeLps) = 0;
 };
 

@@ -6,9 +6,9 @@
 
 namespace core {
 
-/// Draws all that is yellow to the boundary of a mask, with structure that follows the shape; red
-/// and green vertices stay where they are. A boundary beyond its reach is not found, and the vertex
-/// stays. About as long as the first fit.
+/// Pulls all yellow vertices to the boundary of a mask and adapts the structure to the shape; red
+/// and green vertices stay. Where no boundary is found within the search distance, a vertex stays.
+/// It takes about as long as the first fit.
 void followBoundary(SimplexMeshEdit& edit, const BoundaryForce& boundary);
 
 } // namespace core

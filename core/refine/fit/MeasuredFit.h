@@ -12,27 +12,27 @@
 
 namespace core {
 
-/// A surface around a mask, and how well it does: what it encloses (SurfaceVoxels.h) against the
-/// mask.
+/// A surface around a mask, with the difference between the voxels that it encloses
+/// (SurfaceVoxels.h) and the mask.
 struct MeasuredFit {
     SimplexMesh mesh;
     std::uint64_t voxels = 0; ///< of the mask
-    std::uint64_t voxelsOff = 0; ///< in the mask and not enclosed, or the other way round
+    std::uint64_t voxelsOff = 0; ///< in the mask but not enclosed, or the reverse
 };
 
-/// Of the mask's voxels, so many may be off.
+/// The share of the mask's voxels that may differ.
 constexpr double mostOffShare = 0.001;
 
 /// Fits a surface (InitialFit.h), voxelises it and counts.
 ///
-/// With a number of vertices, one of about so many. Without, one of as many as the mask takes to be
-/// enclosed but for mostOffShare: first a vertex for each face between mask and background; where
-/// that does not do, two, which is enough to follow every voxel. Of these the structure stays as it
-/// was laid, and where a voxel is off all the same, the vertices around go back to where they were
-/// laid. No surface gets more than mostVertices (RefineSurface.h) that way, or is asked for fewer
-/// than leastVertices. What would need more is the best that was found: whoever asks for it tells
-/// by how much it is off.
-/// Errors: those of initialFit() and fillSurface().
+/// With @p vertices, the surface has about that many. Without, it has as many as are needed to
+/// enclose the mask except for mostOffShare: first one vertex for each face between mask and
+/// background, then, if that is not enough, two, which suffices to follow every voxel. The
+/// structure of the latter is kept as it was laid, and where a voxel still differs, the vertices
+/// around it are moved back to where they were laid. Chosen in this way, the number is between
+/// leastVertices and mostVertices (RefineSurface.h). If more would be needed, the result is the
+/// best that was found, and the caller reports by how much it differs. Errors: those of
+/// initialFit() and fillSurface().
 [[nodiscard]] Result<MeasuredFit> measuredFit(const VoxelRuns& mask, const VolumeGeometry& geometry,
     std::optional<int> vertices, const Progress& progress);
 

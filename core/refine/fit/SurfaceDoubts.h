@@ -9,17 +9,19 @@
 
 namespace core {
 
-// Where a second look at a surface may pay (seed B §4.3): told, never applied. Any thread.
+// Finds places of a surface that may need another look (seed B §4.3). They are reported, never
+// changed. Any thread.
 
-/// What stands off the boundary of the mask although yellow beside it follows that: green and red
-/// that lie farther from it than @p toleranceMm, by vertex id. After the mask has changed, these
-/// are the conflicts.
+/// Marks, by vertex id, green and red vertices that lie farther than @p toleranceMm from the
+/// boundary of the mask although yellow vertices next to them follow it. After the mask was
+/// changed, these are the conflicts.
 [[nodiscard]] std::vector<bool> offTheMask(
     const SurfaceMirror& surface, const BoundaryForce& boundary, double toleranceMm);
 
-/// What follows the mask where grey values show no edge: yellow whose change of grey values across
-/// the surface, evened out over the neighbours, is less than a quarter of what half of the surface
-/// has, by vertex id. @param reachMm so far to either side
+/// Marks, by vertex id, yellow vertices where the grey values show no edge: the change of grey
+/// values across the surface, averaged over the neighbours, is less than a quarter of the median
+/// over the surface.
+/// @param reachMm distance that is examined on either side
 [[nodiscard]] std::vector<bool> withoutAnEdge(
     const SurfaceMirror& surface, const GreyBox& grey, double reachMm);
 

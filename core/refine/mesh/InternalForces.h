@@ -5,23 +5,25 @@
 
 namespace core {
 
-// What holds a simplex mesh together (Delingette 1999): a vertex is wanted above the middle of its
-// three neighbours (metric parameters 1/3), so high that the mean curvature there is what it is
-// around. The heights are those of the sphere through the vertex and its neighbours; the simplex
-// angle itself is not needed, nor any function but the square root.
+// Internal forces of a simplex mesh (Delingette 1999): a vertex is pulled to a point above the
+// middle of its three neighbours (metric parameters 1/3), at the height for which its mean
+// curvature equals that of its surroundings. Heights are computed from the sphere through the
+// vertex and its neighbours; neither the simplex angle nor any function but the square root is
+// needed.
 
+/// The local shape of the surface at a vertex.
 struct SimplexFrame {
-    /// Outwards, of the plane of the three neighbours; 0: they lie in a line.
+    /// Outward normal of the plane of the three neighbours; 0 if they lie in a line.
     glm::dvec3 normalLps{0.0};
-    /// 1 / radius of the sphere through the vertex and its neighbours; positive where it bulges
-    /// outwards, 0 where they lie in a plane.
+    /// 1 / radius of the sphere through the vertex and its neighbours; positive where the surface
+    /// bulges outwards, 0 where they lie in a plane.
     double curvaturePerMm = 0.0;
 };
 [[nodiscard]] SimplexFrame frameAt(const SimplexMesh& mesh, VertexId id);
 
-/// The way from a vertex to where it is wanted.
-/// @param curvaturePerMm what the curvature is to be; bounded by what the neighbours allow. That of
-/// frameAt() moves it within its sphere only.
+/// The vector from a vertex to where it should be.
+/// @param curvaturePerMm the intended curvature; limited by what the neighbours allow. With that of
+/// frameAt() the vertex moves only within its sphere.
 [[nodiscard]] glm::dvec3 internalForceMm(
     const SimplexMesh& mesh, VertexId id, double curvaturePerMm);
 

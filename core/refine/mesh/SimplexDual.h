@@ -6,27 +6,27 @@
 namespace core {
 
 /// The simplex mesh that is dual to a surface of triangles: a vertex in the middle of each
-/// triangle, a face around each corner; points that no triangle names are left out. Triangles turn
-/// to the left seen from outside. Errors: Internal (argument 0: where it is not closed or not
-/// manifold).
+/// triangle, and a face around each corner. Points that no triangle uses are left out. Triangles
+/// are counter-clockwise seen from outside. Errors: Internal (argument 0: where the surface is not
+/// closed or not manifold).
 [[nodiscard]] Result<SimplexMesh> dualOf(
     std::span<const glm::dvec3> pointsLps, std::span<const glm::uvec3> triangles);
 
-/// A simplex mesh as triangles: each face as a fan around the mean of its vertices. Closed, without
-/// gaps; to the left seen from outside.
+/// A simplex mesh as triangles: each face is a fan around the mean of its vertices. Closed, without
+/// gaps; counter-clockwise seen from outside.
 struct SimplexTriangles {
-    /// By vertex id, then the faces' middles, by vertexSlots() + face id. What does not exist lies
-    /// at the origin, and no triangle names it.
+    /// By vertex id, then the middles of faces at vertexSlots() + face id. Entries of vertices and
+    /// faces that do not exist are at the origin, and no triangle uses them.
     std::vector<glm::dvec3> pointsLps;
     std::vector<glm::uvec3> triangles; ///< ordered by face: (vertex, vertex, middle)
     std::vector<FaceId> faces; ///< of each triangle
 };
 [[nodiscard]] SimplexTriangles trianglesOf(const SimplexMesh& mesh);
 
-/// What a mesh encloses, by those triangles.
+/// The volume that a mesh encloses, computed from those triangles.
 [[nodiscard]] double enclosedMm3(const SimplexMesh& mesh);
 
-/// The mean of a ring's vertices.
+/// The mean of the vertices of a face.
 [[nodiscard]] glm::dvec3 middleOf(const SimplexMesh& mesh, FaceId face);
 
 } // namespace core

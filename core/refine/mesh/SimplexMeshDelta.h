@@ -5,18 +5,18 @@
 
 namespace core {
 
-/// What changed in a mesh: of each changed vertex and face all that there was, and all that there
-/// is. Going forward and back is exact to the bit.
+/// What changed in a mesh: every changed vertex and face, before and after. Applying it in either
+/// direction is exact bit by bit.
 struct SimplexMeshDelta {
     struct VertexChange {
         VertexId id = noId;
         std::optional<SimplexVertex> before; ///< none: it did not exist
-        std::optional<SimplexVertex> after; ///< none: it is gone
+        std::optional<SimplexVertex> after; ///< none: it was removed
     };
     struct FaceChange {
         FaceId id = noId;
         FaceRing before; ///< empty: it did not exist
-        FaceRing after; ///< empty: it is gone
+        FaceRing after; ///< empty: it was removed
     };
     std::vector<VertexChange> vertices; ///< ids ascend
     std::vector<FaceChange> faces; ///< ids ascend

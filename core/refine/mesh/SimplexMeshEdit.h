@@ -5,22 +5,20 @@
 
 namespace core {
 
-/// What was written of a mesh, each once, ascending; some of it may be gone by now. For whoever
-/// draws it: what is drawn of anything else is still right.
+/// The vertices and faces of a mesh that were written, each once, ascending; some may have been
+/// removed since. For drawing: everything else is unchanged on the screen.
 struct WrittenParts {
     std::vector<VertexId> vertices;
     std::vector<FaceId> faces;
 };
 
-/// The one door through which a mesh is written: an open transaction that saves each vertex and
-/// face on first touch. It ends with commit() or rollback(); left without either, it is rolled
-/// back.
+/// A transaction on a mesh, and the only way to write one. It saves each vertex and face when it is
+/// first written, and ends with commit() or rollback(); the destructor rolls back.
 ///
-/// Green vertices are immutable here, below every tool: who is to change one marks it otherwise
-/// first.
+/// Green vertices cannot be moved, whatever the tool: they must be given another mark first.
 class SimplexMeshEdit {
 public:
-    /// @param mesh must outlive it, and is written by nobody else meanwhile
+    /// @param mesh must outlive this; nothing else may write it meanwhile
     explicit SimplexMeshEdit(SimplexMesh& mesh);
     ~SimplexMeshEdit();
     SimplexMeshEdit(const SimplexMeshEdit&) = delete;
@@ -28,24 +26,25 @@ public:
 
     [[nodiscard]] const SimplexMesh& mesh() const { return m_mesh; }
 
-    /// A green vertex stays where it is.
+    /// A green vertex is not moved.
     void move(VertexId id, const glm::dvec3& positionLps);
     void setMark(VertexId id, SurfaceMark mark);
 
-    // The structure, for SimplexOperations.h: in between, the mesh is none.
+    // Changes of structure, for SimplexOperations.h. Between these calls the mesh is inconsistent.
     VertexId addVertex(const SimplexVertex& vertex);
     void removeVertex(VertexId id);
-    /// Neighbours and faces; position and mark stay.
+    /// Sets neighbours and faces; position and mark stay.
     void link(
         VertexId id, const std::array<VertexId, 3>& neighbours, const std::array<FaceId, 3>& faces);
     FaceId addFace(FaceRing ring);
     void setRing(FaceId id, FaceRing ring);
     void removeFace(FaceId id);
 
-    /// What was written since it was last asked, or since the beginning.
+    /// What was written since the last call, or since the beginning.
     [[nodiscard]] WrittenParts takeWritten();
 
-    /// The changes; what is as it was before is left out. Nothing may be written afterwards.
+    /// Ends the transaction and returns the changes, without what is as it was before. Nothing may
+    /// be written afterwards.
     SimplexMeshDelta commit();
     void rollback();
 
@@ -58,7 +57,7 @@ private:
     bool m_isOpen = true;
     std::vector<bool> m_touched; ///< by vertex
     std::vector<bool> m_touchedFaces;
-    SimplexMeshDelta m_before; ///< in the order of touching, `after` unset
+    SimplexMeshDelta m_before; ///< in the order of first writing, `after` unset
     std::vector<bool> m_isWritten; ///< by vertex, since takeWritten()
     std::vector<bool> m_isFaceWritten;
     WrittenParts m_written; ///< in the order of writing

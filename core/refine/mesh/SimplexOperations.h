@@ -7,11 +7,11 @@
 
 namespace core {
 
-// Changes of structure (seed B §6.4). Each leaves a simplex mesh of the same Euler characteristic,
-// or refuses and leaves everything as it is. They refuse where a face that would change has a green
-// vertex: the surface that is locked keeps its faces, too.
+// Changes of structure (seed B §6.4). Each one leaves a simplex mesh of the same Euler
+// characteristic, or refuses and changes nothing. They refuse if a face that would change has a
+// green vertex, since a locked part of the surface keeps its faces too.
 
-/// An edge from both ends, and the four faces around it.
+/// The ends of an edge, and the four faces around it.
 struct EdgeSurroundings {
     VertexId from = noId;
     VertexId to = noId;
@@ -26,21 +26,22 @@ struct EdgeSurroundings {
 /// Whether no vertex of a face is green.
 [[nodiscard]] bool isFree(const SimplexMesh& mesh, FaceId id);
 
-/// Whether mergeFaces() would not refuse.
+/// Whether mergeFaces() would succeed.
 [[nodiscard]] bool canMergeFaces(const SimplexMesh& mesh, const EdgeSurroundings& edge);
-/// Takes an edge away with both its ends: the faces beside it become one, the left one, and those
-/// at its ends lose a vertex each. False: refused.
+/// Removes an edge with both its ends: the faces beside it become one (the left one), and the faces
+/// at its ends lose one vertex each. False: refused.
 bool mergeFaces(SimplexMeshEdit& edit, VertexId from, VertexId to);
 
-/// Lays an edge through a face, from the middle of the edge that follows ring[first] to that of the
-/// edge that follows ring[second]. The new face lies between the two, with ring[first + 1] …
-/// ring[second]; a new vertex is red if either end of its edge is, and else has the mark of the one
-/// before. Gives the new vertices; none: refused.
+/// Adds an edge through a face, from the middle of the edge after ring[first] to the middle of the
+/// edge after ring[second]. The new face lies between the two and contains ring[first + 1] …
+/// ring[second]. A new vertex is red if either end of its edge is red; otherwise it has the mark of
+/// the end before it. Returns the new vertices; none: refused.
 std::optional<std::array<VertexId, 2>> splitFace(
     SimplexMeshEdit& edit, FaceId face, std::size_t first, std::size_t second);
 
-/// Turns an edge by a quarter: the faces beside it part, those at its ends meet. Its ends are
-/// laid to either side of its middle, towards their new neighbours. False: refused.
+/// Rotates an edge by a quarter turn: the faces beside it are separated, and those at its ends
+/// become neighbours. Its ends are moved to either side of its middle, towards their new
+/// neighbours. False: refused.
 bool swapEdge(SimplexMeshEdit& edit, VertexId from, VertexId to);
 [[nodiscard]] bool canSwapEdge(const SimplexMesh& mesh, const EdgeSurroundings& edge);
 

@@ -5,11 +5,11 @@
 
 namespace core {
 
-/// What is thought of a place of the surface (seed B §4.3).
+/// The user's judgement on a place of the surface (seed B §4.3).
 enum class SurfaceMark : std::uint8_t {
     Yellow, ///< follows the boundary of the mask
-    Green, ///< right: nothing moves it
-    Red, ///< wrong: free of the mask, tools may change it
+    Green, ///< approved: nothing moves it
+    Red, ///< wrong: independent of the mask, tools may change it
 };
 
 } // namespace core

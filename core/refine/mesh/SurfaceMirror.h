@@ -17,17 +17,17 @@ struct MeshHit {
     VertexId vertex = noId; ///< the nearest of the face that was hit
 };
 
-/// A part of the surface that is marked alike and hangs together: an error, where that is red.
+/// A connected part of the surface with one mark; a red one is an error.
 struct MarkedRegion {
     glm::dvec3 middleLps{0.0}; ///< the mean of its vertices
-    glm::dvec3 normalLps{0.0}; ///< the mean of theirs, of length 1; 0: they look all ways
+    glm::dvec3 normalLps{0.0}; ///< the mean of their normals, of length 1; 0 if that is undefined
     double areaMm2 = 0.0;
     std::size_t vertices = 0;
     VertexId first = noId; ///< its least vertex
 };
 
-/// A surface as another thread was told of it (SurfaceUpdate): for whoever points at it or lists
-/// what is marked. Belongs to one thread.
+/// A copy of a surface for another thread, kept up to date by SurfaceUpdate: for picking, and for
+/// lists of marked regions. Belongs to one thread.
 class SurfaceMirror {
 public:
     void take(const SurfaceUpdate& update);
@@ -37,17 +37,18 @@ public:
     [[nodiscard]] std::size_t faceCount() const { return m_faceCount; }
     [[nodiscard]] const SurfaceUpdate::Vertex& vertex(VertexId id) const { return m_vertices[id]; }
 
-    /// The first place that is seen from outside; none: it misses. Each face is asked: 72 000
-    /// triangles in about a millisecond. @param directionLps of length 1
+    /// The first point of the surface that the ray meets from outside; none: it misses. Every face
+    /// is tested: 72 000 triangles take about a millisecond.
+    /// @param directionLps of length 1
     [[nodiscard]] std::optional<MeshHit> hit(
         const glm::dvec3& fromLps, const glm::dvec3& directionLps) const;
-    /// The vertex that lies nearest; noId: there is none.
+    /// The nearest vertex; noId if there is none.
     [[nodiscard]] VertexId nearestVertex(const glm::dvec3& placeLps) const;
     /// Largest area first, then by their least vertex.
     [[nodiscard]] std::vector<MarkedRegion> regions(SurfaceMark mark) const;
-    /// The same of the vertices for which it is true. @param isWanted by id
+    /// The same for the vertices selected by @p isWanted, by id.
     [[nodiscard]] std::vector<MarkedRegion> regions(const std::vector<bool>& isWanted) const;
-    /// Calls @p visit(id, vertex) for all that there are, ascending.
+    /// Calls @p visit(id, vertex) for every vertex, ascending.
     template <class Visit> void forEachVertex(const Visit& visit) const
     {
         for (VertexId id = 0; id < m_vertices.size(); ++id) {
@@ -55,7 +56,7 @@ public:
                 visit(id, m_vertices[id]);
         }
     }
-    /// Calls @p visit(one, other) for neighbours, twice for each pair.
+    /// Calls @p visit(one, other) for pairs of neighbours, twice for each pair.
     template <class Visit> void forEachEdge(const Visit& visit) const
     {
         for (const FaceRing& ring : m_rings) {
@@ -65,7 +66,7 @@ public:
     }
     /// One past the greatest id.
     [[nodiscard]] std::size_t vertexSlots() const { return m_vertices.size(); }
-    /// How many vertices bear each mark, by its number.
+    /// How many vertices have each mark, by its number.
     [[nodiscard]] std::array<std::size_t, 3> markCounts() const;
 
 private:
@@ -73,7 +74,7 @@ private:
     [[nodiscard]] glm::dvec3 middleOf(const FaceRing& ring) const;
 
     std::vector<SurfaceUpdate::Vertex> m_vertices; ///< by id
-    std::vector<int> m_uses; ///< of a vertex: faces that have it in their ring
+    std::vector<int> m_uses; ///< by vertex: number of faces that contain it
     std::vector<FaceRing> m_rings; ///< by id; empty: there is no such face
     std::size_t m_vertexCount = 0;
     std::size_t m_faceCount = 0;

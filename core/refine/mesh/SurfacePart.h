@@ -6,8 +6,9 @@
 
 namespace core {
 
-/// A surface as it goes into a file: its triangles, those of each face around the face's middle.
-/// The caller names and colours it. @param turn 1, or −1 along axes that are turned round
+/// A surface as it is written to a file: its triangles, those of each face around the middle of the
+/// face. The caller adds name and colour.
+/// @param turn factor for each axis: 1, or −1 to reverse it
 [[nodiscard]] MeshPart partOf(const SimplexMesh& mesh, const glm::dvec3& turn = glm::dvec3(1.0));
 
 } // namespace core

@@ -6,11 +6,10 @@
 
 namespace core {
 
-/// The mesh with the least of its faces merged into their neighbours, over and over, until it has
-/// no more than @p vertices; what is left lies where it was, under new ids without gaps. Faces that
-/// meet at an angle are not merged, nor any at a vertex that is green, nor into faces far above the
-/// mean, so that there may be more.
-/// Errors: Cancelled.
+/// Merges the smallest face of a mesh with a neighbour, repeatedly, until at most @p vertices
+/// vertices are left. These stay in place and get new ids without gaps. Faces that meet at an angle
+/// are not merged, nor are those at a green vertex, nor any into a face far larger than the mean,
+/// so more vertices may be left. Errors: Cancelled.
 [[nodiscard]] Result<SimplexMesh> thinnedOut(
     SimplexMesh mesh, std::size_t vertices, const Progress& progress);
 

@@ -6,28 +6,29 @@
 
 namespace core {
 
-/// Two faces that pass through each other; twice the same: one that passes through itself.
+/// Two faces that pass through each other; if both are the same, the face passes through itself.
 struct CrossingFaces {
-    FaceId one = noId; ///< not the greater
+    FaceId one = noId; ///< not greater than `other`
     FaceId other = noId;
     bool operator==(const CrossingFaces&) const = default;
     auto operator<=>(const CrossingFaces&) const = default;
 };
 
-/// Where a surface passes through itself: of its triangles (SimplexDual.h), rounded to the lattice
-/// on which they decide voxels (SurfaceVoxels.h), in whole numbers. To touch is not to pass
-/// through. Ascending; independent of the number of threads.
+/// Finds where a surface passes through itself. Its triangles (SimplexDual.h) are rounded to the
+/// lattice on which they decide voxels (SurfaceVoxels.h), and all computation is in integers. Faces
+/// that only touch do not count. Ascending; independent of the number of threads.
 [[nodiscard]] std::vector<CrossingFaces> selfIntersections(
     const SimplexMesh& mesh, const VolumeGeometry& geometry);
 
+/// The result of a repair.
 struct IntersectionRepair {
     std::size_t before = 0; ///< pairs of faces
-    std::size_t left = 0; ///< that could not be mended
+    std::size_t left = 0; ///< pairs that could not be repaired
     int rounds = 0;
 };
-/// Mends it: around such faces vertices move towards the middle of their neighbours, and sheets
-/// that face each other away from one another, in a region that grows until the surface is free of
-/// them or @p mostRounds are over. Green vertices stay. For before the surface is written back.
+/// Repairs them: around such faces vertices move towards the middle of their neighbours, and sheets
+/// that face each other move apart, in a region that grows until no intersection is left or @p
+/// mostRounds rounds are done. Green vertices stay. To be used before the surface is written back.
 IntersectionRepair repairSelfIntersections(
     SimplexMeshEdit& edit, const VolumeGeometry& geometry, int mostRounds = 40);
 

@@ -10,19 +10,19 @@
 
 namespace core {
 
-/// The ways that parts of a surface go to edges, as they were found before it moved. A vertex goes
-/// by the ways around it wherever it is by now, so that neither what slides along the surface nor
-/// what restructuring makes needs a way of its own. World LPS, mm.
+/// Paths from parts of a surface to edges, recorded before the surface moves. A vertex uses the
+/// paths around its present position, so that neither vertices that slide along the surface nor new
+/// ones need a path of their own. World LPS, mm.
 class EdgeTracks {
 public:
-    /// @param reachMm how far from a way it counts; about the length of the mesh's edges
+    /// @param reachMm how far from a path it applies; about the length of the mesh's edges
     explicit EdgeTracks(double reachMm);
 
     /// @param unitNormal of the edge, outwards
     void add(const glm::dvec3& fromLps, const glm::dvec3& toLps, const glm::dvec3& unitNormal);
 
-    /// From a place to the edge, straight across it; none: no way passes nearby. Cost ∝ the ways
-    /// near it; may be asked by several threads at once.
+    /// The vector from a place to the edge, perpendicular to it; none: no path is near. Cost ∝ the
+    /// paths near it; several threads may call it at once.
     [[nodiscard]] std::optional<glm::dvec3> leftMm(const glm::dvec3& placeLps) const;
 
 private:
@@ -37,7 +37,8 @@ private:
 
     double m_reachMm;
     std::vector<Track> m_tracks;
-    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> m_cells; ///< of m_reachMm
+    /// cells of size m_reachMm
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> m_cells;
 };
 
 } // namespace core

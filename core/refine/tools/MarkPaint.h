@@ -5,10 +5,11 @@
 
 namespace core {
 
-// Marks of vertices (seed B §4.3). Any thread that owns the edit; cost: once over the vertices.
+// Changes of marks (seed B §4.3). They run on the thread that owns the edit; each costs one pass
+// over the vertices.
 
-/// The vertex nearest to a place, the least of those equally near, of those for which @p isWanted;
-/// noId: there is none.
+/// Of the vertices for which @p isWanted holds, the one nearest to a place, or the least id of
+/// equally near ones; noId if there is none.
 template <typename IsWanted>
 [[nodiscard]] VertexId nearestVertex(
     const SimplexMesh& mesh, const glm::dvec3& placeLps, const IsWanted& isWanted)
@@ -28,24 +29,24 @@ template <typename IsWanted>
     return nearest;
 }
 
-/// Those within the ball that are reached along the surface, within the ball, from @p from, which
-/// is one of them in any case; ascending.
+/// The vertices within the ball that are connected with @p from within the ball, including @p from
+/// in any case; ascending.
 [[nodiscard]] std::vector<VertexId> reachedWithin(
     const SimplexMesh& mesh, VertexId from, const glm::dvec3& centreLps, double radiusMm);
 
-/// Those that hang together with a vertex and bear its mark, itself included; ascending.
+/// The vertices connected with a vertex that have its mark, including itself; ascending.
 [[nodiscard]] std::vector<VertexId> markedAround(const SimplexMesh& mesh, VertexId first);
 
-/// What a dab of MarkBrush does; the nearest vertex is painted however small the ball. Gives those
-/// that got the mark, ascending.
+/// Paints a dab of MarkBrush; the nearest vertex is painted however small the ball. Returns the
+/// painted vertices, ascending.
 std::vector<VertexId> paintMarks(
     SimplexMeshEdit& edit, const glm::dvec3& placeLps, double radiusMm, SurfaceMark mark);
-/// Neighbours of what has the mark get it, but for green ones.
+/// Gives the mark to all neighbours of marked vertices that are not green.
 void growMarks(SimplexMeshEdit& edit, SurfaceMark mark);
-/// What has the mark beside others is yellow then; yellow takes the mark of its first neighbour
-/// that is not.
+/// Turns marked vertices yellow that are next to others. If the mark is yellow, they take the mark
+/// of their first neighbour that is not yellow.
 void shrinkMarks(SimplexMeshEdit& edit, SurfaceMark mark);
-/// Those that have the one mark get the other.
+/// Replaces each of two marks by the other.
 void exchangeMarks(SimplexMeshEdit& edit, SurfaceMark one, SurfaceMark other);
 
 } // namespace core

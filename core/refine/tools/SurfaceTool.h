@@ -9,67 +9,67 @@ namespace core {
 
 class GreyBox;
 
-/// A sample of the pen.
+/// One report of the pen.
 struct SurfaceSample {
     glm::dvec3 placeLps{0.0}; ///< world, mm
-    double pressure = 1.0; ///< times the tool's radius
-    /// Of the plane scraper at this sample, towards what it takes off, of any length; 0: that of
-    /// the tool.
+    double pressure = 1.0; ///< factor of the tool's radius
+    /// For the plane scraper at this sample: points to the side that is removed, of any length; 0:
+    /// that of the tool.
     glm::dvec3 normalLps{0.0};
 };
 
-/// Paints marks (seed B §4.3): of the vertices within the ball that are reached along the surface,
-/// within the ball, from the one nearest to the pen.
+/// Paints marks (seed B §4.3) on the vertices within the ball that are connected, within the ball,
+/// with the one nearest to the pen.
 struct MarkBrush {
     SurfaceMark mark = SurfaceMark::Red;
     double radiusMm = 5.0;
 };
 
-/// Moves what lies within it out of it on the shortest way: outwards while its centre is within the
-/// body, inwards while it is outside (seed B §4.4).
+/// A ball that moves everything inside it out of it on the shortest way: outwards while its centre
+/// is inside the body, inwards while it is outside (seed B §4.4).
 struct SphereTool {
     double radiusMm = 5.0;
 };
 
-/// A scraper (seed B §4.4): a cylinder that stands on the plane around the pen. What it reaches
-/// goes down to the plane and stays exactly there.
+/// A scraper (seed B §4.4): a cylinder that stands on the plane around the pen. Vertices within it
+/// move down to the plane and stay exactly there.
 struct PlaneTool {
-    glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< towards what it takes off, of any length
+    glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< points to the side that is removed, of any length
     double radiusMm = 10.0;
-    double heightMm = 20.0; ///< beyond which it reaches nothing
+    double heightMm = 20.0; ///< of the cylinder; nothing beyond it is moved
 };
 
-/// Takes the vertex that is nearest to the first sample, to where the pen goes; what is around
-/// follows like a rubber sheet, by (1 − (distance / radius)²)². The vertex is green in the end.
+/// Moves the vertex that is nearest to the first sample with the pen. Its surroundings follow like
+/// a rubber sheet, by (1 − (distance / radius)²)². The vertex becomes green at the end.
 struct DragTool {
     double radiusMm = 10.0;
-    /// A green vertex that an earlier drag left, which is to be dragged again; noId: the nearest
-    /// that is not green.
+    /// A green vertex from an earlier drag that is dragged again; noId: the nearest vertex that is
+    /// not green.
     VertexId again = noId;
 };
 
-/// A line that was drawn on some plane.
+/// A line that was drawn on a plane.
 struct TemplateContour {
     std::vector<glm::dvec3> pointsLps; ///< world, mm
     bool isClosed = false;
 };
-/// The red region around the contours takes the shape that they give (seed B §4.4, 6.5; see
-/// TemplateShape.h). Its samples say no more than that time has come for a few steps.
+/// Gives the red region around the contours the shape that they describe (seed B §4.4, 6.5;
+/// TemplateShape.h). Its samples only mean that a few more steps may be done.
 struct TemplateTool {
     std::vector<TemplateContour> contours;
 };
 
-/// Evens the curvature of what lies within the ball; nothing shrinks.
+/// Evens out the curvature within the ball, without shrinking the surface.
 struct SmoothTool {
     double radiusMm = 5.0;
 };
 
-/// Moves what it touches along its normal to the steepest change of grey values nearby: from where
-/// it was when the stroke came to it, however often it goes over it.
+/// Moves what it touches along its normal to the steepest change of grey values nearby. The search
+/// starts where the surface was when the stroke first touched it, however often the tool passes.
 struct AttractTool {
     double radiusMm = 5.0;
-    double reachMm = 5.0; ///< how far it looks to either side
-    const GreyBox* grey = nullptr; ///< must outlive the stroke; null: nothing attracts
+    double reachMm = 5.0; ///< how far it searches on either side
+    const GreyBox* grey = nullptr; ///< must outlive the stroke; null: the tool has no effect
 };
 
 using SurfaceTool =

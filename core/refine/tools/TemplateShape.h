@@ -8,38 +8,39 @@
 
 namespace core {
 
-/// What contours say of an erroneous region (seed B §4.4, 6.5): the red region that lies nearest to
-/// them, and the surface that it is to have.
+/// The shape that contours define for an erroneous region (seed B §4.4, 6.5). The region is the red
+/// one nearest to the contours.
 ///
-/// Open contours: a thin-plate spline through their points and the border of the region (the first
-/// vertices around it that are not red), as heights above a plane that looks the way the region
-/// opens. Each vertex has a place in that plane: those of the border their own, those within the
-/// mean of their neighbours' (Tutte), so that the region lies over the plane once, however far it
-/// bulges out. Closed contours, on planes that cross each other or not: a variational body through
-/// them, and through the border.
+/// Open contours define a thin-plate spline through their points and the border of the region (the
+/// first vertices around it that are not red), as heights above a plane that faces the way in which
+/// the region opens. Each vertex has a place in that plane: those of the border have their own, the
+/// others the mean of their neighbours' places (Tutte), so that the region covers the plane only
+/// once, however far it bulges. Closed contours, whether or not their planes cross, define a
+/// variational body through them and through the border.
 class TemplateShape {
 public:
-    /// @param areaMm2 that a face is to have (SurfaceStrokeSettings); 0: the mean of the mesh
-    /// Cost: some 100 ms. Errors: InvalidField (argument 1: no contours, no red region near them,
+    /// @param areaMm2 intended area of a face (SurfaceStrokeSettings); 0: the mean of the mesh
+    /// Cost: about 100 ms. Errors: InvalidField (argument 1: no contours, no red region near them,
     /// points above one another, …).
     [[nodiscard]] static Result<TemplateShape> make(const SimplexMesh& mesh,
         const std::vector<TemplateContour>& contours, double areaMm2 = 0.0);
 
-    /// Of the red region, ascending.
+    /// The vertices of the red region, ascending.
     [[nodiscard]] const std::vector<VertexId>& region() const { return m_region; }
-    /// That it passes through: of the contours, then of the border.
+    /// The points through which the shape passes: those of the contours, then those of the border.
     [[nodiscard]] const std::vector<glm::dvec3>& pointsLps() const { return m_points; }
     [[nodiscard]] bool isBody() const { return m_body.has_value(); }
 
-    /// By place in region(): that of its vertices in the plane; empty for a body.
+    /// By index in region(): the places of its vertices in the plane; empty for a body.
     [[nodiscard]] const std::vector<glm::dvec2>& places() const { return m_places; }
     /// @pre no body
     [[nodiscard]] glm::dvec3 at(const glm::dvec2& place) const;
     [[nodiscard]] glm::dvec2 placeOf(const glm::dvec3& positionLps) const;
-    /// The way to it, about. @pre a body
+    /// The approximate vector from a position to the surface of the body. @pre a body
     [[nodiscard]] glm::dvec3 wayMm(const glm::dvec3& positionLps) const;
 
-    /// To look at before it is taken: where the region's vertices would lie, by place in region().
+    /// Where the region's vertices would be, by index in region(); for display before it is
+    /// applied.
     [[nodiscard]] std::vector<glm::dvec3> preview(const SimplexMesh& mesh) const;
 
 private:

@@ -10,11 +10,12 @@
 
 namespace core {
 
-/// Lengths that tools go by.
+/// The lengths on which tools depend.
 struct ToolScale {
-    double areaMm2 = 1.0; ///< that is wanted of a face
+    double areaMm2 = 1.0; ///< intended area of a face
     double edgeMm = 1.0; ///< of a regular face of that area
-    /// No vertex goes farther in a step: its neighbours could not follow.
+    /// The greatest distance that a vertex moves in one step; its neighbours could not follow a
+    /// longer one.
     [[nodiscard]] double strideMm(const SurfacePoint& point) const
     {
         const double local = point.distanceMm < 0.5 * edgeMm ? 0.5 * edgeMm : point.distanceMm;
@@ -22,10 +23,10 @@ struct ToolScale {
     }
 };
 
-/// The edge of a regular face of that area; of the mesh's mean one for 0.
+/// The edge of a regular face of that area; for 0, of the mesh's mean area.
 [[nodiscard]] double edgeMmOf(const SimplexMesh& mesh, double areaMm2);
 
-/// What a tool does with the vertices that it has in its grip, for SurfaceStroke.
+/// How a tool moves the vertices that it holds; used by SurfaceStroke.
 class ToolBehaviour {
 public:
     explicit ToolBehaviour(const ToolScale& scale)
@@ -36,46 +37,49 @@ public:
     ToolBehaviour(const ToolBehaviour&) = delete;
     ToolBehaviour& operator=(const ToolBehaviour&) = delete;
 
-    /// Between two samples it is to be taken over places no farther apart than this.
+    /// The greatest distance between the places through which the tool is moved from sample to
+    /// sample.
     [[nodiscard]] virtual double walkMm(double pressure) const = 0;
-    /// Takes it there. Gives whom it reaches, without green ones.
+    /// Moves the tool to a place. Returns the vertices that it affects, without green ones.
     [[nodiscard]] virtual std::vector<VertexId> moveTo(
         const SimplexMesh& mesh, const SurfaceSample& sample) = 0;
-    /// Steps at each of these places, at least.
+    /// The least number of steps at each place.
     [[nodiscard]] virtual int stepsAtPlace() const { return 1; }
-    /// … and at most, while it has something to move out of its way.
+    /// The greatest number of steps at each place, while there is something to move out of the way.
     [[nodiscard]] virtual int mostStepsAtPlace() const { return 48; }
-    /// Once in each step, before it.
+    /// Called before each step.
     virtual void beginStep(const SimplexMesh& /*mesh*/) { }
-    /// The pen is up.
+    /// Called when the pen is lifted.
     virtual void lift() { }
 
+    /// What is known of a vertex from before.
     struct Past {
-        glm::dvec3 homeLps{0.0}; ///< where the vertex was before the tool came, or since it left
-        bool isMade = false; ///< by restructuring, in this stroke
+        /// where the vertex was before the tool came, or after it had left
+        glm::dvec3 homeLps{0.0};
+        bool isMade = false; ///< created by restructuring in this stroke
     };
+    /// How the tool holds a vertex.
     struct Grip {
         glm::dvec3 placeLps{0.0}; ///< where the vertex goes in this step
-        double leftMm = 0.0; ///< and how far it is to go yet, before the step
-        /// Unit vector along which it is not to leave that place any more, once it is let go; 0:
-        /// it may.
+        double leftMm = 0.0; ///< how far it still has to go, before the step
+        /// Unit vector along which it must not leave that place after it was released; 0: it may.
         glm::dvec3 normalLps{0.0};
     };
-    /// None: the tool does not hold it. Called by several threads at once, but once a step for a
-    /// vertex.
-    /// @param placeLps where forces would take it
+    /// None: the tool does not hold the vertex. Called by several threads at once, but only once
+    /// per step for a vertex.
+    /// @param placeLps where forces would move it
     [[nodiscard]] virtual std::optional<Grip> gripOf(
         const SurfacePoint& point, const Past& past, const glm::dvec3& placeLps) = 0;
-    /// The one vertex that it moves itself; noId: there is none.
+    /// The only vertex that it moves directly; noId if there is none.
     [[nodiscard]] virtual VertexId dragged() const { return noId; }
-    /// A vertex that is new.
+    /// Registers a new vertex.
     virtual void adopt(const SimplexMesh& /*mesh*/, VertexId /*id*/) { }
 
 protected:
     ToolScale m_scale;
 };
 
-/// It grips nothing: painting is the stroke's.
+/// It holds nothing, since the stroke itself paints.
 [[nodiscard]] std::unique_ptr<ToolBehaviour> behaviourOf(
     const MarkBrush& tool, const ToolScale& scale);
 [[nodiscard]] std::unique_ptr<ToolBehaviour> behaviourOf(
@@ -88,7 +92,7 @@ protected:
     const DragTool& tool, const ToolScale& scale);
 [[nodiscard]] std::unique_ptr<ToolBehaviour> behaviourOf(
     const AttractTool& tool, const ToolScale& scale);
-/// A template of which there is no shape (TemplateShape.h) grips nothing.
+/// A template without a shape (TemplateShape.h) holds nothing.
 [[nodiscard]] std::unique_ptr<ToolBehaviour> behaviourOf(
     const TemplateTool& tool, const ToolScale& scale, const SimplexMesh& mesh);
 

@@ -11,8 +11,8 @@
 
 namespace core {
 
-/// Which voxels of a volume belong to something, a bit each within the box around them: a copy that
-/// a thread of its own may read while the segment changes.
+/// A set of voxels as one bit each within their bounding box: a copy that another thread can read
+/// while the segment changes.
 class BoxMask {
 public:
     BoxMask() = default;
@@ -24,7 +24,7 @@ public:
     [[nodiscard]] bool empty() const { return m_size.x == 0; }
     [[nodiscard]] const glm::ivec3& first() const { return m_first; }
     [[nodiscard]] const glm::ivec3& size() const { return m_size; }
-    /// Outside of the box nothing belongs to it.
+    /// Whether the voxel is in the set; false outside the box.
     [[nodiscard]] bool contains(const glm::ivec3& voxel) const
     {
         const glm::ivec3 at = voxel - m_first;
@@ -35,7 +35,7 @@ public:
         return ((m_bits[bit / 64] >> (bit % 64)) & 1U) != 0;
     }
     [[nodiscard]] std::uint64_t voxelCount() const;
-    /// Faces between a voxel that belongs to it and one that does not, across each axis.
+    /// Number of faces between a voxel in the set and one that is not, across each axis.
     [[nodiscard]] glm::u64vec3 borderFaces() const;
 
 private:

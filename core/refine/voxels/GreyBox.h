@@ -10,20 +10,20 @@
 
 namespace core {
 
-/// How grey values change along a line, in codes; upwards is positive.
+/// How grey values, in codes, change along a line; positive where they increase.
 struct EdgeProfile {
-    double stepMm = 0.0; ///< from one to the next
-    /// Odd in number; the middle one is at the place that was looked at. Each over the width of two
-    /// voxels, as grey values are linear between them.
+    double stepMm = 0.0; ///< distance between values
+    /// An odd number of values; the middle one is at the examined place. Each is measured over the
+    /// width of two voxels, since grey values are linear between them.
     std::vector<double> changes{};
 
-    /// How far from the place, along the line, they change most, by how steep that is and how near;
-    /// none: they do not change by a code anywhere.
+    /// The distance from the place, along the line, of the most likely edge, judged by steepness
+    /// and nearness; none: nowhere do they change by a code.
     [[nodiscard]] std::optional<double> edgeMm() const;
 };
 
-/// Grey codes of a box of voxels, linear between their centres: a copy that a thread of its own may
-/// read, for tools that look for edges. Beyond the box all is as at its rim.
+/// Grey codes of a box of voxels, linear between their centres: a copy that another thread can
+/// read, for tools that search for edges. Outside the box the values at its border are used.
 class GreyBox {
 public:
     /// @param geometry of the volume; must outlive it
@@ -34,7 +34,7 @@ public:
 
     [[nodiscard]] double at(const glm::dvec3& placeLps) const;
 
-    /// How grey values change along a line, from so far before a place to so far behind it.
+    /// Changes along a line, from @p reachMm before a place to @p reachMm behind it.
     [[nodiscard]] EdgeProfile profileAlong(
         const glm::dvec3& placeLps, const glm::dvec3& unitWay, double reachMm) const;
 

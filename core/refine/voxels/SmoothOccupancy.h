@@ -11,17 +11,17 @@ namespace core {
 
 /// A mask as a field whose level ½ is its smooth boundary.
 ///
-/// At voxel centres: the mask under [1 2 1]/4 along each axis, sharpened so that round shapes do
-/// not shrink (2 G − G G), in whole numbers; then held at least 3/16 to its own side of ½, so that
-/// each centre is inside or outside as its voxel is, single voxels and thin sheets too. Linear
-/// between centres. Any thread may read.
+/// At voxel centres: the mask filtered with [1 2 1]/4 along each axis, sharpened so that round
+/// shapes do not shrink (2 G − G G), in integers; then kept at least 3/16 on its own side of ½, so
+/// that each centre is inside or outside as its voxel is, even for single voxels and thin sheets.
+/// Linear between centres. Any thread may read.
 class SmoothOccupancy {
 public:
     explicit SmoothOccupancy(const BoxMask& mask);
 
-    /// 0 outside … 1 inside; a little beyond both near the boundary.
+    /// From 0 outside to 1 inside; slightly outside this range near the boundary.
     [[nodiscard]] double at(const glm::dvec3& index) const;
-    /// How it rises there, along each index axis.
+    /// The gradient along the index axes.
     [[nodiscard]] glm::dvec3 rise(const glm::dvec3& index) const;
 
 private:
@@ -30,10 +30,10 @@ private:
     static constexpr std::int16_t one = 4096;
     static constexpr std::int16_t leastOff = 3 * one / 16;
     using Brick = std::array<std::int16_t, voxelsPerBrick>;
-    /// In the table: what has one value throughout.
+    /// Entries of the table for bricks of one value.
     enum Uniform : std::int32_t { Outside = -1, Inside = -2 };
 
-    /// The eight centres around a place, and where it lies between them.
+    /// The eight centres around a place, and the position between them.
     struct Cell {
         std::array<double, 8> corners{}; ///< x, then y, then z
         glm::dvec3 share{0.0};

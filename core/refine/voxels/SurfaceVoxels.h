@@ -10,11 +10,11 @@
 
 namespace core {
 
-/// The triangles of a mesh, rounded to the lattice on which whole numbers decide voxels; by the
-/// point numbers of trianglesOf().
+/// The triangles of a mesh, rounded to the lattice on which integers decide voxels; point numbers
+/// are those of trianglesOf().
 [[nodiscard]] LatticeSurface onLattice(const SimplexMesh& mesh, const VolumeGeometry& geometry);
 
-/// The voxels with their centres inside (SurfaceFill.h). Errors: those of fillSurface().
+/// The voxels whose centres are inside (SurfaceFill.h). Errors: those of fillSurface().
 [[nodiscard]] Result<VoxelRuns> voxelsOf(
     const SimplexMesh& mesh, const VolumeGeometry& geometry, const Progress& progress);
 

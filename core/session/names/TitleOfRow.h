@@ -12,12 +12,12 @@
 
 namespace core {
 
-/// What a row says to people: "Drill 6.2 mm, 214 bricks", "Grow 'Skull' 41 steps, +18 204 voxels",
-/// as a code with arguments; its name is canonicalName() of that.
+/// The name of a row for people: "Drill 6.2 mm, 214 bricks", "Grow 'Skull' 41 steps, +18 204
+/// voxels".
 /// @param facts of what it changed
 /// @param document as it is before the edit
-/// @param history before the row; it names the rows that an edit speaks of
-/// @param sketched of a SeedStroke; none: nobody asked
+/// @param history as it is before the row; it provides the names of rows that the edit refers to
+/// @param sketched for a Edit; none: not determined
 [[nodiscard]] RowTitle titleOfRow(const Edit& edit, const EditStatistics& statistics,
     const ChangeFacts& facts, const Document& document, const History& history,
     const std::optional<SketchedSeeds>& sketched);

@@ -9,9 +9,10 @@
 
 namespace core {
 
-/// A division into chunks: one row, which names the labels that the division goes by. They are read
-/// here, where the edit does not name them yet. The chunks themselves are worked out when somebody
-/// wants them (ChunkWorker). Dividing the same again leaves no row.
+/// Divides a segment and its surroundings into chunks: one row, which records the labels on which
+/// the division is based. They are read here if the edit does not contain them yet. The chunks
+/// themselves are computed when somebody needs them (ChunkWorker). Repeating the same division
+/// leaves no row.
 class DivideOperation final : public Operation {
 public:
     /// @param again as in VoxelOperation
@@ -35,8 +36,8 @@ private:
     bool m_done = false;
 };
 
-/// Clicks on chunks of the newest division: one engine transaction, one row if it changed anything.
-/// Waits for the chunks where they are not there.
+/// Adds or removes chunks of the newest division that the user clicked: one engine transaction, and
+/// one row if it changed anything. It waits for the chunks if they are not available.
 class ToggleChunks final : public Operation {
 public:
     explicit ToggleChunks(ChunkToggle edit, RowId again = 0);
@@ -58,9 +59,9 @@ private:
     ChunkToggle m_edit;
     RowId m_again = 0;
     ChunkClick m_click;
-    std::optional<RowId> m_awaited; ///< the division whose chunks are not there yet
+    std::optional<RowId> m_awaited; ///< the division whose chunks are not available yet
     std::optional<ClickedChunks> m_clicked;
-    std::optional<Ticket> m_asked; ///< what their bricks hold
+    std::optional<Ticket> m_asked; ///< for what their bricks hold
     std::optional<Ticket> m_begun;
     std::optional<Ticket> m_ended;
     bool m_done = false;

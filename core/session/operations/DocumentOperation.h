@@ -5,7 +5,8 @@
 
 namespace core {
 
-/// An edit of the document alone: carried out on the spot, one row if it changed anything.
+/// An edit of the document alone. It is carried out at once and leaves one row if it changed
+/// anything.
 class DocumentOperation final : public Operation {
 public:
     /// @param again as in VoxelOperation

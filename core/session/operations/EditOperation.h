@@ -7,8 +7,8 @@
 
 namespace core {
 
-/// What carries out a whole edit.
-/// @param again a row that is carried out again (opening a session); 0: a new one
+/// Creates the operation that carries out a whole edit.
+/// @param again a row that is carried out again when a session is opened; 0: a new row
 [[nodiscard]] std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again = 0);
 
 } // namespace core

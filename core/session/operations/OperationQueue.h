@@ -12,38 +12,40 @@
 
 namespace core {
 
-/// What a session was asked to do, in line: edits, walks through the history and questions. Carries
-/// them out one after the other as engine and worker answer, and tells what came of it. Part of
-/// EditSession; one thread. Nothing here waits but settle() and the destructor.
+/// The queue of everything that a session was asked to do: edits, walks through the history and
+/// questions. It carries them out one after the other as engine and worker answer, and notifies
+/// listeners. Only settle(), waitForEngine() and the destructor block. Part of EditSession; one
+/// thread.
 class OperationQueue final : public QuestionLine {
 public:
     /// @param file null: history in memory only
     /// @param wakeUp as in EditSession::Options
     OperationQueue(EditEngine& engine, Volume volume, std::unique_ptr<SessionFile> file,
         std::function<void()> wakeUp);
-    /// Commits a growth or peel under way, rolls a stroke back, and waits for the disk.
+    /// Commits a running growth or an open peel, rolls a stroke back, and waits for the disk.
     ~OperationQueue() override;
 
     void submit(std::unique_ptr<Operation> operation) override;
     void ask(EngineCommand question, Answer answer) override;
 
-    /// The stroke under the pen or the growth that runs; null: none.
+    /// The open stroke or the running growth; null: none.
     [[nodiscard]] OpenOperation* interactive() const;
-    /// The same, if it is one of voxels.
+    /// The same if it edits voxels.
     [[nodiscard]] VoxelOperation* interactiveVoxels() const;
     void end(OpenOperation& stroke, Ending ending);
-    /// A growth that runs is committed at its generation, an open peel at its depth; a preview is
-    /// taken back.
+    /// Commits a running growth at its generation and an open peel at its depth, and takes a
+    /// preview back.
     void closeGrowth() override;
 
     void poll();
     void waitForEngine() override;
-    /// Waits. @return the first failure since it was called last
+    /// Blocks until nothing is left to do. @return the first failure since the last call
     Result<void> settle();
 
-    /// Nothing is under way or waits.
+    /// Whether nothing is running or waiting.
     [[nodiscard]] bool idle() const { return m_operations.empty(); }
-    /// Whether an edit can be carried out after what waits; what cannot be told is let through.
+    /// Checks whether an edit can be carried out after everything that is waiting; what cannot be
+    /// decided yet is accepted.
     [[nodiscard]] Result<void> check(const Edit& edit) const;
     [[nodiscard]] Document foreseen() const override;
 
@@ -52,10 +54,10 @@ public:
 
     void setListener(std::function<void(const DocumentChange&)> listener);
     void setErrorListener(std::function<void(const Error&)> listener);
-    /// Tells the listeners what the state has to tell.
+    /// Passes the news of the state to the listeners.
     void tellNews();
-    /// For what is told to the operation that is open. What is thrown there takes that back; where
-    /// it cannot be, the session is lost (SessionState::lose()).
+    /// Runs @p work, which tells the open operation something. If it throws, the operation is taken
+    /// back; if that is impossible, the session is lost (SessionState::lose()).
     void guard(const std::function<void()>& work);
 
 private:
@@ -77,13 +79,13 @@ private:
     std::function<void()> m_wakeUp;
     std::function<void(const DocumentChange&)> m_listener;
     std::function<void(const Error&)> m_errorListener;
-    std::deque<std::unique_ptr<Operation>> m_operations; ///< the first one is under way
-    bool m_started = false; ///< the first one is
+    std::deque<std::unique_ptr<Operation>> m_operations; ///< the first one is running
+    bool m_started = false; ///< whether the first one was started
     bool m_advancing = false;
     bool m_polling = false;
-    bool m_closing = false; ///< nobody is there to be answered
-    bool m_troubled = false; ///< the user knows that the file cannot be written
-    std::map<Ticket, Answer> m_answers; ///< to questions that are with the engine
+    bool m_closing = false; ///< nobody receives answers any more
+    bool m_troubled = false; ///< the user was told that the file cannot be written
+    std::map<Ticket, Answer> m_answers; ///< to questions that the engine has received
 };
 
 } // namespace core

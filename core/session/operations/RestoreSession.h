@@ -8,12 +8,12 @@
 
 namespace core {
 
-/// Opening a session: the history of @p state's file, and on the engine (which has the volume) the
-/// voxels of the farthest row towards the file's position that needs no edit to be carried out.
-/// Waits for the engine. Errors: SessionDamaged.
+/// Restores a session: the history from the file of @p state, and in the engine, which already has
+/// the volume, the voxels of the row that is nearest to the file's position and can be reached
+/// without carrying out an edit. Waits for the engine. Errors: SessionDamaged.
 [[nodiscard]] Result<void> restoreSession(SessionState& state);
 
-/// What is left to do after that, in this order: rows that lack their second half are carried out
+/// What remains to be done after that, in this order: rows without a second half are carried out
 /// again, then the walk to the file's position.
 [[nodiscard]] std::vector<std::unique_ptr<Operation>> unfinishedRows(const SessionState& state);
 

@@ -10,11 +10,11 @@
 
 namespace core {
 
-/// "Undo only here": lays the differences of older rows over the bricks as they are now, which is a
-/// new row. Refused, naming the row, where a later one wrote or read the same place (RowReach).
+/// "Undo only here": applies the differences of older rows to the present bricks, as a new row. It
+/// is refused, naming the row, if a later row wrote or read the same place (RowReach).
 class RevertOperation final : public Operation {
 public:
-    /// @param again a row that is carried out again (opening a session); 0: a new one
+    /// @param again a row that is carried out again when a session is opened; 0: a new row
     explicit RevertOperation(RevertRows edit, RowId again = 0);
 
     void start(SessionState& state) override;
@@ -26,7 +26,7 @@ private:
     [[nodiscard]] Result<void> checkRows(const SessionState& state) const;
     [[nodiscard]] Result<void> checkReach(const SessionState& state) const;
     [[nodiscard]] bool isTakenBack(RowId row) const;
-    /// Whether a row's difference itself is needed, not only where it changed seed words.
+    /// Whether the whole difference of a row is needed, and not only where it changed seed words.
     [[nodiscard]] bool isNeeded(RowId row, const Edit& edit) const;
     void loadNext(SessionState& state);
     [[nodiscard]] RowTrace traceOf(const SessionState& state, RowId row) const;
@@ -37,7 +37,7 @@ private:
     RevertRows m_edit;
     RowId m_again = 0;
     std::vector<RowId> m_path; ///< from the first row that is taken back to the position
-    std::vector<RowId> m_toLoad; ///< the last is loaded next
+    std::vector<RowId> m_toLoad; ///< the last one is loaded next
     std::map<RowId, std::vector<BrickImage>> m_differences;
     GrowthTrace m_growth;
     std::optional<Ticket> m_swapping;

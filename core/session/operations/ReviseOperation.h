@@ -13,21 +13,21 @@
 
 namespace core {
 
-/// Changes or removes a stroke out of order: evaluates the bricks that its old and its new cut
-/// touch again, which is a new row. Per brick, the cuts of all strokes that stand are folded in the
-/// order of the history (carving: the deeper cut wins; restoring: what it leaves), on what was
+/// Changes or removes an earlier stroke: computes the bricks that its old and its new cut touch
+/// again, as a new row. In each brick, the cuts of all strokes in effect are combined in the order
+/// of the history (carving takes the deeper cut, restoring what it leaves), starting from what was
 /// there before the first of them.
 ///
-/// Refused, naming the row, where something that is no stroke has written the layer since: a
-/// segment that was carved into it, a merger. Cuts alone would not make up what stands there.
+/// It is refused, naming the row, if something other than a stroke has written to the layer since,
+/// such as a segment that was carved into it or a merged layer: the cuts alone would not give the
+/// present content. It is also refused if it would carve a segment that is protected now.
 ///
-/// Every stroke keeps the surface it started on, and the voxels of segments that it spared: those
-/// of the row before it, whatever has become of earlier strokes since. Later strokes that would
-/// have met another surface are told (SessionState::lastRevision). Refused where it would carve a
-/// segment that is protected now.
+/// Every stroke keeps the surface on which it started and the segments that were protected then:
+/// those of the state before its row, whatever became of earlier strokes since. Later strokes that
+/// would now meet another surface are reported (SessionState::lastRevision).
 class ReviseOperation final : public Operation {
 public:
-    /// @param again a row that is carried out again (opening a session); 0: a new one
+    /// @param again a row that is carried out again when a session is opened; 0: a new row
     explicit ReviseOperation(ReviseStroke edit, RowId again = 0);
 
     void start(SessionState& state) override;
@@ -39,7 +39,7 @@ private:
     using Then = std::function<void(SessionState&, EngineResult&&)>;
 
     [[nodiscard]] Result<void> findStrokes(const SessionState& state);
-    /// @param first the row before which the ground is that cuts are laid on
+    /// @param first the row before which the content is taken as the base for the cuts
     [[nodiscard]] Result<void> checkLayers(const SessionState& state, RowId first) const;
     void loadNext(SessionState& state);
     void await(Ticket ticket, Then then);
@@ -50,7 +50,7 @@ private:
     void beginFold(SessionState& state);
     void foldNext(SessionState& state);
     void lay(const StrokeCut& cut, const StandingStroke& stroke);
-    /// Whether a stroke would start on another surface now; goes on with foldNext().
+    /// Checks whether a stroke would now start on another surface, then continues with foldNext().
     void compare(SessionState& state, const StandingStroke& stroke, StrokeCut recorded);
     void put(SessionState& state);
     void putFolded(SessionState& state);
@@ -63,15 +63,15 @@ private:
     StandingStroke m_after;
     StrokeCut m_cutBefore;
     StrokeCut m_cutAfter;
-    std::vector<StandingStroke> m_strokes; ///< to fold, once the bricks are known
-    std::size_t m_next = 0; ///< of them
+    std::vector<StandingStroke> m_strokes; ///< to combine, once the bricks are known
+    std::size_t m_next = 0; ///< index into m_strokes
     std::vector<RowId> m_path; ///< from the first of them to the position
-    std::vector<RowId> m_toLoad; ///< the last is loaded next
+    std::vector<RowId> m_toLoad; ///< the last one is loaded next
     PastCoverage m_past{std::vector<RowId>(), false};
-    std::map<BrickKey, BrickImage> m_folded; ///< the bricks that are evaluated again
+    std::map<BrickKey, BrickImage> m_folded; ///< the bricks that are computed again
     std::vector<RowId> m_begunInside;
     Ticket m_awaited = 0;
-    std::optional<Error> m_refused; ///< why something before the awaited one was
+    std::optional<Error> m_refused; ///< why something before the awaited result failed
     Then m_then;
     bool m_done = false;
 };

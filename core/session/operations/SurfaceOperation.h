@@ -12,15 +12,15 @@
 
 namespace core {
 
-/// An edit of the surface that is being refined: its mesh is deformed on the side thread, and what
-/// is shown follows from there; one row. Laying a surface, following the mask and writing back ask
-/// the engine for the labels first; writing back and shutting to growth are one engine transaction,
-/// too.
+/// An edit of the surface that is refined: its mesh is deformed on the side thread, from which the
+/// display is updated too; one row. Laying a surface, following the mask and writing back read the
+/// labels from the engine first. Writing back and setting barriers are one engine transaction as
+/// well.
 class SurfaceOperation final : public OpenOperation {
 public:
     enum class Kind {
-        Whole, ///< everything is in the edit
-        Interactive, ///< the user goes on telling until end()
+        Whole, ///< the edit is complete
+        Interactive, ///< the user continues it until end()
     };
     /// @param again as in VoxelOperation
     SurfaceOperation(Edit edit, Kind kind, RowId again = 0);
@@ -49,18 +49,18 @@ private:
     Edit m_edit;
     Kind m_kind;
     RowId m_again = 0;
-    std::optional<LabelReader> m_reader; ///< while labels are read
+    std::optional<LabelReader> m_reader; ///< while labels are being read
     std::optional<Ticket> m_asked;
     SurfaceWork::Read m_read;
-    std::shared_ptr<SurfaceWork> m_work; ///< from when it goes on on the side thread
+    std::shared_ptr<SurfaceWork> m_work; ///< from when it continues on the side thread
     std::optional<Ending> m_ending;
     std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
-    bool m_told = false; ///< why nothing comes of it
+    bool m_told = false; ///< the reason for the failure was reported
     bool m_done = false;
 };
 
-/// From now on somebody else is told what is to be drawn of the surface: in its place in line, when
-/// nothing deforms it.
+/// Sets another listener for what must be drawn of the surface. It takes its turn in the queue,
+/// when nothing deforms the surface.
 class ShowSurface final : public Operation {
 public:
     explicit ShowSurface(SurfaceState::Listener listener);

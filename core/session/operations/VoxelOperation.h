@@ -12,25 +12,25 @@ namespace core {
 
 struct PenSample;
 
-/// An edit of voxels, which may change the document with them: one engine transaction, one row if
-/// it changed anything.
+/// An edit of voxels, which may also change the document: one engine transaction, and one row if it
+/// changed anything.
 class VoxelOperation final : public OpenOperation {
 public:
     enum class Kind {
-        Whole, ///< everything is in the edit
-        Interactive, ///< the user goes on telling until end()
+        Whole, ///< the edit is complete
+        Interactive, ///< the user continues it until end()
     };
-    /// @param again a row that is carried out again (opening a session); 0: a new one
+    /// @param again a row that is carried out again when a session is opened; 0: a new row
     VoxelOperation(Edit edit, Kind kind, RowId again = 0);
 
-    // Interactive ones only:
+    // For interactive operations only:
     void extendDrill(SessionState& state, const std::vector<PenSample>& samples);
     void extendPath(
         SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted) override;
     void setPeelDepth(SessionState& state, double depthMm);
     void setShrinkSteps(SessionState& state, int steps);
     void extendGrowth(SessionState& state, EngineExtension extension);
-    /// Of a ChangeInterval: it begins anew with these bounds; steps have to be asked for again.
+    /// For a ChangeInterval: begins anew with these bounds; steps must be requested again.
     void setInterval(SessionState& state, double lower, double upper);
     void forgetPreview(SessionState& state);
     void end(SessionState& state, Ending ending) override;
@@ -44,7 +44,7 @@ public:
         return isGrowth() || m_edit.is<ShrinkSteps>() || m_edit.is<ShrinkAt>()
             || m_edit.is<PlugLeak>();
     }
-    /// Shown before it is decided on: whatever comes next takes it back.
+    /// Whether it is only shown for the user to decide; the next operation takes it back.
     [[nodiscard]] bool isPreview() const { return m_edit.is<GrowFromSeeds>(); }
     [[nodiscard]] bool standsOpen() const override
     {
@@ -74,17 +74,17 @@ private:
     Edit m_edit;
     Kind m_kind;
     RowId m_again = 0;
-    std::optional<DrillPathSampler> m_path; ///< of a stroke of drill or laser
+    std::optional<DrillPathSampler> m_path; ///< of a drill or laser stroke
     std::uint32_t m_firstGeneration = 0; ///< of a shrinking
     std::deque<EngineExtension> m_waiting;
     std::optional<Ending> m_ending;
-    std::optional<Ticket> m_asked; ///< what lay where seeds are sketched
-    SeedPlacement m_seeds; ///< until that is told
+    std::optional<Ticket> m_asked; ///< for the state of voxels where seeds are sketched
+    SeedPlacement m_seeds; ///< until the answer arrives
     std::optional<SketchedSeeds> m_sketched;
     std::optional<Ticket> m_begun;
     std::optional<Ticket> m_ended;
     bool m_refused = false; ///< the engine never opened it
-    bool m_failed = false; ///< something in it went wrong: nothing of it may stay
+    bool m_failed = false; ///< something failed, so nothing of it may remain
     bool m_finished = false;
 };
 

@@ -5,9 +5,8 @@
 
 namespace core {
 
-/// Undo, redo, or a walk to any row: one row after the other, each by laying its difference over
-/// the bricks that are there. Where the row's bricks are still at hand they are put back as they
-/// were.
+/// Undo, redo, or a walk to any row. It goes row by row and applies each row's difference to the
+/// bricks; if the bricks of a row are still in memory, it puts those in place instead.
 class WalkOperation final : public Operation {
 public:
     enum class Aim { Undo, Redo, Row };
@@ -21,7 +20,7 @@ public:
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
 
 private:
-    /// Chooses the next row and the direction. @return false: arrived
+    /// Chooses the next row and the direction. @return false: the target is reached
     [[nodiscard]] bool choose(const History& history);
     void step(SessionState& state);
     void put(SessionState& state, EngineCommand command);
@@ -30,10 +29,10 @@ private:
 
     Aim m_aim;
     RowId m_target = 0;
-    RowId m_row = 0; ///< whose difference is laid over the bricks now
-    bool m_back = false; ///< undoing it
-    std::optional<Ticket> m_swapping; ///< the engine changes bricks, and has not answered
-    bool m_arriving = false; ///< the bricks are swapped in, and the history does not say so yet
+    RowId m_row = 0; ///< whose difference is being applied
+    bool m_back = false; ///< whether it is being undone
+    std::optional<Ticket> m_swapping; ///< the engine is changing bricks
+    bool m_arriving = false; ///< the bricks are in place, but the history does not say so yet
     bool m_done = false;
 };
 

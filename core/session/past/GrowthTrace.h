@@ -13,27 +13,28 @@
 
 namespace core {
 
-/// The voxels of a brick whose seed words differ.
+/// A brick whose seed words differ, and the bounding box of the voxels concerned.
 struct ChangedWords {
     BrickKey key;
-    VoxelBox box; ///< index space
+    VoxelBox box; ///< in voxels
 };
-/// Of XOR images. Cost ∝ the seed words among them; any thread.
+/// Finds them among XOR images. Cost ∝ their seed words; any thread.
 [[nodiscard]] std::vector<ChangedWords> changedWords(
     const std::vector<BrickImage>& differences, const BrickGrid& grid);
 
-/// Where growths can have asked for labels: wherever seed words stood or came, and one voxel around
-/// them (RowTrace::grownBeside). Told row by row what each changed.
+/// Where growths may have read labels: wherever there were or came seed words, and within one voxel
+/// around them (RowTrace::grownBeside). It is built row by row from what each row changed.
 class GrowthTrace {
 public:
-    /// Whether a row grew on from all members that were there, and asked no voxel but them and
-    /// their neighbours. (A ball that has to pass asks voxels all around.)
+    /// Whether a row continued a growth from all present members and read no voxels but them and
+    /// their neighbours. (With a passage width it reads voxels all around.)
     [[nodiscard]] static bool isOf(const Edit& edit);
-    /// Whether the differences of such a row have to be noted, since there may be seed words.
+    /// Whether the differences of a row must be noted because they may contain seed words.
     [[nodiscard]] static bool mayNeed(const Edit& edit);
 
     void note(RowId row, const std::vector<ChangedWords>& words, const Document& document);
-    /// Bricks in which rows up to this one changed seed words, and those beside such voxels.
+    /// The bricks in which rows up to this one changed seed words, and the bricks next to such
+    /// voxels.
     [[nodiscard]] std::set<std::uint32_t> bricksUpTo(RowId row) const;
 
 private:

@@ -6,15 +6,16 @@
 
 namespace core {
 
-// Steps that put older cuts in place of what is carved now ("undo only here", a revised stroke)
-// know nothing of segments that were protected since.
+// Which labels must not change when a step puts older cuts in place of present ones ("undo only
+// here", a revised stroke): such a step knows nothing of segments that were protected since.
 
-/// Segments that are protected from sculpting are carved no further than they are.
+/// Prevents segments that are protected from sculpting from being carved further.
 [[nodiscard]] LabelGuard carvingGuard(const Document& document);
-/// And those that are locked keep their voxels.
+/// The same, and prevents locked segments from gaining or losing voxels.
 [[nodiscard]] LabelGuard fullGuard(const Document& document);
 
-/// The error of a guard, with the segment's name instead of its label; others as they are.
+/// A guard's error with the segment's name in place of its label; other errors are returned
+/// unchanged.
 [[nodiscard]] Error withSegmentName(const Error& error, const Document& document);
 
 } // namespace core

@@ -13,22 +13,22 @@ namespace core {
 struct EngineResult;
 struct ReadBricks;
 
-/// One label plane, or one layer's coverage, on its way from the engine, in portions of 4 MiB, so
-/// that other work comes in between. Ask next(), give the answer to take(), until next() has
-/// nothing left to ask; then have a worker put the bricks together with takeLabels().
+/// Reads one label plane, or the coverage of one layer, from the engine in portions of 4 MiB, so
+/// that other work can be done in between. Send next() to the engine and pass the result to take()
+/// until next() returns none; then let a worker assemble the bricks with takeLabels().
 class LabelReader {
 public:
     /// @param field Labels or Coverage
     LabelReader(const glm::ivec3& size, std::uint8_t plane, Field field = Field::Labels);
 
     [[nodiscard]] std::optional<ReadBricks> next();
-    /// Keeps the bricks, and looks at none.
+    /// Keeps the bricks without reading their voxels.
     [[nodiscard]] Result<void> take(const EngineResult& answer);
 
     [[nodiscard]] int bricksRead() const { return m_next; }
     [[nodiscard]] int bricks() const { return m_grid.brickCount(); }
     [[nodiscard]] std::uint8_t plane() const { return m_plane; }
-    /// x fastest; leaves the reader without. Any thread. Cost ∝ the volume.
+    /// The labels, x fastest; the reader is empty afterwards. Any thread. Cost ∝ the volume.
     [[nodiscard]] std::vector<std::uint8_t> takeLabels();
 
 private:
@@ -38,7 +38,7 @@ private:
     std::uint8_t m_plane;
     Field m_field;
     int m_next = 0;
-    std::vector<BrickImage> m_bricks; ///< that are not empty
+    std::vector<BrickImage> m_bricks; ///< those that are not empty
 };
 
 } // namespace core

@@ -11,17 +11,18 @@ namespace core {
 
 struct GrowCriteria;
 
-/// The criteria of the last growth that stands, changes of its interval included; none: nothing has
+/// The criteria of the last growth in effect, including changes of its interval; none: nothing has
 /// grown.
 [[nodiscard]] std::optional<GrowCriteria> recentCriteria(const History& history);
 
-/// Whether later growths, which go on as the last one, would go on otherwise after this one, even
-/// if it changes no voxel: its criteria are others, and seeds were sketched that may come in yet.
+/// Whether an edit changes how later growths continue, even if it changes no voxel: its criteria
+/// are new, and there are sketched seeds that may still be admitted.
 [[nodiscard]] bool bringsNewCriteria(const Edit& edit, const History& history);
 
-/// Writes into a growth what it would else read in the history, so that it names all that decides
-/// it: ResumeGrowth becomes the GrowSteps that it is, ChangeInterval gets all its criteria and says
-/// whether it begins at the seeds. Other edits stay. Errors: InvalidField (nothing has grown).
+/// Writes into a growth what it would otherwise read in the history, so that the edit alone
+/// determines the result: ResumeGrowth becomes the Edit that it stands for; ChangeInterval
+/// receives all criteria and whether it begins at the seeds. Other edits are not changed. Errors:
+/// InvalidField (nothing has grown).
 [[nodiscard]] Result<void> nameWhatGrowthReads(
     Edit& edit, const History& history, const Document& document);
 

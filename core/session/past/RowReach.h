@@ -9,13 +9,12 @@
 
 namespace core {
 
-/// Which bricks the result of a row depends on, those it wrote included: what "undo only here" must
-/// leave as they were when the row was carried out. Rather too many than too few.
-/// What that is of each kind of edit, it says itself: reach() (core/edits/answers/EditAnswers.h).
+/// The bricks on which the result of a row depends, including those that it wrote: "undo only here"
+/// must leave them as they were when the row was carried out. It may contain too many bricks, never
+/// too few. Each kind of edit computes it: reach() (core/edits/answers/EditAnswers.h).
 class RowReach {
 public:
-    /// @param written the bricks that the row changed; looked at for RevertRows and ReviseStroke
-    /// only
+    /// @param written the bricks that the row changed; used for RevertRows and ReviseStroke only
     RowReach(const Edit& edit, const Document& document, const std::vector<BrickKey>& written,
         const RowTrace& trace = {});
 

@@ -13,14 +13,14 @@ namespace core {
 /// The segment whose seeds an edit sets, or takes away: sketched, or painted; none: of no segment.
 [[nodiscard]] std::optional<int> segmentOfSeeds(const Edit& edit);
 
-/// The strokes of seeds that stand where the history is, oldest first: for each the voxels that it
-/// named in a plane, whatever became of them.
+/// The strokes of seeds in effect at the position of the history, oldest first: for each one the
+/// voxels that it named in a plane, whatever became of them.
 [[nodiscard]] std::vector<SeedGroup> seedStrokes(
     const History& history, const Document& document, int plane);
 
-/// Gives a growth the strokes that it goes by (GrowCriteria::perStroke), if it asks for any. Replay
-/// stands at the same place of the same rows, and so finds the same.
-/// @param edit what the burst was made of
+/// Adds to a growth the strokes that its criteria refer to (GrowCriteria::perStroke), if they do. A
+/// replay is at the same place in the same rows, so it finds the same strokes.
+/// @param edit the edit from which the burst was made
 void addSeedStrokes(
     GrowBurst& burst, const Edit& edit, const History& history, const Document& document);
 

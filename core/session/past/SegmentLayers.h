@@ -8,9 +8,9 @@
 
 namespace core {
 
-/// Which sculpt layer a segment was made of ("layer → segment"): by label the layer's id, where
-/// that step stands, the layer is still there, and no later one filled the segment from another
-/// layer.
+/// From which sculpt layer each segment was made ("layer → segment"): the layer's id by label.
+/// Listed are only segments for which that step is in effect, whose layer still exists, and which
+/// no later step filled from another layer.
 [[nodiscard]] std::map<int, int> layersOfSegments(const History& history, const Document& document);
 
 } // namespace core

@@ -12,16 +12,17 @@
 
 namespace core {
 
-/// What became of the voxels that a SeedStroke sketched. Not all need become seeds: what a growth
-/// holds stays the growth's (SeedPlacement).
+/// What became of the voxels that a Edit sketched. Not all of them become seeds: members of a
+/// growth are kept (SeedPlacement).
 struct SketchedSeeds {
     int segment = 0;
-    std::int64_t voxels = 0; ///< sketched; each but those `taken` is counted once below
-    std::int64_t taken = 0; ///< became seeds
+    std::int64_t voxels = 0; ///< number sketched; each one that was not taken is counted once below
+    std::int64_t taken = 0; ///< number that became seeds
     std::map<int, std::int64_t>
         members; ///< stay what a segment has grown, or was painted, by label
-    std::map<int, std::int64_t> waiting; ///< stay seeds that wait already, by label
-    std::int64_t barriers = 0; ///< stay shut
+    std::map<int, std::int64_t> waiting; ///< already pending seeds, and kept as such, by label
+    std::int64_t barriers = 0; ///< kept as barriers
+    /// of those taken: seeds of another label before, by that label
     std::map<int, std::int64_t> replaced; ///< of those taken: were seeds of another, by label
 
     /// All became seeds, of nobody else.
@@ -31,13 +32,14 @@ struct SketchedSeeds {
     }
 };
 
-/// @param before the seed words of the stroke's voxels before it, in their order
+/// @param before the seed words of the stroke's voxels before the stroke, in their order
 [[nodiscard]] SketchedSeeds sketchedSeeds(
     const SeedPlacement& stroke, const std::vector<std::uint32_t>& before);
 
-/// "5 voxels", "3 of 5 voxels (2 belong to 'Skull')", "2 voxels (1 was a seed of 'Skull')".
+/// A text such as "5 voxels", "3 of 5 voxels (2 belong to 'Skull')" or "2 voxels (1 was a seed of
+/// 'Skull')".
 [[nodiscard]] RowTitle sketchedTitle(const SketchedSeeds& seeds, const Document& document);
-/// What stands in the brackets of that; of plain ones it says nothing.
+/// The part in brackets; empty: all became seeds, and none was a seed of another segment.
 [[nodiscard]] RowTitle whyNotTaken(const SketchedSeeds& seeds, const Document& document);
 
 } // namespace core

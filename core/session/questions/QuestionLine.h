@@ -8,22 +8,22 @@
 
 namespace core {
 
-/// The line in which questions stand with edits (OperationQueue), as far as questions need it. One
-/// thread.
+/// The queue in which questions wait together with edits (OperationQueue), as far as questions need
+/// it. One thread.
 class QuestionLine {
 public:
     using Answer = std::function<void(EngineResult&&)>;
 
     virtual ~QuestionLine() = default;
 
-    /// A question takes its place in line. The answer is given by poll(); what it throws is told to
-    /// it once more, as an error.
+    /// Appends a question. poll() calls @p answer; if that throws, it is called once more with an
+    /// error.
     virtual void ask(EngineCommand question, Answer answer) = 0;
     virtual void submit(std::unique_ptr<Operation> operation) = 0;
     virtual void closeGrowth() = 0;
-    /// Waits for the engine, then gives the answers that are there.
+    /// Blocks until the engine is done, then delivers the answers.
     virtual void waitForEngine() = 0;
-    /// The document after what waits, as far as that can be told.
+    /// The document after everything that is waiting, as far as that is known.
     [[nodiscard]] virtual Document foreseen() const = 0;
 };
 

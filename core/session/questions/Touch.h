@@ -5,10 +5,11 @@
 
 namespace core {
 
-/// What a step may have touched: the voxels and seeds of a segment, or anything in a box.
+/// A place or a segment for which the step that last changed it is searched: the voxels and seeds
+/// of a segment, or anything in a box.
 struct Touch {
-    int segment = 0; ///< label; 0: the box counts
-    VoxelBox box{}; ///< index space
+    int segment = 0; ///< label; 0: use the box
+    VoxelBox box{}; ///< in voxels
 };
 
 } // namespace core

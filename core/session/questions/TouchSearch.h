@@ -9,9 +9,9 @@
 
 namespace core {
 
-/// Looks for the last step that stands and touched something. Steps that took others back are
-/// passed over, so that whoever undoes what was found, and asks again, is told the one before. From
-/// the newest back, one difference at a time; changes nothing.
+/// Searches for the last step in effect that touched something. Steps that only took others back
+/// are skipped, so that undoing the answer and asking again gives the step before it. It goes back
+/// from the newest row, one difference at a time, and changes nothing.
 class TouchSearch final : public Operation {
 public:
     using Answer = std::function<void(RowId)>; ///< 0: none
@@ -24,14 +24,14 @@ public:
     [[nodiscard]] bool done() const override { return m_done; }
 
 private:
-    /// What is looked at beside the session's thread.
+    /// What is examined on another thread than the session's.
     struct Looking {
-        std::vector<BrickImage> differences; ///< of a row
-        std::map<BrickKey, BrickImage> images; ///< as that row left them
+        std::vector<BrickImage> differences; ///< of one row
+        std::map<BrickKey, BrickImage> images; ///< as they were after that row
         bool touched = false;
 
         [[nodiscard]] bool touches(const Touch& touch, const BrickGrid& grid) const;
-        /// From what the row left to what it found.
+        /// Goes from the state after the row to the state before it.
         void goBack();
     };
     void loadNext(SessionState& state);
@@ -41,10 +41,10 @@ private:
 
     Touch m_touch;
     Answer m_answer;
-    std::vector<RowId> m_rows; ///< the last is looked at next
-    std::vector<RowId> m_standing; ///< those that may be the answer, ascending
-    std::vector<BrickImage> m_differences; ///< of the row that is looked at
-    std::map<BrickKey, BrickImage> m_images; ///< as that row left them
+    std::vector<RowId> m_rows; ///< the last one is examined next
+    std::vector<RowId> m_standing; ///< those that can be the answer, ascending
+    std::vector<BrickImage> m_differences; ///< of the row that is examined
+    std::map<BrickKey, BrickImage> m_images; ///< as they were after that row
     Ticket m_reading = 0;
     bool m_done = false;
 };

@@ -23,68 +23,72 @@ class QuestionLine;
 struct ShrinkAt;
 struct Touch;
 
-/// Rays, and how each finds what the user sees (the rules stand at PickVoxels, EngineCommands.h).
+/// Rays, and how each one finds what the user sees (the rules are those of PickVoxels,
+/// EngineCommands.h).
 struct PickQuestion {
     std::vector<PickRay> rays{};
     SeenBy seenBy = SeenBy::Surface;
-    int thresholdCode = 0; ///< from which code on voxels are material; for Surface
-    std::vector<std::uint32_t> opacityOfCode{}; ///< by code >> 8, 65535ths a sample; for Opacity
+    int thresholdCode = 0; ///< codes from this one on are material; for Surface
+    /// by code >> 8, in 65535ths per sample; for Opacity
+    std::vector<std::uint32_t> opacityOfCode{};
 };
 
-/// What can be asked of the voxels of a session; nothing here changes any. Answers are given by
-/// EditSession::poll() in order with the edits, so they tell what stands behind all that was asked
-/// for before; when the session closes, those that are not given yet are dropped. Errors of an
-/// answer: InvalidField (places outside the volume, a question that is not sound), OutOfMemory,
-/// EngineLost. Where no plane is named, labels and seeds are those of plane 0.
+/// Everything that can be asked about the voxels of a session; nothing here changes them.
+/// EditSession::poll() delivers answers in order with the edits, so each one describes the state
+/// after everything requested before it. Answers that are outstanding when the session closes are
+/// dropped. Errors of an answer: InvalidField (places outside the volume, an invalid question),
+/// OutOfMemory, EngineLost. If no plane is given, labels and seeds are those of plane 0.
 class VoxelQuestions {
 public:
     template <class T> using Answer = std::function<void(Result<T>)>;
 
-    /// @param line outlives this
+    /// @param line must outlive this
     VoxelQuestions(QuestionLine& line, const glm::ivec3& volumeSize);
 
-    /// What is at each of these voxels.
+    /// Value, label and seed at each of these voxels.
     void probe(std::vector<glm::ivec3> voxels, Answer<std::vector<ProbedVoxel>> answer);
-    /// The voxel that is seen along each ray; none: nothing is.
+    /// The voxel that is visible along each ray; none if none is.
     void pick(PickQuestion question, Answer<std::vector<std::optional<glm::ivec3>>> answer);
-    /// The codes of a box, x fastest. A large one costs frames.
+    /// The codes of a box, x fastest. A large box delays frames.
     void codes(const VoxelBox& box, Answer<std::vector<std::uint16_t>> answer);
-    /// What bricks hold, in the order of the keys.
+    /// The contents of bricks, in the order of the keys.
     void bricks(std::vector<BrickKey> keys, Answer<std::vector<BrickImage>> answer);
-    /// The next portion of a plane goes into its reader, which nobody else touches until then.
-    /// @return false: it has everything, and nothing is asked
+    /// Reads the next portion of a plane into its reader, which must not be used until the answer
+    /// comes.
+    /// @return false: everything was read, and nothing is asked
     [[nodiscard]] bool readOn(const std::shared_ptr<LabelReader>& reader, Answer<void> answer);
 
-    /// What lies around the seeds of each label, of codes in the interval: of each stroke, in their
-    /// order, then of the seeds that are in none; only of what has voxels.
+    /// Statistics around the seeds of each label, of codes in the interval: first for each stroke,
+    /// in their order, then for the seeds in no stroke; only those that have voxels.
     void seedSums(const CodeInterval& interval, std::vector<SeedGroup> strokes,
         Answer<std::vector<ProbedSeeds>> answer);
-    /// At place g how many members generation g has, a growth's under way included.
+    /// The number of members by generation, including those of a running growth.
     void generationSizes(Answer<std::vector<std::uint32_t>> answer);
 
-    /// At which tolerance each voxel would join. Answered none while there is more to be worked
-    /// out: whoever asks again goes on from there. Once the curve is told, the field stands (it can
-    /// be shown, and probe() tells of it) until something is edited or it is dropped. Refused while
-    /// a stroke is under the pen or a growth runs (InvalidField, "transaction").
+    /// Computes at which tolerance each voxel would join (growth/Tolerance.h). An answer without a
+    /// curve means that more work is left: asking again continues it. Once the curve is delivered,
+    /// the field exists (it can be shown, and probe() reads it) until an edit begins or it is
+    /// dropped. Refused while a stroke is open or a growth runs (InvalidField, "transaction").
     void traceTolerance(const ToleranceRule& rule, Answer<std::optional<ToleranceCurve>> answer);
     void dropTolerance();
-    /// What a shrinking would take if it was applied now. Answered none while that is being worked
-    /// out: ask again. Once it is told it can be shown, until something is edited or it is dropped.
-    /// Errors: those of the edit, and nothing is asked then. Of an answer: SeedsStay, NothingGrown
-    /// too.
+    /// What a shrinking would remove if it were applied now. An answer without a value means that
+    /// it is still being computed: ask again. Once delivered, it can be shown until an edit begins
+    /// or it is dropped. Returns the errors of the edit, in which case nothing is asked. Errors of
+    /// the answer also: SeedsStay, NothingGrown.
     [[nodiscard]] Result<void> foreseeCut(
         const ShrinkAt& shrink, Answer<std::optional<ForeseenCut>> answer);
     void dropForesight();
 
-    /// The last step that stands and touched something; 0: none. A growth that runs is closed.
+    /// The last step in effect that touched something; 0: none. A running growth is committed
+    /// first.
     void lastTouching(const Touch& touch, std::function<void(RowId)> answer);
-    /// Called once all that was asked for before is carried out or refused.
+    /// Calls @p then when everything requested before is carried out or refused.
     void afterAll(std::function<void()> then);
 
-    /// Labels of a plane, x fastest, as they are after settle(): for export and checks. Waits; who
-    /// must not uses readOn().
+    /// Labels of a plane, x fastest, as they are after settle(): for export and checks. Blocks; a
+    /// caller that must not block uses readOn().
     [[nodiscard]] Result<std::vector<std::uint8_t>> labels(std::uint8_t plane);
-    /// A sculpt layer's coverage, likewise.
+    /// The coverage of a sculpt layer, in the same way.
     [[nodiscard]] Result<std::vector<std::uint8_t>> coverage(std::uint8_t layer);
 
 private:

@@ -16,43 +16,44 @@
 
 namespace core {
 
-/// The chunks of one division, kept until another one is wanted. The engine is asked for the codes
-/// of its box; the rest is worked out on a thread of its own. The session's thread calls.
+/// Computes the chunks of one division and keeps them until another one is requested. The engine
+/// provides the codes of its box; the rest is computed on a thread of its own. Called from the
+/// session's thread.
 class ChunkWorker {
 public:
     using Map = std::shared_ptr<const ChunkMap>;
 
     /// @param wakeUp called on the worker's thread when collect() has something
     ChunkWorker(EditEngine& engine, const VolumeGeometry& geometry, std::function<void()> wakeUp);
-    /// What is under way is given up.
+    /// Cancels a running computation.
     ~ChunkWorker();
     ChunkWorker(const ChunkWorker&) = delete;
     ChunkWorker& operator=(const ChunkWorker&) = delete;
 
-    /// Begins with the division of a row, unless it is there or under way; another one is dropped.
-    /// What failed is not tried again.
+    /// Begins to compute the division of a row, unless it is available or being computed; any other
+    /// one is dropped. A failed computation is not repeated.
     void want(RowId row, const Chunks& edit);
-    /// The chunks of a row's division; null: they are not there (yet).
+    /// The chunks of a row's division; null: not available (yet).
     [[nodiscard]] Map map(RowId row) const;
-    /// Why they never will be: the engine's reasons, OutOfMemory, Cancelled.
+    /// Why they cannot be computed: the engine's reasons, OutOfMemory, Cancelled.
     [[nodiscard]] std::optional<Error> whyNot(RowId row) const;
-    /// The same of what was wanted last.
+    /// The same for the last request.
     [[nodiscard]] const std::optional<Error>& lastFailure() const { return m_failure; }
-    /// What failed may be tried again.
+    /// Allows a failed computation to be tried again.
     void forgetFailure();
-    /// None: nothing is under way.
+    /// The progress; none: nothing is being computed.
     [[nodiscard]] std::optional<ChunkStage> stage() const;
-    /// What is under way is given up: it fails, which only those are told who wait for it.
+    /// Cancels the computation: it fails, which is reported only to those who wait for it.
     void cancel();
 
-    /// Waits until what was begun on its thread is done.
+    /// Blocks until the work that its thread has begun is done.
     void finish() { m_thread.finish(); }
 
-    /// @return whether it was the answer to a question of its own
+    /// @return whether the result answered one of its own questions
     bool take(const EngineResult& result);
-    /// @return whether want() led to something since it was called last
+    /// @return whether a computation ended since the last call
     bool collect();
-    /// A failure that nobody was told of yet; it is told of now.
+    /// Returns a failure that was not reported yet, and marks it as reported.
     [[nodiscard]] std::optional<Error> takeUntold();
 
 private:
@@ -69,14 +70,14 @@ private:
     EditEngine& m_engine;
     VolumeGeometry m_geometry;
     std::function<void()> m_wakeUp;
-    RowId m_row = 0; ///< 0: nothing was wanted
-    std::shared_ptr<Job> m_job; ///< under way
+    RowId m_row = 0; ///< 0: nothing was requested
+    std::shared_ptr<Job> m_job; ///< being computed
     Map m_map;
     std::optional<Error> m_failure;
-    bool m_isUntold = false; ///< m_failure
-    bool m_news = false; ///< that collect() has not told of
+    bool m_isUntold = false; ///< m_failure was not reported
+    bool m_news = false; ///< not yet returned by collect()
     std::map<Ticket, std::shared_ptr<Job>> m_asked;
-    TaskThread m_thread; ///< last: it uses all of the above
+    TaskThread m_thread; ///< last, since it uses all of the above
 };
 
 } // namespace core

@@ -20,39 +20,40 @@ namespace core {
 
 using Changes = std::shared_ptr<const std::vector<BrickChange>>;
 
-/// What follows an edit while the user goes on: the compressed difference, the state hash, the
-/// second half of the row on disk. One thread, in the order of the calls; the session's thread
-/// calls.
+/// What has to be done after an edit while the user continues: the compressed difference, the state
+/// hash, and the second half of the row on disk. It has one thread and works in the order of the
+/// calls, which come from the session's thread.
 class CommitWorker {
 public:
-    /// Something that was asked for is there.
+    /// The result of one of the calls.
     struct Report {
         RowId row = 0;
         std::size_t deltaBytes = 0; ///< after commit()
         QByteArray stateHash; ///< after commit()
         std::optional<Result<RowDifferences>> differences; ///< after load()
-        std::optional<Error> error; ///< it cannot be had; the hashes that follow cannot, either
+        /// it failed; then the following hashes cannot be computed either
+        std::optional<Error> error;
     };
 
     /// @param grid of the volume
-    /// @param file where differences go; null: they stay in memory, compressed
+    /// @param file where differences are written; null: they stay in memory, compressed
     /// @param wakeUp called on the worker's thread when collect() has something
     CommitWorker(const BrickGrid& grid, SessionFile* file, std::function<void()> wakeUp);
 
-    /// The voxels that the session begins with.
+    /// Sets the voxels with which the session begins.
     void start(std::vector<BrickImage> bricks);
     void commit(RowId row, Changes changes, QByteArray documentJson);
-    /// Of a row that changed the surface and no voxel.
+    /// For a row that changed the surface and no voxel.
     void commit(RowId row, std::shared_ptr<const SurfaceStep> step, QByteArray documentJson);
-    /// Undo or redo happened.
+    /// For undo and redo, which change bricks without a new row.
     void move(Changes changes);
-    /// Asks for the difference of a row that was committed. @param words also where seed words
-    /// differ, which costs a look at all of them
+    /// Requests the difference of a committed row.
+    /// @param words also report where seed words differ, which means reading all of them
     void load(RowId row, bool words = false);
 
     [[nodiscard]] std::vector<Report> collect();
     void finish() { m_thread.finish(); }
-    /// Waits.
+    /// Blocks.
     [[nodiscard]] QByteArray stateHash(const QByteArray& documentJson);
 
 private:
@@ -71,10 +72,10 @@ private:
 
     // The worker's thread only:
     StateHash m_hash;
-    bool m_failed = false; ///< m_hash is not what it should be
+    bool m_failed = false; ///< m_hash is wrong
     std::map<RowId, BrickDelta> m_deltas;
 
-    TaskThread m_thread; ///< last: it uses all of the above
+    TaskThread m_thread; ///< last, since it uses all of the above
 };
 
 } // namespace core

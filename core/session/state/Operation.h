@@ -5,40 +5,41 @@
 
 namespace core {
 
-/// One thing that a session was asked to do. Operations wait in line; the first one is started,
-/// told what engine and worker answer, and leaves when it is done. Nothing here waits.
+/// One thing that a session was asked to do. Operations wait in a queue; the first one is started,
+/// receives the answers of engine and worker, and is removed when it is done. Nothing here blocks.
 class Operation {
 public:
     virtual ~Operation() = default;
 
     virtual void start(SessionState& state) = 0;
-    /// A result that nobody else waits for: the operation's own, or one it no longer cares for.
+    /// Receives a result that nobody else waits for: one of its own, or one that it may ignore.
     virtual void takeResult(SessionState&, EngineResult&&) { }
     virtual void takeDifferences(SessionState&, Result<RowDifferences>&&) { }
-    /// SessionState::chunks has something new.
+    /// Called when SessionState::chunks has news.
     virtual void takeChunks(SessionState&) { }
-    /// It cannot go on until takeChunks().
+    /// Whether it cannot continue before takeChunks().
     [[nodiscard]] virtual bool awaitsChunks() const { return false; }
     [[nodiscard]] virtual bool done() const = 0;
-    /// Something in one of the above has thrown @p error: what has begun is taken back, and told.
-    /// @return false: it cannot be, the engine may hold what no row tells of
+    /// Called when one of the functions above has thrown @p error: takes back what was begun and
+    /// reports the error. @return false: that is impossible, and the engine may hold changes of
+    /// which no row knows
     [[nodiscard]] virtual bool abandon(SessionState&, const Error&) { return false; }
 
-    /// What it will make of the document, for checks of what waits behind it.
-    /// @return false if that cannot be told yet
+    /// Applies what it will change to a document, to check the operations that wait behind it.
+    /// @return false if that is not known yet
     [[nodiscard]] virtual bool foresee(Document&) const { return true; }
 };
 
-/// One that the user goes on telling until it is ended: a stroke under the pen, a growth that runs.
+/// An operation that the user continues until it is ended: an open stroke, a running growth.
 class OpenOperation : public Operation {
 public:
     [[nodiscard]] virtual bool open() const = 0;
     virtual void extendPath(
         SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted) = 0;
     virtual void end(SessionState& state, Ending ending) = 0;
-    /// Open without a pen that is down: whatever comes next closes it.
+    /// Whether it stays open although no pen is down; the next operation then closes it.
     [[nodiscard]] virtual bool standsOpen() const { return false; }
-    /// How it ends by itself.
+    /// How it ends if the user does not end it.
     [[nodiscard]] virtual Ending usualEnding() const { return Ending::Rollback; }
 };
 

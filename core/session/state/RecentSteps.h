@@ -12,18 +12,18 @@
 
 namespace core {
 
-/// Bricks before and after the steps that were carried out or walked over last, up to so many
-/// bytes: undo and redo over them need no disk. Part of SessionState; one thread.
+/// The bricks before and after the steps that were carried out or undone last, up to a number of
+/// bytes, so that undo and redo over them need no disk. Part of SessionState; one thread.
 class RecentSteps {
 public:
     static constexpr std::size_t usualBytes = std::size_t(256) << 20;
 
-    /// Lets go at once of what is more.
+    /// Sets the limit and drops at once what exceeds it.
     void setMostBytes(std::size_t bytes);
 
-    /// What carrying a row out changed, or taking it back.
+    /// Keeps what carrying out a row, or taking it back, has changed.
     void keep(RowId row, const Changes& changes, bool takenBack);
-    /// The bricks as they are without the row, or with it; none: it is not at hand.
+    /// The bricks with or without the row; none: they are not in memory.
     [[nodiscard]] std::optional<std::vector<BrickImage>> images(RowId row, bool withRow);
 
 private:
@@ -35,7 +35,7 @@ private:
     };
     void shrink();
 
-    std::list<Step> m_steps; ///< the one that was used last at the end
+    std::list<Step> m_steps; ///< least recently used first
     std::map<RowId, std::list<Step>::iterator> m_places;
     std::size_t m_mostBytes = usualBytes;
     std::size_t m_bytes = 0;

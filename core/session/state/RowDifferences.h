@@ -7,10 +7,10 @@
 
 namespace core {
 
-/// What a row changed, as it comes from where it is kept.
+/// The differences of a row, read from where they are kept.
 struct RowDifferences {
-    std::vector<BrickImage> images; ///< XOR, every one with its bytes
-    std::vector<ChangedWords> words; ///< where in them seed words differ, if that was asked
+    std::vector<BrickImage> images; ///< XOR images, each with its bytes
+    std::vector<ChangedWords> words; ///< where seed words differ in them, if requested
 };
 
 } // namespace core

@@ -23,54 +23,56 @@
 
 namespace core {
 
-/// What the operations of a session work on: document, history and where both are kept. Part of
-/// EditSession; one thread.
+/// The state on which the operations of a session work: document, history, and where both are kept.
+/// Part of EditSession; one thread.
 class SessionState {
 public:
-    /// What the last ReviseStroke found.
+    /// The result of the last ReviseStroke.
     struct Revision {
-        RowId row = 0; ///< the one it became
-        std::vector<RowId> begunInside; ///< later strokes that would have met another surface
+        RowId row = 0; ///< the row of that ReviseStroke
+        std::vector<RowId> begunInside; ///< later strokes that would now meet another surface
     };
 
-    /// Why the last growth that stopped by itself did.
+    /// Why the last growth that stopped by itself did so.
     struct Alarm {
-        RowId row = 0; ///< the one it became
+        RowId row = 0; ///< the row of that growth
         LeakAlarm found;
     };
 
     SessionState(EditEngine& lentEngine, Volume volume);
 
-    /// A command was carried out on voxels: what it changes in the document, and a row for it, in
-    /// memory and on its way to disk.
+    /// Records that a command was carried out on voxels: changes the document accordingly and
+    /// appends a row, in memory and for the disk.
     void commit(const Edit& edit, EngineResult&& result, std::optional<std::uint32_t> generation);
-    /// An edit of the surface was carried out: a row for it. The surface is as the step left it.
-    /// @param remark what the row's title says at its end, or nothing
+    /// Records that an edit of the surface was carried out, as a row. The surface is already in the
+    /// state after the step.
+    /// @param remark an addition to the row's name; may be empty
     void commitSurface(const Edit& edit, std::shared_ptr<const SurfaceStep> step,
         const std::optional<RowTitle>& remark = {});
     void completeSurface(RowId row, std::shared_ptr<const SurfaceStep> step);
-    /// A row of an opened session was carried out again, because it lacked its second half.
+    /// Records that a row of an opened session was carried out again because it lacked its second
+    /// half.
     void complete(RowId row, EngineResult&& result);
-    /// The voxels now are those of @p position: a row was carried out again or taken back.
+    /// Records that the voxels are now those of @p position: a row was redone or undone.
     void moveTo(RowId position, RowId over, EngineResult&& result);
-    /// Takes in the bricks of an opened session.
+    /// Takes the bricks of an opened session.
     void begin(std::vector<BrickImage> bricks);
 
     void setVisible(int label, bool visible);
     void hide(const std::vector<int>& labels);
     void setDisplay(const QJsonObject& shown);
 
-    /// Has the engine do what all that follows relies on: no operation begins before it is done.
-    /// What is refused is asked for again; where that is of no use either, the session is lost: its
-    /// voxels are not what the history says, so nothing is carried out any more.
+    /// Has the engine carry out a command on which everything later depends: no operation begins
+    /// before it is done. A refused command is submitted again; if that fails too, the session is
+    /// lost: its voxels are not what the history says, so nothing is carried out any more.
     void require(EngineCommand command);
     [[nodiscard]] bool owes() const { return !m_required.empty(); }
-    /// Calls @p then once nothing is owed, now or later; never in a session that is lost.
+    /// Calls @p then when nothing is owed, now or later; never in a session that is lost.
     void afterRequired(std::function<void(SessionState&)> then);
-    /// Every result comes by here first. @return whether it was of something required
+    /// Every result is passed here first. @return whether it belonged to a required command
     bool noteResult(const EngineResult& result);
-    /// What the engine or the worker hold is not what the history says: nothing is carried out or
-    /// sealed any more. What is in the file is whole, and opens again.
+    /// Marks the session as lost: engine or worker do not hold what the history says, so nothing is
+    /// carried out or sealed any more. The file is intact and can be opened again.
     void lose(const Error& why);
     /// Why nothing is carried out any more.
     [[nodiscard]] const std::optional<Error>& lost() const { return m_lost; }
@@ -78,36 +80,39 @@ public:
     void tell(DocumentChange::What what, const VoxelBox& box = {});
     void fail(const Error& error);
 
-    /// The document after a row (0: at the beginning), without the volume and what is only shown.
+    /// The document after a row (0: the beginning), without the volume and display state.
     [[nodiscard]] Document documentAt(RowId row) const;
-    /// The newest division into chunks on the way to the position; 0: none, or none that counts.
+    /// The row of the newest division into chunks on the path to the position; 0: none, or none
+    /// that is in effect.
     [[nodiscard]] RowId divisionRow() const;
-    /// Has its chunks worked out, unless they are there.
+    /// Has its chunks computed, unless they are available.
     void wantChunks();
-    /// The canonical form that the state hash covers.
+    /// The canonical JSON that the state hash covers.
     [[nodiscard]] QByteArray documentJson() const;
 
     EditEngine& engine;
     Document document;
     History history;
-    QJsonObject display; ///< opaque here (SessionDisplay::kept())
+    QJsonObject display; ///< not interpreted here (SessionDisplay::kept())
     std::unique_ptr<SessionFile> file; ///< null: history in memory only
-    std::unique_ptr<CommitWorker> worker; ///< after file: it writes there to the end
+    std::unique_ptr<CommitWorker> worker; ///< after file, to which it writes until the end
     std::unique_ptr<ChunkWorker> chunks;
-    std::function<RowOrigin()> origin; ///< of a row that is made now
-    std::set<RowId> keyframes; ///< rows that have a picture in the file
+    std::function<RowOrigin()> origin; ///< gives the origin of a new row
+    std::set<RowId> keyframes; ///< rows with a picture in the file
 
     SurfaceState surface;
-    std::unique_ptr<SideThread> side; ///< after surface: it may be deforming that to the end
+    std::unique_ptr<SideThread> side; ///< after surface, which it may deform until the end
 
     RecentSteps recent;
     Revision lastRevision;
     std::optional<Alarm> lastAlarm;
-    std::optional<SketchedSeeds> lastSketched; ///< of the last SeedStroke, row or no row
-    std::vector<DocumentChange> news; ///< not told yet
-    std::vector<Error> errors; ///< not told yet
-    std::vector<std::function<void()>> answers; ///< to questions about the history; not given yet
-    std::optional<Error> firstError; ///< since settle() was called last
+    /// of the last Edit, whether or not it left a row
+    std::optional<SketchedSeeds> lastSketched;
+    std::vector<DocumentChange> news; ///< not reported yet
+    std::vector<Error> errors; ///< not reported yet
+    /// to questions about the history; not delivered yet
+    std::vector<std::function<void()>> answers;
+    std::optional<Error> firstError; ///< since the last settle()
 
 private:
     RowId append(const Edit& edit, const ChangeFacts& facts, const EditStatistics& statistics,
@@ -121,9 +126,9 @@ private:
 
     std::array<std::int64_t, 256> m_voxels{}; ///< by label
     std::set<int> m_hidden; ///< labels
-    std::bitset<256> m_muted; ///< layers, as the engine was told
+    std::bitset<256> m_muted; ///< layers, as the engine was told last
     struct Required {
-        EngineCommand command; ///< to be asked for again
+        EngineCommand command; ///< kept for another try
         int tries = 1;
     };
     void submitRequired(Required required);

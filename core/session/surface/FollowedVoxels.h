@@ -7,21 +7,21 @@
 
 namespace core {
 
-// Yellow parts of a surface follow the mask, during strokes, too: where a stroke passes by they
-// come nearer to the mask than they were laid, also far from the tool. That is no wish of the
-// user's, so it must not be written back: it is told apart here from what the tool moved. Tools
-// leave red or green what they moved.
+// Separates what a tool moved from what followed the mask. The yellow parts of a surface follow the
+// mask during strokes too: near a stroke they come closer to the mask than they were when the
+// surface was laid, even far from the tool. The user did not ask for that, so it must not be
+// written back. Tools leave what they moved red or green.
 
-/// Whether a change moved a vertex that is yellow then.
+/// Whether a change moved a vertex that is yellow after it.
 [[nodiscard]] bool movesYellow(const SimplexMeshDelta& change);
 
-/// Of the voxels that a surface was moved over by a change, those that its yellow parts alone were
+/// Of the voxels that a change moved the surface over, returns those that only yellow parts were
 /// moved over.
 ///
-/// The tool's are those in the box around a face that the change moved and that has a vertex of
-/// another colour, and all that hang together with these by the 26 around them; but none that is in
-/// boxes of faces that are all yellow only. Boxes are in voxels, of the vertices rounded to the
-/// lattice of SurfaceFill, so that whole numbers decide.
+/// The tool's voxels are those in the bounding box of a face that the change moved and that has a
+/// vertex of another colour, and all voxels connected with these (26 neighbours), except those that
+/// are only in boxes of faces that are entirely yellow. Boxes are in voxels, of vertices rounded to
+/// the lattice of SurfaceFill, so that whole numbers decide. All other voxels are returned.
 /// @param after the surface after the change
 [[nodiscard]] VoxelRuns followedVoxels(const VoxelRuns& moved, const SimplexMesh& after,
     const SimplexMeshDelta& change, const VolumeGeometry& geometry);

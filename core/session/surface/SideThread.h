@@ -12,13 +12,14 @@ namespace core {
 
 class SessionState;
 
-/// Where an operation has work done that takes long and asks no engine: a thread beside that of the
-/// session, in the order of the calls. What follows from it is carried out by poll().
+/// A second thread for long work of operations that needs no engine. It works in the order of the
+/// calls; poll() carries out what follows from the work.
 class SideThread {
 public:
-    using Sequel = std::function<void(SessionState&)>; ///< on the session's thread; may be empty
-    using Work = std::function<Sequel()>; ///< on this one
-    /// What follows where Work has thrown; on the session's thread.
+    /// runs on the session's thread; may be empty
+    using Sequel = std::function<void(SessionState&)>;
+    using Work = std::function<Sequel()>; ///< runs on the side thread
+    /// Runs on the session's thread if Work has thrown.
     using Failed = std::function<void(SessionState&, const Error&)>;
 
     /// @param wakeUp called on the side thread when collect() has something
@@ -34,7 +35,7 @@ private:
     std::function<void()> m_wakeUp;
     std::mutex m_mutex;
     std::vector<Sequel> m_sequels; ///< under m_mutex
-    /// Begins with the first work. Last: it uses all of the above.
+    /// Started with the first work. Last, since it uses all of the above.
     std::unique_ptr<TaskThread> m_thread;
 };
 

@@ -12,9 +12,9 @@
 
 namespace core {
 
-/// The surface that is being refined, as it is at the position of the history, and what each row
-/// changed of it. Part of SessionState. Belongs to the session's thread, but to the side thread
-/// while an operation has that deform it.
+/// The surface that is refined, at the position of the history, and what each row changed of it.
+/// Part of SessionState. It belongs to the session's thread, or to the side thread while an
+/// operation deforms it there.
 class SurfaceState {
 public:
     using Listener = std::function<void(SurfaceUpdate)>;
@@ -31,19 +31,20 @@ public:
     /// What a row changed; null: nothing.
     [[nodiscard]] std::shared_ptr<const SurfaceStep> step(RowId row) const;
 
-    /// What a row changed that was carried out: mesh, target and hash are as it left them.
+    /// Keeps what a row changed that was carried out; mesh, target and hash already are in the
+    /// state after it.
     void keep(RowId row, std::shared_ptr<const SurfaceStep> step);
-    /// Goes over a row, if it is one that changed the surface.
+    /// Applies a row, or takes it back, if it changed the surface.
     void moveOver(RowId row, bool back);
 
-    /// The mesh is the one that has the hash. What was thrown in the middle of changing it shows
-    /// here.
+    /// Whether the mesh has the hash. It has not if an exception interrupted a change.
     [[nodiscard]] bool isIntact() const;
 
-    /// Told what is to be drawn anew, on the thread that the surface belongs to then.
+    /// @param listener told what must be drawn anew, on the thread to which the surface then
+    /// belongs
     void setListener(Listener listener) { m_listener = std::move(listener); }
     void show(SurfaceUpdate update) const;
-    /// Shown is nothing but what there is; @param isThere whether that is anything
+    /// Has everything drawn anew. @param isThere whether there is a surface
     void showAll(bool isThere) const;
 
 private:

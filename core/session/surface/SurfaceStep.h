@@ -9,21 +9,22 @@
 
 namespace core {
 
-/// What a row changed of the surface. Its packed form (README.md) stands where that of the voxels
-/// stands in other rows.
+/// What a row changed of the surface. Its packed form (core/session/README.md) is stored in the
+/// place where other rows have their voxels.
 struct SurfaceStep {
     SimplexMeshDelta mesh;
-    /// What yellow parts follow; no voxels: there is no surface.
+    /// The mask that yellow parts follow; no voxels: there is no surface.
     struct Target {
         VoxelRuns voxels;
-        double faceAreaMm2 = 0.0; ///< that a face is to have, as long as the surface lives
+        /// the intended area of a face, constant while the surface exists
+        double faceAreaMm2 = 0.0;
     };
     struct TargetChange {
         Target before;
         Target after;
     };
-    std::optional<TargetChange> target{}; ///< none: it stays
-    QByteArray sha256Before; ///< of the mesh, hex; empty: there was none
+    std::optional<TargetChange> target{}; ///< none: it does not change
+    QByteArray sha256Before; ///< of the mesh, hex; empty: there was no surface
     QByteArray sha256After;
 };
 

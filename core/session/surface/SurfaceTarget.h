@@ -15,13 +15,13 @@ public:
     SurfaceTarget(VoxelRuns voxels, const VolumeGeometry& geometry, double faceAreaMm2);
 
     [[nodiscard]] const VoxelRuns& voxels() const { return m_voxels; }
-    /// That a face of the surface is to have.
+    /// The intended area of a face of the surface.
     [[nodiscard]] double faceAreaMm2() const { return m_faceAreaMm2; }
-    /// Made when it is asked for first, from the voxels around their boundary. Any thread.
+    /// Computed from the voxels around the boundary when it is first requested. Any thread.
     [[nodiscard]] const BoundaryForce& boundary() const;
 
 private:
-    /// As the first fit looks for the boundary.
+    /// The distance within which the first fit searches for the boundary.
     static constexpr double reachVoxels = 4.0;
 
     VoxelRuns m_voxels;

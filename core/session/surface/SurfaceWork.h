@@ -28,40 +28,40 @@
 
 namespace core {
 
-/// What an edit does to the surface, on the side thread, to which the surface belongs meanwhile.
-/// What comes of it depends on mesh, mask and edit alone.
+/// Carries out an edit of the surface on the side thread, to which the surface belongs meanwhile.
+/// The result depends only on mesh, mask and edit.
 class SurfaceWork {
 public:
-    /// What came of it; none of both: nothing changed.
+    /// The result; if it has neither, nothing changed.
     struct Outcome {
-        std::shared_ptr<const SurfaceStep> step; ///< the surface is as that leaves it
+        std::shared_ptr<const SurfaceStep> step; ///< the surface is already in the state after it
         std::optional<EngineEdit> voxels; ///< the engine has to do
-        std::optional<RowTitle> remark{}; ///< what the row's title says at its end
+        std::optional<RowTitle> remark{}; ///< an addition to the row's name
     };
 
-    /// What it reads of the volume.
+    /// What the work reads of the volume and the history.
     struct Read {
         VoxelBox greyBox; ///< greyBoxOf()
         std::vector<std::uint16_t> codes; ///< of that box, x fastest
-        SurfacePast past; ///< of a WriteBack
+        SurfacePast past; ///< for a WriteBack
     };
     SurfaceWork(SurfaceState& surface, SurfaceEdit edit, const Document& document, Read read);
     ~SurfaceWork();
 
-    /// Before all else, where it reads them (readsLabels()).
+    /// To be called first if the edit reads labels (readsLabels()).
     /// @param labels of the segment's plane, x fastest
     void setLabels(std::vector<std::uint8_t> labels) { m_labels = std::move(labels); }
-    /// Of a template all that it does is done and shown then; the end takes it or takes it back.
-    /// Errors: nothing can come of it.
+    /// For a template this does everything and shows it; end() keeps it or takes it back. Errors:
+    /// the edit cannot be carried out.
     Result<void> begin();
     void add(const std::vector<glm::dvec3>& pointsLps);
     [[nodiscard]] Result<Outcome> end(Ending ending);
-    /// One of the above has thrown: nothing can come of it any more.
+    /// Marks it as failed after one of the functions above has thrown.
     void fail(const Error& error) { m_error = error; }
 
 private:
     void settle();
-    // One for each kind of edit of the surface.
+    // One for each kind of edit of the surface:
     [[nodiscard]] Result<Outcome> carryOut(const LaySurface& edit, Ending ending);
     [[nodiscard]] Result<Outcome> carryOut(const DropSurface& edit, Ending ending);
     [[nodiscard]] Result<Outcome> carryOut(const FollowMask& edit, Ending ending);
@@ -84,9 +84,9 @@ private:
     Read m_read;
     std::vector<std::uint8_t> m_labels;
     std::unique_ptr<const GreyBox> m_grey;
-    std::optional<Error> m_error; ///< why nothing can come of it
+    std::optional<Error> m_error; ///< why it failed
     std::unique_ptr<SurfaceStroke> m_stroke; ///< after m_grey, which it reads
-    bool m_settled = false; ///< the stroke, and that is shown
+    bool m_settled = false; ///< the stroke is settled, and that is shown
 };
 
 /// Whether an edit of the surface reads the labels of its segment's plane.

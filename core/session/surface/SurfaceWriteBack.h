@@ -11,37 +11,39 @@
 
 namespace core {
 
-/// How far around what a surface was moved over the mask may still change, in voxels along any of
-/// the 26 ways.
+/// How far around the voxels that a surface was moved over the mask may still change, in steps
+/// between voxels (26 neighbours).
 constexpr int writeBackRimVoxels = 2;
 
-/// What writing a surface back asks of the voxels of a label: to follow the surface to where it was
-/// moved. All in whole numbers; no order of voxels matters.
+/// What writing a surface back changes of the voxels of a label: the mask follows the surface to
+/// where it was moved. All numbers are integers, and the order of voxels does not matter.
 ///
-/// - **Moved over** is a voxel that the surface encloses now and did not when the two agreed, or
-///   the other way round. There the mask becomes what the surface encloses.
-/// - **The rim.** A surface encloses not quite the voxels that it was laid around: a pit of one
-///   voxel may lie inside of it, a bump outside. Where the surface is moved away from these, they
-///   would be left as bubbles under the new boundary and crumbs above it. So a voxel in which mask
-///   and surface differ becomes what the surface encloses, too, if one of the 26 around it does so
-///   to the same side (both inside now, or both outside); again for those around that, and so on,
-///   writeBackRimVoxels times.
-/// - **All else stays**, to the voxel, whatever the surface encloses there. Where it was not moved
-///   at all, nothing is asked.
+/// - **Moved over** is a voxel that the surface encloses now and did not enclose when the two
+///   agreed, or the reverse. There the mask becomes what the surface encloses.
+/// - **The rim.** A surface does not enclose exactly the voxels around which it was laid: a pit of
+///   one voxel may lie inside it, a bump outside. If the surface is moved away from these, they
+///   would remain as bubbles under the new boundary and as crumbs above it. So a voxel in which
+///   mask and surface differ also becomes what the surface encloses if one of its 26 neighbours
+///   does so to the same side (both inside now, or both outside). This is repeated for the
+///   neighbours of these voxels, writeBackRimVoxels times in all.
+/// - **Everything else stays** as it is, whatever the surface encloses there. If the surface was
+///   not moved at all, nothing changes.
 ///
-/// What other tools wrote to the mask since stays likewise, unless the surface was moved over it or
-/// it lies in the rim; there the surface has the last word. Voxels of other segments that are not
-/// to be overwritten stay as they are. One that was moved over at any time since the surface was
-/// laid, and is another segment's now, is asked for again where that may be overwritten, so that
-/// writing back a second time, over others, takes what was refused the first time.
-/// @param labels of the label's plane, x fastest @param size of the volume
+/// What other tools wrote to the mask since also stays, unless the surface was moved over it or it
+/// lies in the rim; there the surface decides. Voxels of other segments that must not be
+/// overwritten stay as they are. A voxel that was moved over at any time since the surface was
+/// laid, and that belongs to another segment now, is requested again if that segment may be
+/// overwritten. So a second write-back that may overwrite others takes what was refused the first
+/// time.
+/// @param labels of the label's plane, x fastest
+/// @param size of the volume
 [[nodiscard]] RelabelListed writeBackOf(const EnclosedVoxels& enclosed,
     const std::vector<std::uint8_t>& labels, const glm::ivec3& size, const LabelTarget& target);
 
-/// The voxels that are not inside but have one that is among the 26 around them: every way from
-/// inside out passes one, by whatever neighbours it goes. Cost ∝ the runs, and the volume's rows.
+/// The voxels that are not inside but have a neighbour (26) that is: every path from inside to
+/// outside passes one, whatever the connectivity. Cost ∝ the runs and the rows of the volume.
 [[nodiscard]] VoxelRuns shellAround(const VoxelRuns& inside, const glm::ivec3& size);
-/// The bricks that have any of these voxels.
+/// The bricks that contain any of these voxels.
 [[nodiscard]] std::vector<ShutListed::Brick> placesOf(
     const VoxelRuns& voxels, const glm::ivec3& size);
 

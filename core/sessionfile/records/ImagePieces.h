@@ -10,22 +10,22 @@
 
 namespace core {
 
-/// Voxels of one piece of a session's images; the last one may have fewer. Even where nothing can
-/// be compressed a piece stays below the 4 MiB of a blob.
+/// Number of voxels in one piece of a session's images; the last piece may have fewer. Even
+/// incompressible voxels stay below the 4 MiB of a blob.
 constexpr std::size_t voxelsPerPiece = std::size_t(1) << 20;
 
-/// zstd over the low bytes of all codes, then their high bytes: half the size of zstd over the
-/// codes.
+/// Compresses codes with zstd, first the low bytes of all, then the high bytes. The result is half
+/// the size of zstd over the codes themselves.
 [[nodiscard]] QByteArray packedPiece(std::span<const std::uint16_t> codes);
-/// @return false where @p bytes are no piece of so many codes
+/// @return false if @p bytes are not a piece with that many codes
 [[nodiscard]] bool unpackPiece(const QByteArray& bytes, std::span<std::uint16_t> codes);
 
-/// Plain zstd of something small.
+/// Compresses something small with zstd.
 [[nodiscard]] QByteArray packed(const QByteArray& bytes);
-/// None where it is no zstd, or more than @p most bytes.
+/// The reverse; none if it is not zstd or exceeds @p most bytes.
 [[nodiscard]] std::optional<QByteArray> unpacked(const QByteArray& bytes, qsizetype most);
 
-/// Hex.
+/// As hexadecimal digits.
 [[nodiscard]] QString sha256(const QByteArray& bytes);
 
 } // namespace core

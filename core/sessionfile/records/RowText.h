@@ -10,8 +10,8 @@
 
 namespace core {
 
-/// A row of the history as the session file keeps it, and the hashes that bind the rows (README.md
-/// beside this file). All hashes are hex SHA-256.
+/// A row of the history in the form of the session file, and the hashes that link the rows
+/// (core/session/README.md). All hashes are hex SHA-256.
 struct RowText {
     RowId id = 0;
     RowId parent = 0;
@@ -19,15 +19,15 @@ struct RowText {
     QString edit; ///< compact JSON
     QString statistics; ///< compact JSON
     qint64 growthGeneration = 0;
-    QString at; ///< ISO 8601, UTC, with milliseconds; empty: nobody recorded it
+    QString at; ///< ISO 8601, UTC, with milliseconds; empty: not recorded
     QString author;
     QString program;
     QString title; ///< compact JSON; empty: none is kept. No hash covers it
 
     [[nodiscard]] static RowText of(const HistoryRow& row);
-    /// Without the second half of the row. Errors: those of editFromJson().
+    /// The row without its second half. Errors: those of editFromJson().
     [[nodiscard]] Result<HistoryRow> row() const;
-    /// @param previous the chain of the row before it
+    /// The chain of this row. @param previous the chain of the row before it
     [[nodiscard]] QString chain(const QString& previous) const;
 };
 
@@ -37,7 +37,7 @@ struct RowText {
     const QString& chain, const QString& stateHash, const QString& deltaSha256);
 [[nodiscard]] QString sha256(const BrickDelta& delta);
 
-/// JSON without white space, as all text of the file is.
+/// JSON without white space; all text of the file has this form.
 [[nodiscard]] QString compact(const QJsonObject& object);
 /// Empty if the text is no JSON object.
 [[nodiscard]] QJsonObject parsed(const QString& text);

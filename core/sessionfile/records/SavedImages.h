@@ -7,11 +7,12 @@ namespace core {
 
 class StagedFile;
 
-/// Of "Save session as …": whether the study's images are in the new file.
+/// Whether "Save session as …" puts the study's images into the new file.
 struct SavedImages {
-    /// Those that the session's file holds go along.
+    /// Keep the images that the session's file already holds.
     bool kept = true;
-    /// Made by stageImages() for the same target, which then takes the session in; null: no others.
+    /// A file that stageImages() made for the same target and that then receives the session; null:
+    /// none.
     std::shared_ptr<StagedFile> staged{};
 };
 

@@ -13,12 +13,12 @@
 
 namespace core {
 
-/// What cannot be read of a session file. The chain runs by row id, so behind the first unreadable
-/// row nothing can be trusted, whatever branch it lies on.
+/// What cannot be read of a session file. The chain runs by row number, so nothing after the first
+/// unreadable row can be trusted, whatever its branch.
 struct SessionDamage {
-    RowId row = 0; ///< the first row that is lost; 0: no row, but where the session stood
-    QString name; ///< of that row, as it stands there; may be empty
-    std::int64_t after = 0; ///< rows behind it that are lost with it; -1: nobody can tell
+    RowId row = 0; ///< the first row that is lost; 0: no row is, but the position
+    QString name; ///< its name as the file has it; may be empty
+    std::int64_t after = 0; ///< rows after it that are lost with it; −1: unknown
     QString reason;
 
     /// "row 17 'Drill 5 mm' and the 5 after it cannot be read: …"
@@ -28,37 +28,38 @@ struct SessionDamage {
 /// How a session file is opened.
 enum class SessionAccess {
     ReadWrite,
-    ReadOnly, ///< neither the file nor its folder is touched
-    SoundPart, ///< ReadOnly, and a damaged file is no error: SessionContents::damage
-    PrivateCopy, ///< what is written goes into a copy that vanishes with it
+    ReadOnly, ///< changes neither the file nor its folder
+    SoundPart, ///< as ReadOnly, and damage is no error but is reported in SessionContents::damage
+    PrivateCopy, ///< writes go to a temporary copy that is deleted at the end
 };
 
-/// Everything of a session file but the differences, which are read one by one.
+/// Everything of a session file except the differences, which are read one by one.
 struct SessionContents {
     SessionSource source;
-    std::vector<HistoryRow> rows; ///< those without second half have an empty stateHash
+    std::vector<HistoryRow> rows; ///< rows without second half have an empty stateHash
     std::vector<std::pair<RowId, RowId>> visited; ///< parent, child
     RowId position = 0;
-    bool positionLost = false; ///< it stood at a row that is lost, or nobody can tell where
+    bool positionLost = false; ///< the position was at a lost row, or is unknown
     std::vector<int> hiddenSegments;
     std::vector<Keyframe> keyframes; ///< by row; without their pictures
     QString chainEnd; ///< hex; it covers the source and every row
     bool holdsImages = false; ///< of the study (SessionImages.h)
-    QJsonObject display; ///< as the window put it together; empty: none kept
-    std::optional<SessionDamage> damage; ///< then rows and position are those before it
-    /// Rows that lack a sound difference while their edit and their hash are sound: they can be
-    /// carried out again. Told by checkSession() only.
+    QJsonObject display; ///< written by the window; empty: none
+    std::optional<SessionDamage> damage; ///< rows and position are then those before it
+    /// Rows without a sound difference whose edit and hash are sound, so they can be carried out
+    /// again. Only checkSession() finds them.
     std::vector<SessionDamage> redo;
     QString cutOff; ///< how much of the file is there, if not all of it
-    QString leftOpen; ///< why its last steps may be missing though no row is damaged
+    QString leftOpen; ///< why the last steps may be missing although no row is damaged
 
-    /// The file can be gone on with as it is.
+    /// Whether work can continue in the file as it is.
     [[nodiscard]] bool isWhole() const { return !damage && redo.empty() && cutOff.isEmpty(); }
 
-    /// Every problem as a sentence without a stop, the rows that are lost first; empty: none.
+    /// Every problem as a sentence without a full stop, lost rows first; empty: none.
     [[nodiscard]] std::vector<QString> problems() const;
 
-    /// Keeps what comes before the damage. A position behind it becomes the last row that is left.
+    /// Keeps what precedes the damage. If the position is lost, it becomes the last row that is
+    /// left.
     void cut(const SessionDamage& at);
 };
 

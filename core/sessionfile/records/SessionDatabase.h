@@ -17,46 +17,46 @@ class QTemporaryDir;
 
 namespace core {
 
-/// A session file as a database: how it is opened, checked, locked and left (README.md beside this
-/// file). Knows nothing of rows. Belongs to the thread that made it. One that was built so that
-/// reading it would never end is damaged.
+/// A session file as a database: opened, checked, locked and closed (core/session/README.md). It
+/// knows nothing of rows. It belongs to the thread that created it. A file that was built so that
+/// reading it would never end counts as damaged.
 class SessionDatabase {
 public:
     static constexpr int applicationId = 0x4275726E; // "Burn"
 
     /// @pre the file exists and is empty
     static Result<std::unique_ptr<SessionDatabase>> create(const QString& path);
-    /// For reading only, neither the file nor its folder is touched: one that is in use or was not
-    /// closed is read from a private copy. One that is cut off can only be read.
+    /// @param readOnly neither the file nor its folder is changed; a file that is in use or was not
+    /// closed is read from a private copy. A file that is cut off can only be read.
     static Result<std::unique_ptr<SessionDatabase>> open(const QString& path, bool readOnly);
-    /// For writing, on a private copy that goes away with this.
+    /// Opens a private copy for writing; it is deleted with this object.
     static Result<std::unique_ptr<SessionDatabase>> openCopy(const QString& path);
-    ~SessionDatabase(); ///< leaves one file
+    ~SessionDatabase(); ///< leaves a single file
 
-    /// One statement with its values for `?`. @return false: see reason()
+    /// Runs one statement with its values for `?`. @return false: see reason()
     bool run(const QString& sql, const QVariantList& values = {});
-    /// Calls @p take for every row of an answer; stops when it returns false.
+    /// Calls @p take for every row of the answer, until it returns false.
     bool query(const QString& sql, const QVariantList& values,
         const std::function<bool(const QSqlQuery&)>& take);
-    /// @p work in one transaction, which is rolled back when it returns false.
+    /// Runs @p work in one transaction, which is rolled back if it returns false.
     bool transaction(const std::function<bool()>& work);
     /// Before a row is written, in its transaction: a file of before gets the table of titles.
     bool makeRoomForTitles();
-    /// Looks through the structure of a file of usual size (PRAGMA quick_check), which is done by
-    /// itself before one is written. What is wrong with it is noted in loss(). Errors, where the
-    /// file is to be written: SessionDamaged.
+    /// Checks the structure of a file of ordinary size (PRAGMA quick_check) and notes in loss()
+    /// what is wrong. It is done automatically before a file is written. Errors, if the file is to
+    /// be written: SessionDamaged.
     [[nodiscard]] Result<void> checkStructure();
-    /// Everything into another file, which is empty or not there yet.
+    /// Copies everything into another file that is empty or does not exist.
     bool copyInto(const QString& path);
-    /// Every table but the images into a session file that holds no row. The source's JSON is
-    /// copied as it stands, for the chain hangs on it.
+    /// Copies every table but the images into a session file without rows. The source's JSON is
+    /// copied verbatim, since the chain depends on it.
     bool copyHistoryInto(const QString& path);
 
     [[nodiscard]] QString reason() const { return m_connection.failure().reason; }
-    /// What the file lacks; of one that is cut off what is there is read.
+    /// What the file lacks. Of a file that is cut off, the existing part is read.
     [[nodiscard]] const SessionLoss& loss() const { return m_loss; }
-    /// Why the last statement failed, where that is nothing in the file: it, or one beside it,
-    /// could not be opened or read.
+    /// The reason why the last statement failed if the file's content is not to blame: it or a file
+    /// beside it could not be opened or read.
     [[nodiscard]] std::optional<Error> failureOutside() const;
 
 private:
@@ -69,13 +69,13 @@ private:
     [[nodiscard]] Result<void> beginWriting();
     [[nodiscard]] tl::unexpected<Error> failed() const;
 
-    QString m_path; ///< what people know it by
-    QString m_file; ///< what is open: that, or a private copy
+    QString m_path; ///< the path for messages
+    QString m_file; ///< the file that is open: that one, or a private copy
     std::unique_ptr<QTemporaryDir> m_copy;
     SessionUse m_use; ///< while this process writes it
     SessionLoss m_loss;
     bool m_readOnly = false;
-    SqliteConnection m_connection; ///< last: closed while the copy and the lock are there
+    SqliteConnection m_connection; ///< last, so that it is closed before the copy and the lock go
 };
 
 } // namespace core

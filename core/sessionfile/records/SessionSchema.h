@@ -17,24 +17,28 @@ struct SessionFormat {
     static constexpr int newest = withTitles;
 };
 
-/// In the newest format. @return false: see the connection's failure()
+// The tables of a session file. A session is data only: anything else that a database may hold
+// (triggers, views) would be executed by its readers and writers.
+
+/// @return false: see the connection's failure()
 bool createSessionTables(SqliteConnection& connection);
 
 /// A file of before becomes one of the newest format when a row is written into it.
 /// @return false: see the connection's failure()
 bool makeRoomForTitles(SqliteConnection& connection);
 
-/// Where a file's schema is not that of a session; empty: nowhere.
+/// How a file's schema differs from that of a session; all empty: it does not.
 struct SchemaDeviations {
-    QString table; ///< name of one that is not as it is created here
-    QString foreign; ///< type and name of what a session does not have
+    QString table; ///< name of a table that differs from the one created here
+    QString foreign; ///< type and name of something that no session has
 };
-/// One that is missing altogether is damage, which is told where it is read.
+/// A missing table is damage, which is reported when it is read.
 /// @return false: see the connection's failure()
 bool readSchemaDeviations(SqliteConnection& connection, int format, SchemaDeviations& deviations);
 
-/// Every table but the images into a session file that holds no row. The source's JSON is copied as
-/// it stands, for the chain hangs on it. @return false: see the connection's failure()
+/// Copies every table but the images into a session file without rows. The source's JSON is copied
+/// verbatim, since the chain depends on it.
+/// @return false: see the connection's failure()
 bool copyHistoryTables(SqliteConnection& connection, const QString& target);
 
 } // namespace core

@@ -9,28 +9,28 @@
 
 namespace core {
 
-/// What a session was made on: where it was, and how to know it again. No patient's name.
+/// The study on which a session was made: where it was, and how to recognise it. No patient's name.
 struct SessionSource {
     QString path;
     QString format;
     QString studyUid;
     QString seriesUid;
-    // To be told apart by people; empty where the study or an older session does not say.
+    // For people to tell studies apart; empty if the study or an older session does not have them.
     QString seriesDescription;
     QString modality;
     QString studyDate; ///< YYYY-MM-DD
-    QString repair; ///< how its series was repaired on loading (Volume::repair); empty: not at all
-    int time = 0; ///< which point of a series in time it is, from 1; 0: of none, or it does not say
+    QString repair; ///< how the series was repaired on loading (Volume::repair); empty: not at all
+    int time = 0; ///< the point of a series in time, from 1; 0: none, or unknown
     glm::ivec3 size{0};
     glm::dmat4 indexToWorld{1.0};
-    QByteArray voxelsSha256; ///< hex; empty if the loader did not tell
+    QByteArray voxelsSha256; ///< hex; empty if the loader did not compute it
     QByteArray codesSha256; ///< hex; only where the values do not follow from the codes
 
     [[nodiscard]] static SessionSource of(const Volume& volume);
     [[nodiscard]] QJsonObject toJson() const;
     [[nodiscard]] static std::optional<SessionSource> fromJson(const QJsonObject& json);
 
-    /// Why @p volume is not the one; empty if it is.
+    /// The reason why @p volume is another one; empty if it is the same.
     [[nodiscard]] QString differenceFrom(const Volume& volume) const;
 };
 

@@ -11,7 +11,7 @@
 
 namespace core {
 
-/// What stands in the tables of a session file: written in transactions, read with its chain
+/// The contents of the tables of a session file: written in transactions, and read with the chain
 /// checked. Part of SessionFile; belongs to its writer's thread.
 class SessionTables {
 public:
@@ -21,16 +21,17 @@ public:
     [[nodiscard]] Result<void> create(const SessionSource& source);
     /// Errors: those of SessionFile::open().
     [[nodiscard]] Result<SessionContents> open(SessionAccess access);
-    /// What an open file holds now, with every hash of the rows checked anew; damage is told.
+    /// The present contents of an open file, with every hash of the rows checked again; damage is
+    /// reported in them.
     [[nodiscard]] Result<SessionContents> readAgain();
-    /// All of it into a file that is empty or not there yet.
+    /// Copies everything into a file that is empty or does not exist.
     [[nodiscard]] Result<void> copyInto(const QString& path);
-    /// All but the images into a session that holds no row.
+    /// Copies everything but the images into a session without rows.
     [[nodiscard]] Result<void> copyHistoryInto(const QString& path);
     [[nodiscard]] bool holdsImages();
 
-    // One transaction each; one that fails (FileUnwritable) leaves the file as it was and may be
-    // tried again. A row must not be written before the one ahead of it stands.
+    // One transaction each. One that fails (FileUnwritable) leaves the file as it was and may be
+    // tried again. A row may be written only when the one before it exists.
     [[nodiscard]] Result<void> addRow(const RowText& row);
     [[nodiscard]] Result<void> completeRow(
         RowId row, const QByteArray& stateHash, const BrickDelta& delta);
@@ -52,13 +53,13 @@ private:
     [[nodiscard]] Result<SessionContents> read();
     [[nodiscard]] Result<SessionSource> readSource();
     void readRows(SessionContents& contents);
-    /// By themselves, so that damage there costs no row: a row can be carried out again.
+    /// Read separately, so that damage there costs no row: the row can be carried out again.
     void readDeltaSizes(SessionContents& contents);
-    /// Or why it cannot be trusted.
+    /// The row, or the reason why it cannot be trusted.
     [[nodiscard]] tl::expected<HistoryRow, QString> readRow(
         const QSqlQuery& answer, RowId expectedId);
     void readState(SessionContents& contents);
-    /// Whether the last row is the one that @p end says. @return why that cannot be told
+    /// Checks that the last row is the one that @p end names. @return why that is impossible
     [[nodiscard]] QString checkEnd(const QString& end, SessionContents& contents);
     void readKeyframes(SessionContents& contents);
     void readTitles(SessionContents& contents);

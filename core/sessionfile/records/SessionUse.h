@@ -8,11 +8,11 @@
 
 namespace core {
 
-/// That this process has a session file open for writing, told to the rest of the process.
+/// Registers within this process that it has a session file open for writing.
 ///
-/// SQLite locks a file with POSIX locks, and closing *any* descriptor of a file drops all of them
-/// that its process holds. So nothing here may open a session file as a plain file while it is in
-/// use; who needs its bytes goes through copySession(). Any thread.
+/// SQLite uses POSIX locks, and closing *any* descriptor of a file releases all locks that the
+/// process holds on it. So a session file in use must never be opened as a plain file;
+/// copySession() reads its bytes. Any thread.
 class SessionUse {
 public:
     SessionUse() = default;
@@ -23,45 +23,45 @@ public:
     ~SessionUse();
 
 private:
-    QString m_key; ///< empty: nothing is used
+    QString m_key; ///< empty: none is registered
     FileInUse m_file;
 };
 
-/// Whether a path leads to a session file of Burin's, by the head of the file. One that is in use
+/// Whether there is a session file of Burin at a path, judged by the file's header. A file in use
 /// is one.
 [[nodiscard]] bool isSessionFile(const QString& path);
 
-/// Whether a session may take a name where something lies: another session that is closed, with
-/// nothing beside it. A free name passes. Errors: FileUnwritable with the reason.
+/// Checks that a session may take the name of an existing file: that must be a closed session with
+/// no files beside it. A free name passes. Errors: FileUnwritable with the reason.
 [[nodiscard]] Result<void> checkReplacedSession(const QString& path);
 
-/// What lies beside a free name that SQLite would take for a part of a session made there; empty:
-/// nothing.
+/// A file beside a free name that SQLite would take for a part of a session created there; empty:
+/// none.
 [[nodiscard]] QString strayPartOf(const QString& path);
 
-/// Whether a session file is open for writing, in this process or another. Touches nothing.
+/// Whether a session file is open for writing, in this process or another. Changes nothing.
 [[nodiscard]] bool isSessionInUse(const QString& path);
 
-/// Whether a program ended without closing it: what it wrote last lies in a file beside.
+/// Whether a program ended without closing it, so that its last writes are in a file beside it.
 [[nodiscard]] bool isSessionUnfinished(const QString& path);
 
-/// Why a session file that is not in use is not whole; all empty: it is, or nobody can tell.
+/// The reasons why a session file that is not in use is incomplete; all empty: it is complete, or
+/// that is unknown.
 struct SessionLoss {
     QString cutOff; ///< "the file is cut off: 40960 of 81920 bytes are there"
     QString foreign; ///< "it holds a trigger 't', which is no part of a session"
-    QString structure; ///< "its structure is damaged: …"; sessionLoss() does not look for that
-    QString leftOpen; ///< its program left it open, and what it wrote last is not beside it
+    QString structure; ///< "its structure is damaged: …"; not set by sessionLoss()
+    QString leftOpen; ///< its program left it open, and the file with its last writes is missing
 };
-/// Reads no more than the file's head.
+/// Reads only the header of the file.
 [[nodiscard]] SessionLoss sessionLoss(const QString& path);
 
-/// With what lies beside it. @return whether it is gone
+/// Removes a session with the files beside it. @return whether it is gone
 bool removeSession(const QString& path);
 
-/// The bytes of a session file and of what lies beside it, as they are at one moment, even if
-/// another process goes on writing.
-/// Errors: FileUnreadable (this process writes it, it cannot be read, or it changes too fast),
-/// FileUnwritable (no room for the copy).
+/// Copies a session file and the files beside it as they are at one moment, even while another
+/// process writes. Errors: FileUnreadable (this process writes it, it cannot be read, or it changes
+/// too often), FileUnwritable (no room for the copy).
 Result<void> copySession(const QString& from, const QString& to);
 
 } // namespace core

@@ -11,11 +11,9 @@ class QSqlQuery;
 
 namespace core {
 
-/// One connection to an SQLite file, which may be a stranger's: statements, transactions, and why
-/// the last of them failed. Belongs to the thread that made it.
-///
-/// No statement does more work than a file of its size can give it: one that was built so that
-/// reading it would never end fails.
+/// One connection to an SQLite file: statements, transactions, and why the last of them failed. The
+/// file may come from a stranger: a statement that does more work than a file of its size can
+/// require fails, so that none runs for ever. Belongs to the thread that created it.
 class SqliteConnection {
 public:
     struct Failure {
@@ -28,43 +26,45 @@ public:
     SqliteConnection& operator=(const SqliteConnection&) = delete;
     ~SqliteConnection(); ///< closes
 
-    /// @param name a path, or an address where @p options say so
-    /// @param file that it is of, for its size
+    /// @param name a path, or a URI if @p options say so
+    /// @param file the file itself, for its size
     [[nodiscard]] bool open(const QString& name, const QString& options, const QString& file);
-    /// SQLite's own door for files by strangers; before the first statement that reads the schema.
+    /// Enables SQLite's protection against hostile files; before the first statement that reads the
+    /// schema.
     [[nodiscard]] bool harden();
     [[nodiscard]] bool wasOpened() const;
-    /// Where the system refuses writing, SQLite opens a file for reading, and forgets why.
+    /// Whether the file was opened for reading only. SQLite does that if the system refuses
+    /// writing, and does not keep the reason.
     [[nodiscard]] bool isForReading() const;
-    /// Of a file that is cut off what is there is read: else SQLite refuses one that has fewer
-    /// pages than it says.
+    /// Reads the existing part of a file that is cut off; SQLite otherwise refuses a file with
+    /// fewer pages than its header states.
     void readCutOff();
-    /// Said from now on of what fails, in place of SQLite's words; empty: those.
+    /// Replaces SQLite's message for later failures; empty: use SQLite's.
     void explainBy(const QString& reason) { m_explanation = reason; }
 
-    /// One statement with its values for `?`. @return false: see failure()
+    /// Runs one statement with its values for `?`. @return false: see failure()
     bool run(const QString& sql, const QVariantList& values = {});
-    /// Calls @p take for every row of an answer; stops when it returns false.
+    /// Calls @p take for every row of the answer, until it returns false.
     bool query(const QString& sql, const QVariantList& values,
         const std::function<bool(const QSqlQuery&)>& take);
-    /// @p work in one transaction, which is rolled back when it returns false.
+    /// Runs @p work in one transaction, which is rolled back if it returns false.
     bool transaction(const std::function<bool()>& work);
     /// The value of a pragma; −1: it cannot be read.
     [[nodiscard]] int number(const char* pragma);
 
     [[nodiscard]] const Failure& failure() const { return m_failure; }
     void setFailure(const Failure& failure) { m_failure = failure; }
-    /// With what SQLite keeps beside the file.
+    /// Including the files that SQLite keeps beside it.
     [[nodiscard]] std::int64_t bytesOnDisk() const;
 
 private:
     [[nodiscard]] bool goesOnForEver();
 
-    QString m_name; ///< Qt's, of the connection
+    QString m_name; ///< name of the connection in Qt
     QString m_file;
     QString m_explanation;
     Failure m_failure;
-    std::int64_t m_work = 0; ///< of the statement that runs, in SQLite's instructions
+    std::int64_t m_work = 0; ///< of the running statement, in SQLite's instructions
 };
 
 } // namespace core

@@ -12,16 +12,17 @@
 
 namespace core {
 
-/// The hash of everything that edits can change: SHA-256 over a tree of bricks, kept incrementally.
-/// The form is fixed in README.md beside this file, with test vectors; another form needs another
+/// The hash of everything that edits can change: SHA-256 over a tree of bricks, updated
+/// incrementally. core/session/README.md defines it, with test vectors; a change requires a new
 /// schema version of the session file.
 ///
 /// Cost of update(): the changed bricks (about 250 MB/s) and at most six small nodes for each.
 class StateHash {
 public:
-    /// Takes in what bricks hold now; no bytes or only empty voxels: the brick is absent.
+    /// Sets the present content of bricks; a brick without bytes or with only empty voxels is
+    /// absent.
     void update(const std::vector<BrickImage>& bricks);
-    /// The same from the `after` of changes.
+    /// The same with the `after` of changes.
     void update(const std::vector<BrickChange>& changes);
 
     /// @param documentJson Document::hashedState() as compact JSON

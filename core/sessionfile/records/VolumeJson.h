@@ -9,10 +9,11 @@
 
 namespace core {
 
-/// All that a volume says of itself, the patient's name too, but its voxels and kept headers: the
-/// same volume comes back, to the last bit. Fields are those of README.md beside this file.
+/// Everything that describes a volume, including the patient's name, except its voxels and kept
+/// headers. Reading it back gives the same volume bit by bit. core/session/README.md lists the
+/// fields.
 [[nodiscard]] QJsonObject volumeToJson(const Volume& volume);
-/// None where a field that geometry or values hang on is missing or makes no sense.
+/// None if a field on which geometry or values depend is missing or invalid.
 [[nodiscard]] std::optional<Volume> volumeFromJson(const QJsonObject& json);
 
 } // namespace core

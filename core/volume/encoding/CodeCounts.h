@@ -8,23 +8,23 @@
 
 namespace core {
 
-/// How many voxels have each code: VoxelEncoding::codeCount numbers.
+/// The number of voxels with each code: VoxelEncoding::codeCount numbers.
 using CodeCounts = std::vector<std::uint64_t>;
 
-/// On all cores.
+/// Counts them, on all cores.
 [[nodiscard]] CodeCounts countCodes(const LoadedVolume& loaded);
 
-/// What follows from counts for a volume whose encoding, minimum and maximum are known: its
-/// histogram and, unless @p hasWindow, its window.
+/// Derives the histogram and, unless @p hasWindow, the window of a volume whose encoding, minimum
+/// and maximum are known.
 void describeCounts(Volume& volume, const CodeCounts& counts, bool hasWindow);
 
-/// Voxels that do not count, of which there is one code.
+/// Voxels of one code that are not counted.
 struct Uncounted {
     int code = 0;
     std::uint64_t voxels = 0;
 };
 
-/// The same where codes are exact: minimum and maximum follow, too. Padding does not count in
+/// The same for exact codes, from which minimum and maximum follow too. Padding does not count in
 /// histogram and window.
 void describeExactCounts(
     LoadedVolume& loaded, CodeCounts counts, const Uncounted& uncounted, bool hasWindow);

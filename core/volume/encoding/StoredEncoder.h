@@ -13,21 +13,24 @@
 
 namespace core {
 
-/// Stored values of one slice by itself to codes, exactly and whatever values the others have: sets
-/// encoding, minimum and maximum of @p volume. @param codes: stored values in, codes out
+/// Encodes the stored values of one slice exactly and independently of the other slices. Sets
+/// encoding, minimum and maximum of @p volume.
+/// @param codes stored values in, codes out
 void encodeSlice(Volume& volume, std::span<std::uint16_t> codes, const SliceRescale& rescale);
 
-/// encodeStoredValues() for slices that are still coming: counts each and adds it to the checksum
-/// as it comes, on the thread that brings it, so that little is left to do after the last.
+/// Does what encodeStoredValues() does while slices are still arriving: each slice is counted and
+/// added to the checksum on the thread that brings it, so that little remains to be done after the
+/// last.
 class StoredEncoder {
 public:
-    /// @param loaded stays where it is; its geometry is set, and its codes have their size
+    /// @param loaded must not move; its geometry is set, and its codes have their size
     /// @param slices one per slice k
     StoredEncoder(LoadedVolume& loaded, std::vector<SliceRescale> slices);
 
-    /// The codes of slice @p k are stored values now, and stay. Any thread; once for each.
+    /// The codes of slice @p k contain stored values that no longer change. Any thread; once per
+    /// slice.
     void sliceIsThere(int k);
-    /// What encodeStoredValues() says. @pre all slices are there
+    /// Completes the encoding (encodeStoredValues()). @pre all slices are there
     void finish(bool hasWindow);
 
 private:
@@ -44,10 +47,10 @@ private:
     bool m_oneScale;
 
     std::mutex m_mutex;
-    std::vector<std::unique_ptr<Counts>> m_counts; ///< that nobody is adding to
+    std::vector<std::unique_ptr<Counts>> m_counts; ///< those to which no thread is adding
 
-    std::optional<int> m_shift; ///< values are stored numbers and this one
-    std::vector<std::vector<float>> m_valueOfBits; ///< of unsigned, of signed stored values
+    std::optional<int> m_shift; ///< set if each value is the stored number plus this
+    std::vector<std::vector<float>> m_valueOfBits; ///< for unsigned and for signed stored values
     Sha256 m_hash;
     SliceChain m_chain;
 };

@@ -10,18 +10,18 @@
 
 namespace core {
 
-// What Volume::voxelsSha256 is made of: modality values as float32, little-endian.
+// The data of Volume::voxelsSha256: modality values as float32, little-endian.
 
 void addFloats(Sha256& hash, std::span<const float> values);
 
-/// float32 of what each code stands for.
+/// The float32 value of each code.
 [[nodiscard]] std::vector<float> valuesOfCodes(const VoxelEncoding& encoding);
 
-/// Adds the values that a table has for codes, or for stored bits.
+/// Adds the values that a table gives for codes or stored bits.
 void addByTable(
     Sha256& hash, std::span<const std::uint16_t> codes, const std::vector<float>& table);
 
-/// The same for values that are stored numbers and a whole number: several times as fast.
+/// The same for values that are stored numbers plus an integer; several times as fast.
 void addShifted(Sha256& hash, std::span<const std::uint16_t> bits, bool isSigned, int shift);
 
 } // namespace core

@@ -26,8 +26,8 @@ struct SliceRescale {
     double slope = 1.0;
     double intercept = 0.0;
     bool isSigned = false; ///< stored values are two's complement
-    /// Stored values of voxels outside what was scanned (PS3.3 C.7.5.1.1.2): they stay what they
-    /// are but do not count in the histogram and the window made from it.
+    /// Stored values of voxels outside the scanned region (PS3.3 C.7.5.1.1.2). They are kept, but
+    /// do not count in the histogram and the window derived from it.
     std::optional<StoredRange> padding{};
     bool operator==(const SliceRescale&) const = default;
 };
@@ -36,30 +36,31 @@ struct SliceRescale {
 /// histogram, voxelsSha256, codesSha256 and, unless @p hasWindow, defaultWindow of @p
 /// loaded.volume, and @p loaded.padding.
 ///
-/// Exact where all slices share one rescale and their values span 16 bits; otherwise on a common
-/// scale with its error stated and an InexactValues problem. The checksum is always that of the
-/// exact values. The volume's geometry must be set.
+/// Exact if all slices share one rescale and their values fit 16 bits; otherwise on a common scale
+/// with its error stated and an InexactValues problem. The checksum is always that of the exact
+/// values. The volume's geometry must be set.
 /// @param loaded codes: stored values in, codes out
 /// @param slices one per slice k
 void encodeStoredValues(LoadedVolume& loaded, std::span<const SliceRescale> slices, bool hasWindow);
 
-/// The same for values of any kind: @p slice writes the exact modality values of one slice. Called
-/// from several threads, several times per slice. Values that are no numbers count as the minimum.
+/// The same for values of any kind: @p slice writes the exact modality values of one slice. It is
+/// called from several threads, several times per slice. NaN counts as the minimum.
 void encodeValues(LoadedVolume& loaded,
     const std::function<void(int k, std::span<double> values)>& slice, bool hasWindow);
 
-/// Describes codes that were made from those of another volume, in its encoding: minimum, maximum,
-/// histogram and voxelsSha256; the window stays. The values are those that the codes stand for.
-/// @param outside how many voxels, of code @p outsideCode, are outside what was scanned and do not
-/// count in the histogram
+/// Describes codes that were made from those of another volume and have its encoding: minimum,
+/// maximum, histogram and voxelsSha256. The window is kept.
+/// @param outside number of voxels, with code @p outsideCode, outside the scanned region, which do
+/// not count in the histogram
 void describeCodes(LoadedVolume& loaded, int outsideCode, std::uint64_t outside);
 
-/// SHA-256 of the values that the codes stand for, as Volume::voxelsSha256 has it, and of the
-/// codes, as Volume::codesSha256 has it. Hex; one core, a third of a second for 512 × 512 × 600 where the processor helps.
+/// SHA-256 of the values of the codes, as in Volume::voxelsSha256, and of the codes, as in
+/// Volume::codesSha256. Hex; one core takes a third of a second for 512 × 512 × 600 if the
+/// processor has instructions for it.
 [[nodiscard]] QByteArray sha256OfValues(const LoadedVolume& loaded);
 [[nodiscard]] QByteArray sha256OfCodes(const LoadedVolume& loaded);
 
-/// Adds the values that the codes stand for to a checksum over several volumes.
+/// Adds the values of the codes to a checksum over several volumes.
 void addValues(Sha256& hash, const LoadedVolume& loaded);
 
 } // namespace core

@@ -13,23 +13,26 @@ namespace gpu {
 class BrickField;
 struct FieldPrograms;
 
-/// Which bricks of the seed words hold a voxel that is shut to growth, for pictures: they look for
-/// barriers nowhere else. Engine thread only.
+/// The set of bricks that hold a barrier (a voxel that is closed to growth, stored in the seed
+/// words). Pictures look for barriers only there. Engine thread only.
 class BarrierBricks {
 public:
     BarrierBricks(FieldPrograms& programs, const core::BrickGrid& grid);
 
-    /// The words of these may be others now.
+    /// Notes that the seed words of these bricks may have changed.
     void note(std::span<const std::uint32_t> bricks);
-    /// Of these words, and wherever there were barriers.
+    /// Notes these bricks and every brick that may have been in the set before.
     void noteAll(std::span<const std::uint32_t> bricks);
     [[nodiscard]] bool stale() const { return !m_stale.empty(); }
-    /// Looks at what was noted. @return where barriers may look different; empty: nowhere
+    /// Checks the noted bricks. Waits for the GPU if any of them has words.
+    /// @return the box in which barriers may look different; empty if nowhere
     core::VoxelBox update(BrickField& words);
 
     [[nodiscard]] bool any() const { return !m_held.empty(); }
-    [[nodiscard]] const core::VoxelBox& box() const { return m_box; } ///< of all that hold some
-    /// R8UI, one texel a brick, 1: holds some. There is none before the first.
+    /// Around all bricks that hold barriers.
+    [[nodiscard]] const core::VoxelBox& box() const { return m_box; }
+    /// R8UI, one texel per brick, 1 if it holds a barrier. There is no texture before the first
+    /// barrier.
     [[nodiscard]] const Texture3D& texture() const { return m_texture; }
 
 private:

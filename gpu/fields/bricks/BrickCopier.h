@@ -12,10 +12,10 @@
 
 namespace gpu {
 
-/// One field as the copying kernels see it.
+/// The textures of one field, as the copying kernels use them.
 struct FieldTextures {
     const Texture3D* voxels = nullptr; ///< atlas, or the dense texture
-    const Texture3D* pageTable = nullptr; ///< null: dense
+    const Texture3D* pageTable = nullptr; ///< null for a dense field
     core::Field field = core::Field::Coverage;
 };
 
@@ -27,19 +27,20 @@ public:
     /// @param programs outlive the copier
     BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid);
 
-    /// Into a buffer of its own, on the GPU; does not wait.
+    /// Packs the bricks into a new buffer on the GPU; does not wait.
     [[nodiscard]] Buffer packed(
         const FieldTextures& source, std::span<const std::uint32_t> bricks) const;
-    /// The packed bricks in memory; waits. An image whose voxels are all empty has no bytes.
+    /// Reads the bricks into memory; waits for the GPU. A brick whose voxels are all empty has no
+    /// bytes.
     [[nodiscard]] std::vector<std::vector<std::uint8_t>> images(
         const FieldTextures& source, std::span<const std::uint32_t> bricks) const;
-    /// The same of a buffer that packed() made.
+    /// The same for a buffer that packed() has made.
     [[nodiscard]] static std::vector<std::vector<std::uint8_t>> images(
         const Buffer& packed, core::Field field, std::size_t count);
-    /// Writes images into a field whose bricks have pages; no bytes: all empty.
+    /// Writes images into bricks that have pages. An image without bytes makes all voxels empty.
     void write(const FieldTextures& target, std::span<const std::uint32_t> bricks,
         std::span<const std::vector<std::uint8_t>* const> images) const;
-    /// Writes a buffer that packed() made.
+    /// Writes a buffer that packed() has made.
     void write(const FieldTextures& target, std::span<const std::uint32_t> bricks,
         const Buffer& packed) const;
 

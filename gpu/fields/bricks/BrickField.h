@@ -11,6 +11,7 @@
 
 namespace gpu {
 
+/// How a BrickField is created.
 struct BrickFieldOptions {
     const char* label = "";
     GLenum format = GL_R8UI; ///< R8UI or R32UI
@@ -18,10 +19,11 @@ struct BrickFieldOptions {
     core::BrickGrid grid;
 };
 
-/// A field of which only the bricks that matter take memory: a page table (one texel a brick,
-/// page + 1, 0 for none) and an atlas of pages, each the 4096 voxels of a brick (DESIGN §4).
+/// A sparse field of voxels, stored in bricks of 16³: a page table (one texel per brick: page + 1,
+/// 0 for none) and an atlas of pages, each with the 4096 voxels of a brick (DESIGN §4). Bricks
+/// without a page hold `emptyVoxel` and take no memory.
 ///
-/// The processor decides which brick has a page; kernels read the table and write the atlas.
+/// The processor decides which bricks have a page; kernels read the table and write the atlas.
 /// Engine thread only.
 class BrickField {
 public:
@@ -30,26 +32,26 @@ public:
 
     [[nodiscard]] bool created() const { return bool(m_pageTable); }
     [[nodiscard]] bool holds(std::uint32_t brick) const { return m_entries[brick] != 0; }
-    /// Takes the memory of the first 4096 pages, at most one a brick, so that no stroke waits for
-    /// it.
+    /// Allocates the first 4096 pages, at most one per brick, so that no stroke waits for that.
     void reserve();
     enum class NewPages : std::uint8_t {
         Empty,
-        AnyContent, ///< who asks writes every voxel of the listed bricks at once
+        AnyContent, ///< the caller writes every voxel of the listed bricks at once
     };
     /// Gives every listed brick a page. May enlarge the atlas.
     void ensure(std::span<const std::uint32_t> bricks, NewPages pages = NewPages::Empty);
     /// Takes the pages away again; their content is lost.
     void release(std::span<const std::uint32_t> bricks);
-    /// No brick has a page.
+    /// Whether no brick has a page.
     [[nodiscard]] bool empty() const { return m_freePages.size() == m_pageCount; }
     /// All bricks that have a page, ascending.
     [[nodiscard]] std::vector<std::uint32_t> heldBricks() const;
 
     [[nodiscard]] const Texture3D& atlas() const { return m_atlas; }
-    /// Brings the table up to date first.
+    /// The page table; uploads it first if it has changed.
     [[nodiscard]] const Texture3D& pageTable();
-    /// One word a page: the brick that owns it, x | y << 10 | z << 20; brought up to date first.
+    /// One word per page: the brick that owns it, as x | y << 10 | z << 20. Uploads it first if it
+    /// has changed.
     [[nodiscard]] const Buffer& pageOwners();
     /// The page of a brick that has one.
     [[nodiscard]] std::uint32_t pageOf(std::uint32_t brick) const { return m_entries[brick] - 1; }
@@ -68,7 +70,8 @@ private:
     std::vector<std::uint32_t> m_freePages; ///< last is taken next
     std::uint32_t m_pageCount = 0;
     std::vector<std::uint32_t> m_owners; ///< brick of each page
-    std::vector<std::uint32_t> m_ownerPositions; ///< as kernels read it
+    /// Packed position of each owner, as kernels read it.
+    std::vector<std::uint32_t> m_ownerPositions;
     Buffer m_ownerBuffer;
     bool m_tableStale = true;
     bool m_ownersStale = true;

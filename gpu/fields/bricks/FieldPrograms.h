@@ -20,7 +20,7 @@ struct CopyPrograms {
     Program unpackWords;
 };
 
-/// Those of RadiationKernel (radiation*.comp).
+/// The compiled kernels of RadiationKernel (radiation*.comp).
 struct RadiationPrograms {
     explicit RadiationPrograms(const ShaderLibrary& library);
 
@@ -28,7 +28,8 @@ struct RadiationPrograms {
     Program gatherLabels;
     std::array<Program, 3> blur;
     Program raise;
-    /// Labels, one segment as it would be at a tolerance; compiled when it is first needed.
+    /// Gathers labels, with one segment as it would be at a tolerance. Compiled when it is first
+    /// needed.
     [[nodiscard]] Program& gatherAtTolerance();
 
 private:
@@ -36,15 +37,15 @@ private:
     Program m_gatherAtTolerance;
 };
 
-/// Every compiled kernel that VoxelFields needs. They know of no volume, so one set serves all that
-/// are opened. Engine thread only.
+/// Every compiled kernel that VoxelFields needs. The kernels know of no volume, so one set serves
+/// all volumes that are opened. Engine thread only.
 struct FieldPrograms {
     explicit FieldPrograms(const ShaderLibrary& library);
 
     CopyPrograms copy;
     RadiationPrograms radiation;
     Program pieceCells;
-    /// Of BarrierBricks; compiled when it is first needed.
+    /// The kernel of BarrierBricks; compiled when it is first needed.
     [[nodiscard]] Program& findBarriers();
 
 private:

@@ -10,10 +10,11 @@
 
 namespace gpu {
 
-/// Tells a program with hidden.glsl what is hidden.
+/// Sets the uniforms of a program that includes hidden.glsl: the half spaces whose voxels are
+/// hidden.
 void setHidden(Program& program, const std::vector<core::HiddenHalf>& hidden);
 
-/// What hidden.glsl knows of each candidate brick; bind it to binding 6.
+/// For each candidate brick the values that hidden.glsl starts from. Bind the buffer to binding 6.
 [[nodiscard]] Buffer hiddenBases(const std::vector<core::HiddenHalf>& hidden,
     const core::BrickGrid& grid, std::span<const std::uint32_t> candidates);
 

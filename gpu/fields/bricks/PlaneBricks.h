@@ -10,7 +10,8 @@
 
 namespace gpu {
 
-/// Where a tool's own coordinates run through a volume, mm16.
+/// How the coordinates of a tool (its mask plane and depth) run through a volume: their value at
+/// voxel (0, 0, 0), and what is added per voxel along each axis. In 1/65536 mm.
 struct PlaneAxes {
     glm::ivec3 origin{0}; ///< of voxel (0, 0, 0)
     glm::ivec3 perI{0};
@@ -24,7 +25,8 @@ struct PlaneBox {
     glm::ivec3 maximum{0};
 };
 
-/// Bricks with voxels in any of the boxes, ascending; some too many, since kernels decide.
+/// Bricks that may have voxels in any of the boxes, ascending. Some of them have none; kernels
+/// decide for each voxel.
 [[nodiscard]] std::vector<std::uint32_t> bricksUnder(
     const PlaneAxes& axes, const core::BrickGrid& grid, const std::vector<PlaneBox>& boxes);
 

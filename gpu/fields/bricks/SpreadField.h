@@ -8,14 +8,14 @@
 
 namespace gpu {
 
-/// Costs and labels of growing from seeds (spread.glsl), 4 bytes a voxel of whole bricks around a
-/// box. Engine thread only.
+/// The costs and labels of growing from seeds (spread.glsl), 4 bytes per voxel, for the whole
+/// bricks around a box. Engine thread only.
 class SpreadField {
 public:
-    /// Makes it fit a box. What it holds of bricks that stay is kept if @p spread has the same
-    /// plane, neighbours and costs as before and the work on it was finished; others are walls
-    /// then.
-    /// @return whether it was kept
+    /// Allocates the field for a box. Its content is kept in bricks that stay if @p spread has the
+    /// same plane, connectivity and costs as before and the previous computation was finished;
+    /// bricks that are new then count as walls.
+    /// @return whether content was kept
     bool fit(
         const core::BrickGrid& grid, const core::SpreadLabels& spread, const core::VoxelBox& box);
     void release();
@@ -25,11 +25,11 @@ public:
     [[nodiscard]] const glm::ivec3& firstBrick() const { return m_firstBrick; } ///< of the volume
     [[nodiscard]] const glm::ivec3& bricks() const { return m_bricks; }
     [[nodiscard]] std::size_t brickCount() const;
-    /// The brick of the volume at a place, x fastest.
+    /// The index, in the volume's grid, of the brick at a place of this field; x fastest.
     [[nodiscard]] std::uint32_t brickAt(const core::BrickGrid& grid, std::size_t place) const;
     [[nodiscard]] std::size_t bytes() const { return m_words ? m_words.bytes() : 0; }
 
-    bool finished = false; ///< what it holds is the result for some seeds
+    bool finished = false; ///< the content is the complete result for some seeds
 
 private:
     Texture3D m_words;

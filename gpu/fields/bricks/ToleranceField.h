@@ -10,18 +10,21 @@
 
 namespace gpu {
 
-/// What tracing works out (core/growth/Tolerance.h): 2 bytes a voxel of whole bricks, only while a
-/// field is asked for. Engine thread only.
+/// The tolerance field (core/growth/Tolerance.h): for each voxel the least tolerance at which
+/// growth would reach it. 2 bytes per voxel of whole bricks, allocated only while such a field is
+/// in use. Engine thread only.
 struct ToleranceField {
-    Texture3D tolerances; ///< R16UI; above ToleranceRule::greatest: none
+    /// R16UI; a value above ToleranceRule::greatest: never reached
+    Texture3D tolerances;
     core::ToleranceRule rule;
     core::ToleranceCurve curve;
-    std::vector<std::uint32_t> ranges; ///< of each brick: least | greatest << 16; none: 0xFFFF
-    /// What seeds and walls it came of, as one number: where another look finds the same, what it
-    /// holds is still true.
+    /// For each brick: least | greatest << 16; a least of 0xFFFF means none.
+    std::vector<std::uint32_t> ranges;
+    /// A digest of the seeds and walls from which it was computed: if another look finds the same
+    /// digest, the content is still valid.
     std::array<std::uint32_t, 2> digest{};
-    bool worked = false; ///< all of it is worked out
-    bool stands = false; ///< and nothing has changed since: it may be told and shown
+    bool worked = false; ///< the computation is complete
+    bool stands = false; ///< complete, and nothing has changed since: it may be reported and shown
 
     [[nodiscard]] std::size_t bytes() const { return tolerances ? tolerances.bytes() : 0; }
 };

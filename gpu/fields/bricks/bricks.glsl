@@ -1,4 +1,5 @@
-// The grid of 16³ bricks and the atlas that holds those that are not empty (BrickField).
+// Addresses in the grid of 16³ bricks and in the atlas of pages that holds the bricks which are not
+// empty (BrickField).
 
 const int brickSide = 16;
 
@@ -12,7 +13,7 @@ ivec3 brickPosition(int brick, ivec3 bricks)
     return ivec3(brick % bricks.x, brick / bricks.x % bricks.y, brick / (bricks.x * bricks.y));
 }
 
-// Local voxel of an offset 0 … 4095, x fastest.
+// The local voxel of an offset 0 … 4095 in a brick, x fastest.
 ivec3 voxelInBrick(int offset)
 {
     return ivec3(offset & 15, offset >> 4 & 15, offset >> 8);
@@ -23,8 +24,9 @@ int offsetInBrick(ivec3 voxel)
     return (voxel.x & 15) | (voxel.y & 15) << 4 | (voxel.z & 15) << 8;
 }
 
-// Texel of a page's voxel. A page fills two rows of the atlas, 1024 pages a slice: where textures
-// lie linear in memory a brick is one run, and a walk through it stays in cache.
+// The texel of a voxel in a page. A page fills two rows of the atlas, with 1024 pages per slice: if
+// textures are stored linearly in memory a brick is contiguous, and a walk through it stays in the
+// cache.
 ivec3 pageTexel(uint page, int offset)
 {
     return ivec3(offset & 2047, int(page & 1023u) << 1 | offset >> 11, int(page >> 10));

@@ -1,4 +1,4 @@
-// Which of the listed bricks of the seed words hold a voxel that is shut to growth.
+// Finds which of the listed bricks of seed words hold a barrier, a voxel that is closed to growth.
 
 layout(local_size_x = 64) in;
 

@@ -1,6 +1,6 @@
-// Copies listed bricks of one field into a buffer, brick after brick: for readback, undo, hashes.
-// FIELD_DENSE: an R8UI texture of the volume; otherwise the atlas of a BrickField.
-// FIELD_WORDS: 32 bits a voxel, otherwise 8, four voxels to a word.
+// Copies listed bricks of one field into a buffer, brick after brick: for readback, undo and
+// hashes. FIELD_DENSE: the field is an R8UI texture of the volume; otherwise it is the atlas of a
+// BrickField. FIELD_WORDS: 32 bits per voxel; otherwise 8, four voxels per word.
 
 layout(local_size_x = 64) in;
 

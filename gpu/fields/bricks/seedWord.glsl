@@ -1,4 +1,4 @@
-// The word of the seed map; core/growth/SeedWord.h says what the bits mean.
+// The words of the seed map; core/growth/SeedWord.h defines their bits.
 
 const uint unvisited = 0xFFFFFFFFu;
 const uint notMember = 0x80000000u;
@@ -39,7 +39,7 @@ uint labelOf(uint word)
     return word >> 5 & 0xFFu;
 }
 
-// Of a member.
+// Whether a member is a seed.
 bool isSeed(uint word)
 {
     return (word & 31u) >= heldSeedDirection;
@@ -50,13 +50,13 @@ uint generationOf(uint word)
     return word >> 13 & 0x3FFFFu;
 }
 
-// A member from before any growth.
+// Whether a member was there before any growth, for instance painted.
 bool isPainted(uint word)
 {
     return isMember(word) && generationOf(word) == 0u;
 }
 
-// Of a label: what a growth of it begins with.
+// Whether a growth of the label starts from this voxel.
 bool isSeedOf(uint word, uint label)
 {
     if (labelOf(word) != label)

@@ -1,4 +1,4 @@
-// The inverse of packBricks: puts buffered bricks into a field.
+// The inverse of packBricks.comp: writes packed bricks into a field.
 
 layout(local_size_x = 64) in;
 

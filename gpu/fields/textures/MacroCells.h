@@ -13,7 +13,8 @@
 
 namespace gpu {
 
-/// Which codes a picture shows: inclusive intervals, ascending. Elsewhere there is nothing to see.
+/// The codes that a picture shows, as inclusive ascending intervals. Voxels with other codes are
+/// invisible.
 struct VisibleCodes {
     struct Interval {
         int lowest = 0;
@@ -24,42 +25,44 @@ struct VisibleCodes {
     bool operator==(const VisibleCodes&) const = default;
 };
 
-/// Cells of 8³ voxels for empty-space skipping. Cell c answers for samples at index positions in
-/// [8c, 8c + 8) per axis, so it looks at voxels 8c … 8c + 8: interpolation reaches one further.
-/// Engine thread.
+/// Cells of 8³ voxels with their range of codes and of derived fields, for empty-space skipping.
+/// Cell c is valid for samples at index positions in [8c, 8c + 8) on each axis. It covers the
+/// voxels 8c … 8c + 8, since interpolation reads one voxel further. Engine thread.
 class MacroCells {
 public:
     static constexpr int side = 8;
-    // Bits of the skip map's second channel; raycast.glsl knows them too.
-    static constexpr std::uint8_t tissueFlag = 1; ///< shown codes that are not all carved away
+    // Bits of the second channel of the skip map; raycast.glsl uses the same values.
+    /// Holds shown codes that are not all carved away.
+    static constexpr std::uint8_t tissueFlag = 1;
     static constexpr std::uint8_t carvedFlag = 2; ///< radiation reaches 0.5
     static constexpr std::uint8_t segmentFlag = 4; ///< the segmentation map reaches 0.5
-    static constexpr std::uint8_t shownFlag = 8; ///< shown codes, carved away or not
+    static constexpr std::uint8_t shownFlag = 8; ///< holds shown codes, carved away or not
 
     MacroCells() = default;
     MacroCells(const glm::ivec3& volumeSize, std::span<const std::uint16_t> codes);
 
     [[nodiscard]] glm::ivec3 cells() const { return m_cells; }
-    [[nodiscard]] int greatestCode() const { return m_greatestCode; } ///< of the volume
+    [[nodiscard]] int greatestCode() const { return m_greatestCode; } ///< in the whole volume
     /// Whether anything is carved away or a segment is shown anywhere.
     [[nodiscard]] bool isSculpted() const
     {
         return !m_carvedCells.empty() || !m_segmentCells.empty();
     }
-    /// Those that are carved somewhere.
+    /// Cells in which something is carved away.
     [[nodiscard]] const std::vector<glm::ivec3>& carvedCells() const { return m_carvedCells; }
-    /// Those that hold some of a shown segment.
+    /// Cells that hold a part of a shown segment.
     [[nodiscard]] const std::vector<glm::ivec3>& segmentCells() const { return m_segmentCells; }
     /// RG16: least and greatest code of each cell.
     [[nodiscard]] const Texture3D& ranges() const { return m_ranges; }
 
-    /// Look again at the cells that these voxels of radiation or segmentation map belong to.
-    /// @param kernel fields/textures/macroCells.comp. Waits for the GPU where the box is not empty.
+    /// Updates the cells that depend on these voxels of radiation or segmentation map.
+    /// @param kernel fields/textures/macroCells.comp
+    /// Waits for the GPU if the box is not empty.
     void update(Program& kernel, const Texture3D& radiation, const Texture3D& segmentation,
         const core::VoxelBox& dirty);
 
-    /// RG8UI: Chebyshev distance in cells to the nearest cell with tissue or segments, and flags.
-    /// Computed anew only when something changed.
+    /// RG8UI: the Chebyshev distance, in cells, to the nearest cell with tissue or segments, and
+    /// the flags. It is recomputed only when something has changed.
     [[nodiscard]] const Texture3D& skipMap(const VisibleCodes& visible);
 
     [[nodiscard]] static glm::ivec3 cellsFor(const glm::ivec3& volumeSize);
@@ -85,7 +88,7 @@ private:
     std::vector<Sculpt> m_sculpt;
     Texture3D m_ranges;
     Texture3D m_skipMap;
-    VisibleCodes m_visible; ///< what m_skipMap was made for
+    VisibleCodes m_visible; ///< the codes for which m_skipMap was computed
     bool m_skipMapValid = false;
     std::vector<glm::ivec3> m_carvedCells;
     std::vector<glm::ivec3> m_segmentCells;

@@ -11,12 +11,12 @@
 
 namespace gpu {
 
-/// The greatest code of cells of 4³ voxels, and how far it is to a cell that is greater than this
-/// or that: what a maximum intensity projection looks at to leave out most of a ray. Finer than
-/// MacroCells because a bound of a maximum must be tight to be of use. Cell c answers for samples
-/// at index positions in [4c, 4c + 4) per axis. Engine thread.
+/// Cells of 4³ voxels with their greatest code and their distances to cells with greater codes. A
+/// maximum intensity projection uses them to skip most of a ray. They are finer than MacroCells
+/// because only a tight upper bound lets it skip. Cell c is valid for samples at index positions in
+/// [4c, 4c + 4) on each axis. Engine thread.
 ///
-/// About 1/8 byte a voxel; made in time linear in the voxels, a few nanoseconds each.
+/// Takes about 1/8 byte per voxel; computed in time linear in the voxels, a few nanoseconds each.
 class MaximumCells {
 public:
     static constexpr int side = 4;
@@ -26,10 +26,11 @@ public:
     MaximumCells(const glm::ivec3& volumeSize, std::span<const std::uint16_t> codes);
 
     [[nodiscard]] glm::ivec3 cells() const { return m_texture.size(); }
-    /// Ascending codes. Distance k is to the nearest cell whose greatest code exceeds level k.
+    /// Ascending codes. Distance k is the distance to the nearest cell whose greatest code exceeds
+    /// level k.
     [[nodiscard]] const std::array<int, levelCount>& levels() const { return m_levels; }
-    /// RGBA16UI: greatest code; Chebyshev distances in cells, a byte each: level 0 in the low and 1
-    /// in the high byte of the second word, and so on.
+    /// RGBA16UI: the greatest code, then the Chebyshev distances in cells, one byte each: level 0
+    /// in the low byte of the second channel, level 1 in its high byte, and so on.
     [[nodiscard]] const Texture3D& texture() const { return m_texture; }
 
     [[nodiscard]] static glm::ivec3 cellsFor(const glm::ivec3& volumeSize);

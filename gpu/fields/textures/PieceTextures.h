@@ -13,32 +13,35 @@
 
 namespace gpu {
 
-/// What a piece is made of: a sculpt layer's cut, or a segment's voxels; the other is 0.
+/// What a piece consists of: the cut of a sculpt layer or the voxels of a segment. The other one is
+/// 0.
 struct PieceSource {
     int layer = 0;
     int segment = 0;
     auto operator<=>(const PieceSource&) const = default;
 };
 
-/// Footprints of pieces: for each source a box of the volume whose texels are ≥ 0.5 where a voxel
-/// belongs to the piece, radiated like a cut. All of them lie in one texture, so that a ray may
-/// meet any number. Beside it, for every cell of 8³ voxels the greatest footprint that a sample in
-/// it can meet. Engine thread.
+/// The footprints of pieces (core::Piece). For each source there is a box of the volume whose
+/// texels are ≥ 0.5 where a voxel belongs to the piece, smoothed like a cut. All boxes lie in one
+/// texture, so that a ray may pass through any number of pieces. A second texture holds, for every
+/// cell of 8³ voxels, the greatest footprint that a sample in it can read. Engine thread.
 class PieceTextures {
 public:
     struct Entry {
-        core::VoxelBox box; ///< of the volume; begins at the border of a cell
-        glm::ivec3 place{0}; ///< texel of box.minimum, whole cells
-        core::VoxelBox filled; ///< whole cells in which something is; empty: nothing is
-        std::vector<glm::ivec3> cells; ///< those cells, of the volume
+        core::VoxelBox box; ///< in the volume; begins at the border of a cell
+        glm::ivec3 place{0}; ///< the texel where box.minimum lies; a multiple of the cell size
+        /// The whole cells that hold any of the piece; empty if there are none.
+        core::VoxelBox filled;
+        std::vector<glm::ivec3> cells; ///< those cells, in cells of the volume
     };
 
-    /// Makes room for these boxes, empty.
+    /// Allocates these boxes, with empty footprints.
     void arrange(const std::map<PieceSource, core::VoxelBox>& boxes);
-    /// Looks at one box again. Waits for the GPU. @param kernel fields/textures/pieceCells.comp
+    /// Updates the cells of one source. Waits for the GPU.
+    /// @param kernel fields/textures/pieceCells.comp
     void updateCells(Program& kernel, const PieceSource& source);
 
-    /// null: no room was made for it
+    /// Null if arrange() was not given this source.
     [[nodiscard]] const Entry* entry(const PieceSource& source) const;
     [[nodiscard]] const std::map<PieceSource, Entry>& entries() const { return m_entries; }
     [[nodiscard]] const Texture3D& footprints() const { return m_footprints; } ///< R8, linear

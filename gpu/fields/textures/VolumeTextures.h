@@ -19,29 +19,30 @@ namespace gpu {
 class BarrierBricks;
 class BrickField;
 
-/// What changes in an open volume, as the renderers see it.
+/// The fields of an open volume that can change, as the renderers see them.
 enum class VolumeField : std::uint8_t {
     Labels, ///< label plane 0
     Radiation, ///< of the composed sculpt layers; ≥ 0.5 is carved away
     Segmentation, ///< radiation of the shown segments' members; ≥ 0.5 is inside one
     Pieces, ///< footprints of pieces (PieceTextures)
-    Barriers, ///< what is shut to growth: words of the seed map of plane 0
-    BarrierBricks, ///< which bricks hold any of that
-    Foreseen, ///< what a cut would take
+    Barriers, ///< voxels closed to growth: seed words of plane 0
+    BarrierBricks, ///< which bricks hold barriers
+    Foreseen, ///< what a cut of the growth would remove
 };
 
 /// The dense textures of the open volume (DESIGN §4). Edit kernels write labels, radiation and
-/// segmentation and tell markDirty(); renderers read. Everything here belongs to the engine thread.
+/// segmentation and call markDirty(); renderers read them. Engine thread only.
 ///
 /// All textures have the volume's size; texel (i, j, k) is voxel (i, j, k).
 class VolumeTextures {
 public:
-    /// Replace everything: codes as given, no labels, nothing carved, no segment shown.
+    /// Replaces everything: codes as given, no labels, nothing carved, no segment shown.
     /// @param codes x fastest, then y, then z
-    /// Errors: OutOfMemory(size in words). Throws GlFailure; then it is to be closed.
+    /// Errors: OutOfMemory(size as text). Throws GlFailure; then close() must be called.
     core::Result<void> open(const glm::ivec3& size, std::span<const std::uint16_t> codes);
-    void close(); ///< nothing is open
-    /// Where the volume lies and what its codes mean. Renderers draw when it fits the open size.
+    void close(); ///< frees everything; nothing is open afterwards
+    /// Sets where the volume lies in the patient and what its codes mean. Renderers draw only if
+    /// its size equals that of the open volume.
     void setGeometry(const core::VolumeGeometry& geometry, const core::VoxelEncoding& encoding);
 
     [[nodiscard]] bool isOpen() const { return bool(m_intensity); }
@@ -62,17 +63,18 @@ public:
     [[nodiscard]] MacroCells& cells() { return m_cells; }
     [[nodiscard]] const MaximumCells& maximumCells() const { return m_maximumCells; }
     [[nodiscard]] PieceTextures& pieces() { return m_pieces; }
-    /// The seed map of plane 0, lent by whoever edits it; null: there is none.
+    /// The seed map of plane 0, owned by the edit engine; null if there is none.
     [[nodiscard]] BrickField* seedWords() { return m_seedWords; }
     void setSeedWords(BrickField* words) { m_seedWords = words; }
-    /// Where barriers are among these, likewise.
+    /// The bricks of the seed map that hold barriers, also owned by the edit engine.
     [[nodiscard]] const BarrierBricks* barriers() const { return m_barriers; }
     void setBarriers(const BarrierBricks* barriers) { m_barriers = barriers; }
-    /// What a cut of the growth of plane 0 would take (R8UI, 1: goes), likewise; null: nothing.
+    /// What a cut of the growth of plane 0 would remove (R8UI, 1: would go), also owned by the edit
+    /// engine; null if nothing is foreseen.
     [[nodiscard]] BrickField* foreseen() { return m_foreseen; }
     void setForeseen(BrickField* foreseen) { m_foreseen = foreseen; }
-    /// The tolerance field of a label of plane 0 (R16UI, whole bricks), likewise; null: none
-    /// stands.
+    /// The tolerance field of a label of plane 0 (R16UI, whole bricks), also owned by the edit
+    /// engine; null if no valid one exists.
     [[nodiscard]] const Texture3D* tolerances(int label) const
     {
         return label == m_toleranceLabel ? m_tolerances : nullptr;
@@ -83,15 +85,15 @@ public:
         m_toleranceLabel = label;
     }
 
-    /// The kernels that were queued before this call change these voxels of this field.
+    /// Tells that kernels queued before this call change these voxels of this field.
     void markDirty(VolumeField field, const core::VoxelBox& box);
-    /// What was marked since the last call; empty: nothing.
+    /// The box that was marked since the last call; empty if none was.
     [[nodiscard]] core::VoxelBox takeDirty(VolumeField field);
-    /// Whether the field was ever marked since the volume was opened; before that it is empty.
+    /// Whether the field was marked since the volume was opened. Before that it is empty.
     [[nodiscard]] bool touched(VolumeField field) const { return m_touched[std::size_t(field)]; }
-    /// Another number whenever changes were taken in or another volume or geometry came.
+    /// Changes whenever changes were taken, or the volume or its geometry was replaced.
     [[nodiscard]] std::uint64_t revision() const { return m_revision; }
-    /// Another volume or geometry since the last call.
+    /// Whether the volume or its geometry was replaced since the last call.
     [[nodiscard]] bool takeReplaced();
 
     /// GPU bytes of the dense textures above for a volume of this size.

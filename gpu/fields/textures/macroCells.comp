@@ -1,4 +1,5 @@
-// Radiation and segmentation of 8³ cells: one invocation per cell of a box of cells.
+// Computes the range of radiation and the greatest segmentation in cells of 8³ voxels: one
+// invocation per cell of a box of cells.
 layout(local_size_x = 64) in;
 
 /* Textures */
@@ -22,7 +23,7 @@ void main()
     const ivec3 cell = firstCell
         + ivec3(i % cellCount.x, i / cellCount.x % cellCount.y, i / (cellCount.x * cellCount.y));
     const ivec3 first = cell * side;
-    // One voxel further than the cell: interpolated samples reach it.
+    // One voxel further than the cell, because interpolated samples read it.
     const ivec3 last = min(first + side, textureSize(radiation, 0) - 1);
     float leastRadiation = 1.0;
     float greatestRadiation = 0.0;

@@ -1,4 +1,4 @@
-// Greatest footprint of each cell of one piece's box: one invocation per cell.
+// Computes the greatest footprint in each cell of one piece's box: one invocation per cell.
 layout(local_size_x = 64) in;
 
 /* Textures */
@@ -20,7 +20,7 @@ void main()
     const ivec3 cell
         = ivec3(i % cellCount.x, i / cellCount.x % cellCount.y, i / (cellCount.x * cellCount.y));
     const ivec3 first = cell * side;
-    // One voxel further than the cell: interpolated samples reach it.
+    // One voxel further than the cell, because interpolated samples read it.
     const ivec3 last = min(first + side, texelCount - 1);
     uint greatest = 0u;
     for (int z = first.z; z <= last.z; ++z)

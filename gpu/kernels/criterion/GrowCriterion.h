@@ -9,14 +9,14 @@
 
 namespace gpu {
 
-/// The defines that growCriterion.glsl wants for some limits; none where there are none. A passage
-/// width is no matter of it (passage.glsl).
+/// The defines with which growCriterion.glsl is compiled for some limits; empty without limits. The
+/// passage width is not part of them (passage.glsl).
 [[nodiscard]] ShaderDefines definesOf(const core::GrowLimits& limits);
 
-/// One number for each such set of defines, with a passage width or without.
+/// A number that identifies the set of defines, and whether there is a passage width.
 [[nodiscard]] unsigned kindOf(const core::GrowLimits& limits);
 
-/// The compiled kernels that look at seeds (seedStatistics.comp).
+/// The compiled kernels that collect statistics around seeds (seedStatistics.comp).
 class SeedStatisticsPrograms {
 public:
     /// @param shaders outlives them
@@ -32,29 +32,30 @@ private:
     Program m_listed;
 };
 
-/// What lies around the seeds of each group. Waits for the answer. Engine thread only.
+/// Sums over the values around the seeds of each group. Waits for the answer. Engine thread only.
 [[nodiscard]] core::GroupedSeedSums seedSums(
     SeedStatisticsPrograms& programs, VoxelFields& fields, const core::ProbeSeeds& question);
 
-/// What a burst asks of voxels, as its kernels take it: interval and limits. Engine thread only.
+/// The criterion that a voxel must meet to join a growth: interval and limits of a burst, as its
+/// kernels take them. Engine thread only.
 class GrowCriterion {
 public:
-    /// @param around what lies around its seeds; needed where it narrows its interval by them
+    /// @param around sums around the seeds; needed if the burst narrows its interval by them
     explicit GrowCriterion(const core::GrowBurst& burst, const core::GroupedSeedSums& around = {});
 
-    /// Uniforms of a program that includes growth.glsl.
+    /// Sets the uniforms of a program that includes growth.glsl.
     void setUniforms(Program& program) const;
-    /// Textures, beside those that every kernel of a growth has.
+    /// Binds its textures, in addition to those that every growth kernel has.
     void bind(VoxelFields& fields) const;
 
 private:
     void takeSeeds(const core::GrowBurst& burst, const core::GroupedSeedSums& around);
 
     core::GrowLimits m_limits;
-    unsigned m_lowCode = 0; ///< 65536 where the interval is empty
+    unsigned m_lowCode = 0; ///< 65536 if the interval is empty
     unsigned m_highCode = 0;
-    Texture2D m_seedCodes; ///< a row for each label that has any: one bit a code
-    std::array<unsigned, 256> m_seedRows{}; ///< by label, + 1; 0: no code qualifies
+    Texture2D m_seedCodes; ///< a row for each label that has any qualifying codes: one bit per code
+    std::array<unsigned, 256> m_seedRows{}; ///< by label: row + 1; 0 if no code qualifies
 };
 
 } // namespace gpu

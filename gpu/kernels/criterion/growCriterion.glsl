@@ -1,20 +1,21 @@
-// What a growth asks of voxels beyond its interval and the label plane; the rules stand in
-// core/growth/GrowthCommands.h (GrowLimits). Each is there only where its define is, so that a
-// growth without limits is what it would be without this file. To be included after `codes`,
-// `volumeSize`, lowCode and highCode.
+// The criterion of a growth besides its interval and the label plane; the rules are in
+// core/growth/GrowthCommands.h (GrowLimits). Each limit is compiled only if its define is set, so
+// that a growth without limits costs nothing more. Include this file after `codes`, `volumeSize`,
+// `lowCode` and `highCode`.
 
-// llvmpipe ends all loops of an invocation after 65535 rounds together, without a word. So where a
-// voxel is asked in loops (27 neighbours, the digits of a root) an invocation asks for fewer voxels.
+// llvmpipe silently ends all loops of an invocation after 65535 iterations in total. So if the
+// criterion itself has loops (27 neighbours, the digits of a root) an invocation tests fewer
+// voxels.
 #if defined(MAJORITY) || defined(GRADIENT_DIFFERENCE)
 #define LONG_CRITERION
 #endif
 
 #ifdef ONLY_VISIBLE
-layout(binding = 0) uniform usampler3D radiation; // at voxel centres it says what coverage does
+layout(binding = 0) uniform usampler3D radiation; // at voxel centres it agrees with coverage
 #endif
 #ifdef SIGMAS
-layout(binding = 4) uniform usampler2D seedCodes; // rows of bits: the codes that seeds let in
-uniform uint seedRows[256]; // by label, + 1; 0: no code
+layout(binding = 4) uniform usampler2D seedCodes; // rows of bits: the codes that the seeds allow
+uniform uint seedRows[256]; // row + 1 by label; 0: no code qualifies
 #endif
 #ifdef DIFFERENCE
 uniform uint difference;
@@ -36,7 +37,7 @@ uniform ivec3 boxFrom;
 uniform ivec3 boxTo;
 #endif
 
-// Outside the volume the nearest voxel's.
+// The code at a voxel; outside the volume that of the nearest voxel.
 uint codeAt(ivec3 voxel)
 {
     return imageLoad(codes, clamp(voxel, ivec3(0), volumeSize - 1)).r;
@@ -70,7 +71,7 @@ uint squaredMagnitude(ivec3 voxel)
 #endif
 
 #ifdef GRADIENT_DIFFERENCE
-// The root, rounded down, digit by digit.
+// The gradient magnitude: the square root, rounded down, computed digit by digit.
 uint magnitudeAt(ivec3 voxel)
 {
     uint left = squaredMagnitude(voxel);
@@ -84,7 +85,7 @@ uint magnitudeAt(ivec3 voxel)
 }
 #endif
 
-// @param code the voxel's
+// @param code of the voxel
 bool allows(uint label, ivec3 voxel, uint code)
 {
     if (!isWithin(label, code))
@@ -112,7 +113,7 @@ bool allows(uint label, ivec3 voxel, uint code)
     return true;
 }
 
-// What is asked of a child about its parent, looked up once.
+// Values of the parent that are compared with each child, looked up once.
 struct Parent {
     uint code;
     uint magnitude;

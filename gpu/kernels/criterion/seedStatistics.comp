@@ -1,6 +1,6 @@
-// Adds up the codes around seeds (GrowLimits in core/growth/GrowthCommands.h): of every label, one
-// work-group a listed brick of the seed words; or, with LISTED, of every group, one invocation a
-// listed voxel. Sums are of 64 bits, in two words, low first.
+// Sums the codes around seeds (GrowLimits in core/growth/GrowthCommands.h): for every label, with
+// one work-group per listed brick of the seed words; or, with LISTED, for every group of seeds,
+// with one invocation per listed voxel. The sums have 64 bits, in two words, low word first.
 
 layout(local_size_x = 64) in;
 
@@ -16,7 +16,7 @@ uniform uint entryCount;
 #else
 layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
 #endif
-// Of each label or group the voxels, their codes, the squares of codes.
+// For each label or group: number of voxels, sum of codes, sum of squared codes.
 layout(binding = 1, std430) buffer Sums { uint sums[]; };
 
 uniform ivec3 volumeSize;

@@ -8,19 +8,18 @@
 
 namespace gpu {
 
-/// Lays the columns of a mask plane into the coverage of a layer (core/sculpt/MaskFrame.h, rule 6;
-/// columnCut.comp). Engine thread only.
+/// Cuts the columns of a mask plane into the coverage of a sculpt layer (core/sculpt/MaskFrame.h,
+/// rule 6; columnCut.comp). Engine thread only.
 class ColumnCutter {
 public:
     /// @param cut the compiled kernel; used by one cutter at a time
     ColumnCutter(Program& cut, VoxelFields& fields, BeforeImages& before,
         const core::MaskFrame& frame, const CoverageWriter::Target& target);
 
-    /// Lays what was set since the last time. Whoever calls tells VoxelFields.
-    /// @return the bricks that changed, ascending
+    /// Cuts the columns that were set since the last call. The caller tells VoxelFields.
     [[nodiscard]] std::vector<std::uint32_t> lay(MaskColumns& columns);
 
-    /// All that changed so far, ascending.
+    /// All bricks that changed so far, ascending.
     [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const
     {
         return m_writer.touchedBricks();

@@ -9,8 +9,9 @@
 
 namespace gpu {
 
-/// What kernels share that lay cuts into the coverage of one layer (coverageWrite.glsl): images of
-/// what was there before, pages, and which bricks changed. Engine thread only.
+/// The part that is common to all kernels which cut into the coverage of one sculpt layer
+/// (coverageWrite.glsl): it saves before-images, gives pages and finds out which bricks changed.
+/// Engine thread only.
 class CoverageWriter {
 public:
     struct Target {
@@ -20,17 +21,17 @@ public:
     };
     CoverageWriter(VoxelFields& fields, BeforeImages& before, const Target& target);
 
-    /// Tells a program with coverageWrite.glsl how to lay its cuts.
+    /// Sets the uniforms of a program that includes coverageWrite.glsl.
     void prepare(Program& program) const;
-    /// Leaves out bricks that nothing can happen to, keeps what the others hold, gives them pages
-    /// and binds them (units 1 and 2, image 0).
-    /// @param candidates ascending
+    /// Drops candidates that cannot change, saves the voxels of the others, gives them pages and
+    /// binds them (units 1 and 2, image 0).
     [[nodiscard]] std::vector<std::uint32_t> begin(std::vector<std::uint32_t> candidates);
-    /// Once the kernel is through. @param flags one for each that begin() left: not 0, it changed
-    /// @return the bricks that changed, ascending; whoever calls tells VoxelFields
+    /// To be called after the kernel has run.
+    /// @param flags one for each brick that begin() returned; not 0 if it changed
+    /// @return the bricks that changed, ascending; the caller tells VoxelFields
     [[nodiscard]] std::vector<std::uint32_t> end(const std::vector<std::uint32_t>& flags);
 
-    /// All that changed so far, ascending.
+    /// All bricks that changed so far, ascending.
     [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const;
 
 private:
@@ -40,7 +41,7 @@ private:
     BeforeImages& m_before;
     Target m_target;
     std::vector<std::uint32_t> m_candidates;
-    std::vector<std::uint32_t> m_fresh; ///< had no page
+    std::vector<std::uint32_t> m_fresh; ///< candidates that had no page
     std::set<std::uint32_t> m_touched;
 };
 

@@ -10,15 +10,17 @@
 
 namespace gpu {
 
-// What writes the coverage of whole layers (core/sculpt/LayerWrites.h): seldom asked for, so bricks
-// are read, worked out on the processor and written, as undo does it. Each returns the keys of the
-// bricks that changed. Engine thread only.
+// Writes the coverage of whole sculpt layers (core/sculpt/LayerWrites.h). This is seldom needed, so
+// bricks are read, computed on the processor and written, as undo does it. Both functions return
+// the keys of the bricks that changed. Engine thread only.
 
-/// Cost ∝ the bricks of the segment. @param programs finds them
+/// Sets the coverage of a layer to 255 wherever a label is. Cost ∝ the bricks of the segment.
+/// @param programs finds these bricks
 std::vector<core::BrickKey> coverLabel(ErasePrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::CoverLabel& edit);
 
-/// Cost ∝ the bricks of the layer.
+/// Empties a layer, after merging it into another one if the edit names one. Cost ∝ the bricks of
+/// the layer.
 std::vector<core::BrickKey> foldLayer(
     VoxelFields& fields, BeforeImages& before, const core::FoldLayer& edit);
 

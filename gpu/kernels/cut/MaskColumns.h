@@ -12,28 +12,29 @@
 
 namespace gpu {
 
-/// What each element of a mask plane does (core::MaskColumn), in tiles of 16 × 16 elements, on the
-/// processor and mirrored on the GPU. Elements outside the volume's shadow on the plane meet no
-/// voxel: there is no room for them. Engine thread only.
+/// The columns of a mask plane: what each of its elements cuts (core::MaskColumn). Stored in tiles
+/// of 16 × 16 elements on the processor and mirrored on the GPU. Only elements over the volume are
+/// stored, since the others meet no voxel. Engine thread only.
 class MaskColumns {
 public:
     static constexpr int tileSide = 16;
 
     MaskColumns(const core::MaskFrame& frame, const core::BrickGrid& grid);
 
-    /// The elements that there is room for.
+    /// The box of elements that can be stored.
     [[nodiscard]] const core::ElementBox& room() const { return m_room; }
     [[nodiscard]] glm::ivec2 firstTile() const { return m_firstTile; }
     [[nodiscard]] glm::ivec2 tileCount() const { return m_tileCount; }
 
-    /// Inside the room.
+    /// Sets a column; the element lies within room().
     void set(const glm::ivec2& element, const core::MaskColumn& column);
     /// Forgets every column.
     void clear();
-    /// Where columns were set since the last call, a box a tile: voxels there may change.
+    /// The places where columns were set since the last call, one box per tile: voxels there may
+    /// change.
     [[nodiscard]] std::vector<PlaneBox> takeChanged();
 
-    /// Binds tile slots and columns as storage buffers, up to date.
+    /// Binds the tile slots and the columns as storage buffers, after bringing them up to date.
     void bind(unsigned slotsBinding, unsigned columnsBinding);
 
 private:

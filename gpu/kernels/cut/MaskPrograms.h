@@ -6,7 +6,7 @@
 
 namespace gpu {
 
-/// The compiled kernels of tools that press a mask plane into the volume.
+/// The compiled kernels of the tools that press a mask plane into the volume.
 struct MaskPrograms {
     explicit MaskPrograms(const ShaderLibrary& library);
 
@@ -14,12 +14,13 @@ struct MaskPrograms {
     Program cut;
 };
 
-/// What the elements of a mask meet, one for each of its values (those outside the room nothing),
-/// and how deep they looked for it.
+/// Where the rays of a mask's elements meet the surface, and how deep they looked for it.
 struct MaskHits {
+    /// One for each value of the mask; nothing for elements outside the room.
     std::vector<core::SurfaceHit> hits;
     std::optional<std::int32_t> searchedTo;
 };
+/// Casts a ray from each element of the mask that lies in @p room. Waits.
 [[nodiscard]] MaskHits castMask(MaskPrograms& programs, VoxelFields& fields,
     const core::MaskFrame& frame, const core::MaskRaster& mask, const core::ElementBox& room);
 

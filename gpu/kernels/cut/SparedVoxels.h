@@ -7,10 +7,11 @@
 
 namespace gpu {
 
-/// Tells a program with spared.glsl what is not carved.
+/// Sets the uniforms of a program that includes spared.glsl: the labels that are protected from
+/// carving.
 void setSpared(Program& program, const core::SparedLabels& spared);
 
-/// Binds the label plane that it reads (unit 2), before each dispatch.
+/// Binds the label plane that spared.glsl reads (unit 2); call it before each dispatch.
 void bindSpared(VoxelFields& fields, const core::SparedLabels& spared);
 
 } // namespace gpu

@@ -10,22 +10,22 @@
 
 namespace gpu {
 
-/// Casts elements of a mask plane into what is seen, as it was when the edit began
-/// (core/sculpt/MaskFrame.h, rules 2 to 5; surfaceCast.comp). Radiation of that time is kept of
-/// every brick that the edit changes. Engine thread only.
+/// Casts rays from elements of a mask plane onto the visible surface, as it was when the edit began
+/// (core/sculpt/MaskFrame.h, rules 2 to 5; surfaceCast.comp). For that it keeps a copy of the
+/// radiation of every brick that the edit changes. Engine thread only.
 class SurfaceCaster {
 public:
     /// @param cast the compiled kernel; used by one caster at a time
     SurfaceCaster(Program& cast, VoxelFields& fields, const core::MaskFrame& frame);
 
-    /// What each element meets. Waits; cost ∝ elements.
+    /// Where the ray of each element meets the surface. Waits; cost ∝ elements.
     [[nodiscard]] std::vector<core::SurfaceHit> cast(std::span<const glm::ivec2> elements);
-    /// How deep all elements that were cast looked (core::searchEnd()); none were: nothing.
+    /// How deep the rays of all cast elements looked (core::searchEnd()); none if none was cast.
     [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_searchedTo; }
-    /// Makes a program with asItBegan.glsl see the same: its uniforms, units 0 and 1, buffers 2
-    /// and 3.
+    /// Makes a program that includes asItBegan.glsl see the same surface: sets its uniforms and
+    /// binds units 0 and 1 and buffers 2 and 3.
     void show(Program& program) const;
-    /// Keeps the radiation that a change of these bricks' coverage is about to change: call it
+    /// Copies the radiation that is about to change with the coverage of these bricks. Call it
     /// before VoxelFields::noteChanged().
     void keepRadiation(std::span<const std::uint32_t> bricks);
 

@@ -1,10 +1,10 @@
-// What is seen as it was when the edit began (core/sculpt/MaskFrame.h, rule 3).
+// Reads the visible surface as it was when the edit began (core/sculpt/MaskFrame.h, rule 3).
 
 #include "fields/bricks/bricks.glsl"
 
 layout(binding = 0) uniform usampler3D codes;
 layout(binding = 1) uniform usampler3D radiation;
-// Radiation at the beginning of the bricks that this edit has changed since: slot + 1 a brick, 0 none.
+// Initial radiation of the bricks that this edit has changed: slot + 1 for each brick, 0 for none.
 layout(binding = 2, std430) readonly buffer SnapshotSlots { uint snapshotSlots[]; };
 layout(binding = 3, std430) readonly buffer Snapshots { uint snapshots[]; };
 
@@ -43,7 +43,7 @@ bool denseHere(ivec3 p)
     return insideVolume(p) && int(codeAt(nearestTo(p))) >= thresholdCode;
 }
 
-// Only inside.
+// Only valid inside the volume.
 bool carvedHere(ivec3 p)
 {
     if (asWhole)

@@ -1,5 +1,5 @@
-// Lays the columns of a mask plane into candidate bricks (core/sculpt/MaskFrame.h, rule 6). One
-// work-group a brick, each voxel written by one invocation.
+// Cuts the columns of a mask plane into candidate bricks (core/sculpt/MaskFrame.h, rule 6). One
+// work-group per brick; each voxel is written by one invocation.
 
 layout(local_size_x = 64) in;
 

@@ -1,4 +1,4 @@
-// Laying a cut into the coverage of a layer (core/sculpt/MaskFrame.h, the end of rule 6). Needs
+// Writes a cut into the coverage of a layer (core/sculpt/MaskFrame.h, end of rule 6). Requires
 // fields/bricks/bricks.glsl.
 
 #include "kernels/cut/spared.glsl"
@@ -8,7 +8,7 @@ layout(binding = 0, r8ui) uniform uimage3D coverage; // atlas
 
 uniform bool refill;
 
-// Whether the voxel changed. `entry` is the page table's of its brick.
+// Returns whether the voxel has changed. `entry` is the page table entry of its brick.
 bool writeCut(uint entry, ivec3 voxel, uint cut)
 {
     ivec3 texel = atlasTexel(entry, voxel);

@@ -1,6 +1,6 @@
-// What a cut did not see (core/sculpt/HiddenHalf.h).
+// Tests whether a voxel lay in a half space that was hidden from a cut (core/sculpt/HiddenHalf.h).
 
-// perVoxel · p − offset of each candidate brick's first voxel, hiddenCount a brick
+// perVoxel · p − offset for the first voxel of each candidate brick, hiddenCount values per brick
 layout(binding = 6, std430) readonly buffer HiddenBases { int hiddenBases[]; };
 
 uniform int hiddenCount;

@@ -1,5 +1,5 @@
 // Integer interpolation of codes and radiation along rays (core/sculpt/MaskFrame.h, rule 3).
-// Needs volumeSize and the functions codeAt(ivec3) and radiationAt(ivec3).
+// Requires volumeSize and the functions codeAt(ivec3) and radiationAt(ivec3).
 
 const uint carvedAt = 128u << 24;
 
@@ -14,7 +14,7 @@ ivec3 betweenCentres(ivec3 p)
     return clamp(p, ivec3(0), (volumeSize - 1) << 16);
 }
 
-// Z of rule 3: the code at p (index16), in 1/65536 codes.
+// Z of rule 3: the code at p (index16), in 1/65536 of a code.
 uint interpolatedCode(ivec3 p)
 {
     p = betweenCentres(p);
@@ -31,7 +31,7 @@ uint interpolatedCode(ivec3 p)
     return y0 * g.z + y1 * f.z;
 }
 
-// Radiation at p, in 2⁻²⁴.
+// The radiation at p (index16), in units of 2⁻²⁴.
 uint interpolatedRadiation(ivec3 p)
 {
     p = betweenCentres(p);
@@ -53,7 +53,7 @@ bool carved(ivec3 p)
     return interpolatedRadiation(p) >= carvedAt;
 }
 
-// thresholdCode 65536 is never reached.
+// A thresholdCode of 65536 is never reached.
 bool dense(ivec3 p, int thresholdCode)
 {
     return thresholdCode <= 65535 && insideVolume(p)

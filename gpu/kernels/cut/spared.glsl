@@ -1,9 +1,10 @@
-// What is not carved (core/sculpt/SparedLabels.h). The label plane is not written meanwhile.
+// Tests whether a voxel is protected from carving (core/sculpt/SparedLabels.h). The label plane is
+// not written at the same time.
 
 layout(binding = 2) uniform usampler3D labelPlane;
 
 uniform bool sparesAny;
-uniform uint spared[8]; // a bit for each label
+uniform uint spared[8]; // one bit per label
 
 bool isSpared(ivec3 voxel)
 {

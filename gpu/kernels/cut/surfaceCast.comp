@@ -1,5 +1,5 @@
-// Where mask elements meet the surface as it was when the edit began, and where the material behind
-// it ends (core/sculpt/MaskFrame.h, rules 2 to 5). One invocation a ray.
+// Finds where rays from mask elements meet the surface as it was when the edit began, and where the
+// material behind it ends (core/sculpt/MaskFrame.h, rules 2 to 5). One invocation per ray.
 
 layout(local_size_x = 64) in;
 
@@ -31,7 +31,7 @@ int heightAt(int n, int sixteenths)
     return zStart + n * zPerSample + ((sixteenths * zPerSample) >> 4);
 }
 
-// Samples whose position can lie inside the volume: others need not be looked at.
+// The range of samples whose position can lie inside the volume; others need not be examined.
 ivec2 samplesInside(ivec3 origin, ivec2 range)
 {
     ivec2 all = range;
@@ -46,15 +46,15 @@ ivec2 samplesInside(ivec3 origin, ivec2 range)
         }
         float a = low / perSample;
         float b = high / perSample;
-        // Two samples of margin are far more than the rounding of floats here.
+        // A margin of two samples is far more than the rounding error of floats here.
         range.x = max(range.x, int(clamp(floor(min(a, b)) - 2.0, 0.0, float(all.y))));
         range.y = min(range.y, int(clamp(ceil(max(a, b)) + 3.0, 0.0, float(all.y))));
     }
     return range;
 }
 
-// How many samples, p the first of them, lie in a macro-cell of which no sample is dense; 0: it is
-// none. Skips what the rules would look at in vain, so it decides nothing.
+// The number of samples, starting with p, in a macro-cell without any dense sample; 0 if the cell
+// may hold one. It only skips samples that the rules would examine in vain, so it decides nothing.
 int samplesInEmptyCell(ivec3 p)
 {
     ivec3 cell = p >> 19;
@@ -81,7 +81,8 @@ bool holds(ivec3 p, bool whereHollow, bool expected)
     return (whereHollow ? hollow(p) : materialHere(p)) == expected;
 }
 
-// Where being hollow, or else material, turns to what is expected, between two samples; the height.
+// The height, found by bisection between two samples, where being hollow (or else being material)
+// changes to the expected state.
 int turnsAt(ivec3 origin, int after, bool whereHollow, bool expected)
 {
     int low = (after - 1) * 16;
@@ -96,8 +97,8 @@ int turnsAt(ivec3 origin, int after, bool whereHollow, bool expected)
     return heightAt(high / 16, high % 16);
 }
 
-// Restoring, with nothing hollow before the first sample of material: whether what lies right before
-// it is carved.
+// When restoring, if no sample before the first material is hollow: whether the place right in
+// front of it is carved.
 bool carvedInFront(ivec3 origin, int first, int seenFrom)
 {
     for (int n = first - 1; n >= seenFrom && heightAt(first, 0) - heightAt(n, 0) <= 2 * front; --n) {
@@ -108,7 +109,8 @@ bool carvedInFront(ivec3 origin, int first, int seenFrom)
     return false;
 }
 
-// Restoring: zSurface and zOuter. `first`: the first sample of material, or beyond the last.
+// When restoring: zSurface and zOuter. `first` is the first sample of material, or beyond the last
+// sample.
 ivec2 hollowOf(ivec3 origin, int first, int last, ivec2 hollowSamples, int seenFrom)
 {
     if (hollowSamples.y >= 0)
@@ -128,7 +130,7 @@ void main()
     ivec3 origin = rays[ray].xyz;
     ivec2 range = samplesInside(origin, seen[ray]);
     int first = range.x;
-    ivec2 run = ivec2(-1); // of hollow samples, the last one so far
+    ivec2 run = ivec2(-1); // the last run of hollow samples so far
     for (; first < range.y; ++first) {
         ivec3 p = at(origin, first, 0);
         int empty = samplesInEmptyCell(p);

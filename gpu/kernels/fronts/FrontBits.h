@@ -14,9 +14,9 @@
 
 namespace gpu {
 
-/// The compiled kernels of fronts as bits (frontBits*.comp).
+/// The compiled kernels of growth fronts stored as bits (frontBits*.comp).
 struct FrontBitsPrograms {
-    /// @param beneath what lies beneath members is written
+    /// @param beneath whether they also write the labels that growth takes from other segments
     FrontBitsPrograms(const ShaderLibrary& shaders, int connectivity,
         const core::GrowLimits& limits, bool beneath);
 
@@ -27,44 +27,46 @@ struct FrontBitsPrograms {
     Program end;
 };
 
-/// The front of a growth as bits, one a voxel, and what it may still claim: wide fronts go on at
-/// about the price of a word a row, where a queue pays for every voxel and each of its neighbours
-/// (ALGORITHMS 1.6.10). For growths of one label whose limits ask nothing about parents.
+/// The front of a growth as bits, one per voxel, together with the voxels that it may still claim.
+/// A wide front costs about one word operation per row, whereas a queue costs something for every
+/// voxel and each of its neighbours (ALGORITHMS 1.6.10). It can be used for growths of one label
+/// whose limits do not depend on the parent voxel.
 ///
-/// 1.6 KiB a brick of the volume while a burst is open that came to need it. The words that it
-/// writes are those of growRing.comp, to the bit. Engine thread only; who uses it binds what
-/// growth.glsl declares (GrowthKernel), which also owns pages and before-images.
+/// Takes 1.6 KiB per brick of the volume while a burst is open that needed it. The seed words that
+/// it writes equal those of growRing.comp, to the bit. Engine thread only. The caller
+/// (GrowthKernel) binds what growth.glsl declares, and owns pages and before-images.
 class FrontBits {
 public:
-    /// Whether limits allow for it.
+    /// Whether the limits of a growth allow the use of bits.
     [[nodiscard]] static bool isFor(const core::GrowLimits& limits);
-    /// Whether a front is wide enough to be cheaper so, or still is.
+    /// Whether a front is so wide that bits are cheaper than a queue.
     [[nodiscard]] bool pays(std::uint32_t frontVoxels, std::size_t bricksInReach) const;
 
-    /// Whether the front stands here.
+    /// Whether the front is currently stored here.
     [[nodiscard]] bool holdsFront() const { return m_holdsFront; }
     struct Front {
         std::uint8_t label = 0;
         std::uint32_t generation = 0;
-        std::uint32_t voxels = 0; ///< in the queue; in state.counts[0] too
+        std::uint32_t voxels = 0; ///< number of voxels in the queue; equals state.counts[0]
     };
-    /// Takes the front from the queue.
+    /// Takes the front over from the queue.
     void enter(FrontBitsPrograms& programs, int brickCount, const Front& front);
     void leave() { m_holdsFront = false; }
 
-    /// Generations in turn. @param grid in bricks @param bricks all that the front may reach; they
-    /// have pages
+    /// Runs some generations one after the other.
+    /// @param grid size of the volume in bricks
+    /// @param bricks all bricks that the front may reach; they have pages
     void advance(FrontBitsPrograms& programs, const BrickField& words, const glm::ivec3& grid,
         std::uint32_t generation, int rings, std::span<const std::uint32_t> bricks);
 
 private:
     void bind(unsigned front) const;
 
-    Buffer m_fronts[2]; ///< one is that of the last generation, the other empty
+    Buffer m_fronts[2]; ///< one holds the last generation, the other is empty
     Buffer m_open;
-    Buffer m_reach; ///< list of the bricks that a generation may change
+    Buffer m_reach; ///< list of the bricks that the generation may change
     unsigned m_front = 0;
-    std::vector<bool> m_known; ///< bricks of which `open` tells
+    std::vector<bool> m_known; ///< bricks for which m_open is filled
     bool m_holdsFront = false;
     std::uint8_t m_label = 0;
 };

@@ -1,5 +1,6 @@
-// Ends a batch of rings (FrontBits): tells which listed bricks hold the front, and empties the bits
-// of the one before, which the next batch writes. One work-group a brick, one invocation a word.
+// Ends a batch of generations (FrontBits): reports which listed bricks hold the front, and clears
+// the bits of the previous front, which the next batch will write. One work-group per brick, one
+// invocation per word.
 
 layout(local_size_x = 128) in;
 

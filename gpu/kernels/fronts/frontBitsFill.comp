@@ -1,5 +1,5 @@
-// Puts the front that a queue lists into bits (FrontBits), which are 0 before. One invocation a
-// voxel of it.
+// Converts the front in a queue to bits (FrontBits), which are all 0 before. One invocation per
+// voxel of the front.
 
 layout(local_size_x = 64) in;
 
@@ -9,7 +9,7 @@ layout(local_size_x = 64) in;
 layout(binding = 2, std430) restrict buffer Front { uint front[]; };
 layout(binding = 7, std430) restrict buffer Open { uint open[]; };
 
-uniform uint baseGeneration; // the front's
+uniform uint baseGeneration; // generation of the front
 
 void main()
 {
@@ -21,7 +21,7 @@ void main()
     uint brick = uint(brickIndex(
         ivec3(owner & 1023u, owner >> 10 & 1023u, owner >> 20), volumeBricks));
     uint offset = entry & 4095u;
-    // Whether it lies at an end is not looked at.
+    // Sets all ends without testing at which of them the voxel lies.
     for (uint i = 0u; i < 7u; ++i)
         open[brick * wordsOfOpen + lastFront + i] = baseGeneration;
     atomicOr(front[brick * wordsOfFront + (offset >> 5)], 1u << (offset & 31u));

@@ -1,5 +1,5 @@
-// Which voxels of listed bricks a growth may still claim (FrontBits): no member's, no barrier, and
-// the criterion accepts them. One work-group a brick, one invocation a word.
+// Finds which voxels of listed bricks a growth may still claim (FrontBits): voxels that are no
+// member and no barrier and meet the criterion. One work-group per brick, one invocation per word.
 
 layout(local_size_x = 128) in;
 

@@ -1,6 +1,6 @@
-// Which listed bricks a generation may change (FrontBits): those that had a front in one of the last
-// two (bits of the one before the last are overwritten), and those beside which one stands, at
-// the end that faces them. One invocation a brick.
+// Finds which listed bricks a generation may change (FrontBits): those that had a front in one of
+// the last two generations (because the bits of the one before the last are overwritten), and those
+// whose neighbour has a front at the end that faces them. One invocation per brick.
 
 layout(local_size_x = 64) in;
 
@@ -8,7 +8,7 @@ layout(local_size_x = 64) in;
 #include "kernels/fronts/frontBits.glsl"
 
 layout(binding = 6, std430) restrict buffer Reach {
-    uint count; // groups.x of the list
+    uint count; // the groups.x of the list
     uint one[2];
     uint padding;
     ListedBrick inReach[];
@@ -18,7 +18,7 @@ layout(binding = 7, std430) restrict readonly buffer Open { uint open[]; };
 uniform uint baseGeneration;
 uniform uint ring;
 
-// Whether the front may come over from a brick this far away.
+// Whether the front may come over from the brick at this offset.
 bool comesFrom(ivec3 brick, ivec3 step, uint last)
 {
     ivec3 at = brick + step;

@@ -1,9 +1,9 @@
-// One generation of a growth of one label whose criterion asks nothing about parents (FrontBits):
-// what is open and has a neighbour in the front. Every voxel is written by one invocation, so there
-// is nothing to compete for, and the word that it gets is the one that growRing.comp would let win:
-// the lowest direction that leads from the front.
+// Computes one generation of a growth of one label whose criterion does not depend on the parent
+// (FrontBits): the voxels that are open and have a neighbour in the front. Every voxel is written
+// by a single invocation, so there is no competition. Its word is the one that would win in
+// growRing.comp: that of the lowest direction that leads from the front.
 //
-// One work-group a listed brick (frontBitsReach.comp), one invocation a word.
+// One work-group per listed brick (frontBitsReach.comp), one invocation per word.
 
 layout(local_size_x = 128) in;
 
@@ -15,10 +15,10 @@ layout(binding = 6, std430) restrict writeonly buffer Next { uint next[]; };
 layout(binding = 7, std430) restrict buffer Open { uint open[]; };
 
 uniform uint growing; // the label
-uniform uint baseGeneration; // before the batch
+uniform uint baseGeneration; // generation before the batch
 uniform uint ring;
 
-// Two rows of the front, in the brick or in one beside it.
+// Two rows of the front, in the brick or in a brick beside it.
 uint frontAt(ListedBrick brick, int aside, int pair, int slice)
 {
     ivec3 at = positionOf(brick) + ivec3(aside, pair >> 3, slice >> 4);
@@ -28,7 +28,7 @@ uint frontAt(ListedBrick brick, int aside, int pair, int slice)
         + uint((slice & 15) << 3 | (pair & 7))];
 }
 
-// The two rows that lie dy further.
+// The two rows at an offset of dy.
 uint rowsAt(ListedBrick brick, int aside, int pair, int slice, int dy)
 {
     uint rows = frontAt(brick, aside, pair, slice);
@@ -39,7 +39,7 @@ uint rowsAt(ListedBrick brick, int aside, int pair, int slice, int dy)
     return rows;
 }
 
-// The bits whose voxel has the front in it one step back.
+// The bits of voxels from which the front lies one step back.
 uint cameBy(const ivec3 step, ListedBrick brick, int pair, int slice)
 {
     uint rows = rowsAt(brick, 0, pair, slice - step.z, -step.y);
@@ -53,7 +53,8 @@ uint cameBy(const ivec3 step, ListedBrick brick, int pair, int slice)
 }
 
 uint claimed = 0u;
-uint directions[5] = uint[5](0u, 0u, 0u, 0u, 0u); // of each claimed bit, digit by digit
+// binary digits of the direction of each claimed bit
+uint directions[5] = uint[5](0u, 0u, 0u, 0u, 0u);
 
 void claim(const uint direction, uint left, ListedBrick brick, int pair, int slice)
 {
@@ -77,7 +78,7 @@ void main()
     }
     int pair = int(gl_LocalInvocationID.x) & 7;
     int slice = int(gl_LocalInvocationID.x) >> 3;
-    // One by one, so that a compiler knows each offset.
+    // Unrolled, so that the compiler knows each offset.
 #define CLAIM(direction) claim(direction, left, brick, pair, slice)
     CLAIM(0u); CLAIM(1u); CLAIM(2u); CLAIM(3u); CLAIM(4u); CLAIM(5u);
 #if CONNECTIVITY > 6

@@ -19,11 +19,11 @@
 
 namespace gpu {
 
-/// What kernels of growing are compiled for.
+/// The variant for which growth kernels are compiled.
 struct GrowthKind {
     int connectivity = 6; ///< 6, 18 or 26
     core::GrowLimits limits{};
-    bool beneath = false; ///< what lies beneath members is read and written
+    bool beneath = false; ///< labels taken from other segments are kept and restored
 
     [[nodiscard]] ShaderDefines defines() const;
 };
@@ -33,10 +33,10 @@ struct GrowthPrograms {
     /// @param shaders outlives them
     explicit GrowthPrograms(const ShaderLibrary& shaders);
 
-    /// What depends on how many neighbours a voxel has and what is asked of it.
+    /// The kernels that depend on connectivity and limits.
     struct Rings {
-        /// @param back the flood by which a growth that is narrowed finds out who stays; it admits
-        /// no seeds
+        /// @param back whether this is the backward flood by which narrowing finds out which voxels
+        /// stay; it admits no seeds
         Rings(const ShaderLibrary& shaders, const GrowthKind& kind, bool back);
 
         Program admit;
@@ -45,10 +45,10 @@ struct GrowthPrograms {
         Program ring;
         Program severalRings;
     };
-    /// Compiled when first needed, but for a growth over faces (6) without limits.
+    /// Compiled when first needed, except for a growth with 6 neighbours and without limits.
     [[nodiscard]] Rings& rings(const GrowthKind& kind);
 
-    /// The further kernels of narrowing.
+    /// The additional kernels for narrowing a growth.
     struct Narrowing {
         Narrowing(const ShaderLibrary& shaders, const GrowthKind& kind);
 
@@ -76,16 +76,17 @@ private:
     std::map<Kind, FrontBitsPrograms> m_frontBits;
 };
 
-/// Marks pending seeds; their bricks are captured first. Returns the bricks touched.
+/// Writes pending seeds into the seed words, after capturing their bricks. Returns the bricks that
+/// were written.
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::SeedPlacement& placement);
 
 /// One burst of breadth-first growth while it is open (seed A §5.3; GrowBurst in EngineCommands.h).
 ///
-/// Rings run in batches of up to sixteen without readback in between: within sixteen steps a front
-/// stays in its bricks and their neighbours, which get pages and are captured before the batch. A
-/// front is a queue of voxels, or, while it is wide and simple enough, bits (FrontBits). Engine
-/// thread only.
+/// Generations run in batches of up to sixteen without a readback in between: within sixteen steps
+/// a front stays in its bricks and their neighbours, which get pages and are captured before the
+/// batch. The front is stored as a queue of voxels or, while it is wide and simple enough, as bits
+/// (FrontBits). Engine thread only.
 class GrowthKernel {
 public:
     static constexpr int ringsPerBatch = 16;
@@ -93,11 +94,12 @@ public:
     GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::GrowBurst& burst);
 
-    /// Takes back what has to leave, admits pending seeds and finds the front. Call it once, first.
+    /// Takes back what the changed criterion excludes, admits pending seeds and finds the front.
+    /// Call it once, before anything else.
     void open();
-    /// Up to @p rings (at most ringsPerBatch) generations. Returns how many added something; fewer
-    /// than asked means closure, or an alarm. A guarded growth goes ring by ring, and every front
-    /// is read back.
+    /// Runs up to @p rings (at most ringsPerBatch) generations. Returns how many of them added
+    /// voxels; fewer than requested means closure or a leak alarm. A growth with leak guard runs
+    /// one generation at a time, and every front is read back.
     int advance(int rings);
 
     [[nodiscard]] std::uint32_t generation() const { return m_generation; }
@@ -105,55 +107,60 @@ public:
     [[nodiscard]] const std::vector<std::uint32_t>& frontSizes() const { return m_frontSizes; }
     [[nodiscard]] std::int64_t members() const { return m_members; }
     [[nodiscard]] const std::optional<core::LeakAlarm>& alarm() const { return m_alarm; }
-    /// Bricks that held a front since the opening: nothing was claimed elsewhere.
+    /// Bricks that held a front since open(): nothing was claimed elsewhere.
     [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const;
-    /// Gives back the pages of bricks that were prepared and not reached, but for those listed
+    /// Frees the pages of bricks that were prepared and not reached, except those listed
     /// (ascending).
     void releaseUnused(std::span<const std::uint32_t> reachable = {});
-    /// Whether it may change what lies beneath members; if so, in the bricks touched.
+    /// Whether it may change which labels are kept beneath members (core::Field::Beneath); if so,
+    /// in touchedKeys().
     [[nodiscard]] bool keepsBeneath() const { return m_kind.beneath; }
-    /// Gives back the pages that were taken for it and that these changes put nothing in.
+    /// Frees the pages of Field::Beneath that were taken for this burst and in which these changes
+    /// put nothing.
     void releaseBeneath(std::span<const core::BrickChange> changes);
 
 private:
     struct State {
-        /// Voxels in the front that each ring starts from, and after the last.
+        /// Number of voxels in the front from which each generation starts, and after the last.
         std::array<std::uint32_t, ringsPerBatch + 1> counts{};
         std::uint32_t admitted = 0;
         std::uint32_t nextRing = 0;
         std::uint32_t greatest = 0;
-        // Of the voxels where a front was found: the greatest label, and 255 - the least.
+        // The greatest label of the front's voxels, and 255 − the least label.
         std::uint32_t greatestLabel = 0;
         std::uint32_t leastLabelDown = 0;
     };
 
     void bind();
     void setUniforms(Program& program) const;
-    /// Of label plane, seed words and what lies beneath: saved, and ready for what may be taken.
+    /// Captures label plane, seed words and Field::Beneath, and gives pages for what may be taken
+    /// from other labels.
     void capture(std::span<const std::uint32_t> bricks);
     void admitSeeds(const std::vector<std::uint32_t>& held);
-    // What leaves at the opening (GrowthNarrowing.cpp). @param held bricks with words, captured
+    // Removing voxels in open() (GrowthNarrowing.cpp).
+    // @param held bricks with seed words, already captured
     void narrow(const std::vector<std::uint32_t>& held);
     void floodBack();
     void restart();
-    /// Runs a kernel over listed bricks.
+    /// Runs a kernel over the listed bricks.
     State runOver(Program& program, const std::vector<std::uint32_t>& bricks);
 
-    /// @param bricks where to look
+    /// @param bricks where to look for the front
     void findFront(const std::vector<std::uint32_t>& bricks);
-    /// Bricks that a batch may reach, ready for it.
+    /// The bricks that a batch may reach, with pages and captured.
     std::vector<std::uint32_t> prepareBricks();
     void preparePassages();
     void start(const State& state);
-    /// Reads the counters and the bricks reached since start().
+    /// Reads the counters and the list of bricks reached since start().
     State takeBatch();
     void setQueues(std::uint32_t capacity);
     void runRings(int count);
-    /// Bits or queue, whichever suits the front. @param bricks in reach
+    /// Chooses bits or queue, whichever suits the front.
+    /// @param bricks in reach
     void chooseForm(const std::vector<std::uint32_t>& bricks);
     int advanceBatch(int rings);
-    /// What the last generation added, for the guard: as its queue lists it, or, where that is not
-    /// whole, as the words of the bricks reached tell.
+    /// The voxels that the last generation added, for the leak guard: from the queue or, if that is
+    /// incomplete, from the seed words of the bricks reached.
     [[nodiscard]] std::vector<core::LeakGuard::Voxel> listedFront() const;
     [[nodiscard]] std::vector<core::LeakGuard::Voxel> frontInWords();
     void watch(const std::vector<core::LeakGuard::Voxel>& added);
@@ -162,26 +169,27 @@ private:
     VoxelFields& m_fields;
     BeforeImages& m_before;
     core::GrowBurst m_burst;
-    bool m_mayTake; ///< from other labels, and will give it back
+    /// Whether it may take voxels from other labels, and gives them back when it shrinks.
+    bool m_mayTake;
     GrowthKind m_kind;
     GrowthPrograms::Rings* m_rings;
     GrowCriterion m_criterion;
-    std::optional<PassageField> m_passage; ///< none where growth goes through everything
+    std::optional<PassageField> m_passage; ///< none without a passage width
     Buffer m_state;
-    Buffer m_queues; ///< two, one behind the other
+    Buffer m_queues; ///< two queues, one behind the other
     Buffer m_reached;
     std::uint32_t m_queueCapacity = 1u << 18;
-    bool m_floodsBack = false; ///< only while it is narrowed: m_rings are those of the flood
-    std::uint32_t m_openGeneration = 0; ///< after what leaves at the opening has left
+    bool m_floodsBack = false; ///< only while narrowing: m_rings are those of the backward flood
+    std::uint32_t m_openGeneration = 0; ///< after open() has removed what leaves
     std::uint32_t m_generation = 0;
     bool m_atClosure = false;
     unsigned m_frontQueue = 0; ///< which of the queues holds the front
     std::uint32_t m_frontCount = 0;
-    std::optional<std::uint8_t> m_onlyLabel; ///< in the front, if it is one
+    std::optional<std::uint8_t> m_onlyLabel; ///< the label of the front, if it has only one
     FrontBits m_frontBits;
     std::vector<std::uint32_t> m_frontSizes;
     std::int64_t m_members = 0;
-    std::vector<std::uint32_t> m_frontBricks; ///< that hold the front
+    std::vector<std::uint32_t> m_frontBricks; ///< bricks that hold the front
     std::vector<bool> m_prepared; ///< bricks that are captured and have a page
     std::set<std::uint32_t> m_allTouched;
     std::set<std::uint32_t> m_newPages;

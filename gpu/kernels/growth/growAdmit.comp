@@ -1,5 +1,5 @@
-// Pending seeds that the criterion accepts become members of the next generation.
-// One work-group a listed brick.
+// Makes pending seeds that meet the criterion members of the next generation. One work-group per
+// listed brick.
 
 layout(local_size_x = 64) in;
 

@@ -1,7 +1,7 @@
-// First part of narrowing a growth (GrowOpening::Narrow in core/growth/GrowthCommands.h): seeds that
-// the criterion does not accept wait again; whoever else was grown becomes doubtful. Those who have
-// a reason to stay are found from the others then (growFront.comp and growRing.comp with BACK).
-// One work-group a listed brick.
+// First part of narrowing a growth (GrowOpening::Narrow in core/growth/GrowthCommands.h): seeds
+// that do not meet the criterion become pending again; all other grown voxels become doubtful.
+// Voxels that may stay are then found from the others (growFront.comp and growRing.comp with BACK).
+// One work-group per listed brick.
 
 layout(local_size_x = 64) in;
 

@@ -1,6 +1,6 @@
-// Finds where a growth can go on: every member with a neighbour (CONNECTIVITY) that it could claim.
-// BACK, while it is narrowed: with one that it could prove to qualify.
-// One work-group a listed brick. The queue's order depends on scheduling and decides nothing.
+// Finds the front of a growth: every member with a neighbour (CONNECTIVITY) that it could claim.
+// With BACK, while narrowing: every member with a neighbour that it could prove to qualify. One
+// work-group per listed brick. The order in the queue depends on scheduling and decides nothing.
 
 #include "kernels/growth/growth.glsl"
 

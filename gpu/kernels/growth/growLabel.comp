@@ -1,4 +1,4 @@
-// The last front of a batch shows its labels too (growRing writes those of the fronts before).
+// Writes the labels of the last front of a batch (growRing.comp writes those of the fronts before).
 
 layout(local_size_x = 64) in;
 

@@ -1,21 +1,22 @@
-// One generation: every voxel of the front offers itself as parent to its neighbours: those across
-// its faces, or as many as CONNECTIVITY says.
+// Computes one generation: every voxel of the front offers itself as parent to its neighbours,
+// across its faces or as many as CONNECTIVITY says.
 //
-// The least word wins a voxel (earlier generation, lower label, lower direction), so the result is
-// the same on every device. Of all claims on a voxel exactly one finds a word that is no member's;
-// that one puts the voxel into the next front.
+// The least word wins a voxel (earlier generation, then lower label, then lower direction), so the
+// result is the same on every device. Of all claims on a voxel exactly one finds a word that is not
+// a member's; that claim puts the voxel into the next front.
 //
-// A voxel is asked for by several neighbours and claimed once, so looking comes first: all their
-// words, then the criterion of those that are open, then the claims.
+// A voxel is requested by several neighbours but claimed once, so reading comes first: first all
+// words of the neighbours, then the criterion for those that are open, then the claims.
 //
-// Loops ask at their end: a device without branches (a software renderer) walks a loop once more
-// for lanes that are all done when it asks at the start.
+// Loops test their condition at the end: a device without branches (a software renderer) executes a
+// loop once more for lanes that are all done if the test is at the start.
 //
-// BACK: the flood by which a growth that is narrowed finds out who stays. Members prove doubtful
-// neighbours of later generations; those go on. It only clears a bit, so the order does not matter.
+// BACK: the flood by which narrowing finds out which voxels stay. Members prove doubtful neighbours
+// of later generations, which continue the flood. It only clears a bit, so the order does not
+// matter.
 //
-// SEVERAL_RINGS: one work group runs ring after ring while the front is small, since a dispatch
-// costs more than such a ring.
+// SEVERAL_RINGS: one work-group runs generation after generation while the front is small, since a
+// dispatch costs more than such a generation.
 
 layout(local_size_x = 64) in;
 
@@ -24,7 +25,7 @@ layout(local_size_x = 64) in;
 #include "kernels/passage/passage.glsl"
 #endif
 
-uniform uint baseGeneration; // before the batch
+uniform uint baseGeneration; // generation before the batch
 #ifdef SEVERAL_RINGS
 uniform uint ringCount;
 #ifdef LONG_CRITERION
@@ -36,7 +37,7 @@ const uint largestFront = 1024u;
 uniform uint ring;
 #endif
 
-// Page entry of a neighbour: the own one, but across a brick's border.
+// The page table entry of a neighbour: the voxel's own, unless the neighbour lies in another brick.
 uint neighbourEntry(uint ownEntry, ivec3 neighbour, ivec3 origin)
 {
     uint entry = ownEntry;
@@ -62,12 +63,12 @@ void growFrom(uint entry, uint ring)
     uint own = imageLoad(words, pageTexel(page, offset)).r;
     uint label = labelOf(own);
 #ifndef BACK
-    // A word is final one generation after its claim: now the label plane may show it.
+    // A word is final one generation after its claim, so the label plane may be written now.
     showLabel(own, voxel);
     reached[page] = heldFront;
 #endif
 
-    uint open = 0u; // one bit a direction
+    uint open = 0u; // one bit per direction
     for (uint direction = 0u; direction < uint(CONNECTIVITY); ++direction) {
         ivec3 neighbour = voxel + neighbourOffsets[direction];
         uint there = neighbourEntry(page + 1u, neighbour, origin);

@@ -1,6 +1,6 @@
-// Last part of narrowing a growth: who is still doubtful leaves; whoever stays, of those that were
-// grown, names its parent anew. Tells the greatest generation of a member.
-// One work-group a listed brick.
+// Last part of narrowing a growth: voxels that are still doubtful are removed; grown voxels that
+// stay get their parent direction again. Reports the greatest generation of a member. One
+// work-group per listed brick.
 
 layout(local_size_x = 64) in;
 
@@ -8,8 +8,8 @@ layout(local_size_x = 64) in;
 
 layout(binding = 4, std430) readonly buffer Bricks { uint bricks[]; };
 
-// The lowest direction that leads from an earlier member; there is one. What other invocations write
-// meanwhile makes no member and changes no generation.
+// The lowest direction that leads from an earlier member; there always is one. Concurrent writes of
+// other invocations neither make a member nor change a generation.
 uint directionOf(uint word, ivec3 voxel)
 {
     uint label = labelOf(word);

@@ -1,4 +1,4 @@
-// What the kernels of a growth burst share: the textures, the criterion, the queue.
+// Declarations that all kernels of a growth burst share: textures, criterion, queue.
 
 #include "fields/bricks/bricks.glsl"
 #include "fields/bricks/seedWord.glsl"
@@ -6,21 +6,23 @@
 layout(binding = 0, r32ui) uniform coherent uimage3D words; // atlas of the seed words
 layout(binding = 1, r8ui) uniform uimage3D labels;           // the label plane, dense
 layout(binding = 2, r16ui) uniform readonly uimage3D codes;  // intensity codes, dense
-layout(binding = 3, r32ui) uniform readonly uimage3D pageTable; // of the words, one texel a brick
+// page table of the words, one texel per brick
+layout(binding = 3, r32ui) uniform readonly uimage3D pageTable;
 
-// Counters of the running batch; GrowthKernel::State in C++.
+// Counters of the running batch; they match GrowthKernel::State in C++.
 layout(binding = 0, std430) coherent buffer State {
-    uint counts[17]; // voxels in the front that each ring starts from; ring r fills the next
+    // number of voxels in the front from which each ring starts; ring r fills the next
+    uint counts[17];
     uint admitted;
     uint nextRing; // where a dispatch of several rings stopped
     uint greatest; // generation of a member (growSweep.comp)
-    uint greatestLabel; // in the front (growFront.comp)
-    uint leastLabelDown; // 255 - the least
+    uint greatestLabel; // greatest label in the front (growFront.comp)
+    uint leastLabelDown; // 255 - the least label
 } state;
 // Two queues, one behind the other: a ring reads one and fills the other. An entry is
 // page << 12 | offset in the brick.
 layout(binding = 1, std430) coherent buffer Queues { uint queues[]; };
-// One word a page of the seed words: what the batch did there.
+// One word per page of the seed words: what the batch did there.
 layout(binding = 3, std430) buffer Reached { uint reached[]; };
 const uint heldFront = 1u; // a front passed
 const uint holdsFront = 2u; // the front stands there now
@@ -31,15 +33,16 @@ uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
 uniform uint lowCode;
 uniform uint highCode;
-uniform uint overwritable[8]; // one bit a label
-uniform uint frozen[8]; // likewise: labels that do not grow
+uniform uint overwritable[8]; // one bit per label
+uniform uint frozen[8]; // one bit per label; labels that do not grow
 uniform bool tellsHeld;
-uniform uint openGeneration; // members of later generations are this burst's
-uniform uint queueCapacity; // of each
+uniform uint openGeneration; // members of later generations belong to this burst
+uniform uint queueCapacity; // capacity of each queue
 uniform uint firstQueue; // 0 or 1: where the front of the batch's first ring lies
 
-// What lies beneath members (core/growth/GrowthCommands.h). Only there where its define is: a growth
-// that takes nothing from other labels pays nothing for it.
+// Labels that growth took from other segments are kept beneath its members
+// (core/growth/GrowthCommands.h). Compiled only with its define, so that a growth that takes
+// nothing pays nothing for it.
 #ifdef BENEATH
 layout(binding = 3) uniform usampler3D beneathPages;
 layout(binding = 4, r8ui) uniform uimage3D beneath; // atlas
@@ -58,8 +61,8 @@ ivec3 ownerOrigin(uint page)
     return ivec3(owner & 1023u, owner >> 10 & 1023u, owner >> 20) * brickSide;
 }
 
-// Whether a label may enter a voxel: the limits allow it and no other segment holds it.
-// @param held whether the label holds it already; false where that is not told
+// Whether a label may enter a voxel: the limits allow it, and no other segment holds the voxel.
+// @param held whether the label already holds it; false if that is not known
 bool accepts(uint label, ivec3 voxel, out bool held)
 {
     uint code = imageLoad(codes, voxel).r;
@@ -72,7 +75,7 @@ bool accepts(uint label, ivec3 voxel, out bool held)
     return mayEnter && allows(label, voxel, code);
 }
 
-// Of a member, or of one that is doubtful: whether it added its label to the plane.
+// For a member or a doubtful voxel: whether growth wrote its label into the plane.
 bool hasAdded(uint word, ivec3 voxel)
 {
     uint direction = word & 31u;
@@ -80,7 +83,7 @@ bool hasAdded(uint word, ivec3 voxel)
         && imageLoad(labels, voxel).r == labelOf(word);
 }
 
-// The same as accepts(), of one that may leave, as if it had been given back.
+// As accepts(), for a voxel that may leave, as if its former label had been restored.
 bool acceptsMember(uint word, ivec3 voxel)
 {
     bool held;
@@ -96,7 +99,7 @@ bool acceptsMember(uint word, ivec3 voxel)
     return accepts(labelOf(word), voxel, held);
 }
 
-// Before it leaves.
+// Restores the former label of a voxel; call it before the voxel leaves.
 void giveBack(uint word, ivec3 voxel)
 {
     if (!hasAdded(word, voxel))
@@ -112,7 +115,8 @@ void giveBack(uint word, ivec3 voxel)
     imageStore(labels, voxel, uvec4(below));
 }
 
-// A member shows in the plane. To be said of it as often as one likes, and of those of before too.
+// Writes the label of a member into the plane. May be called repeatedly, and also for older
+// members.
 void showLabel(uint word, ivec3 voxel)
 {
     uint label = labelOf(word);
@@ -125,33 +129,35 @@ void showLabel(uint word, ivec3 voxel)
     imageStore(labels, voxel, uvec4(label));
 }
 
-// Marked while a growth is narrowed: leaves unless it proves to qualify. No seed is.
+// Whether a voxel is marked as doubtful while narrowing: it leaves unless it is proved to qualify.
+// Seeds are never marked.
 bool isDoubtful(uint word)
 {
     return (word & notMember) != 0u && (word & 31u) <= heldDirection;
 }
 
-// Whether a member proves that a doubtful neighbour qualifies, if that one is accepted.
+// Whether a member proves that a doubtful neighbour qualifies, provided that the criterion accepts
+// it.
 bool canProve(uint member, uint word)
 {
     return isDoubtful(word) && labelOf(word) == labelOf(member)
         && generationOf(word) > generationOf(member);
 }
 
-// Asked where a front begins; those whom a front claims have its label.
+// Tested where a front begins; voxels that a front claims have its label.
 bool mayGrow(uint label)
 {
     return (frozen[label >> 5] >> (label & 31u) & 1u) == 0u;
 }
 
-// Entry i of the front that a ring of the batch (from 0) starts from.
+// The queue slot of entry i of the front from which a ring of the batch (counted from 0) starts.
 uint frontSlot(uint ring, uint i)
 {
     return ((firstQueue + ring) & 1u) * queueCapacity + i;
 }
 
-// Puts a voxel into the front of the next ring. A queue that is too small shows in the count: the
-// ring after this one does nothing then, and the front is found again.
+// Puts a voxel into the front of the next ring. If a queue is too small the count shows it: the
+// next ring then does nothing, and the front is searched again.
 void enqueue(uint ring, ivec3 voxel, uint page)
 {
     uint i = atomicAdd(state.counts[ring + 1u], 1u);
@@ -159,7 +165,7 @@ void enqueue(uint ring, ivec3 voxel, uint page)
         queues[frontSlot(ring + 1u, i)] = page << 12 | uint(offsetInBrick(voxel));
 }
 
-// The front of a ring shows its labels.
+// Writes the labels of the front of a ring.
 void showFront(uint ring, uint first, uint stride)
 {
     uint count = min(state.counts[ring], queueCapacity);

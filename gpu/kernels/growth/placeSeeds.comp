@@ -1,4 +1,4 @@
-// Marks voxels as pending seeds of a label, or takes those away.
+// Marks voxels as pending seeds of a label, or removes pending seeds.
 
 layout(local_size_x = 64) in;
 
@@ -23,6 +23,7 @@ void main()
         imageAtomicCompSwap(words, texel, pendingSeedWord(label), unvisited);
         return;
     }
-    // A member's word is less than any pending seed's, so the minimum leaves members alone.
+    // A member's word is less than that of any pending seed, so the minimum does not change
+    // members.
     imageAtomicMin(words, texel, pendingSeedWord(label));
 }

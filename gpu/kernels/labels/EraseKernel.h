@@ -9,7 +9,7 @@
 
 namespace gpu {
 
-/// The compiled kernels that take a label away (eraseLabel.comp).
+/// The compiled kernels that erase a label (eraseLabel.comp).
 struct ErasePrograms {
     /// @param library outlives the programs
     explicit ErasePrograms(const ShaderLibrary& library);
@@ -24,12 +24,12 @@ private:
     Program m_beneath;
 };
 
-/// The bricks in which a plane holds a label. Engine thread only.
+/// The bricks in which a label plane holds a label. Waits for the GPU. Engine thread only.
 [[nodiscard]] std::vector<std::uint32_t> labelHolders(
     ErasePrograms& programs, VoxelFields& fields, std::uint8_t plane, std::uint8_t label);
 
-/// Takes a label out of its plane and its seed map (EraseLabel in core/engine/EngineCommands.h).
-/// Bricks that hold it are looked for first; only those are captured and written. Returns their
+/// Erases a label from its plane and its seed map (EraseLabel in core/engine/EngineCommands.h). It
+/// first finds the bricks that hold the label; only those are captured and written. Returns their
 /// keys. Cost ∝ the bricks that have ever held a label or hold seed words. Engine thread only.
 std::vector<core::BrickKey> eraseLabel(ErasePrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::EraseLabel& erase);

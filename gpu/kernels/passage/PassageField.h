@@ -11,8 +11,8 @@
 
 namespace gpu {
 
-/// The compiled kernels that find out where a ball fits (passage*.comp), each when it is first
-/// needed.
+/// The compiled kernels that find out where a ball fits (passage*.comp), each compiled when it is
+/// first needed.
 class PassagePrograms {
 public:
     /// @param shaders outlives them
@@ -34,19 +34,22 @@ private:
     Program m_room;
 };
 
-/// Where growth with a passage width may go (core/growth/Passage.h): rooms and entries of voxels,
-/// worked out brick by brick as fronts come near, for each label that does. They depend on nothing
-/// that a burst changes, so it does not matter when. Lives as long as a burst. Engine thread only.
+/// Where growth with a passage width may go (core/growth/Passage.h). For each voxel it computes the
+/// room around it and the way in, brick by brick as fronts come near, and separately for each label
+/// that does. The values depend on nothing that a burst changes, so it does not matter when they
+/// are computed. It lives as long as a burst. Engine thread only.
 class PassageField {
 public:
     PassageField(PassagePrograms& programs, VoxelFields& fields, const core::GrowBurst& burst);
 
-    /// Makes ready for fronts that stand in these bricks and stay in them and their neighbours.
-    /// @param criterion the burst's
+    /// Computes what a batch needs whose fronts start in these bricks and stay in them and their
+    /// neighbours.
+    /// @param criterion that of the burst
     void prepare(const GrowCriterion& criterion, const std::vector<std::uint32_t>& frontBricks);
-    /// Uniforms of a program that includes passage.glsl; they change with the first prepare().
+    /// Sets the uniforms of a program that includes passage.glsl; they change with the first
+    /// prepare().
     void setUniforms(Program& program) const;
-    /// Textures of such a program.
+    /// Binds the textures of such a program.
     void bind();
 
 private:
@@ -56,12 +59,12 @@ private:
         std::uint32_t label = 0;
         std::uint32_t page = 0;
     };
-    /// How far the bits of a brick are worked out.
+    /// Which bits of a brick are computed.
     enum class Known : std::uint8_t { Nothing, Free, Centres };
     using LabelBits = std::array<std::uint32_t, 8>;
 
     void setGrowthUniforms(Program& program, const GrowCriterion& criterion) const;
-    /// Labels that grow and have something in each of these bricks.
+    /// For each of these bricks the set of growing labels that it holds.
     [[nodiscard]] std::vector<LabelBits> labelsIn(
         const GrowCriterion& criterion, const std::vector<std::uint32_t>& bricks);
     void giveSlots(const GrowCriterion& criterion);
@@ -70,11 +73,12 @@ private:
     void takePages(std::uint32_t slot, const std::vector<std::uint32_t>& bricks);
     void forgetBits();
     void run(Program& program, const std::vector<Job>& jobs);
-    /// Those of the bricks whose bits are less known than that, which they then are.
+    /// Jobs for those of the bricks whose bits are not computed as far as @p wanted; afterwards
+    /// they count as computed.
     [[nodiscard]] std::vector<Job> jobsFor(
         std::uint32_t slot, const std::vector<std::uint32_t>& bricks, Known wanted);
     [[nodiscard]] std::size_t place(std::uint32_t slot, std::uint32_t brick) const;
-    /// The same, in the grid of rooms.
+    /// The same in the grid of rooms.
     [[nodiscard]] std::uint32_t roomBrick(std::uint32_t slot, std::uint32_t brick) const;
 
     PassagePrograms& m_programs;
@@ -85,7 +89,7 @@ private:
     core::BrickGrid m_roomGrid;
     BrickField m_rooms;
     std::vector<Known> m_known;
-    std::vector<std::uint32_t> m_pages; ///< of bits, + 1; by place()
+    std::vector<std::uint32_t> m_pages; ///< page of the bits + 1, by place()
     std::uint32_t m_pagesTaken = 0;
     Buffer m_bits;
     Buffer m_pageTable;

@@ -1,5 +1,5 @@
-// Whether growth may pass from a voxel to its neighbour (core/growth/Passage.h). To be included
-// after growth.glsl.
+// Tests whether growth may pass from a voxel to its neighbour (core/growth/Passage.h). Include this
+// file after growth.glsl.
 
 #include "kernels/passage/passageSlots.glsl"
 
@@ -16,7 +16,7 @@ uint roomAt(uint label, ivec3 voxel)
     return entry != 0u ? texelFetch(rooms, atlasTexel(entry, voxel), 0).r : noRoom;
 }
 
-// @param from, to of parent and child
+// @param from, to rooms of parent and child
 bool passes(uint from, uint to)
 {
     uint room = to & 0xFFFFu;

@@ -1,7 +1,8 @@
-// What the kernels share that find out where a ball fits (core/growth/Passage.h, PassageField).
+// Declarations shared by the kernels that find out where a ball fits (core/growth/Passage.h,
+// PassageField).
 //
-// Of each brick that matters to a label there is a page of four sets of 4096 voxels, one bit each:
-// 16 bits a row, two rows a word. A job is a brick of a label.
+// For each brick that matters to a label there is a page of four sets of 4096 voxels, one bit per
+// voxel: 16 bits per row, two rows per word. A job is a brick of a label.
 
 #include "fields/bricks/bricks.glsl"
 
@@ -15,7 +16,7 @@ layout(binding = 4, std430) readonly buffer Jobs { PassageJob jobs[]; };
 layout(binding = 6, std430) coherent buffer Bits { uint bits[]; };
 layout(binding = 7, std430) readonly buffer BitPages { uint bitPages[]; }; // slot, brick: page + 1
 
-const uint shutSet = 0u; // not free
+const uint shutSet = 0u; // voxels that are not free
 const uint seedSet = 1u;
 const uint centreSet = 2u;
 const uint entrySet = 3u; // centres whose ball holds a seed

@@ -1,5 +1,5 @@
-// Where a ball fits, and where it then holds a seed (core/growth/Passage.h), as bits.
-// One work-group a job; the bits of passageFree.comp are there for all bricks around it.
+// Finds where a ball fits, and where it then holds a seed (core/growth/Passage.h), as bits. One
+// work-group per job; the bits of passageFree.comp exist for all bricks around it.
 
 layout(local_size_x = 64) in;
 
@@ -8,7 +8,7 @@ uniform ivec3 volumeBricks;
 
 #include "kernels/passage/passageDistance.glsl"
 
-// Voxels of two rows beyond a ball of the set, or within one.
+// The voxels of two rows that are farther from the set than a ball's radius, or within it.
 uint pairOf(uint pair, ivec3 origin, bool beyond)
 {
     uint found = 0u;

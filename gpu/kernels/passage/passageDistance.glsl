@@ -1,6 +1,6 @@
-// Squared distances to the nearest voxel of a set, as far as a ball reaches, for the voxels of a
-// brick: along x by looking at bits, then y, then z. To be included after `volumeSize` and
-// `volumeBricks`; 64 invocations.
+// Squared distances from the voxels of a brick to the nearest voxel of a set, up to the radius of a
+// ball: along x by bit operations, then along y, then along z. Include this file after `volumeSize`
+// and `volumeBricks`; needs 64 invocations.
 
 #include "kernels/passage/passageBits.glsl"
 
@@ -10,12 +10,12 @@ uniform uint greatest; // squared
 
 const uint nowhere = 0xFFFFu;
 
-// After x and y: of 16 rows in each slice of the brick and of those that a ball reaches beyond, 16
-// voxels, two a word.
+// The result after x and y: for the slices of the brick and those within a ball's radius, 16 rows
+// of 16 voxels, two voxels per word.
 shared uint slices[16 * 46 * 8];
 
 // 16 voxels of a row of a set; the row may lie outside the brick and the volume.
-// @param clamped outside the volume the nearest voxel stands, else nothing is there
+// @param clamped outside the volume use the nearest voxel, else nothing
 uint rowOf(uint set, uint slot, int brickX, ivec2 yz, bool clamped)
 {
     ivec2 size = volumeSize.yz;
@@ -48,7 +48,7 @@ uint capped(uint square)
     return square > greatest ? nowhere : square;
 }
 
-// Fills `slices` for a job. Everybody calls it.
+// Fills `slices` for a job. All invocations must call it.
 void lookAlongXy(PassageJob job, uint set, bool clamped)
 {
     ivec3 brick = brickPosition(int(job.brick), volumeBricks);
@@ -70,7 +70,7 @@ void lookAlongXy(PassageJob job, uint set, bool clamped)
             uint upwards = own | above << 16;
             uint downwards = below | own << 16;
             for (int x = 0; x < 16; ++x) {
-                // From −1, none, these become more than any ball reaches.
+                // For −1 (none) these become greater than any ball's radius.
                 uint up = uint(findLSB(upwards >> uint(x)));
                 uint down = uint(31 - findMSB(downwards << uint(15 - x)));
                 uint steps = min(min(up, down), 32u);
@@ -84,7 +84,8 @@ void lookAlongXy(PassageJob job, uint set, bool clamped)
     barrier();
 }
 
-// The squared distance at a voxel of the brick, from `slices`; nowhere beyond a ball.
+// The squared distance at a voxel of the brick, from `slices`; `nowhere` if it is beyond a ball's
+// radius.
 uint squareAt(ivec3 voxel)
 {
     uint best = nowhere;

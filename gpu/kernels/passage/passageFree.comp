@@ -1,12 +1,12 @@
-// Which voxels are not free for a label, and which are its seeds (core/growth/Passage.h), as bits.
-// One work-group a job.
+// Finds which voxels are not free for a label, and which are its seeds (core/growth/Passage.h), as
+// bits. One work-group per job.
 
 layout(local_size_x = 64) in;
 
 #include "kernels/growth/growth.glsl"
 #include "kernels/passage/passageBits.glsl"
 
-// Grown voxels are nobody's; nor does it matter when in a burst this is asked.
+// Grown voxels count as unowned, so it does not matter when in a burst this is computed.
 bool isOpen(uint label, uint word, uint there)
 {
     if (word == barrierWord)

@@ -1,5 +1,5 @@
-// Which labels have members or seeds in a brick, but for those that do not grow: a bit a label.
-// One work-group a listed brick.
+// Finds which labels have members or seeds in a brick, except labels that do not grow: one bit per
+// label. One work-group per listed brick.
 
 layout(local_size_x = 64) in;
 

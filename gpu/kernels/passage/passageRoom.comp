@@ -1,5 +1,5 @@
-// room and entry of every voxel of a brick (core/growth/Passage.h): room | entry << 16.
-// One work-group a job; the bits of passageCentres.comp are there for all bricks around it.
+// Computes room and entry of every voxel of a brick (core/growth/Passage.h): room | entry << 16.
+// One work-group per job; the bits of passageCentres.comp exist for all bricks around it.
 
 layout(local_size_x = 64) in;
 

@@ -1,5 +1,5 @@
-// Rooms of several labels lie in one paged field whose grid of bricks is that of the volume, many
-// times over in y and z: a place a label. To be included after `volumeBricks`.
+// The rooms of several labels lie in one paged field. Its grid of bricks repeats the volume's grid
+// along y and z, once for each label. Include this file after `volumeBricks`.
 
 layout(binding = 2) uniform usampler3D roomPages;
 uniform uint slotsAcross; // along y

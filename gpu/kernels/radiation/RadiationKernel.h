@@ -12,20 +12,22 @@
 
 namespace gpu {
 
-/// Derives radiation from coverage, and the segmentation map from labels, brick by brick: the exact
-/// integer Gaussian with the rule for thin parts (core/sculpt/Radiation.h; radiation*.comp).
+/// Computes radiation (the smoothed cut surface) from coverage, and the segmentation map from
+/// labels, brick by brick: the exact integer Gaussian with the rule for thin parts
+/// (core/sculpt/Radiation.h; radiation*.comp).
 ///
-/// Cost: about 40 000 fetches and sums for a whole brick, less for a part of one, and little for
-/// parts that are uniform with their surroundings. Engine thread only.
+/// Cost: about 40 000 fetches and additions for a whole brick, less for a part of one, and little
+/// for parts that are uniform with their surroundings. Engine thread only.
 class RadiationKernel {
 public:
-    /// Voxels that a changed one reaches: three of the blur, one of the rule for thin parts.
+    /// How far, in voxels, a changed voxel has an effect: three for the blur, one for the rule for
+    /// thin parts.
     static constexpr int reach = 4;
 
-    /// A part of a brick that is brought up to date.
+    /// The part of a brick that is to be updated.
     struct Region {
         std::uint32_t brick = 0;
-        glm::ivec3 low{0}; ///< in the brick
+        glm::ivec3 low{0}; ///< first voxel, within the brick
         glm::ivec3 high{core::BrickGrid::side}; ///< one past the last
     };
 
@@ -38,7 +40,7 @@ public:
     /// @param labels dense R8UI texture; shown labels count as 255
     void updateFromLabels(const Texture3D& labels, const std::bitset<256>& shown,
         const Texture3D& target, std::span<const Region> regions);
-    /// One segment as it would be at a tolerance (toleranceLabel.glsl).
+    /// A segment as it would be at a tolerance (toleranceLabel.glsl).
     struct AtTolerance {
         const Texture3D& tolerances;
         BrickField& seedWords;
@@ -48,15 +50,16 @@ public:
     void updateFromLabels(const Texture3D& labels, const AtTolerance& segment,
         const std::bitset<256>& shown, const Texture3D& target, std::span<const Region> regions);
 
-    /// Where a footprint goes: voxel v to texel v + shift of an R8UI texture.
+    /// Where a footprint is written: voxel v to texel v + shift of an R8UI texture.
     struct Footprint {
         const Texture3D& target;
         glm::ivec3 shift{0};
     };
-    /// Of what one layer covers and those before it do not: min(coverage, 255 − greatest of them).
+    /// The footprint of what one layer covers and the layers before it do not: min(coverage, 255 −
+    /// the greatest of theirs).
     void updateFootprint(BrickField& layer, std::span<BrickField* const> before,
         const Footprint& footprint, std::span<const Region> regions);
-    /// Of what bears one label.
+    /// The footprint of the voxels with one label.
     void updateFootprint(const Texture3D& labels, int label, const Footprint& footprint,
         std::span<const Region> regions);
 

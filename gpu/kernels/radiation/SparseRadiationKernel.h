@@ -11,15 +11,16 @@
 
 namespace gpu {
 
-/// Radiation of sparse points, such as seeds: the integer Gaussians of
-/// core/sculpt/SparseRadiation.h added up, tile by tile (sparseRadiation*.comp), and whose point
-/// counts most in each voxel.
+/// Radiation of sparse points, such as seeds: adds up the integer Gaussians of
+/// core/sculpt/SparseRadiation.h in each voxel, tile by tile (sparseRadiation*.comp), and finds the
+/// point with the greatest share.
 ///
-/// Cost: the voxels of every footprint, one atomic addition each; memory for 64 tiles, however many
-/// there are. Engine thread only.
+/// Cost: one atomic addition per voxel of each footprint. Memory for 64 tiles, however many there
+/// are. Engine thread only.
 class SparseRadiationKernel {
 public:
-    /// A tile is a brick of 16³ and what filtering and gradients need around it: voxels −1 … 17.
+    /// A tile is a brick of 16³ voxels with the margin that filtering and gradients need: voxels −1
+    /// … 17.
     static constexpr int tileSide = 19;
 
     struct Point {
@@ -28,15 +29,14 @@ public:
     };
     struct Tile {
         glm::ivec3 origin{0}; ///< voxel of its first texel
-        glm::ivec3 texel{0}; ///< where that goes in the target
-        std::vector<std::uint32_t> points; ///< numbers of those that reach it
+        glm::ivec3 texel{0}; ///< where that texel is written in the target
+        std::vector<std::uint32_t> points; ///< indices of the points that reach the tile
     };
 
     explicit SparseRadiationKernel(const ShaderLibrary& library);
 
-    /// Fills tiles: red the radiation; green the label of the point with the greatest part in it,
-    /// of equal parts the greatest label, 0 where no point reaches.
-    /// @param target RG8
+    /// Fills tiles. Red is the radiation. Green is the label of the point with the greatest share;
+    /// of equal shares the greatest label; 0 if no point reaches.
     void update(
         std::span<const Point> points, std::span<const Tile> tiles, const Texture3D& target);
 
@@ -47,7 +47,7 @@ private:
     Program m_finish;
     Buffer m_footprints;
     Buffer m_tiles;
-    Buffer m_sums; ///< two words a voxel: the sum; greatest part and label
+    Buffer m_sums; ///< two words per voxel: the sum; the greatest share and its label
 };
 
 } // namespace gpu

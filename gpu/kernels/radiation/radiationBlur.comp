@@ -1,5 +1,5 @@
-// One axis of the integer Gaussian (core/sculpt/Radiation.h). AXIS 0: 24³ → 18·24·24, 1: → 18·18·24,
-// 2: → 18³ and rounding to a byte. Sums stay below 2³², nothing is rounded in between.
+// Applies one axis of the integer Gaussian (core/sculpt/Radiation.h). AXIS 0: 24³ → 18·24·24, 1: →
+// 18·18·24, 2: → 18³ and rounding to a byte. Sums stay below 2³², so nothing is rounded in between.
 
 layout(local_size_x = 64) in;
 
@@ -31,7 +31,8 @@ void main()
         return;
     uint stride = strides[AXIS];
     Region region = regionOf(slot);
-    // Beyond the box one voxel either way along axes that are blurred, four along the others.
+    // The box is extended by one voxel on both sides along axes that are blurred, by four along the
+    // others.
     Box box = boxOf(region.size + (ivec3(targetSize) - 16));
     for (uint i = gl_LocalInvocationID.x; i < box.count; i += 64u) {
         uvec3 voxel = uvec3(region.low + voxelOf(i, box));

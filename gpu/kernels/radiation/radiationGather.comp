@@ -1,7 +1,7 @@
-// First stage of radiation: the field around each listed box, four voxels beyond it, into scratch.
-// SOURCE_COVERAGE: max with one layer's coverage (one dispatch a layer); otherwise 255 where the
-// label plane holds a shown label; AT_TOLERANCE: would hold it if a segment had grown to a tolerance.
-// 24³ words a brick.
+// First stage of radiation: copies the field around each listed box, with a margin of four voxels,
+// into scratch memory, 24³ words per brick. SOURCE_COVERAGE: the maximum with one layer's coverage
+// (one dispatch per layer). Otherwise: 255 where the label plane holds a shown label. AT_TOLERANCE:
+// where it would hold one if a segment had grown to a tolerance.
 
 layout(local_size_x = 64) in;
 
@@ -14,18 +14,19 @@ layout(local_size_x = 64) in;
 layout(binding = 0) uniform usampler3D source;
 layout(binding = 1) uniform usampler3D pageTable;
 layout(binding = 1, std430) buffer Field { uint field[]; };
-// Bit 0: some voxel is not 0; bit 1: some voxel is not 255. Where one is clear the box is uniform.
+// Bit 0: some voxel is not 0. Bit 1: some voxel is not 255. If one of them is clear the box is
+// uniform.
 layout(binding = 2, std430) buffer Summaries { uint summaries[]; };
 
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
 uniform bool firstLayer;
-uniform bool subtract; // what a layer before has carved is taken away
-uniform uint shown[8]; // one bit a label
+uniform bool subtract; // subtract what an earlier layer has carved
+uniform uint shown[8]; // one bit per label
 
 void main()
 {
-    // Nine groups a brick, each invocation one row of up to 24.
+    // Nine groups per brick; each invocation handles one row of up to 24 voxels.
     uint slot = gl_WorkGroupID.x / 9u;
     Region region = regionOf(slot);
     ivec3 size = region.size + 8;

@@ -1,5 +1,5 @@
-// Last stage of radiation: no voxel hidden, none invented, thin parts kept drawable
-// (core/sculpt/Radiation.h). Writes the dense radiation texture.
+// Last stage of radiation: makes sure that no voxel is hidden or invented, and keeps thin parts
+// visible (core/sculpt/Radiation.h). Writes the dense radiation texture.
 
 layout(local_size_x = 64) in;
 
@@ -18,7 +18,7 @@ uniform ivec3 targetShift;
 const uint thinBelow = 192u;
 const uint thinLift = 88u;
 
-// The blur at a voxel, local −1 … 16.
+// The blurred value at a voxel, local coordinates −1 … 16.
 uint blurAt(uint slot, ivec3 local)
 {
     ivec3 at = local + 1;
@@ -58,7 +58,8 @@ void main()
                 value = min(value, 127u);
             } else {
                 value = max(value, 128u);
-                // Where the voxel itself is deep inside, the greatest around is at least as much.
+                // If the voxel itself is deep inside, the greatest value around is at least as
+                // great.
                 if (value < thinBelow) {
                     uint greatest = greatestAround(slot, origin, local);
                     if (greatest < thinBelow)

@@ -1,5 +1,5 @@
-// What a group of radiation*.comp works at: a box of voxels in one brick, low ≤ local < low + size.
-// Its scratch holds the whole brick; only what the box needs is filled.
+// The region on which a group of radiation*.comp works: a box of voxels in one brick, low ≤ local <
+// low + size. Its scratch memory is that of the whole brick; only what the box needs is filled.
 
 layout(binding = 0, std430) readonly buffer Regions { uvec2 regions[]; };
 
@@ -17,8 +17,8 @@ Region regionOf(uint slot)
     return Region(int(region.x), low, high - low);
 }
 
-// Numbers boxes of up to 24³ voxels, x fastest. Division by multiplication: exact, since number ·
-// extent stays below 2²².
+// Enumerates the voxels of boxes of up to 24³, x fastest. Divides by multiplication, which is exact
+// because number · extent stays below 2²².
 struct Box {
     uint count;
     uvec2 extent;

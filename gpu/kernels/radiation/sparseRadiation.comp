@@ -1,6 +1,6 @@
 // Adds the footprints of sparse points to the sums of their tiles (core/sculpt/SparseRadiation.h).
-// One work-group a footprint: its invocations share out the plane of x and y, where the product of
-// two weights holds for the whole row along z.
+// One work-group per footprint: its invocations divide the x-y plane, where the product of two
+// weights is the same for the whole row along z.
 
 layout(local_size_x = 64) in;
 
@@ -14,9 +14,10 @@ struct Footprint {
 };
 
 layout(binding = 0, std430) readonly buffer Footprints { Footprint footprints[]; };
-layout(binding = 1, std430) buffer Sums { uint sums[]; }; // two a voxel: sum; greatest part, label
+// two per voxel: the sum; the greatest share and its label
+layout(binding = 1, std430) buffer Sums { uint sums[]; };
 
-// a · b >> 28 of numbers up to 2²⁸.
+// a · b >> 28 for numbers up to 2²⁸.
 uint product(uint a, uint b)
 {
     uint high;

@@ -21,7 +21,8 @@ struct CapsulePrograms {
     Program paint;
     Program barrier;
     Program cut;
-    /// Shuts where something lies beneath members; compiled when it is first needed.
+    /// The kernel of barriers that also restores labels kept beneath members; compiled when it is
+    /// first needed.
     [[nodiscard]] Program& givingBarrier();
 
 private:
@@ -29,9 +30,10 @@ private:
     Program m_givingBarrier;
 };
 
-/// One stroke of a brush while the pen is down: paint (PaintLabel), shut to growth (PaintBarrier)
-/// or carve (CapsuleCut); rules in core/sculpt/CapsuleSweep.h. It looks at the bricks near the new
-/// pieces of path only, and in each brick at the pieces near it. Engine thread only.
+/// One stroke of a brush while the pen is down: it paints a label (PaintLabel), closes voxels to
+/// growth (WholeEdits) or carves (CapsuleCut). The rules are in core/sculpt/CapsuleSweep.h.
+/// extend() processes only the bricks near the new pieces of path, and in each brick only the
+/// pieces near it. Engine thread only.
 class CapsuleKernel final : public EditWork {
 public:
     CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
@@ -44,24 +46,26 @@ public:
     core::Result<void> extend(const core::EngineExtension& extension) override;
     [[nodiscard]] bool join(
         core::EngineExtension& earlier, core::EngineExtension& next) const override;
+
+    /// The keys of all bricks that were changed.
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const override;
 
 private:
-    /// Bricks near some pieces, each with those that it has to look at.
+    /// The bricks near some pieces of path, each with the pieces near it.
     struct Candidates {
         std::vector<std::uint32_t> bricks; ///< ascending
-        std::vector<std::vector<std::uint32_t>> near; ///< by brick: numbers of pieces
+        std::vector<std::vector<std::uint32_t>> near; ///< for each brick the indices of pieces
     };
     void follow(const std::vector<core::Capsule>& capsules);
     void extendBy(const std::vector<core::Capsule>& capsules);
-    /// Of a stroke that erases or restores: the brick holds nothing.
+    /// For a stroke that erases or restores: whether the brick holds nothing that it could remove.
     [[nodiscard]] bool nothingToTakeAway(std::uint32_t brick) const;
     [[nodiscard]] bool nothingFor(const core::PaintLabel& paint, std::uint32_t brick) const;
     [[nodiscard]] bool nothingFor(const core::PaintBarrier& barrier, std::uint32_t brick) const;
     [[nodiscard]] bool nothingFor(const core::CapsuleCut& cut, std::uint32_t brick) const;
     [[nodiscard]] bool has(core::Field field, std::uint8_t plane, std::uint32_t brick) const;
     void setFrame(Program& program) const;
-    /// Runs a kernel whose textures are bound; what it says of each candidate.
+    /// Runs a kernel whose textures are bound; returns its flag for each candidate.
     [[nodiscard]] std::vector<std::uint32_t> run(
         Program& program, const Candidates& candidates, const std::vector<core::Capsule>& capsules);
     void write(const core::PaintLabel& paint, const Candidates& candidates,
@@ -70,12 +74,13 @@ private:
         const std::vector<core::Capsule>& capsules);
     void write(const core::CapsuleCut& cut, const Candidates& candidates,
         const std::vector<core::Capsule>& capsules);
-    /// Runs a kernel of labels and seed words. @param newWords it may write words where none were
+    /// Runs a kernel that writes labels and seed words.
+    /// @param newWords it may write seed words in bricks that have none
     void writeLabels(Program& program, std::uint8_t plane, bool newWords,
         const Candidates& candidates, const std::vector<core::Capsule>& capsules);
 
     CapsulePrograms& m_programs;
-    bool m_givesBack = false; ///< a barrier, where something lies beneath members
+    bool m_givesBack = false; ///< it paints a barrier while labels are kept beneath members
     VoxelFields& m_fields;
     BeforeImages& m_before;
     std::variant<core::PaintLabel, core::PaintBarrier, core::CapsuleCut> m_edit;

@@ -13,17 +13,19 @@
 
 namespace gpu {
 
-/// One drill stroke while the pen is down (rules: core/sculpt/DrillCut.h).
+/// One drill stroke while the pen is down (the rules are in core/sculpt/DrillCut.h).
 ///
-/// A piece of path casts the elements that the mask reaches for the first time, cuts below those
-/// that went deeper and brings radiation up to date there. Cost ∝ what it touches. Engine thread
-/// only.
+/// extend() casts rays from the elements that the mask reaches for the first time, cuts below those
+/// that went deeper and updates radiation there. Cost ∝ what the new piece of path touches. Engine
+/// thread only.
 class DrillKernel final : public EditWork {
 public:
     DrillKernel(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::DrillCut& cut);
 
     core::Result<void> extend(const core::EngineExtension& extension) override;
+
+    /// How deep the rays looked for the surface, in 1/65536 mm; none before the first.
     [[nodiscard]] bool join(
         core::EngineExtension& earlier, core::EngineExtension& next) const override;
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const override;
@@ -37,7 +39,7 @@ private:
         std::int32_t depth = 0;
         std::int64_t sum = 0; ///< mode Rate
     };
-    /// An element under a sample.
+    /// An element of the mask plane under a sample.
     struct Touch {
         Element* element = nullptr;
         std::int32_t weight = 0;

@@ -23,23 +23,25 @@ struct LaserPrograms {
     Program cut;
 };
 
-/// One stroke of the laser while the pen is down (rules: core/sculpt/LaserCut.h).
+/// One stroke of the laser while the pen is down (the rules are in core/sculpt/LaserCut.h).
 ///
-/// A piece of path makes the beams that are new, lays those that are new or went deeper and brings
-/// radiation up to date there. Cost ∝ these beams. Engine thread only.
+/// extend() makes the new beams, cuts along beams that are new or went deeper and updates radiation
+/// there. Cost ∝ these beams. Engine thread only.
 class LaserKernel final : public EditWork {
 public:
     LaserKernel(LaserPrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::LaserCut& cut);
 
     core::Result<void> extend(const core::EngineExtension& extension) override;
+
+    /// How deep the rays looked for the surface, in 1/65536 mm; none before the first.
     [[nodiscard]] bool join(
         core::EngineExtension& earlier, core::EngineExtension& next) const override;
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const override;
     void finish(core::EngineResult& result) override;
 
 private:
-    /// What the samples that lie in one element say.
+    /// The sum of what the samples in one element demand.
     struct Press {
         std::int32_t deepest = 0;
         std::int64_t sum = 0; ///< mode Rate

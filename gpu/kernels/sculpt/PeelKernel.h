@@ -8,11 +8,11 @@
 
 namespace gpu {
 
-/// One peel while its depth is being chosen (rules: core/sculpt/MaskPeel.h). Begun, it has cast its
-/// elements and cut nothing. Engine thread only.
+/// One peel while its depth is being chosen (the rules are in core/sculpt/MaskPeel.h). The
+/// constructor casts rays from the mask's elements and cuts nothing. Engine thread only.
 ///
-/// A depth costs the offset surface, on the processor, and the bricks under the mask; a lesser
-/// depth than before puts them back first.
+/// setDepth() computes the offset surface on the processor and cuts the bricks under the mask. For
+/// a smaller depth than before it restores them first.
 class PeelKernel final : public EditWork {
 public:
     PeelKernel(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,

@@ -1,5 +1,5 @@
-// The distance of a voxel from the pieces of a brush's path (core/sculpt/CapsuleSweep.h, rules 1 to
-// 3), and which pieces a brick has to look at.
+// Computes the distance of a voxel from the pieces of a brush's path (core/sculpt/CapsuleSweep.h,
+// rules 1 to 3), for the pieces that are near its brick.
 
 struct Capsule {
     ivec4 from;      // mm16; w: length, mm16
@@ -7,12 +7,12 @@ struct Capsule {
 };
 struct Candidate {
     ivec4 base;  // stroke coordinates of the brick's first voxel, mm16; w: the brick
-    uvec4 span;  // first and one past the last of its pieces in `near`
+    uvec4 span; // range of its pieces in `near`: first, one past the last
 };
 layout(binding = 0, std430) readonly buffer Candidates { Candidate candidates[]; };
 layout(binding = 1, std430) readonly buffer Capsules { Capsule capsules[]; };
 layout(binding = 2, std430) readonly buffer Near { uint near[]; };
-// What changed in each candidate.
+// Whether each candidate has changed.
 layout(binding = 3, std430) buffer Changed { uint changed[]; };
 
 uniform ivec3 volumeSize;
@@ -43,7 +43,7 @@ int product(ivec3 a, ivec3 b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-// Squared, in units; farAway where the piece gives no distance.
+// The squared distance, in units; farAway if the piece has no distance to the position.
 uint squaredDistance(Capsule capsule, ivec3 position)
 {
     ivec3 a = position - capsule.from.xyz;
@@ -58,7 +58,7 @@ uint squaredDistance(Capsule capsule, ivec3 position)
     return uint(product(e, e));
 }
 
-// The least over the pieces that lie near the candidate.
+// The least distance over the pieces near the candidate.
 uint leastDistance(Candidate candidate, ivec3 local)
 {
     ivec3 position = strokePosition(candidate, local);

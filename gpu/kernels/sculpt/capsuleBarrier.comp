@@ -1,5 +1,5 @@
-// Shuts voxels to growth in the candidate bricks of a brush, or opens them again (PaintBarrier in
-// core/growth/GrowthCommands.h). One work-group a brick, each voxel written by one invocation.
+// Closes voxels to growth in the candidate bricks of a brush, or opens them again (PaintBarrier in
+// core/growth/GrowthCommands.h). One work-group per brick; each voxel is written by one invocation.
 
 layout(local_size_x = 64) in;
 

@@ -1,5 +1,5 @@
-// Carves or restores the candidate bricks of a brush (CapsuleCut in core/engine/EngineCommands.h).
-// One work-group a brick, each voxel written by one invocation.
+// Carves or restores voxels in the candidate bricks of a brush (CapsuleCut in
+// core/engine/EngineCommands.h). One work-group per brick; each voxel is written by one invocation.
 
 layout(local_size_x = 64) in;
 
@@ -12,7 +12,7 @@ uniform int rampHalfWidth;
 
 uint squareRoot(uint value)
 {
-    // A float is a good guess; integers decide.
+    // The float is only a first guess; integers decide.
     uint root = uint(sqrt(float(value)));
     while (root * root > value)
         --root;

@@ -1,5 +1,5 @@
-// Lays a laser's beams into candidate bricks (core/sculpt/LaserCut.h, rule 8). One work-group a
-// brick, each voxel written by one invocation.
+// Cuts the beams of a laser into candidate bricks (core/sculpt/LaserCut.h, rule 8). One work-group
+// per brick; each voxel is written by one invocation.
 
 layout(local_size_x = 64) in;
 
@@ -8,14 +8,14 @@ layout(local_size_x = 64) in;
 #include "kernels/cut/hidden.glsl"
 
 struct Candidate {
-    ivec4 span; // first and one past the last of its visits; z: the brick
+    ivec4 span; // range of its visits: first, one past the last; z: the brick
 };
 struct Visit {
     ivec4 base; // beam coordinates of the brick's first voxel, mm16; w: the beam
 };
 struct Beam {
-    ivec4 perI; // mm16; w: how deep
-    ivec4 perJ; // w: where it ends; restoring: where it begins
+    ivec4 perI; // mm16; w: depth
+    ivec4 perJ; // w: where it ends; when restoring, where it begins
     ivec4 perK;
 };
 layout(binding = 0, std430) readonly buffer Candidates { Candidate candidates[]; };
@@ -32,7 +32,7 @@ uniform int pitch;
 uniform int rampHalfWidth;
 uniform int lift;
 uniform bool restoring;
-uniform int beyond; // a restored voxel may lie so far behind the depth
+uniform int beyond; // how far behind the depth a restored voxel may lie
 
 uint ramp(int t)
 {
@@ -49,7 +49,7 @@ int depthUnder(ivec2 place, int depth)
     if (any(greaterThanEqual(element, maskSize)))
         return 0;
     int weight = int(mask[element.x + maskSize.x * element.y]);
-    // (depth · weight) >> 8 without its product
+    // (depth · weight) >> 8 without computing the product
     return (depth >> 8) * weight + (((depth & 255) * weight) >> 8);
 }
 

@@ -1,13 +1,13 @@
-// Where the material under the feet of a laser's beams ends (core/sculpt/LaserCut.h, rule 7). One
-// invocation a beam.
+// Finds where the material under the feet of a laser's beams ends (core/sculpt/LaserCut.h, rule 7).
+// One invocation per beam.
 
 layout(local_size_x = 64) in;
 
 #include "kernels/cut/asItBegan.glsl"
 
 struct Beam {
-    ivec4 foot;    // index16; w: samples that are seen, from this one
-    ivec4 perStep; // index16; w: to before this one
+    ivec4 foot; // index16; w: the first visible sample
+    ivec4 perStep; // index16; w: one past the last visible sample
 };
 layout(binding = 0, std430) readonly buffer Beams { Beam beams[]; };
 layout(binding = 1, std430) writeonly buffer Exits { int exits[]; }; // first sample of the gap
@@ -15,7 +15,7 @@ layout(binding = 1, std430) writeonly buffer Exits { int exits[]; }; // first sa
 uniform uint beamCount;
 uniform int sampleCount;
 uniform int gapSamples;
-uniform bool restoring; // looks for the end of what is carved
+uniform bool restoring; // whether to look for the end of what is carved
 
 int endOfCarved(Beam beam)
 {

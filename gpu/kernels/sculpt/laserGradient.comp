@@ -1,5 +1,6 @@
-// Which way the material lies around the feet of a laser's beams (core/sculpt/LaserCut.h, rule 3).
-// One work-group a beam; its sum is one of integers, in whatever order.
+// Computes the direction of the material around the feet of a laser's beams
+// (core/sculpt/LaserCut.h, rule 3). One work-group per beam; its sum consists of integers, so the
+// order does not matter.
 
 layout(local_size_x = 64) in;
 
@@ -10,7 +11,7 @@ struct Foot {
     ivec4 sum;
 };
 layout(binding = 0, std430) buffer Feet { Foot feet[]; };
-// Of every foot and hidden half: its distance, and what it grows by along u, v, w.
+// For every foot and hidden half space: its distance, and its increments along u, v, w.
 layout(binding = 4, std430) readonly buffer FeetHidden { ivec4 feetHidden[]; };
 
 uniform ivec3 latticeU; // index16

@@ -15,10 +15,10 @@ namespace gpu {
 class VolumeTextures;
 class VoxelFields;
 
-/// What a cut of a growth would take (core/growth/cut/GrowthCut.h), while the pen is down. The seed
-/// words are read back once, in slices, and stay until something changes; a thread of its own works
-/// an answer out, so that neither strokes nor pictures wait. What is answered last is lent to
-/// pictures. Engine thread only.
+/// Foresees what a cut of a growth would remove (core/growth/cut/GrowthCut.h) while the pen is
+/// down. The seed words are read back once, in slices, and kept until something changes. The answer
+/// is computed on a thread of its own, so that neither strokes nor pictures wait. Pictures show the
+/// latest answer. Engine thread only.
 class CutForesight {
 public:
     /// @param textures outlive this
@@ -27,30 +27,32 @@ public:
     CutForesight(const CutForesight&) = delete;
     CutForesight& operator=(const CutForesight&) = delete;
 
-    /// @param question of a sound cut @return none: it is being worked out. Errors: as the cut's.
+    /// @param question about a valid cut
+    /// @return none while the answer is being computed. Errors: as those of the cut.
     [[nodiscard]] core::Result<std::optional<core::ForeseenCut>> ask(
         VoxelFields& fields, const core::ForeseeCut& question);
-    /// The words are about to change, or nobody asks any more. Does not wait.
+    /// Drops everything, because the seed words are about to change or nobody asks any more. Does
+    /// not wait.
     void forget();
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    struct Ground; ///< words and labels
-    struct Work; ///< a question and what comes of it
+    struct Ground; ///< the seed words and labels that were read back
+    struct Work; ///< a question and its answer
 
-    /// @return whether all is read
+    /// @return whether everything has been read
     [[nodiscard]] bool read(VoxelFields& fields, std::uint8_t plane, bool toTheEnd);
     void post();
     void show(VoxelFields& fields);
 
     VolumeTextures& m_textures;
     std::shared_ptr<Ground> m_ground;
-    std::shared_ptr<Work> m_work; ///< asked last
-    std::optional<core::ForeseenCut> m_answer; ///< of it; nothing, where the cut is refused
-    std::optional<core::Error> m_refused; ///< why
-    std::vector<core::ForeseenCut::Brick> m_shown; ///< what the marks say
-    BrickField m_marks; ///< R8UI, 1: foreseen to go
-    std::optional<core::TaskThread> m_worker; ///< from the first question on
+    std::shared_ptr<Work> m_work; ///< the latest question
+    std::optional<core::ForeseenCut> m_answer; ///< its answer; none if the cut is refused
+    std::optional<core::Error> m_refused; ///< the reason
+    std::vector<core::ForeseenCut::Brick> m_shown; ///< what m_marks holds
+    BrickField m_marks; ///< R8UI, 1: the voxel would be removed
+    std::optional<core::TaskThread> m_worker; ///< started with the first question
 };
 
 } // namespace gpu

@@ -10,14 +10,15 @@
 
 namespace gpu {
 
+/// The result of cutGrown().
 struct CutOutcome {
-    std::vector<core::BrickKey> keys; ///< that were written
-    std::uint32_t generation = 0; ///< the counter now
+    std::vector<core::BrickKey> keys; ///< bricks that were written
+    std::uint32_t generation = 0; ///< generation counter after the cut
 };
 
-/// Takes back what grew through some places (core/growth/cut/GrowthCut.h). Fronts and passages are
-/// no work for kernels: the seed words are read back, the processor decides, and the bricks that
-/// change are captured and written. Engine thread only. Errors: as core::cutGrowth().
+/// Takes back what grew through some places (core/growth/cut/GrowthCut.h). This search does not
+/// suit a kernel: the seed words are read back, the processor decides, and the bricks that change
+/// are captured and written. Engine thread only. Errors: as core::cutGrowth().
 core::Result<CutOutcome> cutGrown(
     VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command);
 

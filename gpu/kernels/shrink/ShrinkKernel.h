@@ -17,7 +17,7 @@ struct ShrinkPrograms {
     Program look;
     Program shrink;
     Program count;
-    /// Shrinks where something lies beneath; compiled when it is first needed.
+    /// The kernel that also restores labels kept beneath members; compiled when it is first needed.
     [[nodiscard]] Program& giveBack();
 
 private:
@@ -26,9 +26,9 @@ private:
 };
 
 /// One shrinking of a growth while it is open (ShrinkGrowth, ShrinkTo in
-/// core/growth/GrowthCommands.h). Which generations each brick has is looked for once, and the
-/// bricks that have any are saved; going from one generation to another then writes only bricks
-/// with generations in between, either way. Engine thread only.
+/// core/growth/GrowthCommands.h). It finds out once which generations each brick holds, and saves
+/// the bricks that have any. Going from one generation to another, in either direction, then writes
+/// only bricks with generations in between. Engine thread only.
 class ShrinkKernel {
 public:
     /// Cost ∝ the bricks that hold seed words.
@@ -38,15 +38,15 @@ public:
     void shrinkTo(std::uint32_t keep, bool keepSeeds);
 
     [[nodiscard]] std::uint32_t openedAt() const { return m_command.generation; }
-    /// The counter now.
+    /// The present generation counter.
     [[nodiscard]] std::uint32_t generation() const;
-    /// All that was ever written.
+    /// The keys of all bricks that were ever written.
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const;
 
 private:
     struct Brick {
         std::uint32_t brick = 0;
-        std::uint32_t least = 0; ///< generation that may go
+        std::uint32_t least = 0; ///< least generation that may be removed
         std::uint32_t greatest = 0;
         bool written = false;
     };
@@ -54,13 +54,14 @@ private:
     void save();
 
     ShrinkPrograms& m_programs;
-    bool m_givesBack; ///< something lies beneath
+    bool m_givesBack; ///< labels are kept beneath members
     Program& m_shrink;
     VoxelFields& m_fields;
     BeforeImages& m_before;
     core::ShrinkGrowth m_command;
-    std::vector<Brick> m_bricks; ///< that have members that may go; in this order they are saved
-    Buffer m_words; ///< as they were at the opening
+    /// Bricks with members that may be removed, in the order in which they are saved.
+    std::vector<Brick> m_bricks;
+    Buffer m_words; ///< as they were when the shrinking began
     Buffer m_labels;
     Buffer m_beneath;
     std::uint32_t m_keep = 0;
@@ -69,7 +70,8 @@ private:
     bool m_anySeeds = false;
 };
 
-/// Members of each generation (core::CountGenerations; countGenerations.comp).
+/// The number of members of each generation (core::CountGenerations; countGenerations.comp). Waits.
+/// Engine thread only.
 [[nodiscard]] std::vector<std::uint32_t> generationSizes(
     ShrinkPrograms& programs, VoxelFields& fields, std::uint8_t plane);
 

@@ -1,10 +1,9 @@
 // Takes back what a growth added after a generation, in listed bricks (ShrinkGrowth in
-// core/growth/GrowthCommands.h), or puts it there again.
+// core/growth/GrowthCommands.h), or restores it.
 //
-// LOOK: only tells of each brick which generations it has that may go.
-// BENEATH: labels that lie beneath members return to the plane.
-// Else what a brick becomes is worked out from what was saved of it, so it can be done again and
-// again for other generations.
+// LOOK: only reports for each brick which generations it holds that may be removed. BENEATH: labels
+// that lie beneath members return to the plane. Otherwise the new content of a brick is computed
+// from its saved content, so it can be repeated for other generations.
 
 layout(local_size_x = 64) in;
 
@@ -16,7 +15,7 @@ layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
 uniform uint brickCount;
-uniform uint frozen[8]; // one bit a label
+uniform uint frozen[8]; // one bit per label
 
 bool mayGo(uint label)
 {
@@ -28,9 +27,9 @@ bool mayGo(uint label)
 layout(binding = 0) uniform usampler3D words; // atlas
 layout(binding = 1) uniform usampler3D pageTable;
 layout(binding = 1, std430) buffer Found {
-    uint greatestFrozen; // generation of a member that may not go
-    uint seeds; // 1: there are some that may go, not painted ones
-    uint ranges[]; // of each brick two, of what may go: ~least generation above 0, greatest
+    uint greatestFrozen; // greatest generation of a member that may not be removed
+    uint seeds; // 1: there are seeds that may be removed, apart from painted ones
+    uint ranges[]; // two per brick, for what may be removed: ~least generation above 0, greatest
 } found;
 
 void main()
@@ -70,7 +69,8 @@ void main()
 layout(binding = 1) uniform usampler3D pageTable;
 layout(binding = 0, r32ui) uniform writeonly uimage3D words; // atlas
 layout(binding = 1, r8ui) uniform writeonly uimage3D labels;
-layout(binding = 1, std430) readonly buffer Places { uint places[]; }; // in the saved lists
+// place of each brick in the saved lists
+layout(binding = 1, std430) readonly buffer Places { uint places[]; };
 layout(binding = 2, std430) readonly buffer SavedWords { uint savedWords[]; };
 layout(binding = 3, std430) readonly buffer SavedLabels { uint savedLabels[]; }; // four to a word
 #ifdef BENEATH

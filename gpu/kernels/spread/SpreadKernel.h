@@ -12,7 +12,8 @@
 
 namespace gpu {
 
-/// The compiled kernels of growing from seeds (spread*.comp), each when it is first needed.
+/// The compiled kernels of growing from seeds (spread*.comp), each compiled when it is first
+/// needed.
 class SpreadPrograms {
 public:
     /// @param shaders outlives them
@@ -21,7 +22,7 @@ public:
     {
     }
 
-    /// What depends on how many neighbours a voxel has.
+    /// The kernels that depend on the connectivity.
     struct Steps {
         Steps(const ShaderLibrary& shaders, int connectivity);
 
@@ -39,31 +40,32 @@ private:
     Program m_find;
 };
 
-/// Growing from seeds while it is open (core/growth/SeedSpread.h): bricks in which something is to
-/// be done are worked on until each is at rest, those with the least cost first; then the label
-/// plane shows the result. Engine thread only.
+/// One growing from seeds while it is open (core/growth/SeedSpread.h). Bricks with work left are
+/// relaxed until each is stable, those with the least cost first; then the result is written to the
+/// label plane. Engine thread only.
 ///
-/// What was worked out stays in VoxelFields::spread() beyond a rollback: the next one with the same
-/// costs begins from it, and works only where seeds, walls or the box are others now. The result is
-/// the same to the bit.
+/// The computed field stays in VoxelFields::spread() even after a rollback: the next run with the
+/// same costs starts from it and works only where seeds, walls or the box have changed. The result
+/// is the same to the bit.
 class SpreadKernel {
 public:
-    /// Errors: InvalidField (seeds of fewer than two labels); then nothing was changed.
+    /// Errors: InvalidField (seeds of fewer than two labels); in that case nothing was changed.
     static core::Result<std::unique_ptr<SpreadKernel>> begin(SpreadPrograms& programs,
         VoxelFields& fields, BeforeImages& before, const core::SpreadLabels& spread);
 
-    /// Does some of the work. @param bricks about how many to look at
+    /// Does a part of the work.
+    /// @param bricks about how many bricks to process
     void advance(std::size_t bricks);
     [[nodiscard]] bool done() const { return m_phase == Phase::Done; }
-    /// Nothing of it is kept for the next one.
+    /// Keeps nothing for the next run.
     void forget() { m_keep = false; }
-    /// The end: gives back what is not kept.
-    /// @param committed then the labels have changed all over, so nothing is
+    /// Ends the run: frees what is not kept.
+    /// @param committed the labels have changed everywhere, so nothing is kept
     void close(bool committed);
 
-    /// What the label plane and the seed words were written in.
+    /// The keys of the bricks whose labels and seed words were written.
     [[nodiscard]] const std::vector<core::BrickKey>& touchedKeys() const { return m_keys; }
-    /// How often bricks were worked on.
+    /// How many times bricks were processed so far.
     [[nodiscard]] std::size_t visits() const { return m_visits; }
 
 private:
@@ -73,7 +75,7 @@ private:
         const core::SpreadLabels& spread, const core::VoxelBox& box);
     void bind();
     void init(std::size_t bricks);
-    /// @return whether anything was to be done
+    /// @return whether there was anything to do
     bool settle(Program& program, Buffer& waiting, std::size_t bricks);
     void label(std::size_t bricks);
 
@@ -82,7 +84,7 @@ private:
     BeforeImages& m_before;
     core::SpreadLabels m_spread;
     SpreadField& m_field;
-    bool m_update = false; ///< the field holds what an earlier one worked out
+    bool m_update = false; ///< the field holds the result of an earlier run
     Phase m_phase = Phase::Init;
     std::size_t m_next = 0; ///< brick of the box
     Buffer m_pending;

@@ -11,7 +11,8 @@
 
 namespace gpu {
 
-/// The compiled kernels of tracing (tolerance*.comp), each when it is first needed.
+/// The compiled kernels that trace tolerances (tolerance*.comp), each compiled when it is first
+/// needed.
 class TolerancePrograms {
 public:
     /// @param shaders outlives them
@@ -33,22 +34,24 @@ private:
     Program m_count;
 };
 
-/// Works out VoxelFields::tolerance() (core/growth/Tolerance.h). What every voxel begins with comes
-/// first; then bricks to which something may be brought are worked on until each is at rest, those
-/// with the least first; then voxels are counted. Where the field was worked out by the same rule
-/// before, and seeds and walls prove to be the same, it stands again at once. Engine thread only.
+/// Computes VoxelFields::tolerance() (core/growth/Tolerance.h). First every voxel gets its initial
+/// value; then bricks that neighbours may change are relaxed until each is stable, those with the
+/// least tolerance first; then voxels are counted. If the field was computed by the same rule
+/// before, and seeds and walls prove to be the same, it becomes valid again at once. Engine thread
+/// only.
 class ToleranceKernel {
 public:
-    /// Errors: InvalidField (a rule that is not sound, or a label without seeds); then there is no
+    /// Errors: InvalidField (an invalid rule, or a label without seeds); in that case there is no
     /// field. Throws GlFailure.
     static core::Result<std::unique_ptr<ToleranceKernel>> begin(
         TolerancePrograms& programs, VoxelFields& fields, const core::ToleranceRule& rule);
 
-    /// Does some of the work. @param bricks about how many to look at
+    /// Does a part of the work.
+    /// @param bricks about how many bricks to process
     void advance(std::size_t bricks);
     [[nodiscard]] bool done() const { return m_phase == Phase::Done; }
     [[nodiscard]] const core::ToleranceRule& rule() const { return m_field.rule; }
-    /// How often bricks were worked on.
+    /// How many times bricks were processed so far.
     [[nodiscard]] std::size_t visits() const { return m_visits; }
 
 private:

@@ -1,8 +1,9 @@
-// What every voxel of the box begins with when growing from seeds (core/growth/SeedSpread.h): wall,
-// seed or unreached. FIND instead looks for the box around all seeds, and whose they are.
+// Sets the initial word of every voxel of the box for growing from seeds
+// (core/growth/SeedSpread.h): wall, seed or unreached. FIND instead computes the box around all
+// seeds, and their labels.
 //
-// With `update` the words hold what an earlier run worked out: only what was another thing then is
-// written, and the bricks around it are told.
+// With `update` the words hold the result of an earlier run: only voxels whose kind has changed are
+// written, and the bricks around them are notified.
 
 layout(local_size_x = 64) in;
 
@@ -12,7 +13,7 @@ layout(local_size_x = 64) in;
 layout(binding = 0) uniform usampler3D labels;
 layout(binding = 1) uniform usampler3D pageTable; // of the seed words
 layout(binding = 2) uniform usampler3D seedWords; // atlas
-layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; }; // FIND: of the volume
+layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; }; // FIND: bricks of the volume
 layout(binding = 3, std430) buffer Found {
     int low[3];
     int high[3]; // inclusive
@@ -22,10 +23,10 @@ layout(binding = 3, std430) buffer Found {
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
 uniform uint brickCount;
-uniform uint firstSlot; // of those bricks of the box
+uniform uint firstSlot; // index of the first brick
 uniform ivec3 boxLow;
 uniform ivec3 boxHigh; // one beyond
-uniform uint seeds[8]; // one bit a label
+uniform uint seeds[8]; // one bit per label
 uniform uint overwritable[8];
 uniform bool update;
 
@@ -51,7 +52,7 @@ uint atFirst(ivec3 voxel, uint entry)
     return unreached;
 }
 
-// @param around bricks, a bit each
+// @param around bricks, one bit each
 void tell(ivec3 brick, uint around, bool doubt)
 {
     for (uint bit = 0u; bit < 27u; ++bit) {
@@ -127,7 +128,8 @@ void main()
                 continue;
             imageStore(words, texel, uvec4(now));
             uint around = bricksBeside(local);
-            // What came from here may have to go; what is here now may be offered, or be asked for.
+            // What was reached from here may have to be removed; what is here now may offer, or be
+            // offered, something.
             bool offersLess = now == wall ? before != unreached : before != wall && now > before;
             if (offersLess)
                 tell(place, around, true);

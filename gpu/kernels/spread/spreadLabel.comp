@@ -1,5 +1,6 @@
-// Gives the voxels of listed bricks to the segments that words say (core/growth/SeedSpread.h).
-// Tells what changes in each; writes only where it is told to. One work-group a brick.
+// Gives the voxels of listed bricks to the segments that their words name
+// (core/growth/SeedSpread.h). Reports what changes in each brick, and writes only if requested. One
+// work-group per brick.
 
 layout(local_size_x = 64) in;
 

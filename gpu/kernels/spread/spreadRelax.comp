@@ -1,13 +1,14 @@
-// Growing from seeds within listed bricks until nothing changes there any more
-// (core/growth/SeedSpread.h). One work-group a brick: what its neighbours offer across the border is
-// taken once, then rows are swept both ways along each axis.
+// Relaxes listed bricks for growing from seeds until nothing changes in them
+// (core/growth/SeedSpread.h). One work-group per brick: what neighbours offer across the border is
+// read once, then rows are swept in both directions along each axis.
 //
-// Other groups may write while their border is read here. Words only become less, and who changes
-// its border tells the bricks beside it, so what was missed is taken in the next round.
+// Other groups may write while their border is read here. Words only decrease, and a group that
+// changes its border notifies the adjacent bricks, so whatever was missed is read in the next
+// round.
 //
-// DOUBT: the other way round, after seeds went or walls came: a word that no neighbour offers any
-// more, nor less than it, becomes unreached. As every step costs something, what is left has come
-// from a seed, or will give way to less.
+// DOUBT: the inverse, after seeds were removed or walls were added: a word that no neighbour offers
+// any more, nor less than it, becomes unreached. Since every step costs something, every remaining
+// word either came from a seed or will be replaced by a lower one.
 
 layout(local_size_x = 256) in;
 
@@ -19,14 +20,14 @@ layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; }; // places
 
 uniform ivec3 volumeSize;
 uniform uint differenceWeight;
-uniform uint lengths[13]; // of directions 2n and 2n + 1
+uniform uint lengths[13]; // lengths of directions 2n and 2n + 1
 
-// A brick that has not come to rest by then waits for its next turn: llvmpipe ends all loops of an
-// invocation after 65535 rounds.
+// A brick that is not stable by then waits for its next turn, because llvmpipe ends all loops of an
+// invocation after 65535 iterations.
 const uint mostRounds = 64u;
 
 shared uint word[4096];
-shared uint codePair[2048]; // of a voxel and of the one 8 slices on
+shared uint codePair[2048]; // codes of a voxel and of the voxel 8 slices further
 shared uint changed;
 shared uint around;
 shared uint least;
@@ -47,7 +48,7 @@ uint stepCost(uint a, uint b, uint direction)
     return (max(a, b) - min(a, b)) * differenceWeight + lengths[direction >> 1];
 }
 
-// What the neighbours of a voxel beyond its brick offer, of those in the directions told.
+// The least word that neighbours outside of its brick offer a voxel, for the given directions.
 uint offeredBeyond(ivec3 origin, uint offset, uint ownCode, uint first, uint last)
 {
     ivec3 local = voxelInBrick(int(offset));
@@ -64,7 +65,7 @@ uint offeredBeyond(ivec3 origin, uint offset, uint ownCode, uint first, uint las
     return best;
 }
 
-// Of those within it.
+// The same for neighbours inside its brick.
 uint offeredWithin(uint offset, uint ownCode, uint first, uint last)
 {
     ivec3 local = voxelInBrick(int(offset));
@@ -79,7 +80,7 @@ uint offeredWithin(uint offset, uint ownCode, uint first, uint last)
     return best;
 }
 
-// One way along a row.
+// Sweeps a row in one direction.
 bool sweep(uint first, uint stride, uint direction)
 {
     bool any = false;
@@ -166,7 +167,8 @@ bool work(ivec3 origin, uint lane)
     return any;
 }
 
-// Across the border, once. Faces are taken one after the other: each voxel by one invocation.
+// Reads across the border, once. Faces are processed one after the other; each voxel is written by
+// one invocation.
 void takeFromBeyond(ivec3 origin, uint lane)
 {
     for (int face = 0; face < 6; ++face) {
@@ -240,7 +242,7 @@ void main()
         pending[slot] = 0u;
 #endif
     }
-    // The first 27 invocations tell a brick each.
+    // The first 27 invocations notify one brick each.
     if (lane < 27u && (around >> lane & 1u) != 0u) {
         int other = brickBeside(brick, lane);
 #ifdef DOUBT

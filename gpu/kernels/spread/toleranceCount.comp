@@ -1,5 +1,5 @@
-// How many voxels have each tolerance, and the least and greatest of each brick
-// (core/growth/Tolerance.h). One work-group a brick.
+// Counts how many voxels have each tolerance, and finds the least and greatest tolerance of each
+// brick (core/growth/Tolerance.h). One work-group per brick.
 
 layout(local_size_x = 64) in;
 
@@ -8,7 +8,7 @@ layout(local_size_x = 64) in;
 layout(binding = 2, std430) buffer Sizes { uint sizes[]; };
 layout(binding = 3, std430) writeonly buffer Ranges { uint ranges[]; }; // least | greatest << 16
 
-uniform uint firstBrick; // of those of the volume
+uniform uint firstBrick; // index of the first brick in the volume
 
 shared uint low;
 shared uint high;

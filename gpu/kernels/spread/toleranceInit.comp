@@ -1,7 +1,9 @@
-// What every voxel begins with: wall, seed or open (core/growth/Tolerance.h). One work-group a brick.
+// Sets the initial value of every voxel: wall, seed or open (core/growth/Tolerance.h). One
+// work-group per brick.
 //
-// It also adds up a number for each voxel that tells what it is and where. Where only that is asked
-// for (`write` is false) the field stays: with the same sum it still holds what would come of it.
+// It also sums a digest of the kind and place of each voxel. If only the digest is requested
+// (`write` is false) the field stays: if the digest is the same, the field is still the correct
+// result.
 
 layout(local_size_x = 64) in;
 
@@ -14,9 +16,9 @@ layout(binding = 1) uniform usampler3D pageTable; // of the seed words
 layout(binding = 2) uniform usampler3D words; // atlas
 layout(binding = 2, std430) buffer Digest { uint digest[2]; };
 
-uniform uint firstBrick; // of those of the volume
+uniform uint firstBrick; // index of the first brick in the volume
 uniform uint label;
-uniform uint overwritable[8]; // one bit a label
+uniform uint overwritable[8]; // one bit per label
 uniform uint lowCode; // no limit: all codes
 uniform uint highCode;
 uniform bool write;
@@ -96,7 +98,7 @@ void main()
     barrier();
     if (gl_LocalInvocationIndex < 2u)
         atomicAdd(digest[gl_LocalInvocationIndex], sum[gl_LocalInvocationIndex]);
-    // What seeds at its border lead to is found by the bricks around it.
+    // The bricks around it find out what seeds at its border lead to.
     if (write && gl_LocalInvocationIndex < 27u && least != resting) {
         int beside = int(gl_LocalInvocationIndex);
         ivec3 other = brick + ivec3(beside % 3, beside / 3 % 3, beside / 9) - 1;

@@ -1,5 +1,6 @@
-// What the label plane would hold if a segment grew from its seeds to a tolerance
-// (core/growth/Tolerance.h): its members then, and not those of now that a growth has added.
+// The label that the plane would hold if a segment grew from its seeds to a tolerance
+// (core/growth/Tolerance.h): the members at that tolerance, without present members that a growth
+// has added.
 #include "kernels/labels/memberWords.glsl"
 
 layout(binding = 13) uniform usampler3D tolerances;

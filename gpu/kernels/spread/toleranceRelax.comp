@@ -1,10 +1,10 @@
-// Brings tolerances within listed bricks to rest (core/growth/Tolerance.h). One work-group a brick:
-// what its neighbours bring in across the border is taken once, then rows are swept both ways along
-// each axis until nothing changes.
+// Relaxes the tolerances in listed bricks until they are stable (core/growth/Tolerance.h). One
+// work-group per brick: what neighbours bring in across the border is read once, then rows are
+// swept in both directions along each axis until nothing changes.
 //
-// Other groups may write while their border is read here. Tolerances only become less, and who
-// changes its border tells the bricks beside it that could become less by that, so what was missed
-// is taken in the next round.
+// Other groups may write while their border is read here. Tolerances only decrease, and a group
+// that changes its border notifies the adjacent bricks whose tolerances could decrease by that, so
+// whatever was missed is read in the next round.
 
 layout(local_size_x = 256) in;
 
@@ -14,21 +14,22 @@ layout(local_size_x = 256) in;
 layout(binding = 0) uniform usampler3D codes;
 layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
 
-// A brick that has not come to rest by then waits for its next turn: llvmpipe ends all loops of an
-// invocation after 65535 rounds.
+// A brick that is not stable by then waits for its next turn, because llvmpipe ends all loops of an
+// invocation after 65535 iterations.
 const uint mostRounds = 64u;
 
 shared uint pair[4096]; // cost << 16 | tolerance; of a wall both are `wall`
 shared uint changed;
-shared uint around; // bricks beside, a bit each, that this one may bring something
-shared uint least; // of it
+shared uint around; // adjacent bricks that this one may change, one bit each
+shared uint least; // least tolerance that it may bring
 
 uint costAt(ivec3 voxel)
 {
     return costOf(texelFetch(codes, min(voxel, volumeSize - 1), 0).r);
 }
 
-// Through a neighbour of that tolerance. A wall (or nothing at all) brings what is never less.
+// The tolerance through a neighbour of that tolerance. A wall, or nothing at all, never gives a
+// lower one.
 uint through(uint tolerance, uint own)
 {
     return max(tolerance & 0xFFFFu, own >> 16);
@@ -48,7 +49,7 @@ void load(ivec3 origin, uint lane)
     }
 }
 
-// One way along a row.
+// Sweeps a row in one direction.
 bool sweep(uint first, uint stride)
 {
     bool any = false;
@@ -104,7 +105,8 @@ bool work(uint lane)
     return any;
 }
 
-// Across the border, once. Faces are taken one after the other: each voxel by one invocation.
+// Reads across the border, once. Faces are processed one after the other; each voxel is written by
+// one invocation.
 void takeFromBeyond(ivec3 origin, uint lane)
 {
     ivec3 field = volumeBricks * brickSide;
@@ -130,7 +132,7 @@ void takeFromBeyond(ivec3 origin, uint lane)
     }
 }
 
-// Whom a voxel of the border may bring something, and how little.
+// Finds which bricks a voxel at the border may change, and with how low a tolerance.
 void tellBeyond(ivec3 origin, ivec3 local, uint now)
 {
     ivec3 field = volumeBricks * brickSide;

@@ -1,5 +1,5 @@
-// Adds up the codes of a label's seeds (core/growth/Tolerance.h). One work-group a listed brick; each
-// leaves how many it has, and their sum.
+// Sums the codes of a label's seeds (core/growth/Tolerance.h). One work-group per listed brick;
+// each reports the number of its seeds, and their sum.
 
 layout(local_size_x = 64) in;
 
@@ -17,7 +17,7 @@ uniform ivec3 volumeBricks;
 uniform uint label;
 
 shared uint count;
-shared uint sum; // of 4096 codes at most
+shared uint sum; // sum of at most 4096 codes
 
 void main()
 {

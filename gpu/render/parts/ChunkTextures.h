@@ -11,29 +11,31 @@
 
 namespace gpu {
 
-/// The chunks that scenes show, on the GPU: which voxel belongs to which, sent once a division, and
-/// the colours of slices and of the 3D view, sent whenever these change. One division at a time.
-/// Engine thread only.
+/// The chunks that scenes show, on the GPU: which voxel belongs to which chunk, sent once per
+/// division, and the colours of slices and of the 3D view, sent whenever they change. Holds one
+/// division at a time. Engine thread only.
 class ChunkTextures {
 public:
-    /// Slices draw the voxels as they are, the 3D view bodies.
+    /// Slices draw the voxels as areas, the 3D view draws smoothed bodies.
     enum class Drawn : std::uint8_t { Areas, Bodies };
 
-    /// Takes in what is new of a scene's chunks. Cost: none while they are the same; else their box
-    /// is looked through and sent, or that around chunks of another colour (ChunkBodies).
-    /// @param chunks null: the scene shows none; memory is given back once nobody holds what was
-    /// @return whether there are any to be drawn
+    /// Takes what has changed in the chunks of a scene. Costs nothing while they are the same; else
+    /// their box, or the part around chunks that changed colour, is searched and sent
+    /// (ChunkBodies).
+    /// @param chunks null if the scene shows none; the memory is freed once nobody holds the last
+    /// chunks
+    /// @return whether there are any to draw
     [[nodiscard]] bool update(const SceneChunks* chunks, Drawn drawn);
-    /// Whether update() had anything to do since this was asked last.
+    /// Whether update() had anything to do since the last call.
     [[nodiscard]] bool takeChanged();
 
-    /// What updated last, on its units (gpu/README.md) and as uniforms.
+    /// Binds the chunks of the last update() to their units (gpu/README.md) and sets the uniforms.
     void bind(Program& program, const SceneChunks& chunks, Drawn drawn) const;
 
 private:
     struct Colours {
         std::vector<std::uint32_t> argb;
-        std::vector<ChunkBodies::Colour> row; ///< by leaf, the first of none
+        std::vector<ChunkBodies::Colour> row; ///< by leaf, the first for voxels without a chunk
         Texture2D texture;
     };
     void takeLeaves(const SceneChunks& chunks);
@@ -41,8 +43,8 @@ private:
     void drop();
     [[nodiscard]] core::VoxelBox changedBy(const std::vector<std::uint32_t>& argb) const;
 
-    std::weak_ptr<const std::vector<std::uint16_t>> m_leaves; ///< what m_voxels holds
-    std::vector<core::VoxelBox> m_boxes; ///< of each chunk of the finest division
+    std::weak_ptr<const std::vector<std::uint16_t>> m_leaves; ///< the chunks that m_voxels holds
+    std::vector<core::VoxelBox> m_boxes; ///< the box of each chunk of the finest division
     Texture3D m_voxels;
     Colours m_areas;
     Colours m_bodyColours;

@@ -6,8 +6,8 @@
 
 namespace gpu {
 
-/// Colour of each label and whether it is shown, 256 × 1, RGBA8 (alpha 1: shown). At label 0, the
-/// colour that warns (alpha 0).
+/// The colour of each label and whether it is shown, as a texture of 256 × 1 texels, RGBA8 (alpha
+/// 1: shown). Texel 0 holds the warning colour (alpha 0).
 class Palette {
 public:
     Palette();
@@ -15,7 +15,7 @@ public:
     void set(const SegmentDisplay& segments);
     [[nodiscard]] const Texture2D& texture() const { return m_texture; }
     [[nodiscard]] bool warns() const { return warnAfterGeneration() != 0xFFFFFFFFu; }
-    /// After which generation members warn (SegmentDisplay).
+    /// Members of later generations than this are drawn in the warning colour (SegmentDisplay).
     [[nodiscard]] std::uint32_t warnAfterGeneration() const
     {
         return m_current.warnAfterGeneration;

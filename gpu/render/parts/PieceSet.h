@@ -12,19 +12,22 @@ namespace gpu {
 
 class VolumeTextures;
 
-/// The pieces of a scene as the ray caster reads them (pieces.glsl). Engine thread.
+/// The pieces (core::Piece) of a scene as the ray caster reads them (pieces.glsl). Engine thread.
 class PieceSet {
 public:
     PieceSet();
 
-    /// Takes those that have something to show. @return whether there are any
+    /// Takes the pieces of the scene that have something to show.
+    /// @return whether there are any
     bool set(VolumeTextures& volume, const VolumeScene& scene, double stepMm);
-    /// Whether some are where they were cut and look as if they were not.
+    /// Whether some pieces are at the place where they were cut and look like the rest.
     [[nodiscard]] bool anyAtHome() const { return m_home > 0; }
-    /// Binds them for a program of the variant PIECES.
+    /// Binds the pieces for a program of the variant PIECES.
     void bind(Program& program, VolumeTextures& volume) const;
 
-    /// A zoom of less than 1 makes steps longer at the true place: how much shorter they must be.
+    /// The least zoom of any piece, at most 1 and at least 0.25. A piece that is shown smaller is
+    /// sampled with longer steps at its true place, so the steps of a ray must be shortened by this
+    /// factor.
     [[nodiscard]] static double finestZoom(const VolumeScene& scene);
 
 private:
@@ -32,7 +35,7 @@ private:
 
     Buffer m_buffer;
     Texture2D m_transfers;
-    std::vector<TransferFunction> m_rows; ///< of m_transfers
+    std::vector<TransferFunction> m_rows; ///< the functions in m_transfers
     double m_stepMm = 0.0;
     int m_count = 0;
     int m_home = 0;

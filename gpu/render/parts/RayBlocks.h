@@ -15,14 +15,15 @@ namespace gpu {
 
 class VolumeTextures;
 
-/// What rays through a picture's blocks of 32 × 32 pixels may come near to. A ray caster that knows
-/// of cuts, segments and pieces costs several times as much as one that does not, and on a software
-/// renderer a branch saves nothing; so each block is drawn by the simplest program that draws it
-/// right. Found by projecting macro-cells and those of pieces; never too little.
+/// Finds out for each block of 32 × 32 pixels of a picture what its rays may pass: cuts, segments
+/// or pieces. A ray caster that handles these costs several times as much as one that does not, and
+/// on a software renderer a branch saves nothing; so each block is drawn by the simplest program
+/// that draws it correctly. The blocks are found by projecting macro-cells and the cells of pieces;
+/// a block may be classified as too complex but never as too simple.
 class RayBlocks {
 public:
     static constexpr int block = 32; ///< drawn pixels
-    /// Carved: cuts only. Sculpted: cuts and segments. Pieces: any of it.
+    /// Carved: only cuts. Sculpted: cuts and segments. Pieces: any of these.
     enum class Kind : std::uint8_t { Plain, Carved, Sculpted, Pieces };
     static constexpr std::size_t kinds = 4;
 
@@ -30,7 +31,8 @@ public:
     /// Cost: linear in the macro-cells that are carved, segments or pieces.
     RayBlocks(VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target);
 
-    /// Rectangles that together are the tile, by kind. @param tile begins at a block's corner
+    /// The rectangles that together are the tile, by kind.
+    /// @param tile begins at the corner of a block
     [[nodiscard]] std::array<std::vector<Tile>, kinds> split(const Tile& tile) const;
 
 private:
@@ -44,7 +46,8 @@ private:
 };
 
 /// The blocks of a picture in which a box of the volume is seen, as one rectangle of drawn pixels
-/// that may reach beyond it. @param low, high index space
+/// that may extend beyond the picture.
+/// @param low, high in index space
 [[nodiscard]] Tile blocksAround(const glm::vec3& low, const glm::vec3& high,
     const glm::dmat4& indexToWorld, const VolumeScene& scene, const PassTarget& target);
 [[nodiscard]] Tile blocksAround(const core::VoxelBox& voxels, const core::VolumeGeometry& geometry,

@@ -14,43 +14,44 @@
 
 namespace gpu {
 
-/// The surface that is being refined, as it is drawn (seed B §5.3): one vertex buffer, and the
-/// triangles of each face as a fan around its middle. After a change only vertices and triangles
-/// that changed are sent. Every vertex is where a triangle of each of its three faces begins, so
-/// that its triangles have their place in the element buffer, whatever becomes of the structure.
-/// Engine thread.
+/// The surface that is being refined, as vertex and element buffers (seed B §5.3). Each face is a
+/// fan of triangles around its middle. After a change only the vertices and triangles that changed
+/// are sent. At every vertex begins one triangle of each of its three faces; these triangles have a
+/// fixed place in the element buffer, so changes of the mesh structure move nothing else. Engine
+/// thread.
 class SurfaceBuffers {
 public:
     /// A vertex as the shaders read it.
     struct Vertex {
         glm::vec3 positionLps{0.0f};
-        std::uint32_t normalLps = 0; ///< three signed numbers of ten bits
-        /// Yellow, green, red: how much of it has the mark; last 0, or 255 in a face's middle.
+        std::uint32_t normalLps = 0; ///< three signed components of ten bits each
+        /// Weights of the marks yellow, green and red; the last byte is 255 for the middle of a
+        /// face, else 0.
         std::array<std::uint8_t, 4> marks{};
     };
     static_assert(sizeof(Vertex) == 20);
 
-    /// Takes in what changed; nothing is sent yet. Ids that no mesh has are left out.
+    /// Takes an update without sending it to the GPU. Ids that no mesh has are ignored.
     void apply(const core::SurfaceUpdate& update);
-    /// Sends what changed since the last time.
+    /// Sends what has changed since the last upload to the GPU.
     void upload();
 
-    /// What was sent since the beginning.
+    /// How much was sent since the beginning.
     struct Counters {
-        std::int64_t uploads = 0; ///< those that sent something
+        std::int64_t uploads = 0; ///< uploads that sent anything
         std::int64_t bytes = 0;
     };
     [[nodiscard]] const Counters& counters() const { return m_counters; }
 
     [[nodiscard]] bool empty() const { return m_faceCount == 0; }
-    /// Another one after every change.
+    /// Changes with every update.
     [[nodiscard]] std::uint64_t revision() const { return m_revision; }
-    /// Of all its vertices as they were sent.
+    /// The bounding box of all vertices that were sent.
     [[nodiscard]] const WorldBox& bounds() const { return m_bounds; }
-    /// Where it was or is other than when this was last asked.
+    /// The box in which the surface was or is different since the last call.
     [[nodiscard]] WorldBox takeChanged();
 
-    /// What was taken in, by id, for contours. Middles are as of the last upload.
+    /// The content by id, for contours. The middles are those of the last upload.
     [[nodiscard]] std::span<const glm::dvec3> positionsLps() const { return m_positions; }
     [[nodiscard]] std::span<const core::SurfaceMark> marks() const { return m_marks; }
     [[nodiscard]] std::span<const core::FaceRing> rings() const { return m_rings; }
@@ -60,7 +61,7 @@ public:
     void draw() const;
 
 private:
-    /// The triangle (vertex, next on the ring, middle of the face).
+    /// The triangle (vertex, next vertex on the ring, middle of the face).
     struct Corner {
         core::FaceId face = core::noId;
         core::VertexId next = core::noId;
@@ -68,13 +69,14 @@ private:
     using Corners = std::array<Corner, 3>;
     using Elements = std::array<std::uint32_t, 9>;
 
-    /// Ids, each once.
+    /// A set of changed ids.
     class Dirty {
     public:
         void add(std::uint32_t id);
         void addAll(std::size_t count);
         [[nodiscard]] bool empty() const { return m_ids.empty(); }
-        /// Runs of ids with what little lies between them, ascending; forgets them.
+        /// Calls @p run for ascending runs of ids, which may include small gaps, and clears the
+        /// set.
         template <class Run> void takeRuns(Run run);
 
     private:
@@ -112,7 +114,7 @@ private:
     std::uint64_t m_revision = 0;
     Counters m_counters;
 
-    std::size_t m_vertexRoom = 0; ///< middles of faces come after so many
+    std::size_t m_vertexRoom = 0; ///< the middles of faces follow after this many vertices
     std::size_t m_faceRoom = 0;
     Buffer m_vertices;
     Buffer m_elements;

@@ -7,7 +7,7 @@ namespace gpu {
 
 class Program;
 
-/// Uniforms of surfaceColour.glsl.
+/// Sets the uniforms of surfaceColour.glsl.
 void setMarkColours(Program& program, const SurfaceColours& colours);
 
 } // namespace gpu

@@ -12,8 +12,8 @@
 
 namespace gpu {
 
-/// A transfer function as the ray caster reads it: a row of colours and per-step opacities over its
-/// span of values.
+/// A transfer function as the ray caster reads it: a row of colours and opacities per step over its
+/// range of values.
 class TransferLookup {
 public:
     static constexpr int entryCount = 2048;
@@ -24,18 +24,18 @@ public:
     void set(const TransferFunction& function, double stepMm);
 
     [[nodiscard]] const Texture2D& texture() const { return m_texture; }
-    /// Entry of the row (to be rounded down and clamped) = x · texel + y for a texel of the R16
-    /// intensity.
+    /// Coefficients (x, y): a texel of the R16 intensity belongs to entry x · texel + y of the row,
+    /// rounded down and clamped.
     [[nodiscard]] glm::dvec2 entryOfTexel(const core::VoxelEncoding& encoding) const;
     [[nodiscard]] static glm::dvec2 entryOfTexel(
         const TransferFunction& function, const core::VoxelEncoding& encoding);
-    /// The row itself: four numbers an entry.
+    /// The row itself: four numbers per entry.
     [[nodiscard]] static std::vector<float> texelsOf(
         const TransferFunction& function, double stepMm);
-    /// Span of values from the first to the last point.
+    /// The range of values from the first to the last point.
     [[nodiscard]] double span() const { return m_highest - m_lowest; }
 
-    /// Codes whose opacity is not zero; one code more at each end, for interpolation.
+    /// The codes whose opacity is not zero, widened by one code at each end for interpolation.
     [[nodiscard]] static VisibleCodes visibleCodes(
         const TransferFunction& function, const core::VoxelEncoding& encoding);
 

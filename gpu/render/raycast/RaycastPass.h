@@ -23,33 +23,35 @@ struct PlanePicture;
 struct SurfacePicture;
 struct ViewFrame;
 
-/// Of this picture, what is to be laid among the rest; null: nothing.
+/// Pictures of surface and cutting plane that the ray caster composes with the rest; null if there
+/// is none.
 struct RaySheets {
-    const SurfacePicture* surface = nullptr; ///< drawn whole
-    const PlanePicture* plane = nullptr; ///< drawn where the tile is
+    const SurfacePicture* surface = nullptr; ///< drawn for the whole picture
+    const PlanePicture* plane = nullptr; ///< drawn at least for this tile
     [[nodiscard]] bool any() const { return surface != nullptr || plane != nullptr; }
 };
 
 /// Draws the 3D view by casting one ray per pixel: shaded surface, volume rendering, maximum
-/// intensity or X-ray; orthographic or perspective; any affine. What radiation ≥ 0.5 covers is not
-/// seen; shown segments are, whole, pieces, each in its pose, seeds as dots, and barriers as
-/// translucent bodies. Background black.
+/// intensity or X-ray; orthographic or perspective; for any affine geometry. Voxels with radiation
+/// ≥ 0.5 are carved away and not seen. Shown segments are drawn whole; pieces in their poses; seeds
+/// as dots; barriers as translucent bodies. The background is black.
 class RaycastPass {
 public:
     /// Throws ShaderError. @param library outlives the pass
     explicit RaycastPass(const ShaderLibrary& library);
 
     /// Draws a tile into the bound framebuffer, whose scissor it sets. Cheap to begin unless
-    /// voxels, threshold or transfer function changed (then the skip map is computed anew, linear
-    /// in the cells).
-    /// @param tile as TilePlan cuts it @param noVertices of the context
-    /// @param chunks of the scene; null: none to be drawn
+    /// voxels, threshold or transfer function have changed; then the skip map is recomputed, in
+    /// time linear in the cells.
+    /// @param tile as TilePlan cuts it
+    /// @param noVertices belongs to this context
+    /// @param chunks of the scene; null if none are drawn
     void draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
         const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
         const RaySheets& sheets = {}, const ChunkTextures* chunks = nullptr);
-    /// Draws one pixel by each program that the first carving or the first shown segment will need:
-    /// drivers compile a program only when it first draws, and that should not be while a pen
-    /// waits. Nothing where they have drawn already.
+    /// Draws one pixel with each program that the first carving or the first shown segment will
+    /// need, unless it has drawn before. Drivers compile a program when it first draws, and no pen
+    /// should wait for that.
     void warmUp(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
         const PassTarget& target, const VertexArray& noVertices);
 
@@ -61,38 +63,38 @@ private:
         const ViewFrame& view, const PassTarget& target);
     void setClip(Program& program, const VolumeTextures& volume, const core::ClipRegion& clip);
     void setFaces(Program& program, const VolumeTextures& volume, const VolumeScene& scene);
-    /// @return codes that the mode shows
+    /// @return the codes that the mode shows
     VisibleCodes setMode(Program& program, VolumeTextures& volume, const VolumeScene& scene);
 
-    /// What is seldom needed.
+    /// Features that are seldom needed.
     struct Seldom {
         bool pieces = false;
         bool seeds = false;
         bool barriers = false;
-        bool warned = false; ///< members warn
-        bool foreseen = false; ///< some members would go
+        bool warned = false; ///< some members are drawn in the warning colour
+        bool foreseen = false; ///< marks what a cut would remove
         bool sheets = false; ///< the surface that is being refined, or the cutting plane
         bool chunks = false;
-        RayBlocks::Kind kind = RayBlocks::Kind::Sculpted; ///< of the rest
+        RayBlocks::Kind kind = RayBlocks::Kind::Sculpted; ///< how sculpted the rest is
     };
 
     static constexpr std::size_t variants = 6; ///< kinds but pieces, each clipped or not
     [[nodiscard]] Program& programFor(
         RayBlocks::Kind kind, const VolumeScene& scene, const Seldom& with);
-    /// As a program of its own: compiled when it first is needed.
+    /// A program for exactly these features, compiled when it is first needed.
     [[nodiscard]] Program& seldomProgram(const VolumeScene& scene, const Seldom& with);
     [[nodiscard]] std::size_t variantOf(const VolumeScene& scene, RayBlocks::Kind kind) const;
-    /// Of this picture; looked for anew only when something changed.
+    /// The blocks of this picture; computed again only when something has changed.
     [[nodiscard]] const RayBlocks& blocksOf(
         VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target);
 
     std::array<Program, variants * renderModes> m_programs;
-    std::array<bool, variants * renderModes> m_warm{}; ///< has drawn
+    std::array<bool, variants * renderModes> m_warm{}; ///< programs that have drawn
     const ShaderLibrary& m_library;
     PieceSet m_pieces;
     Texture2D m_noSheet; ///< one texel; made with the first sheet
     SeedDots m_seeds;
-    std::map<std::size_t, Program> m_seldomPrograms; ///< by all that they are compiled for
+    std::map<std::size_t, Program> m_seldomPrograms; ///< by all features that they are compiled for
     TransferLookup m_transfer;
     RayBlocks m_blocks;
     VolumeScene m_blocksScene; ///< what m_blocks was made for, like the next three

@@ -1,11 +1,11 @@
-// What is shut to growth: translucent bodies of the words that are barriers, of which the front is
-// seen. What lies behind tissue shines through faintly. Wants kernels/labels/memberWords.glsl before it.
+// Barriers (voxels closed to growth) as translucent bodies whose front is seen. Those behind tissue
+// shine through faintly. Include kernels/labels/memberWords.glsl before this file.
 
 /* Textures */
-layout(binding = 18) uniform usampler3D barrierBricks; // 1: holds some
+layout(binding = 18) uniform usampler3D barrierBricks; // 1: the brick holds barriers
 
 /* Uniforms */
-uniform vec3 barrierLow; // index: nothing lies beyond
+uniform vec3 barrierLow; // index: low corner of the box around all barriers
 uniform vec3 barrierHigh;
 
 const vec3 barrierColour = vec3(0.93, 0.25, 0.36); // as in slices
@@ -13,7 +13,7 @@ const float barrierOpacity = 0.6;
 const float barrierBehind = 0.2;
 const float barrierBrick = 16.0;
 
-/// 1 at the centre of a voxel that is shut, interpolated to 0 at one that is not.
+/// 1 at the centre of a barrier voxel, interpolated to 0 at the centre of another.
 float shutAt(vec3 place)
 {
     const ivec3 base = ivec3(floor(place));
@@ -29,7 +29,7 @@ float shutAt(vec3 place)
     return sum;
 }
 
-/// What is seen with the barriers before it, and those behind it faintly.
+/// Adds the barriers to what is seen: those in front of it, and those behind it faintly.
 vec3 withBarriers(Ray ray, vec3 seen)
 {
     const vec3 origin = ray.origin / voxel - 0.5; // index
@@ -44,7 +44,7 @@ vec3 withBarriers(Ray ray, vec3 seen)
     const float step = 0.75 * stepMm;
     t += step * fract(pixelNoise(gl_FragCoord.xy) + jitterPhase);
 
-    // The brick that answers is that of the nearest voxel: bodies reach half a voxel beyond theirs.
+    // The brick of the nearest voxel is used, because bodies reach half a voxel beyond their brick.
     const ivec3 lastBrick = textureSize(barrierBricks, 0) - 1;
     bool found = false;
     for (;;) {

@@ -1,12 +1,12 @@
-// Chunks of a box (core/chunks) as translucent bodies: faces where a ray goes from one into another,
-// and the section where it enters the box or is clipped. What lies behind tissue shines through
-// faintly; nothing does through the cutting plane, which shows its own section.
+// Chunks of a box (core/chunks) as translucent bodies: faces where a ray goes from one chunk into
+// another, and a section where it enters the box or is clipped. Chunks behind tissue shine through
+// faintly; nothing shines through the cutting plane, which shows its own section.
 
 /* Textures */
-layout(binding = 24) uniform usampler3D chunkLeaves; // of their box
-layout(binding = 25) uniform sampler2D chunkColours; // row by leaf, all 0: not to be seen
-layout(binding = 26) uniform sampler3D chunkBodies;  // colours of voxels, smoothed
-layout(binding = 27) uniform usampler3D chunkCells;  // 0: of one colour
+layout(binding = 24) uniform usampler3D chunkLeaves; // leaf + 1 by voxel of their box
+layout(binding = 25) uniform sampler2D chunkColours; // row by leaf; all 0: invisible
+layout(binding = 26) uniform sampler3D chunkBodies; // smoothed colours of voxels
+layout(binding = 27) uniform usampler3D chunkCells; // 0: the cell has a single colour
 
 /* Uniforms */
 uniform ivec3 chunkOrigin; // index
@@ -14,17 +14,17 @@ uniform float chunkOpacity;
 
 const float chunkBehind = 0.25;
 const float chunkCellSide = 8.0;
-const float chunkTie = 0.02; // mm: as far behind the plane is not behind it
-const float chunkEnough = 0.04; // what is let through less does not count
+const float chunkTie = 0.02; // mm: up to this far behind the plane counts as not behind it
+const float chunkEnough = 0.04; // a lower transmittance does not count
 
 vec4 chunkBodyAt(vec3 place)
 {
     return texture(chunkBodies, (place + 0.5) / vec3(textureSize(chunkBodies, 0)));
 }
 
-/// The colour of the chunk that a place (index of the box) lies in, boundaries smoothed: of those
-/// around it the one that is nearest to what is seen there.
-/// @param nearness 0: inside … 0.5: where two meet
+/// The colour of the chunk at a place (index of the box), with smooth boundaries: of the chunks
+/// around it the one whose colour is nearest to the smoothed one.
+/// @param nearness 0: inside … 0.5: at the boundary between two
 vec4 chunkColourAt(vec3 place, vec4 seen, out float nearness)
 {
     const ivec3 base = ivec3(floor(place));
@@ -47,7 +47,7 @@ vec4 chunkColourAt(vec3 place, vec4 seen, out float nearness)
     return own;
 }
 
-/// World, unit, against the way in which a colour turns into another one.
+/// The unit normal (world) of a boundary, opposite to the direction in which the colour changes.
 vec3 chunkNormal(vec3 place, vec4 change)
 {
     const float h = 1.5;
@@ -59,7 +59,7 @@ vec3 chunkNormal(vec3 place, vec4 change)
     return slope * inversesqrt(max(dot(slope, slope), 1e-16));
 }
 
-/// What is seen with the chunks before it, and those behind it faintly.
+/// Adds the chunks to what is seen: those in front of it, and those behind it faintly.
 vec3 withChunks(Ray ray, vec3 seen)
 {
     const vec3 size = vec3(textureSize(chunkLeaves, 0));
@@ -74,8 +74,8 @@ vec3 withChunks(Ray ray, vec3 seen)
     const float first = max(ray.first, entry);
     const float last = min(ray.last, min(min(leave.x, leave.y), leave.z));
     float solid = solidFrom + 3.0 * stepMm;
-    float open = 1.0; // so much no plane hides of what lies behind
-    float openGate = 1.0; // and of the section
+    float open = 1.0; // how much of what lies behind no plane hides
+    float openGate = 1.0; // the same for the section
 #if SHEETS
     const vec2 plane = planeHere(); // t
     const bool planeSeen = plane.y <= solid;
@@ -85,11 +85,11 @@ vec3 withChunks(Ray ray, vec3 seen)
 #endif
     const vec3 toViewer = -ray.world;
 
-    // What is before matter, and what behind; a: lets through.
+    // What lies in front of matter, and what behind; alpha is the transmittance.
     vec4 front = vec4(0.0, 0.0, 0.0, 1.0);
     vec4 behind = vec4(0.0, 0.0, 0.0, 1.0);
 
-    // The section: as on a slice, with a line where two meet.
+    // The section is drawn as on a slice, with a line where two chunks meet.
     const vec3 gate = origin + direction * (first + 1e-3 * stepMm);
     float nearness;
     vec4 now = chunkColourAt(gate, chunkBodyAt(gate), nearness);
@@ -105,7 +105,7 @@ vec3 withChunks(Ray ray, vec3 seen)
 
     float t = first + stepMm * (0.2 + 0.8 * fract(pixelNoise(gl_FragCoord.xy) + jitterPhase));
     for (;;) {
-        // To where the colour is not quite that of the body any more.
+        // Goes on to where the colour begins to differ from that of the body.
         bool off = false;
         vec4 colour = now;
         for (;;) {
@@ -133,7 +133,7 @@ vec3 withChunks(Ray ray, vec3 seen)
         normal = dot(normal, toViewer) < 0.0 ? -normal : normal;
         const bool parts = next.a == 0.0; // from the last body there
         const vec4 body = parts ? now : next;
-        // Seen aslant a wall is thicker; the far one of a body is seen through it.
+        // A wall seen obliquely is thicker; the far wall of a body is seen through the body.
         const float thick = 1.0 / max(dot(normal, toViewer), 0.3);
         const float wall = chunkOpacity * body.a * (parts ? 0.5 : 1.0);
         const float share = meets ? 1.0 - pow(1.0 - min(wall, 0.98), thick) : 0.0;

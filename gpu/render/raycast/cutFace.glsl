@@ -1,4 +1,5 @@
-// Cut faces: matter that lies open where something is carved away, clipped, or the scan ends.
+// Cut faces: matter that is exposed where something is carved away or clipped, or where the scan
+// ends.
 
 /* Uniforms */
 uniform float greyFaces; // 1: grey values as in a slice; 0: the colour of the material
@@ -17,8 +18,9 @@ vec4 transferAt(float code)
     return texelFetch(transferFunction, ivec2(clamp(entry, 0.0, lastEntry), 0), 0);
 }
 
-/// Grey values are seen without the light's tint and gloss; on a flat face as a slice shows them.
-/// @param grey how much of a cut face in grey values this is @param flatFace 1: of a plane
+/// Grey values are shown without the light's tint and gloss; on a flat face exactly as in a slice.
+/// @param grey how much of this is a cut face with grey values
+/// @param flatFace 1: the face of a plane
 vec4 lightOnFace(vec4 light, float grey, float flatFace)
 {
     const float even = mix(dot(light.rgb, vec3(1.0 / 3.0)), 1.0, flatFace);

@@ -1,30 +1,32 @@
-// Direct volume rendering: front to back through a transfer function, lit by the gradient.
+// Direct volume rendering: front-to-back compositing through a transfer function, lit by the
+// gradient.
 
 /* Uniforms */
-uniform float gradientFull; // length of a per-voxel difference that is certainly a surface
+uniform float gradientFull; // length of the per-voxel difference that certainly is a surface
 
 const float samplesPerGroup = 3.0;
 const vec4 unlit = vec4(vec3(0.82), 0.0);
 
-/// What is seen at one sample.
+/// The matter that is seen at one sample.
 struct Matter {
-    vec4 colour; // opacity of one step
+    vec4 colour; // alpha: opacity of one step
     bool inSegment;
 };
 
-/// How much of a cut face a place with this radiation is: the voxel or two behind the cut.
+/// How much a place with this radiation belongs to a cut face: the one or two voxels behind the
+/// cut.
 float nearCarved(float carved)
 {
     return smoothstep(0.06, 0.35, carved);
 }
 
-/// The same of the flat face of a clip plane, n samples behind where the ray begins.
+/// The same for the flat face of a clip plane, n samples behind the start of the ray.
 float nearFace(float n)
 {
     return 1.0 - smoothstep(1.5, 3.0, n);
 }
 
-/// @param n samples behind where the ray begins
+/// @param n number of samples behind the start of the ray
 Matter matterAt(vec3 at, float n)
 {
     Matter matter;
@@ -53,13 +55,14 @@ Matter matterAt(vec3 at, float n)
 }
 
 #if SHEETS
-/// Number of the sample before which the next sheet lies; matter that begins at it is behind it.
+/// The number of the sample in front of which the next sheet lies; matter that begins at that
+/// sample is behind the sheet.
 float sheetSample(float gridZero)
 {
     return (nextSheetAt - gridZero) / stepMm - 2.0;
 }
 
-/// Meets the sheets before a sample.
+/// Composites the sheets in front of a sample.
 void meetSheetsBefore(float n, float gridZero, inout vec3 seen, inout float through)
 {
     for (int i = 0; i < 2; ++i) {
@@ -69,12 +72,12 @@ void meetSheetsBefore(float n, float gridZero, inout vec3 seen, inout float thro
 }
 #endif
 
-/// What is seen of the volume without its pieces.
+/// The picture of the volume without its pieces.
 vec3 restAlong(Ray ray)
 {
     const vec3 toViewer = -ray.world;
 #if SHEETS
-    // Behind an opaque one nothing is looked for.
+    // Nothing is searched behind an opaque sheet.
     ray.last = min(ray.last, opaqueSheetAt() + 2.0 * stepMm);
 #endif
     const Samples samples = samplesOf(ray, cellSide);
@@ -87,11 +90,12 @@ vec3 restAlong(Ray ray)
     float through = 1.0;
     vec4 light = unlit;
     float lastOpacity = 0.0;
-    // Where groups end differs from pixel to pixel and from picture to picture: it averages out.
+    // The ends of groups differ from pixel to pixel and from picture to picture, so that artefacts
+    // average out.
     const float firstGroup
         = 1.0 + floor(samplesPerGroup * fract(pixelNoise(gl_FragCoord.yx + 31.0) + jitterPhase));
     do {
-        // To the first sample that shows something.
+        // Goes to the first sample that shows anything.
         const float start = n;
         bool found = false;
         do {
@@ -116,9 +120,9 @@ vec3 restAlong(Ray ray)
         meetSheetsBefore(n, ray.gridZero, seen, through);
         groupEnd = min(groupEnd, sheetSample(ray.gridZero));
 #endif
-        // Samples are classified one by one but lit together, since lighting costs several samples:
-        // matter keeps the light that fell on the surface before it, and a new surface is where
-        // opacity changes most.
+        // Samples are classified individually but lit in groups, since lighting costs several
+        // samples: matter keeps the light of the surface in front of it, and a new surface is where
+        // the opacity changes most.
         vec3 glow = vec3(0.0);
         float glowOpacity = 0.0;
         float groupThrough = 1.0;
@@ -145,7 +149,8 @@ vec3 restAlong(Ray ray)
         const vec3 at = samples.origin + samples.step * changeN;
         vec3 rise = tetrahedronDifferences(intensity, at);
 #if SCULPTED || CLIPPED
-        // Of a cut the field that cut it knows the normal; what was cut through need have none.
+        // At a cut the normal comes from the field that cut it, because the matter that was cut
+        // need not have one.
         float face = 0.0;
         vec3 faceRise = vec3(0.0);
 #endif
@@ -164,7 +169,7 @@ vec3 restAlong(Ray ray)
 #endif
         const vec3 slope = gradientToWorld * -rise;
         const vec3 normal = slope * inversesqrt(max(dot(slope, slope), 1e-16));
-        // Translucent matter has no front: what faces away is lit from behind.
+        // Translucent matter has no front: where its normal faces away it is lit from behind.
         const vec3 front = dot(normal, toViewer) < 0.0 ? -normal : normal;
         const vec4 onSurface = mix(unlit, lightOn(front, toViewer, 1.0, 0.10),
             clamp(length(rise) / gradientFull, 0.0, 1.0));

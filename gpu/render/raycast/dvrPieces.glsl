@@ -1,26 +1,26 @@
-// Volume rendering with pieces: all that a ray meets at one place counts at once, whatever the order
-// of the pieces, so that they are translucent to each other. Light falls as in dvr.glsl, on groups
-// of samples of which one piece, or the rest of the volume, shows most.
+// Volume rendering with pieces: everything that a ray meets at one place counts together, whatever
+// the order of the pieces, so that they are translucent to each other. Lighting is as in dvr.glsl,
+// on groups of samples in which one piece, or the rest of the volume, is dominant.
 
 const int mostMet = 64; // core::DocumentEdits allows no more pieces
 
-/// What one ray meets: the rest of the volume first, then pieces.
+/// What a ray passes through: the rest of the volume first, then pieces.
 struct Way {
     int piece;
     float first; // number of its first sample
-    float last;  // it ends before
-    float next;  // before this one there is nothing
-    vec3 origin; // texture: of sample 0
+    float last; // one past the number of its last sample
+    float next; // there is nothing before this sample
+    vec3 origin; // texture: position of sample 0
     vec3 step;   // texture
 };
 Way ways[mostMet + 1];
 int wayCount = 0;
 
 struct Joint {
-    vec3 colour;   // light that all of it gives
-    float opacity; // of one step, of all
-    int owner;     // place in ways of what shows most
-    int solid;     // place in ways of a solid surface here, −1: none
+    vec3 colour; // emitted light of all ways together
+    float opacity; // opacity of one step of all ways together
+    int owner; // index in `ways` of the dominant one
+    int solid; // index in `ways` of a solid surface here, −1: none
 };
 
 void meet(Ray own, int piece)
@@ -52,7 +52,7 @@ Samples samplesOfWay(int way)
     return samples;
 }
 
-/// @return number of the first sample at or after n that is in no free cell
+/// @return the first sample at or after n that is in no free cell
 float leaveFree(Samples samples, int piece, float n)
 {
     if (piece >= 0)
@@ -67,8 +67,9 @@ float leaveFree(Samples samples, int piece, float n)
     return n;
 }
 
-/// Leaves free cells behind. @return the first sample at or after n that may show something
-/// @param until out: until here no way comes into another cell that may be free
+/// Skips free cells.
+/// @return the first sample at or after n that may show something
+/// @param until out: up to here no way enters another cell that may be free
 float soonest(float n, out float until)
 {
     float next = nowhere;
@@ -87,8 +88,8 @@ float soonest(float n, out float until)
     return next;
 }
 
-/// The next of the ways after one on which something may be at n; −1: none. Few looks: what a
-/// sample costs is done for these only.
+/// The next way after one that may have something at sample n; −1: none. Skips ways cheaply, since
+/// the cost of a sample is spent on the result only.
 int wayAt(float n, int after)
 {
     int found = -1;
@@ -97,7 +98,8 @@ int wayAt(float n, int after)
     return found;
 }
 
-/// What all ways have at sample n, where soonest() of it or of an earlier one has been.
+/// What all ways together have at sample n, for which soonest() of it or of an earlier sample was
+/// called.
 Joint jointAt(float n)
 {
     Joint joint = Joint(vec3(0.0), 0.0, 0, -1);
@@ -131,7 +133,7 @@ Joint jointAt(float n)
             const vec4 special = texelFetch(
                 pieceTransfers, ivec2(clamp(entry, 0.0, last), int(max(row, 0.0))), 0);
             colour = row >= 0.0 ? special : colour;
-            // Magnified matter is as dense as it was.
+            // Magnified matter keeps its density.
             const float shrink = pieces[piece].high.w;
             colour.a = shrink == 1.0 ? colour.a : 1.0 - pow(1.0 - colour.a, shrink);
             colour.rgb *= pieces[piece].colour.rgb;
@@ -180,7 +182,7 @@ vec4 lightAt(Ray ray, int way, float n, float change)
         clamp(length(rise) / gradientFull, 0.0, 1.0));
 }
 
-/// Colour of the surface of a segment, or of a solid piece.
+/// The colour of the surface of a segment, or of a solid piece.
 vec3 solidAt(Ray ray, int way, float n)
 {
     const int piece = ways[way].piece;
@@ -228,7 +230,7 @@ vec3 seenAlong(Ray ray)
     float lastOpacity = 0.0;
     const float firstGroup
         = 1.0 + floor(samplesPerGroup * fract(pixelNoise(gl_FragCoord.yx + 31.0) + jitterPhase));
-    // Surfaces of segments and solid pieces are rare and cost much: each ends the inner loop.
+    // Surfaces of segments and solid pieces are rare and costly, so each ends the inner loop.
     do {
         int solid = -1;
         do {
@@ -289,7 +291,7 @@ vec3 seenAlong(Ray ray)
         seen += opacity > 0.0 ? through * opacity * solidAt(ray, way, n) : vec3(0.0);
         through *= 1.0 - opacity;
         if (solid >= 0) {
-            ways[way].last = -nowhere; // of a translucent one the front is seen
+            ways[way].last = -nowhere; // only the front of a translucent one is seen
             n += 1.0;
         }
 #if SEEDS || BARRIERS || CHUNKS

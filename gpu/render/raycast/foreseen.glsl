@@ -1,8 +1,8 @@
-// What a cut of a growth would take (gpu/kernels/shrink/CutForesight): hatched, so that no segment's colour can
-// hide it. Wants fields/bricks/bricks.glsl before it.
+// Marks what a cut of a growth would remove (gpu/kernels/shrink/CutForesight) by hatching, so that
+// no segment's colour can hide it. Include fields/bricks/bricks.glsl before this file.
 
 layout(binding = 16) uniform usampler3D foreseenPages; // page + 1, by bricks
-layout(binding = 17) uniform usampler3D foreseenAtlas; // 1: goes
+layout(binding = 17) uniform usampler3D foreseenAtlas; // 1: would be removed
 
 const vec3 foreseenColour = vec3(1.0, 0.30, 0.86);
 const vec3 foreseenDark = vec3(0.45, 0.02, 0.40);

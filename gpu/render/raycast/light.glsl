@@ -1,17 +1,17 @@
-// How whatever is solid is lit.
+// The lighting of everything solid.
 
 /* Uniforms */
 uniform vec3 toLight; // world, unit
 uniform vec3 viewUp;  // world, unit
 
-/// Soft headlight from above the viewer's shoulder, sky light, a little gloss: what an albedo is
-/// multiplied by, and what is added.
+/// A soft headlight from above the viewer's shoulder, sky light and a little gloss. Returns the
+/// factor for an albedo (rgb) and what is added (a).
 /// @param open 0: enclosed … 1: nothing near
 vec4 lightOn(vec3 normal, vec3 toViewer, float open, float gloss)
 {
     const float wrapped = clamp((dot(normal, toLight) + 0.35) / 1.35, 0.0, 1.0);
     const float sky = 0.5 + 0.5 * dot(normal, viewUp);
-    // What is shadowed turns warmer, not grey.
+    // Shadows become warmer, not grey.
     const vec3 ambient = mix(vec3(0.20, 0.16, 0.14), vec3(0.36, 0.36, 0.38), sky);
     const vec3 shadow = mix(vec3(0.62, 0.50, 0.42), vec3(1.0), open);
     const float facingViewer = clamp(dot(normal, toViewer), 0.0, 1.0);

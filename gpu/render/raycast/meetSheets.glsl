@@ -1,33 +1,36 @@
-// Sheets among what a ray meets: the surface that is being refined, and the cutting plane. They were
-// drawn before (SurfacePass, PlanePass), so each ray knows where it meets them, and what it sees
-// there. They cut through each other, so which is the nearer is another matter for each pixel.
+// Sheets among the matter along a ray: the surface that is being refined, and the cutting plane.
+// They were drawn before (SurfacePass, PlanePass), so each ray knows where it meets them and which
+// colour it sees there. They may intersect each other, so the nearer one is determined for each
+// pixel.
 
 /* Textures */
-layout(binding = 19) uniform sampler2D surfaceColours; // a: how much of the pixel; 0: none
+// alpha: how much of the pixel it covers; 0: none
+layout(binding = 19) uniform sampler2D surfaceColours;
 layout(binding = 20) uniform sampler2D surfaceWays;    // t
 layout(binding = 21) uniform sampler2D planeColours;
 layout(binding = 22) uniform sampler2D planeWays;
 
 /* Uniforms */
-uniform int surfaceThere; // 0: there is none, its textures are one empty texel
+uniform int surfaceThere; // 0: there is none, and its textures are one empty texel
 uniform int planeThere;
 uniform float surfaceOpacity;
 uniform float surfaceBehind; // how much of it shines through what hides it
 uniform float planeBehind;
 
-const float sheetTie = 0.05; // mm: as far before the plane the surface is still not before it
+// mm: up to this far in front of the plane the surface counts as not in front of it
+const float sheetTie = 0.05;
 
 struct Sheet {
     vec4 colour; // opacity
     float at;    // t; nowhere: none
     float behind;
-    float before;  // so much of it no sheet hides
-    float shining; // so much of it shines through
+    float before; // how much of it no sheet hides
+    float shining; // how much of it shines through what hides it
 };
 Sheet nearSheet = Sheet(vec4(0.0), nowhere, 0.0, 1.0, 0.0);
 Sheet farSheet = Sheet(vec4(0.0), nowhere, 0.0, 1.0, 0.0);
 int sheetsMet = 0;
-float nextSheetAt = nowhere; // t of what is to be met next
+float nextSheetAt = nowhere; // t of the next sheet
 
 void findSheets()
 {
@@ -45,12 +48,12 @@ void findSheets()
     farSheet.colour = planeFirst ? surface : plane;
     farSheet.at = planeFirst ? surfaceAt : planeAt;
     farSheet.behind = planeFirst ? surfaceBehind : planeBehind;
-    // The surface shines through matter, not through a plane that is to be read.
+    // The surface shines through matter, but not through a plane, which must stay readable.
     farSheet.before = planeFirst ? 1.0 - plane.a : 1.0;
     nextSheetAt = nearSheet.at;
 }
 
-/// How much of the pixel the cutting plane takes, and where it is met (t).
+/// How much of the pixel the cutting plane covers, and where it is met (t).
 vec2 planeHere()
 {
     const ivec2 pixel = ivec2(gl_FragCoord.xy) * planeThere;
@@ -58,7 +61,7 @@ vec2 planeHere()
     return vec2(cover, cover > 0.0 ? texelFetch(planeWays, pixel, 0).r : nowhere);
 }
 
-/// Behind it nothing is seen; nowhere: there is none.
+/// The t behind which nothing is seen; nowhere if there is no opaque sheet.
 float opaqueSheetAt()
 {
     return nearSheet.colour.a >= 1.0 ? nearSheet.at
@@ -66,7 +69,7 @@ float opaqueSheetAt()
                                      : nowhere;
 }
 
-/// Lays the next one behind what a ray has seen so far.
+/// Composites the next sheet behind what the ray has seen so far.
 void meetSheet(inout vec3 seen, inout float through)
 {
     const bool isNear = sheetsMet == 0;
@@ -83,7 +86,7 @@ void meetSheet(inout vec3 seen, inout float through)
     nextSheetAt = isNear ? farSheet.at : nowhere;
 }
 
-/// Those up to a t.
+/// Composites the sheets up to a t.
 void meetSheets(float t, inout vec3 seen, inout float through)
 {
     for (int i = 0; i < 2; ++i) {
@@ -92,8 +95,8 @@ void meetSheets(float t, inout vec3 seen, inout float through)
     }
 }
 
-/// What of them shines through what hides them; where there is no before and behind they lie over
-/// all.
+/// Adds what shines through what hides them. In modes without an order of depth the sheets are
+/// drawn over everything.
 vec3 withSheets(vec3 seen)
 {
 #if MODE <= 1

@@ -18,7 +18,7 @@ float greatestOf(ivec3 cell)
 }
 
 #if PIECES
-/// Of a solid piece it also tells where its surface is.
+/// The greatest value along a piece. For a solid piece it also returns where its surface is.
 float greatestOfPiece(Ray ray, int piece, float greatest, out float surfaceAt)
 {
     const Samples samples = samplesOf(ray, cellSide);
@@ -41,7 +41,7 @@ float greatestOfPiece(Ray ray, int piece, float greatest, out float surfaceAt)
     return greatest;
 }
 
-/// Solid pieces lie over the picture in their colours, like segments, the nearest one on top.
+/// Draws solid pieces over the picture in their colours, like segments, the nearest one on top.
 vec3 overPieces(Ray ray, vec3 picture, float nearest, int solid)
 {
     const Ray own = pieceRay(ray, solid);
@@ -118,7 +118,7 @@ vec3 seenAlong(Ray ray)
     float greatest = max(black, -1.0);
     float last = samples.last;
     do {
-        // How far the ray may jump is known for the highest level that it has reached.
+        // The jump distance is known for the highest level that the ray has reached.
         int level = -1;
         for (int k = 0; k < 6; ++k)
             level += greatest >= levels[k] ? 1 : 0;

@@ -1,40 +1,41 @@
-// Pieces: parts of the volume in poses of their own. Each is the same volume seen along another ray,
-// the pixel's ray taken to the piece's true place; t is the same on both, so hits and samples of
-// all of them are in order by t. Included where PIECES is on; then SCULPTED is, too.
+// Pieces: parts of the volume in poses of their own. Each is the same volume seen along another
+// ray: the pixel's ray transformed to the piece's true place. t is the same on both, so hits and
+// samples of all pieces are ordered by t. Included if PIECES is on; then SCULPTED is on, too.
 
 struct Piece {
-    vec4 toTrue[3]; // rows: texture where it is shown → texture at its true place
-    vec4 turn[3];   // columns: world, directions at its true place → as shown
-    vec4 low;       // texture: what it fills; w: opacity
+    vec4 toTrue[3]; // rows: texture position as shown → texture position at its true place
+    vec4 turn[3]; // columns: directions in world space, true place → as shown
+    vec4 low; // texture: the box that it fills; w: opacity
     vec4 high;      // w: 1 / zoom
-    vec4 atlas;     // texel of footprints = index-based place at · size + xyz; w: softness
-    vec4 atlasLow;  // outermost texel centres that are its own; w: 1 where it is solid
-    vec4 atlasHigh; // w: row of its own transfer function, −1: the scene's
-    vec4 colour;    // tint, or what a solid one is made of
-    vec4 cellLow;   // outermost cells that are its own, in the volume; w: texture row's x
-    vec4 cellHigh;  // w: texture row's y
+    vec4 atlas; // texel of footprints = index-based position · size + xyz; w: softness
+    vec4 atlasLow; // its outermost texel centres; w: 1 if it is solid
+    vec4 atlasHigh; // w: row of its own transfer function, −1: it uses the scene's
+    vec4 colour; // tint, or the colour of a solid piece
+    vec4 cellLow; // its outermost cells, in the volume; w: x of the transfer function's entry
+    vec4 cellHigh; // w: y of the transfer function's entry
     vec4 cells;     // cell of pieceCells = cell + xyz
 };
 layout(binding = 0, std430) readonly buffer Pieces { Piece pieces[]; };
 
 /* Textures */
-layout(binding = 9) uniform sampler3D footprints; // ≥ 0.5: the piece's, all of them in one
+// ≥ 0.5: belongs to the piece; all footprints in one texture
+layout(binding = 9) uniform sampler3D footprints;
 layout(binding = 10) uniform usampler3D pieceCells; // greatest footprint of each cell
-layout(binding = 11) uniform sampler2D pieceTransfers; // a row each
+layout(binding = 11) uniform sampler2D pieceTransfers; // one row per piece
 
 /* Uniforms */
 uniform int pieceCount;
-uniform int homeCount; // of these the first are at home, opaque and untinted
+uniform int homeCount; // the first so many are at home, opaque and untinted
 
 const uint shownFlag = 8u;
-const int restOf = -1; // what is left of the volume, as a piece
+const int restOf = -1; // the rest of the volume, as a piece
 
 bool isSolid(int piece)
 {
     return pieces[piece].atlasLow.w > 0.5;
 }
 
-/// The pixel's ray at a piece's true place; first > last where it does not meet it.
+/// The pixel's ray at a piece's true place; first > last if it does not meet the piece.
 Ray pieceRay(Ray ray, int piece)
 {
     const vec4 x = pieces[piece].toTrue[0];
@@ -53,7 +54,7 @@ Ray pieceRay(Ray ray, int piece)
     return turned;
 }
 
-/// A direction at a piece's true place as it is shown, and back.
+/// A direction at a piece's true place transformed to how it is shown, and back.
 vec3 asShown(int piece, vec3 v)
 {
     if (piece < 0)
@@ -76,7 +77,7 @@ float footprintAt(int piece, vec3 at)
     return texture(footprints, texel / vec3(textureSize(footprints, 0))).r;
 }
 
-/// gapAt() from what is known of the place: the piece's footprint, and the radiation.
+/// gapAt() from known values: the piece's footprint, and the radiation.
 float gapOf(int piece, float own, float carved, vec3 at)
 {
     float gap = carved;
@@ -87,7 +88,7 @@ float gapOf(int piece, float own, float carved, vec3 at)
     return piece >= homeCount ? 1.0 - own : max(gap, 0.0);
 }
 
-/// How much of a piece is kept where its footprint is so much: at a soft rim, more than inside.
+/// The opacity of a piece for a value of its footprint: greater at a soft edge than inside.
 float opacityAt(int piece, float own)
 {
     const float softness = pieces[piece].atlas.w;
@@ -95,8 +96,8 @@ float opacityAt(int piece, float own)
     return max(pieces[piece].low.w, fade);
 }
 
-/// What is carved away of a place as far as its look goes. Where pieces are at home there is no
-/// cut: what they fill is not missing, and what surrounds them is not missing to them.
+/// How much is carved away at a place as far as its look is concerned. Pieces that are at home have
+/// no cut: what they fill is not missing, and for them their surroundings are not missing.
 float gapAt(int piece, vec3 at)
 {
     const float own = piece >= homeCount ? footprintAt(piece, at) : 0.0;
@@ -121,7 +122,7 @@ vec3 footprintRise(int piece, vec3 at)
         * 0.5;
 }
 
-/// Whether nothing of a piece is to be seen in a cell of the volume.
+/// Whether nothing of a piece is visible in a cell of the volume.
 bool isFreeOf(int piece, vec3 cell)
 {
 #ifdef EVERY_SAMPLE
@@ -133,7 +134,7 @@ bool isFreeOf(int piece, vec3 cell)
     return greatest < 128u || (!everyValue && (skipAt(own).y & shownFlag) == 0u);
 }
 
-/// The first sample at or after n that is not in a free cell; n itself where it is in none.
+/// The first sample at or after n that is not in a free cell; n itself if it is in none.
 float leaveFreeCells(int piece, Samples samples, float n)
 {
     for (;;) {

@@ -1,4 +1,5 @@
-// One pixel of the 3D view. MODE: 0 surface, 1 volume rendering, 2 maximum intensity, 3 X-ray.
+// Draws one pixel of the 3D view. MODE: 0 surface, 1 volume rendering, 2 maximum intensity, 3
+// X-ray.
 #include "render/raycast/raycast.glsl"
 #if PIECES
 #include "render/raycast/pieces.glsl"

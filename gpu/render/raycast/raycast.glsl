@@ -1,13 +1,13 @@
-// What all ray-cast pictures share: the ray of a pixel, the skip map, shading, segments.
+// Common parts of all ray-cast pictures: the ray of a pixel, the skip map, shading, segments.
 //
-// Spaces. Texture: 0 … 1 over the volume's voxel cells (voxel centres at (index + 0.5) / size).
-// World: patient millimetres, only directions occur. t: millimetres along the ray; from the target's plane where the view is orthographic, so
-// it may be negative.
+// Spaces: texture is 0 … 1 over the voxels of the volume (voxel centres at (index + 0.5) / size).
+// World is patient millimetres; only directions are used. t is millimetres along the ray; in an
+// orthographic view it is measured from the target's plane, so it may be negative.
 //
-// llvmpipe computes both sides of an `if` and every loop's body at least once, for all pixels of a
-// group: what is not needed at all must not be compiled. Hence the variants by SCULPTED (something
-// is carved away or a segment is shown), SEGMENTS (a segment is shown; then SCULPTED, too) and CLIPPED (a clip box or plane is on), and loops that put
-// much work behind few tests.
+// llvmpipe executes both sides of an `if`, and every loop's body at least once, for all pixels of a
+// group, so what is not needed must not be compiled. Hence the variants by SCULPTED (something is
+// carved away or a segment is shown), SEGMENTS (a segment is shown; then SCULPTED, too) and CLIPPED
+// (a clip box or plane is on), and loops that put much work behind few tests.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity;    // code / 65535
@@ -20,17 +20,17 @@ layout(binding = 6) uniform sampler2D transferFunction;
 layout(binding = 7) uniform sampler2D palette;      // rgb, shown
 
 /* Uniforms */
-uniform vec3 originBase;      // texture: start of the ray of pixel (0, 0)
+uniform vec3 originBase; // texture: start of the ray of pixel (0, 0)
 uniform vec3 originPerX;      // texture per pixel
 uniform vec3 originPerY;
 uniform vec3 directionBase;   // texture per millimetre, before division by the length
 uniform vec3 directionPerX;
 uniform vec3 directionPerY;
 uniform vec2 planeCentre;     // pixel
-uniform float planePerPixel;  // 0: orthographic; else pixel size over distance of the target
+uniform float planePerPixel; // 0: orthographic; else pixel size / distance of the target
 uniform float nearest;        // t before which nothing is drawn
 uniform float stepMm;
-uniform float jitterPhase;    // 0 … 1, another for every accumulated sample
+uniform float jitterPhase; // 0 … 1, different for every accumulated picture
 uniform float pixelScale;     // frame pixels per drawn pixel
 uniform vec2 pixelJitter;     // frame pixels
 uniform vec3 voxel;           // texture: size of one voxel
@@ -38,10 +38,11 @@ uniform mat3 gradientToWorld; // per-voxel differences → world
 uniform mat3 worldToTexture;  // directions
 uniform float aoTilt;         // 0: straight along the normal
 
-#if CLIPPED // what is looked at is convex: a ray stays in it for one stretch
+#if CLIPPED // the clip region is convex, so a ray stays inside for a single interval
 uniform vec3 clipLow;  // texture
 uniform vec3 clipHigh;
-uniform vec4 clipPlanes[3];  // texture: kept where dot(xyz, at) ≤ w; what is off keeps all
+// texture: kept where dot(xyz, at) ≤ w; a plane that is off keeps everything
+uniform vec4 clipPlanes[3];
 uniform vec4 clipNormals[3]; // world, unit, towards what is hidden
 #else
 const vec3 clipLow = vec3(0.0);
@@ -58,7 +59,7 @@ const uint segmentFlag = 4u;
 const float nowhere = 1e30; // no t
 
 #if SEEDS || BARRIERS || CHUNKS
-float solidFrom = nowhere; // t from which on nothing behind is seen
+float solidFrom = nowhere; // t behind which nothing is seen
 #endif
 #if SHEETS
 #include "render/raycast/meetSheets.glsl"
@@ -71,24 +72,24 @@ struct Ray {
     vec3 world;     // world, unit, away from the viewer
     float first;    // t of entry
     float last;     // t of exit
-    float gridZero; // t of the sample grid's number 0; samples stand at gridZero + n · stepMm
+    float gridZero; // t of number 0 of the sample grid; samples are at gridZero + n · stepMm
 #if CLIPPED
-    vec3 gate; // world, unit: normal of the clip plane that it enters by; 0: of none
+    vec3 gate; // world, unit: normal of the clip plane by which it enters; 0: none
 #endif
 };
 
 uniform mat3 textureToWorld; // directions
 
-/// White enough noise without a pattern that eyes find (Jimenez 2014, interleaved gradient noise).
+/// Noise without visible patterns (Jimenez 2014, interleaved gradient noise).
 float pixelNoise(vec2 pixel)
 {
     return fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715))));
 }
 
-/// Where a ray enters a box, leaves it, and what is clipped of it on the way.
+/// Computes where a ray enters and leaves a box, and clips it.
 void setBounds(inout Ray ray, vec3 low, vec3 high)
 {
-    // A ray along an axis must not divide by zero.
+    // Avoids a division by zero for a ray along an axis.
     const vec3 tiny = vec3(1e-12);
     const vec3 safe = mix(ray.direction, tiny, lessThan(abs(ray.direction), tiny));
     ray.inverse = 1.0 / safe;
@@ -126,24 +127,26 @@ Ray rayOf(vec2 fragment)
     ray.world = normalize(textureToWorld * ray.direction);
     const float jitter = fract(pixelNoise(fragment) + jitterPhase);
     ray.gridZero = ray.first - stepMm * jitter;
-#if PIECES // beside the volume they may still be met
+#if PIECES // pieces may be met beside the volume
     ray.gridZero = ray.first < ray.last ? ray.gridZero : -stepMm * jitter;
 #endif
     return ray;
 }
 
-/// Distance and flags. The outermost half voxel lies outside all cells; the nearest one answers.
+/// Distance and flags of the skip map. The outermost half voxel lies outside all cells, so the
+/// nearest cell is used.
 uvec2 skipAt(vec3 cell)
 {
-#ifdef EVERY_SAMPLE // tests: nothing is left out, so that pictures can be compared
+#ifdef EVERY_SAMPLE // for tests: nothing is skipped, so that pictures can be compared
     return uvec2(0u, carvedFlag | segmentFlag);
 #endif
     return texture(skipMap, (cell + 0.5) / vec3(textureSize(skipMap, 0))).rg;
 }
 
-/// The cell of a sample and where the ray leaves what the skip map lets it treat at once.
+/// The cell of a sample, and where the ray leaves the block that the skip map lets it treat at
+/// once.
 struct Stretch {
-    uint distance; // 0: something may be there
+    uint distance; // 0: the cell may hold something
     uint flags;
     float end; // t
     ivec3 cell;
@@ -169,7 +172,7 @@ Stretch stretchAt(Ray ray, float t)
     return stretch;
 }
 
-/// The first grid sample after both this one and the stretch's end.
+/// The first grid sample after both this one and the end of the stretch.
 float gridAfter(Ray ray, float t, float end)
 {
     const float now = floor((t - ray.gridZero) / stepMm + 0.5);
@@ -177,18 +180,18 @@ float gridAfter(Ray ray, float t, float end)
     return ray.gridZero + max(now + 1.0, next) * stepMm;
 }
 
-/// A ray's samples, numbered: sample n stands at origin + n · step, for 1 ≤ n < last.
+/// The numbered samples of a ray: sample n is at origin + n · step, for 1 ≤ n < last.
 struct Samples {
     vec3 origin; // texture
     vec3 step;   // texture
     float last;
-    vec3 cellOrigin; // the same in cells
+    vec3 cellOrigin; // the same in units of cells
     vec3 cellStep;
-    vec3 leaveOrigin; // number at which a cell is left = leaveOrigin + cell · leavePerCell
+    vec3 leaveOrigin; // sample number at which a cell is left = leaveOrigin + cell · leavePerCell
     vec3 leavePerCell;
 };
 
-/// @param side voxels
+/// @param side of a cell, in voxels
 Samples samplesOf(Ray ray, float side)
 {
     Samples samples;
@@ -209,7 +212,7 @@ vec3 cellOf(Samples samples, float n)
     return floor(samples.cellOrigin + samples.cellStep * n);
 }
 
-/// Where the ray leaves a cell and `reach` cells on all sides of it.
+/// Where the ray leaves a cell and `reach` further cells on all sides.
 float leaves(Samples samples, vec3 cell, float reach)
 {
     const vec3 times = samples.leaveOrigin + cell * samples.leavePerCell
@@ -227,7 +230,7 @@ vec3 centralDifferences(sampler3D field, vec3 at, float reach)
         * (0.5 / reach);
 }
 
-/// Differences per voxel from the eight corners of a cube around the place: smooth across the steps
+/// Differences per voxel from the eight corners of a cube around the place; they smooth the steps
 /// that voxels make in a surface.
 vec3 cubeDifferences(sampler3D field, vec3 at, float reach)
 {
@@ -259,7 +262,7 @@ vec3 tetrahedronDifferences(sampler3D field, vec3 at)
 #include "render/raycast/foreseen.glsl"
 #endif
 
-/// Colour of the shown segments around a point, weighted like interpolation weighs them.
+/// The colour of the shown segments around a point, weighted as by interpolation.
 vec3 segmentColour(vec3 at)
 {
     const vec3 place = at / voxel - 0.5;
@@ -276,7 +279,7 @@ vec3 segmentColour(vec3 at)
         const ivec3 there = clamp(base + offset, ivec3(0), last);
         const uint label = texelFetch(labels, there, 0).r;
         const vec4 entry = texelFetch(palette, ivec2(int(label), 0), 0);
-        // Nothing shown may be within reach of a thin part: then any weight will do.
+        // Near a thin part no shown voxel may be in reach; then any weight will do.
         const float weight = entry.a * (share.x * share.y * share.z + 1e-4);
         sum += vec4(entry.rgb, 1.0) * weight;
 #if FORESEEN
@@ -294,8 +297,8 @@ vec3 segmentColour(vec3 at)
     return own;
 }
 
-/// Normal of the flat face that a ray enters by, world, towards the viewer: the end of the scan, or
-/// a clip plane.
+/// The normal (world, towards the viewer) of the flat face by which a ray enters: the end of the
+/// scan, or a clip plane.
 vec3 faceNormal(Ray ray)
 {
     const vec3 at = ray.origin + ray.direction * ray.first;

@@ -1,19 +1,19 @@
-// Seeds that wait for a growth: little bodies where their radiation (core/sculpt/SparseRadiation.h)
-// is one half or more, in the colours of their segments. What lies behind tissue shines through.
+// Seeds that wait for a growth: small bodies where their radiation (core/sculpt/SparseRadiation.h)
+// is at least one half, in the colours of their segments. Seeds behind tissue shine through.
 
 /* Textures */
 layout(binding = 12) uniform usampler3D seedPages; // tile + 1, by bricks
 layout(binding = 13) uniform sampler3D seedTiles;  // radiation, label / 255
 
 /* Uniforms */
-uniform vec3 seedLow; // index: nothing lies beyond
+uniform vec3 seedLow; // index: low corner of the box around all seeds
 uniform vec3 seedHigh;
 
 const float seedBrick = 16.0;
 const int seedTileSide = 19;
 const int seedTilesPerRow = 16;
 
-/// Texel of a tile's voxel −1.
+/// The texel of voxel −1 of a tile.
 ivec3 seedTile(uint page)
 {
     const int tile = int(page) - 1;
@@ -22,7 +22,7 @@ ivec3 seedTile(uint page)
             tile / (seedTilesPerRow * seedTilesPerRow));
 }
 
-/// The brick that answers for a place (index).
+/// The brick whose tile is used at a place (index).
 ivec3 seedBrickOf(vec3 place)
 {
     const ivec3 last = textureSize(seedPages, 0) - 1;
@@ -35,7 +35,7 @@ float seedsIn(uint page, ivec3 brick, vec3 place)
     return texture(seedTiles, texel / vec3(textureSize(seedTiles, 0))).r;
 }
 
-/// What is seen with the seeds before it, and those behind it faintly.
+/// Adds the seeds to what is seen: those in front of it, and those behind it faintly.
 vec3 withSeeds(Ray ray, vec3 seen)
 {
     const vec3 origin = ray.origin / voxel - 0.5; // index

@@ -1,7 +1,7 @@
-// Shaded surface: the first place that is dense and not carved, or inside a segment.
+// Shaded surface: the first place along the ray that is dense and not carved, or inside a segment.
 
 /* Uniforms */
-uniform float threshold; // code / 65535; dense from there on
+uniform float threshold; // code / 65535; values from here on are dense
 uniform float denseSpan; // code / 65535 from the threshold to what is certainly solid
 uniform float aoRadius;  // mm
 
@@ -57,8 +57,9 @@ vec3 gapRise(int piece, vec3 at)
 }
 #endif
 
-/// How open the place is, by a few looks along a direction: one path with growing strides.
-/// @param directionWorld of the true place
+/// Ambient occlusion: how open the place is, by a few samples along a direction with growing
+/// strides.
+/// @param directionWorld at the true place
 float openness(int piece, vec3 at, vec3 directionWorld)
 {
     float hidden = 0.0;
@@ -91,7 +92,7 @@ struct Hit {
 Hit firstHit(Ray ray)
 {
     const Samples samples = samplesOf(ray, cellSide);
-    float n = (ray.first - ray.gridZero) / stepMm; // the box's own side may be the surface
+    float n = (ray.first - ray.gridZero) / stepMm; // the side of the box itself may be the surface
     bool hit = false;
     bool segmentHit = false;
     do {
@@ -126,7 +127,7 @@ Hit firstHit(Ray ray)
         } while (n < plainEnd && !hit);
     } while (n < samples.last && !hit);
     float t = ray.gridZero + n * stepMm;
-    // Everything below is computed for all pixels of a group anyway.
+    // Everything below is executed for all pixels of a group anyway.
     const bool onBox = t - ray.first < stepMm * 0.05;
     float before = max(t - stepMm, ray.first);
     for (int halving = 0; halving < 5; ++halving) {
@@ -145,7 +146,7 @@ Hit firstHit(Ray ray)
     return Hit(hit ? t : nowhere, segmentHit, onBox);
 }
 
-/// Colour of what lies at a hit.
+/// The colour at a hit.
 vec3 lookOf(Ray ray, int piece, Hit hit)
 {
     const bool onBox = hit.onBox;
@@ -162,13 +163,15 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
     vec3 albedo = boneColour;
     float gloss = 0.10;
 
-    // A flat face: solid material is cut there, by a clip plane or by the end of the scan.
+    // A flat face exists where solid material is cut by a clip plane or by the end of the scan.
     const float flatFace = onBox ? 1.0 : 0.0;
     vec3 cutNormal = faceNormal(ray);
-    float cut = flatFace;  // of the normal
-    float face = flatFace; // of the colour: it comes a little further in, so that rims are no steps
+    float cut = flatFace; // how much the normal is that of the cut
+    // how much the colour is that of the cut; it begins a little further in, so that edges show no
+    // step
+    float face = flatFace;
 #if SCULPTED
-    // Which of the two surfaces is nearer decides; in between they blend (distances in voxels).
+    // The nearer one of the two surfaces decides; in between they blend (distances in voxels).
     const vec3 rise = gapRise(piece, at);
     const float toCut = (0.5 - gapAt(piece, at)) / max(length(rise), 1e-3);
     const float toIso = (value - threshold) / max(length(slope), 1e-5);
@@ -176,8 +179,8 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
     cutNormal = onBox ? cutNormal : normalize(gradientToWorld * rise + 1e-9 * toViewer);
     cut = max(cut, carved * smoothstep(-0.4, 0.6, toIso - toCut));
     face = max(face, carved * smoothstep(-0.1, 1.3, toIso - toCut));
-    // What was cut through is what lies just behind the cut: at its rim the surface itself is grey
-    // with what was outside.
+    // The material that was cut is right behind the cut: at its rim the surface itself is grey from
+    // partial volume.
     const vec3 behindCut = at - worldToTexture * (cutNormal * 0.5 * stepMm);
     value = onBox ? value : max(threshold, texture(intensity, behindCut).r);
 #endif
@@ -187,8 +190,8 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
 #if SEGMENTS
     const vec3 inward = centralDifferences(segmentation, at, 1.0);
     normal = segmentHit && !onBox ? normalize(gradientToWorld * -inward + 1e-9 * toViewer) : normal;
-    // Where a segment's surface and the tissue's are one surface but for a fraction of a voxel, the
-    // segment's colour shows: without this the two would speckle.
+    // If a segment's surface and the tissue's coincide to a fraction of a voxel the segment's
+    // colour is shown; otherwise the two would speckle.
     const vec3 behind = at + ray.direction * 2.0 * stepMm;
     const float near = max(texture(segmentation, at).r, texture(segmentation, behind).r);
     float tinted = segmentHit ? 1.0 : smoothstep(0.25, 0.5, near);
@@ -209,7 +212,7 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
         grey = solid ? 0.0 : grey;
     }
 #endif
-    // A gradient that looks away is noise: bend it back into sight instead of a black speck.
+    // A gradient that faces away is noise: it is bent into view instead of giving a black speck.
     const float away = min(dot(normal, toViewer), 0.0);
     normal = normalize(normal - (away - 0.02) * toViewer);
 
@@ -218,8 +221,8 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
         = normalize(cross(normal, abs(normal.z) < 0.9 ? vec3(0, 0, 1) : vec3(1, 0, 0)));
     const vec3 tilted = normalize(
         normal + aoTilt * (cos(turn) * side + sin(turn) * cross(normal, side)));
-    // Before a flat face there is nothing, whatever the scan holds there.
-    // Grey values are to be read: they are shadowed less.
+    // There is nothing in front of a flat face, whatever the scan holds there. Grey values must be
+    // readable, so they are shadowed less.
     const float open = onBox ? 1.0 : mix(openness(piece, at, tilted), 1.0, 0.6 * grey);
     const vec4 light = lightOnFace(
         lightOn(asShown(piece, normal), -ray.world, open, gloss), grey, flatFace);
@@ -227,8 +230,8 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
 }
 
 #if SHEETS
-/// Meets the sheets before a place. Where one and matter are one surface but for a fraction of a
-/// voxel it is seen: without this the two would speckle.
+/// Composites the sheets in front of a place. If a sheet and matter coincide to a fraction of a
+/// voxel the sheet is seen; otherwise the two would speckle.
 void meetSheetsBefore(float t, inout vec3 seen, inout float through)
 {
     meetSheets(t + 2.0 * stepMm, seen, through);
@@ -266,7 +269,7 @@ const int mostHits = 64; // core::DocumentEdits allows no more pieces
 
 vec3 seenAlong(Ray ray)
 {
-    // Each is met once: a translucent piece shows its front.
+    // Each piece is hit once: a translucent one shows its front.
     Hit rest = Hit(nowhere, false, false);
     if (ray.first < ray.last)
         rest = firstHit(ray);
@@ -290,7 +293,7 @@ vec3 seenAlong(Ray ray)
 #if SEEDS || BARRIERS || CHUNKS
     solidFrom = nearest;
 #endif
-    // Opaque ones are looked at once: what is drawn is worth many looks for what is next.
+    // Opaque ones are evaluated once: drawing costs far more than finding the next.
     vec3 seen = vec3(0.0);
     float through = 1.0;
     do {
@@ -312,7 +315,7 @@ vec3 seenAlong(Ray ray)
         opacity = nearest < nowhere ? opacity : 0.0;
         seen += opacity > 0.0 ? through * opacity * look : vec3(0.0);
         through *= 1.0 - opacity;
-        // Behind the rest nothing is seen: it is opaque.
+        // The rest of the volume is opaque, so nothing is seen behind it.
         nearest = rest.t;
         next = restOf;
         for (int i = 0; i < metCount; ++i) {
@@ -329,7 +332,7 @@ vec3 seenAlong(Ray ray)
 vec3 seenAlong(Ray ray)
 {
 #if SHEETS
-    // Behind an opaque one nothing is looked for.
+    // Nothing is searched behind an opaque sheet.
     ray.last = min(ray.last, opaqueSheetAt() + 2.0 * stepMm);
 #endif
     const Hit hit = firstHit(ray);

@@ -1,5 +1,5 @@
 // X-ray: the mean of the interpolated values along the ray that are not carved away. All of them
-// count, air too; black where none is left.
+// count, including air; black if none is left.
 
 /* Uniforms */
 uniform vec2 window; // grey = mean code / 65535 · x + y
@@ -11,7 +11,7 @@ vec3 greyOf(float sum, float count)
 
 #if SCULPTED
 #if PIECES
-/// Adds a piece's values to the sum and to their number.
+/// Adds the values of a piece to the sum and to their number.
 void addPiece(Ray ray, int piece, inout float sum, inout float count)
 {
     const Samples samples = samplesOf(ray, cellSide);
@@ -50,7 +50,7 @@ vec3 seenAlong(Ray ray)
     do {
         vec3 cell = vec3(0.0);
         uvec2 skip = uvec2(0u);
-        for (;;) { // free: carved away altogether
+        for (;;) { // free: carved away completely
             cell = cellOf(samples, n);
             skip = skipAt(cell);
             if (skip.x == 0u || n >= samples.last)

@@ -13,31 +13,33 @@
 
 namespace test {
 
-// What a session does with an engine, as data: a case runs on any engine, and two outcomes can be
-// compared. Growth on plane p goes on from the generation that the case stands at, as a session's
-// document would tell it.
+// The commands of a session to an engine as data: a case can be run on any engine, and two outcomes
+// can be compared. A growth on plane p continues from the generation that the case has reached, as
+// the document of a session would tell it.
 
-/// BeginEdit of a growth whose `generation` is where the plane stands. (A GrowAnew gets it too.)
+/// BeginEdit of a growth whose `generation` is filled in with the plane's present one. (This is
+/// also done for a GrowAnew.)
 struct BeginGrowth {
     core::GrowBurst burst;
 };
-/// A whole edit that takes back the last generations of a plane's growth, or all but the seeds.
+/// A complete edit that takes back the last generations of a plane's growth, or all but the seeds.
 struct Shrink {
     core::ShrinkGrowth shrink; ///< `generation` and `keep` are filled in
     std::optional<std::uint32_t> generations{};
-    std::vector<std::uint32_t> then{}; ///< generations that it goes to before it ends, modulo
+    /// Generations that it goes to before it ends, taken modulo the number of generations.
+    std::vector<std::uint32_t> then{};
     core::Ending ending = core::Ending::Commit;
 };
-/// A whole edit that takes back what grew through some places.
+/// A complete edit that takes back what grew through some places.
 struct Cut {
     core::CutGrowth cut; ///< `generation` is filled in
     core::Ending ending = core::Ending::Commit;
 };
-/// Swap back the last committed edit that is not yet undone; nothing if there is none.
+/// Takes back the last committed edit that is not yet undone; does nothing if there is none.
 struct Undo { };
-/// Swap in again what was undone last; nothing if there is none.
+/// Restores what was undone last; does nothing if there is none.
 struct Redo { };
-/// Wait, and note how the growth stands.
+/// Waits, and records the progress of the growth.
 struct Settle { };
 
 using EngineStep = std::variant<core::EngineCommand, BeginGrowth, Shrink, Cut, Undo, Redo, Settle>;
@@ -47,29 +49,33 @@ using EngineStep = std::variant<core::EngineCommand, BeginGrowth, Shrink, Cut, U
     return known;
 }
 
+/// A volume, and the steps to carry out on it.
 struct EngineCase {
     QByteArray name;
     Codes codes;
     std::vector<EngineStep> steps;
 };
 
+/// Everything that a case observes of an engine.
 struct EngineOutcome {
-    /// In submission order; the ticket is the command's place in the case, counted from 0.
+    /// In submission order; the ticket is the index of the command in the case.
     std::vector<core::EngineResult> results;
     std::vector<core::GrowthProgress> progress; ///< at every Settle while a growth is open
     std::vector<core::BrickChange> state; ///< all bricks that are not empty, at the end
-    QString failure; ///< the engine broke a promise of the seam that needs no comparison
+    QString failure; ///< a violation of the engine's contract that was found without comparison
 };
 
 [[nodiscard]] EngineOutcome runCase(core::EditEngine& engine, const EngineCase& engineCase);
 
-/// Where two outcomes part, in words; empty if they are equal in all but milliseconds.
+/// The first difference between two outcomes, in words; empty if they are equal except for
+/// milliseconds.
 [[nodiscard]] QString difference(const EngineOutcome& expected, const EngineOutcome& actual);
 
-/// Waits. @return the result that came last; an empty one if there is none
+/// Waits for the engine.
+/// @return the last result; an empty one if there is none
 [[nodiscard]] core::EngineResult lastResult(core::EditEngine& engine);
 
-/// Steps for an edit in one go.
+/// Appends the steps of a complete edit.
 void appendWhole(std::vector<EngineStep>& steps, core::EngineEdit edit,
     std::vector<core::EngineExtension> extensions = {}, core::Ending ending = core::Ending::Commit);
 

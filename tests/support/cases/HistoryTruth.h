@@ -17,28 +17,31 @@
 
 namespace test {
 
-/// What a session must hold after each row of its history, worked out without any of its parts:
-/// voxels by an oracle that is told one edit at a time, "undo only" by doing everything else again,
-/// revised strokes by laying the cuts of all strokes over each other, the document by a few lines.
+/// The expected state of a session after each row of its history, computed without using any part
+/// of the session: voxels by an oracle that receives one edit at a time, "undo only" by repeating
+/// all other edits, revised strokes by composing the cuts of all strokes, the document by a few
+/// lines.
 class HistoryTruth {
 public:
     explicit HistoryTruth(core::LoadedVolume study);
 
-    /// A row that was carried out, with its parent known already.
+    /// Adds a row that was carried out; its parent was added before.
     void add(const core::HistoryRow& row);
-    /// What differs between the truth at a row and a session that stands there; empty if nothing.
+    /// The difference between the expected state at a row and a session that is at this row; empty
+    /// if there is none.
     [[nodiscard]] QString difference(core::RowId row, core::EditEngine& engine,
         const core::Document& document, const QByteArray& stateHash) const;
 
-    /// For whoever thinks up what to do next.
+    /// The document at a row, for choosing the next edit.
     [[nodiscard]] const core::Document& documentAt(core::RowId row) const;
-    /// Voxels that growths have added.
+    /// The voxels that growths have added.
     [[nodiscard]] std::vector<glm::ivec3> grownVoxels(core::RowId row) const;
-    /// Rows that changed voxels and count at a row, ascending.
+    /// The rows that changed voxels and are in effect at a row, ascending.
     [[nodiscard]] std::vector<core::RowId> standingAt(core::RowId row) const;
 
 private:
-    using Bricks = std::map<core::BrickKey, std::vector<std::uint8_t>>; ///< that hold something
+    /// Bricks that are not empty.
+    using Bricks = std::map<core::BrickKey, std::vector<std::uint8_t>>;
     using Cut = std::map<std::uint32_t, std::vector<std::uint8_t>>;
     struct State {
         Bricks bricks;
@@ -55,14 +58,16 @@ private:
     [[nodiscard]] std::vector<core::RowId> path(core::RowId row) const;
     [[nodiscard]] std::set<core::RowId> standing(core::RowId row) const;
     void toggle(core::RowId row, bool stands, std::set<core::RowId>& rows) const;
-    /// Seeds, growths, paint, deletions and what came from layers that stand, one after the other.
+    /// The bricks of segments at a row, by repeating, one after the other, the seeds, growths,
+    /// strokes of paint, deletions and conversions from layers that are in effect.
     [[nodiscard]] Bricks regrown(core::RowId row) const;
     [[nodiscard]] Bricks carvedUntil(core::RowId row);
-    /// What writes layers otherwise than by cuts. @param at the row whose labels it met
+    /// Carries out an edit that writes layers other than by a cut.
+    /// @param at the row whose labels it uses
     void writeLayer(const core::Edit& edit, core::RowId at, Bricks& carved) const;
     [[nodiscard]] Cut cutOf(const Stroke& stroke);
     void changeDocument(const core::Edit& edit, core::Document& document) const;
-    /// What an edit makes of bricks, by an oracle of its own.
+    /// The result of an edit on bricks, computed by an oracle of its own.
     [[nodiscard]] Bricks after(const Bricks& before, const core::EngineEdit& edit,
         const std::vector<core::EngineExtension>& extensions, std::uint32_t* generation,
         const core::Document* muting = nullptr) const;

@@ -7,12 +7,13 @@
 
 namespace test {
 
-// What every engine promises of SwapBricks, XorBricks with their guards, and ReadSeedWords: a row
-// each, for whichever engine is given.
+// Tests of the contract of SwapBricks and XorBricks with their guards, and of ReadSeedWords, one
+// row each, for any engine.
 
-/// Of a data function: a column "name".
+/// Adds the rows; for a data function, with a column "name".
 void addPutBricksRows();
-/// @return empty, or what was wrong
+/// Runs one test.
+/// @return empty, or the failure
 [[nodiscard]] QString tryPutBricks(core::EditEngine& engine, const QString& name);
 
 } // namespace test

@@ -12,18 +12,18 @@
 
 namespace test {
 
-/// A session that a hasty user works in: every kind of command, undo, redo, jumps to any row of any
-/// branch, strokes that are given up, the file closed and opened again; after each step compared
-/// with HistoryTruth.
+/// The result of a random session: every kind of command, undo, redo, jumps to any row of any
+/// branch, cancelled strokes, and closing and opening the file; after each step the session is
+/// compared with HistoryTruth.
 struct RandomHistory {
-    QString failure; ///< the first difference, with the step it came at; empty: none
-    std::map<QString, int> done; ///< how often what was carried out (by the edit's name)
+    QString failure; ///< the first difference, with the step where it was found; empty if none
+    std::map<QString, int> done; ///< how often each edit was carried out, by name
     std::map<QString, int> refused;
-    std::vector<QByteArray> hashes; ///< after each step: the same on every engine
+    std::vector<QByteArray> hashes; ///< after each step; equal on every engine
 };
 
 /// @param engine used by nobody else meanwhile; it may refuse memory while the user acts
-/// @param acting told before (true) and after each step; what is compared between is compared
+/// @param acting called before (true) and after (false) each step; comparisons happen in between,
 /// undisturbed
 [[nodiscard]] RandomHistory runRandomHistory(core::EditEngine& engine, int commands,
     std::uint32_t seed, const std::function<void(bool)>& acting = {});

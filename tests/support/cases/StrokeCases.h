@@ -10,7 +10,7 @@
 
 namespace test {
 
-/// One edit as a user makes it, on what earlier edits left.
+/// One edit as a user makes it, after some earlier edits.
 struct StrokeCase {
     QByteArray name;
     core::LoadedVolume volume;

@@ -9,26 +9,27 @@
 
 namespace test {
 
-/// State hashes of everything that can become of an edit. Six must equal `finished`, two `before`.
+/// The state hashes after everything that can happen to an edit. Six of them must equal `finished`,
+/// two `before`.
 struct StrokeHashes {
     QByteArray before;
     QByteArray finished;
-    QByteArray inPieces; ///< told as a pen or a running growth tells it
+    QByteArray inPieces; ///< sent in pieces, as by a pen or a running growth
     QByteArray cancelled;
     QByteArray undone;
     QByteArray redone;
-    QByteArray again; ///< undone and made anew: a second branch
+    QByteArray again; ///< undone and made again, on a second branch
     QByteArray reopened; ///< from the session file
     QByteArray replayed; ///< from the recorded edits, in a session of its own
-    QString failure; ///< something refused that must not be
+    QString failure; ///< a refusal that must not occur
 };
 
 /// Runs a case through core::EditSession. The engine is used by nobody else meanwhile.
 [[nodiscard]] StrokeHashes runStroke(core::EditEngine& engine, const StrokeCase& strokeCase);
 
-/// What does not agree in itself, in words; empty if all does.
+/// What is inconsistent within the hashes, in words; empty if nothing is.
 [[nodiscard]] QString contradiction(const StrokeHashes& hashes);
-/// The same between two engines.
+/// The difference between the hashes of two engines.
 [[nodiscard]] QString difference(const StrokeHashes& expected, const StrokeHashes& actual);
 
 } // namespace test

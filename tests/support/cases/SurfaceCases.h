@@ -9,7 +9,7 @@ namespace test {
 /// Edits of the surface that is being refined, on a ball of voxels.
 [[nodiscard]] std::vector<StrokeCase> surfaceCases();
 
-/// A ball of voxels as a mask that comes in: the segment "Ball", label 1 in an empty session.
+/// A ball of voxels as an imported mask: the segment "Ball", label 1 in an empty session.
 /// @param radius in voxels around the middle of the volume
 [[nodiscard]] core::Edit ballMask(const glm::ivec3& size, double radius);
 

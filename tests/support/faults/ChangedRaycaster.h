@@ -8,8 +8,8 @@
 
 namespace test {
 
-/// The built-in shaders in a folder of files, with lines put before the ray caster's, so that its
-/// pictures can be compared with the product's.
+/// The built-in shaders in a folder, with lines inserted before the ray caster's source, so that
+/// its pictures can be compared with the product's.
 [[nodiscard]] gpu::ShaderLibrary changedRaycaster(
     const QTemporaryDir& folder, const QByteArray& lines);
 

@@ -4,8 +4,8 @@
 namespace test {
 
 /// Counts the GL objects (buffers, textures, framebuffers, vertex arrays, queries, shaders,
-/// programs, fences) that this process makes and deletes while it lives. One at a time; GL is
-/// called by one thread.
+/// programs, fences) that this process creates and deletes while the object lives. One at a time;
+/// GL is called by a single thread.
 class CountingGl {
 public:
     CountingGl();
@@ -14,7 +14,7 @@ public:
     CountingGl& operator=(const CountingGl&) = delete;
 
     [[nodiscard]] int made() const;
-    [[nodiscard]] int living() const; ///< of those made meanwhile
+    [[nodiscard]] int living() const; ///< those created meanwhile and not deleted
 };
 
 } // namespace test

@@ -3,8 +3,8 @@
 
 namespace test {
 
-/// For the test function that follows, a warning or critical message that it did not announce is a
-/// failure: what Qt, a driver or our own code complains of is a defect. Call it in init().
+/// Makes every unannounced warning or critical message a failure of the following test function:
+/// what Qt, a driver or our own code reports is a defect. Call it in init().
 ///
 /// Announce an expected message with QTest::ignoreMessage(QtWarningMsg, …); a critical one counts
 /// as a warning here. Messages about the machine instead of Burin pass; the source lists them.

@@ -13,39 +13,40 @@
 
 namespace test {
 
-/// One thing that a program did to the file system, as tests/preload/fileShim.c tells it.
+/// One action of a program on the file system, as tests/preload/fileShim.c reports it.
 struct FileEvent {
     /// "open" (for writing), "unnamed" (a file without a name), "rename", "exchange", "link",
     /// "symlink", "remove", "make" (a folder), "truncate"; of a FileFault "counts" and "fails".
     QByteArray what;
     QString path;
-    /// The new name; where something was opened or made, who may use it (octal); of a fault, the
-    /// kind of call.
+    /// The new name; for files that were opened or made, their permissions (octal); for a fault,
+    /// the kind of call.
     QString more;
 };
 
-/// Calls of a program that fail.
+/// The calls of a program that are made to fail.
 struct FileFault {
-    QString under; ///< the folder in which they do
+    QString under; ///< the folder in which they fail
     QByteArray calls = "open,write,sync,rename";
-    int first = 0; ///< the first of these calls that fails, from 1; 0: none, they are counted
-    int last = 0; ///< the last one
-    int error = 0; ///< errno; 0: half of what is to be written is written
+    int first = 0; ///< the first call that fails, from 1; 0: none fails, they are only counted
+    int last = 0; ///< the last call that fails
+    int error = 0; ///< errno; 0: only half of the bytes are written
 };
 
-/// A home of its own for the program burin, empty at first, in which all that it does to the file
-/// system is told.
+/// A home folder of its own for the program burin, empty at first; every action of the program on
+/// the file system there is recorded.
 class WatchedHome {
 public:
     WatchedHome();
 
     [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
-    /// What XDG_CACHE_HOME and the like name: "cache", "config", "state", "data", "run", "tmp".
+    /// The folders that XDG_CACHE_HOME and similar variables name: "cache", "config", "state",
+    /// "data", "run", "tmp".
     [[nodiscard]] static QStringList folders();
-    /// Where a program runs that is to be told of; it tells in events().
+    /// The environment for a program whose actions are recorded in events().
     [[nodiscard]] QProcessEnvironment environment(const FileFault& fault = {}) const;
     [[nodiscard]] Outcome burin(const QStringList& arguments, const FileFault& fault = {}) const;
-    /// What was told since the last call.
+    /// The actions since the last call.
     [[nodiscard]] std::vector<FileEvent> events() const;
 
 private:

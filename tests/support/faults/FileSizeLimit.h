@@ -7,7 +7,7 @@
 
 namespace test {
 
-/// While it lives, files of this process cannot grow past a size: the full disk a test can have.
+/// While it lives, files of this process cannot grow beyond a size: a substitute for a full disk.
 class FileSizeLimit {
 public:
     explicit FileSizeLimit(rlim_t bytes)

@@ -5,28 +5,26 @@
 
 namespace test {
 
-/// While it lives the driver is asked for the impossible instead of some of the storage (buffers,
-/// textures, views of textures, mappings) that the program asks for: those calls fail as they do
-/// where memory has run out, with the driver's own error. One at a time, in the whole process; GL
-/// is called by one thread.
+/// Simulates a driver without memory: while it lives, some allocations of the program (buffers,
+/// textures, views of textures, mappings) are replaced by impossible ones, so that they fail with
+/// the driver's own error. One at a time, for the whole process; GL is called by a single thread.
 class RefusingGl {
 public:
     enum class From { Once, OnAndOn };
 
-    /// @param first which call is the first to be refused, counted from 1; 0: none, they are
-    /// counted only
-    /// @param from only that one, or every one from there on
+    /// @param first the first call that is refused, counted from 1; 0: none, calls are only counted
+    /// @param from only that call, or every call from there on
     explicit RefusingGl(int first, From from = From::Once);
-    /// Now and then one, drawn by lot, @p least to @p most calls after the one before.
+    /// Refuses single calls at random, @p least to @p most calls apart.
     RefusingGl(std::uint32_t seed, int least, int most);
     ~RefusingGl();
     RefusingGl(const RefusingGl&) = delete;
     RefusingGl& operator=(const RefusingGl&) = delete;
 
-    [[nodiscard]] int calls() const; ///< since it began
+    [[nodiscard]] int calls() const; ///< since the beginning
     [[nodiscard]] int refused() const;
 
-    /// Meanwhile nothing is refused or counted.
+    /// While it lives nothing is refused or counted.
     class Pause {
     public:
         explicit Pause(RefusingGl& refusing);

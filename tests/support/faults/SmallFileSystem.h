@@ -6,8 +6,8 @@
 
 namespace test {
 
-/// A file system of a few hundred kilobytes in memory, seen by this process and its children only
-/// (a mount namespace of their own). Make it before other threads need to see it.
+/// A file system of a few hundred kilobytes in memory that only this process and its children see
+/// (in a mount namespace of their own). Make it before other threads need to see it.
 class SmallFileSystem {
 public:
     explicit SmallFileSystem(int kibibytes);
@@ -15,7 +15,7 @@ public:
     SmallFileSystem& operator=(const SmallFileSystem&) = delete;
     ~SmallFileSystem();
 
-    /// Why there is none (it takes the right to mount); empty: there is one.
+    /// Why it could not be made (it needs the right to mount); empty if it was.
     [[nodiscard]] const QString& problem() const { return m_problem; }
     [[nodiscard]] QString filePath(const QString& name) const { return m_folder.filePath(name); }
     void resize(int kibibytes);

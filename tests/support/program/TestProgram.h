@@ -11,7 +11,7 @@
 
 namespace test {
 
-/// Carries out one class of tests, like main(); @p argv without the name of the class.
+/// Runs one class of tests, like main(); @p argv lacks the name of the class.
 using TestRun = int (*)(int argc, char** argv);
 
 /// Makes a class known to the program that its source is linked into, before main().
@@ -21,8 +21,8 @@ struct RegisteredTest {
 };
 
 /// A QApplication on an X server of its own, so that window tests neither wait for each other nor
-/// take each other's keyboard focus. BURIN_TEST_DISPLAY=inherit shows the windows on the display of
-/// whoever runs the test.
+/// steal each other's keyboard focus. BURIN_TEST_DISPLAY=inherit shows the windows on the present
+/// display.
 class WindowApplication {
 public:
     WindowApplication(int& argc, char** argv);
@@ -35,7 +35,7 @@ private:
     Parts* m_parts;
 };
 
-/// Nothing of Qt's is started: the class needs neither events nor paths.
+/// Starts no Qt application: the class needs neither events nor paths.
 struct NoApplication {
     NoApplication(int&, char**) { }
 };
@@ -53,7 +53,7 @@ template <typename Test, typename Application> int runTest(int argc, char** argv
 
 } // namespace test
 
-/// The class runs as @p run says: int run(int argc, char** argv).
+/// The class is run by @p run: int run(int argc, char** argv).
 #define BURIN_TEST_RUN(Class, run)                                                                 \
     static const ::test::RegisteredTest registered##Class(#Class, run);
 
@@ -62,6 +62,6 @@ template <typename Test, typename Application> int runTest(int argc, char** argv
 /// The class needs windows.
 #define BURIN_WINDOW_TEST(Class)                                                                   \
     BURIN_TEST_RUN(Class, (&::test::runTest<Class, ::test::WindowApplication>))
-/// The class needs nothing of Qt's running.
+/// The class needs no Qt application.
 #define BURIN_PLAIN_TEST(Class)                                                                    \
     BURIN_TEST_RUN(Class, (&::test::runTest<Class, ::test::NoApplication>))

@@ -10,18 +10,18 @@
 
 namespace test {
 
-/// A view from afar, head up.
+/// An orthographic view along a direction, head up.
 [[nodiscard]] core::OrthographicView viewFrom(
     const glm::dvec3& direction, const glm::dvec3& target, double heightMm);
 [[nodiscard]] gpu::VolumeScene sceneOf(const core::OrthographicView& view);
 
-/// A sketch over a picture as the window shows it: closed, or a stroke.
+/// Draws a sketch over a picture as the window does: a closed curve, or a stroke.
 /// @param pathMm in the view's plane, from its target
 void drawSketch(QImage& picture, const core::OrthographicView& view,
     const std::vector<glm::dvec2>& pathMm, bool closed = true, std::uint32_t rgb = 0xFFD040);
 
-/// Panels side by side, in the manual's folder if that is asked for (BURIN_SCREENSHOTS).
-/// @return whether they are there, or were not asked for
+/// Saves panels side by side in the manual's folder if that is requested (BURIN_SCREENSHOTS).
+/// @return whether they were saved, or not requested
 [[nodiscard]] bool keepPanels(const std::vector<QImage>& panels, const char* name);
 [[nodiscard]] bool panelsWanted();
 

@@ -8,25 +8,26 @@
 
 namespace test {
 
-/// What tests/data/gold holds to: recipes that carry out every kind of edit there is, with undo,
-/// branches, revisions and "undo only", on a study made for them; the sessions that they left when
-/// they were recorded; and, as text, what came of each step and row.
+/// Access to tests/data/gold: recipes that carry out every kind of edit, with undo, branches,
+/// revisions and "undo only", on a study made for them; the sessions that resulted when they were
+/// recorded; and, as text, the result of each step and row.
 
-/// The small study, and beside its ball two smaller ones with a tube between them: a neck, and what
-/// leaks through it.
+/// The small study with two smaller balls beside its ball, connected by a tube: a neck with
+/// something that leaks through it.
 [[nodiscard]] core::LoadedVolume goldenStudy();
 
 [[nodiscard]] QString goldenFolder();
-/// Of the recipes, without ".json", sorted.
+/// The names of the recipes, without ".json", sorted.
 [[nodiscard]] QStringList goldenNames();
 
-/// What a closed session file holds of each row, a line each: number, parent, the growth's
-/// generation, state hash, hash of its difference, name, edit. Nothing that depends on time, user
-/// or machine.
+/// What a closed session file holds for each row, one line each: number, parent, generation of the
+/// growth, state hash, hash of its difference, name, edit. Nothing in it depends on time, user or
+/// machine.
 [[nodiscard]] QString rowsOf(const QString& sessionFile);
 
-/// Holds @p text to a file of tests/data/gold; with BURIN_RECORD_GOLD set it becomes the file.
-/// @return the first line that differs, beside the one that was expected; empty: none
+/// Compares @p text with a file of tests/data/gold; if BURIN_RECORD_GOLD is set it replaces the
+/// file instead.
+/// @return the first line that differs, beside the expected one; empty if none
 [[nodiscard]] QString differenceFromGold(const QString& name, const QString& text);
 
 } // namespace test

@@ -17,13 +17,13 @@ struct GrowCriteria;
 
 namespace test {
 
-// Edits that many tests make on the way to what they are about. They need not see the header of
-// such an edit, so that it can change without all of them being built anew.
+// Edits that many tests make on the way to their subject. Tests that use them need not include the
+// headers of these edits, so that a change of such a header does not recompile all of them.
 
 [[nodiscard]] core::Edit newSegment(const QString& name, std::uint32_t rgb = 0);
 [[nodiscard]] core::Edit renameSegment(int segment, const QString& name);
 [[nodiscard]] core::Edit lockSegment(int segment, bool locked = true);
-/// No tool carves where it is.
+/// Protects a segment from carving.
 [[nodiscard]] core::Edit protectSegment(int segment, bool isProtected = true);
 [[nodiscard]] core::Edit seedAt(int segment, std::vector<glm::dvec3> pointsLps);
 /// @param steps none: to closure
@@ -31,7 +31,7 @@ namespace test {
     double lower, double upper, std::optional<int> steps = std::nullopt);
 [[nodiscard]] core::Edit growBy(
     const core::GrowCriteria& criteria, std::optional<int> steps = std::nullopt);
-/// With a ball, in one stroke through these points.
+/// A stroke of a ball through these points.
 [[nodiscard]] core::Edit paintAt(
     int segment, std::vector<glm::dvec3> pointsLps, double radiusMm = 4.0);
 /// Over other segments too.

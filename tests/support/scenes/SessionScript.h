@@ -12,26 +12,27 @@
 
 namespace test {
 
-/// What a user might do with the small study in one sitting, drawn by lot: drills (some of them
-/// long), seeds, growths, names, undo, redo, walks to any row, "undo only here". With it the truth
-/// by the oracle: what the history is and the voxels are after every step.
+/// A random session with the small study: drills (some of them long), seeds, growths, renaming,
+/// undo, redo, going to any row, "undo only here". It also holds the expected result by the oracle:
+/// history and voxels after every step.
 struct SessionScript {
     struct Step {
         core::RecipeStep step;
-        core::RowId rows = 0; ///< that the history has after it
-        core::RowId position = 0; ///< after it
+        core::RowId rows = 0; ///< number of history rows after it
+        core::RowId position = 0; ///< position after it
     };
     std::vector<Step> steps;
-    std::vector<QByteArray> hashes; ///< state hash by row; [0]: of the beginning
+    std::vector<QByteArray> hashes; ///< state hash by row; [0] of the initial state
     std::vector<core::RowId> parents; ///< by row
     std::vector<core::RowId> line; ///< History::line() at the end
 
-    /// Rows and position after so many steps.
+    /// The number of rows, and the position, after some steps.
     [[nodiscard]] core::RowId rowsAfter(std::size_t done) const;
     [[nodiscard]] core::RowId positionAfter(std::size_t done) const;
-    /// Where a session can stand that did @p done steps and was stopped at some point of the next.
+    /// The possible positions of a session that did @p done steps and was stopped at any moment of
+    /// the next.
     [[nodiscard]] std::set<core::RowId> positionsFrom(std::size_t done) const;
-    /// As `burin run` takes it.
+    /// The script as a recipe for `burin run`.
     [[nodiscard]] QByteArray recipe() const;
 };
 

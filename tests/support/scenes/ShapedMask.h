@@ -8,7 +8,7 @@
 
 namespace test {
 
-/// Voxels by a rule, on a grid in LPS.
+/// A mask given by a rule, on a grid in LPS.
 struct ShapedMask {
     core::VolumeGeometry geometry;
     std::vector<std::uint8_t> labels; ///< 0 or 1
@@ -21,7 +21,8 @@ struct ShapedMask {
             geometry.indexToWorld[axis][axis] = spacingMm[axis];
         geometry.indexToWorld[3] = glm::dvec4(-40.0, 25.0, 310.0, 1.0);
     }
-    /// @param inside of a place in mm, from voxel (0, 0, 0)
+    /// Sets the voxels for which @p inside is true.
+    /// @param inside takes a position in mm from voxel (0, 0, 0)
     template <typename Inside> void fill(const Inside& inside)
     {
         const glm::dvec3 spacing = geometry.spacingMm();
@@ -47,7 +48,7 @@ struct ShapedMask {
         }
         return runs;
     }
-    /// In LPS, of a place in mm from voxel (0, 0, 0).
+    /// The LPS position of a point given in mm from voxel (0, 0, 0).
     [[nodiscard]] glm::dvec3 lps(const glm::dvec3& placeMm) const
     {
         return geometry.originLps() + placeMm;

@@ -6,7 +6,8 @@
 
 namespace test {
 
-/// The shared test data: BURIN_SHARED_DATA, else beside the source tree; empty if there are none.
+/// The folder of the shared test data: BURIN_SHARED_DATA, else beside the source tree; empty if
+/// there is none.
 QString sharedDataFolder();
 
 /// One case of the shared data.
@@ -16,8 +17,8 @@ struct SharedCase {
     QJsonObject expected; ///< expected.json
 };
 
-/// Unpacks at first use, also when several tests want the same case at once. `source` is empty
-/// where there are no shared data: QSKIP then.
+/// Finds a case and unpacks it at first use, also when several tests need it at the same time.
+/// `source` is empty without shared data; then use QSKIP.
 SharedCase sharedCase(const QString& name);
 
 } // namespace test

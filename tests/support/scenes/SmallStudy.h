@@ -12,23 +12,23 @@
 
 namespace test {
 
-/// A study that even the oracle is quick with: 40 × 36 × 34 voxels of 1 × 1 × 1.5 mm, a hollow ball
-/// of "bone" (1000 HU) with "brain" (40 HU) inside, air (−1000 HU) around; value = code − 1024.
+/// A study that is small enough for the oracle: 40 × 36 × 34 voxels of 1 × 1 × 1.5 mm, a hollow
+/// ball of "bone" (1000 HU) with "brain" (40 HU) inside, in air (−1000 HU); value = code − 1024.
 [[nodiscard]] core::LoadedVolume smallStudy();
 
-/// Two places in the brain, and one in the bone.
+/// Two points in the brain, and one in the bone; LPS.
 [[nodiscard]] std::vector<glm::dvec3> pointsInBrain();
 [[nodiscard]] std::vector<glm::dvec3> pointsInBone();
-/// Onto the middle of the brain.
+/// A view onto the middle of the brain, from the front.
 [[nodiscard]] core::OrthographicView frontView();
 
-/// Edits that suit it.
+/// Edits for this study.
 [[nodiscard]] core::Edit addSegment(const char* name);
 [[nodiscard]] core::Edit seedInBrain(int segment);
 [[nodiscard]] core::Edit seedInBone(int segment);
 [[nodiscard]] core::Edit growBrain(std::optional<int> steps = {});
 [[nodiscard]] core::Edit growBone(std::optional<int> steps = {});
-/// From the front into the bone, at @p xMm right of the middle.
+/// A drill from the front into the bone, @p xMm right of the middle.
 [[nodiscard]] core::Edit drillAt(double xMm);
 
 /// A history of strokes, growths and changes, on segments 1 and 2.

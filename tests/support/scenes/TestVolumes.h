@@ -12,8 +12,8 @@ using Codes = reference::DenseArray<std::uint16_t>;
 using Bytes = reference::DenseArray<std::uint8_t>;
 using Random = std::mt19937;
 
-/// The code of corridors, balls, slabs and shells below; around them is 0 or noise below half of
-/// it.
+/// The code of the corridors, balls, slabs and shells below. Around them the code is 0, or noise
+/// below half of it.
 constexpr std::uint16_t tissueCode = 1000;
 
 /// An integer in [low, high], the same on every platform (standard distributions are not).
@@ -23,13 +23,14 @@ constexpr std::uint16_t tissueCode = 1000;
 [[nodiscard]] glm::ivec3 randomVoxel(Random& random, const glm::ivec3& size);
 
 [[nodiscard]] Codes constantVolume(const glm::ivec3& size, std::uint16_t code);
-/// Every voxel 0 … highest, independent of its neighbours.
+/// Independent random voxels, 0 … highest.
 [[nodiscard]] Codes noiseVolume(const glm::ivec3& size, int highest, Random& random);
 /// Tissue where x + y + z is even: no two tissue voxels share a face.
 [[nodiscard]] Codes checkerboard(const glm::ivec3& size);
-/// One corridor, one voxel wide, that winds through the whole volume from (0, 0, 0).
+/// A corridor, one voxel wide, that winds from (0, 0, 0) through the whole volume.
 [[nodiscard]] Codes spiralCorridor(const glm::ivec3& size);
-/// Likewise, but every step along x goes across a row of voxels too: only growth over edges follows.
+/// The same, but every step along x also goes diagonally to the next row: only growth over edges
+/// can follow it.
 [[nodiscard]] Codes zigzagCorridor(const glm::ivec3& size);
 /// Overlapping balls of tissue in noise.
 [[nodiscard]] Codes balls(const glm::ivec3& size, int count, Random& random);
@@ -38,7 +39,7 @@ constexpr std::uint16_t tissueCode = 1000;
 /// Tissue where `first` ≤ coordinate ≤ `last` along an axis, 0 elsewhere.
 [[nodiscard]] Codes slab(const glm::ivec3& size, int axis, int first, int last);
 
-/// So many random boxes of the labels 0 … 4, one over the other, as if painted; 0 elsewhere.
+/// @p count random boxes of the labels 0 … 4, one over the other, as if painted; 0 elsewhere.
 [[nodiscard]] Bytes labelBoxes(const glm::ivec3& size, int count, Random& random);
 
 /// The bricks of a field of bytes, whole, for core::SwapBricks.

@@ -8,8 +8,9 @@
 
 namespace test {
 
-/// A volume, what is done to it, and a rule to trace label 2 by: with everything that a growth of
-/// it may meet (other segments, members, barriers, what is painted, carved, out of the box).
+/// A volume, commands on it, and a rule for tracing the tolerances of label 2, with everything that
+/// its growth may meet: other segments, members, barriers, painted and carved voxels, the border of
+/// a box.
 struct ToleranceScene {
     Codes codes;
     std::vector<core::EngineCommand> commands;

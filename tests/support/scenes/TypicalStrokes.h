@@ -6,8 +6,8 @@
 
 namespace test {
 
-/// What a radiologist paints in one go: sixty dabs of an 8 mm ball or disc, 3 mm apart, in three
-/// bends across about 60 × 40 mm of an axial slice.
+/// A typical stroke of paint of a radiologist: sixty dabs of an 8 mm ball or disc, 3 mm apart, in
+/// three bends across about 60 × 40 mm of an axial slice.
 [[nodiscard]] core::Edit typicalPaintStroke(
     int segment, const glm::dvec3& middleLps, core::BrushPath::Shape shape);
 

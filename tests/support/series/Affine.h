@@ -7,10 +7,10 @@
 
 namespace test {
 
-/// An affine that a script wrote as four rows of four numbers.
+/// Converts an affine that a script wrote as four rows of four numbers.
 [[nodiscard]] glm::dmat4 matrixFrom(const QJsonValue& rows);
 
-/// The centre of a voxel, LPS mm, also where slices are unevenly far apart.
+/// The centre of a voxel, LPS mm, also for unevenly spaced slices.
 [[nodiscard]] glm::dvec3 placeOf(const core::VolumeGeometry& geometry, const glm::ivec3& voxel);
 
 /// The greatest distance in mm between the corners of a volume and where @p indexToWorld puts them.

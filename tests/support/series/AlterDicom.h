@@ -12,8 +12,8 @@
 
 namespace test {
 
-/// A fault for a file: changes its elements and stores it in the form that it had. Compares as a
-/// test function does.
+/// Changes elements of a DICOM file and stores it with its original transfer syntax. Failures are
+/// reported to Qt Test, as in a test function.
 inline void alterDicom(const QString& file, const std::function<void(DcmDataset&)>& change)
 {
     DcmFileFormat format;

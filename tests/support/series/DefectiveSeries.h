@@ -5,16 +5,16 @@
 
 namespace test {
 
-// Series with a defect whose stored values grow evenly through the patient, so that whatever lies
-// between slices is known: 20 per mm of y or z, 3 per column.
+// Series with a defect. Their stored values grow linearly through the patient, so that values
+// between slices are known: 20 per mm of y or z, 3 per column.
 
-/// Every slice @p shiftMm further along y than the one before it; values know x and y alone.
+/// Every slice is @p shiftMm further along y than the one before it; values depend only on x and y.
 [[nodiscard]] SyntheticSeries tiltedSeries(double shiftMm);
-/// Slices at these heights; values know x and z alone.
+/// Slices at these heights; values depend only on x and z.
 [[nodiscard]] SyntheticSeries seriesAtHeights(const std::vector<double>& heightsMm);
 
-/// Four more images at the places of slices 2 to 5 (0-based), all of one value, under instance
-/// number 99.
+/// Adds four more images at the positions of slices 2 to 5 (0-based), all of one value, with
+/// instance number 99.
 void addDoubles(const SyntheticSeries& series, const QString& folder, int stored);
 
 } // namespace test

@@ -10,29 +10,30 @@
 
 namespace test {
 
-/// Every hostile file that there is (HostileDicom.h).
+/// One of the hostile files (HostileDicom.h), with a description.
 struct HostileFile {
     QString name; ///< what it is
     QByteArray bytes;
 };
 [[nodiscard]] std::vector<HostileFile> hostileFiles();
 
-/// The series that a hostile file lies beside: twelve slices in JPEG lossless.
+/// A valid series to lie beside a hostile file: twelve slices in JPEG lossless.
 constexpr int honestSlices = 12;
 [[nodiscard]] QString honestSeriesUid();
+/// Writes it.
 /// @return its files, slice by slice
 QStringList writeHonestSeries(const QString& folder);
 
-/// No time that decides: only a hang takes that long on a machine that has nothing else to do, and
-/// the issue allows ten seconds of work.
+/// The time after which a run counts as hung. It decides nothing else: only a hang takes that long
+/// on an idle machine, while the issue allows ten seconds of work.
 constexpr std::chrono::seconds hangsAfter{240};
 
-/// `burin`, run to its end or until it hangs.
+/// The result of `burin`, run to its end or until it hangs.
 struct WatchedRun {
     bool hung = false;
     int status = -1; ///< −1: it crashed
-    double cpuSeconds = 0.0; ///< of all threads; what ten seconds are counted by
-    long peakKb = 0; ///< the most memory that it, or one process that it started, had
+    double cpuSeconds = 0.0; ///< of all threads; compared with the ten seconds
+    long peakKb = 0; ///< peak memory of the process, or of one that it started
     QByteArray output; ///< stdout
     QString complaint; ///< stderr
 };

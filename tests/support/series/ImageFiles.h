@@ -10,25 +10,27 @@
 
 namespace test {
 
-/// Pixels of pictures as they lie in memory, row after row.
+/// The pixels of a picture as they lie in memory, row by row.
 struct PictureBytes {
     int columns = 0;
     int rows = 0;
     int bits = 8;
-    int sampleFormat = 1; ///< of TIFF: 1 unsigned, 2 signed, 3 floating point
+    int sampleFormat = 1; ///< as in TIFF: 1 unsigned, 2 signed, 3 floating point
     QByteArray bytes{};
 };
 
 /// A picture whose pixel (column, row) of slice k is pixelAt(k, column, row), as T stores it.
 template <class T> PictureBytes picture(int k, int columns, int rows);
-/// Within what every type holds, signed ones below zero, too.
+/// The value of a pixel; it fits every type, and is negative in places for signed ones.
 [[nodiscard]] int pixelAt(int k, int column, int row);
 
-/// PNG 1.2 by zlib, byte by byte as the standard says. @param colourType as there; 0: grey
-/// @param chunks between header and data @param adam7 interlaced
+/// Writes a PNG 1.2 with zlib, following the standard byte by byte.
+/// @param colourType as in the standard; 0: grey
+/// @param chunks between header and data
+/// @param adam7 interlaced
 [[nodiscard]] QByteArray png(const PictureBytes& picture, int colourType = 0,
     const QByteArray& chunks = {}, bool adam7 = false);
-/// With its length and checksum.
+/// A PNG chunk with its length and checksum.
 [[nodiscard]] QByteArray pngChunk(const QByteArray& name, const QByteArray& data);
 
 struct TiffOptions {
@@ -36,7 +38,7 @@ struct TiffOptions {
     bool bigTiff = false;
     int compression = 1;
     int predictor = 1;
-    int tile = 0; ///< its side; 0: strips
+    int tile = 0; ///< side of a tile; 0: strips
     int rowsPerStrip = 3;
     int photometric = 1;
     int orientation = 1;
@@ -45,7 +47,8 @@ struct TiffOptions {
     int resolutionUnit = 2;
     QByteArray description{};
 };
-/// A TIFF by libtiff. @return whether it could be written
+/// Writes a TIFF with libtiff.
+/// @return whether that worked
 [[nodiscard]] bool writeTiff(
     const QString& path, const std::vector<PictureBytes>& pages, const TiffOptions& options = {});
 

@@ -7,12 +7,13 @@
 
 namespace test {
 
-/// A series that tells who the patient is wherever DICOM has room for it: names, numbers, dates,
-/// texts, nested items, private attributes, overlays, UIDs. Each such value holds one of markers().
+/// A series that identifies the patient in every place that DICOM has for it: names, numbers,
+/// dates, texts, nested items, private attributes, overlays, UIDs. Each such value contains one of
+/// markers().
 [[nodiscard]] SyntheticSeries markedSeries();
-/// What must not be found in anything that is de-identified.
+/// The byte strings that must not occur in anything that is de-identified.
 [[nodiscard]] QByteArrayList markers();
-/// Which of them a file holds, as it lies there or once it is inflated (deflated DICOM, gzip).
+/// The markers that occur in a file, as it is or after decompression (deflated DICOM, gzip).
 [[nodiscard]] QByteArrayList markersIn(const QString& file);
 
 } // namespace test

@@ -58,7 +58,7 @@ inline const QByteArray place("space: left-posterior-superior\n"
                               "space directions: (0.6,0.8,0) (-0.8,0.6,0) (0,0,2.5)\n"
                               "space origin: (-12,34,56.5)\n");
 
-/// A sound attached file of short integers.
+/// A valid attached file of short integers.
 inline QByteArray soundFile()
 {
     return start + shape + place + "encoding: raw\n\n" + storedAs<std::int16_t>(false);

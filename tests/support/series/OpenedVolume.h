@@ -8,19 +8,19 @@
 
 namespace test {
 
-/// Opens what lies at a path; where that fails, says why in the log and returns an empty volume.
+/// Opens the volume at a path. On failure it logs the reason and returns an empty volume.
 [[nodiscard]] core::LoadedVolume openVolume(const QString& path, const QString& series = {});
 
 [[nodiscard]] double valueAt(const core::LoadedVolume& loaded, const glm::ivec3& index);
-/// Largest difference between what a series was made of and what was opened.
+/// The largest difference between the values of a synthetic series and the opened volume.
 [[nodiscard]] double worstError(const core::LoadedVolume& loaded, const SyntheticSeries& series);
 
 [[nodiscard]] bool hasProblem(
     const std::vector<core::VolumeProblem>& problems, core::VolumeProblem::Kind kind);
-/// What is said about a problem; empty where there is none of that kind.
+/// The text of a problem; empty if there is none of this kind.
 [[nodiscard]] QString problemText(
     const std::vector<core::VolumeProblem>& problems, core::VolumeProblem::Kind kind);
-/// An error's code and arguments, for messages of tests.
+/// The code and arguments of an error, for messages of tests.
 [[nodiscard]] QString errorText(const core::Error& error);
 
 } // namespace test

@@ -9,15 +9,15 @@
 #include <QString>
 #include <QStringList>
 
-// What tests send to servers, and what they must find there, whichever way they ask.
+// Objects that tests send to servers and search for there, by any protocol.
 
 namespace test {
 
-/// All files below a folder, hidden ones too.
+/// All files below a folder, including hidden ones.
 [[nodiscard]] QStringList filesBelow(const QString& folder);
 
-/// Two studies of three images that a search can tell apart: Müller^Jörg (A1, CT, 2020-03-04) and
-/// Doe^Jane (B2, MR, 2021-05-06).
+/// Two studies of three images each that a search can distinguish: Müller^Jörg (A1, CT, 2020-03-04)
+/// and Doe^Jane (B2, MR, 2021-05-06).
 struct TwoStudies {
     /// Written below @p folder.
     explicit TwoStudies(const QString& folder);
@@ -27,18 +27,19 @@ struct TwoStudies {
     QStringList files;
 };
 
-/// A DICOM SEG of one segment, written below a folder beside the series that it is drawn on.
+/// A DICOM SEG of one segment, written in a folder beside its series.
 struct SmallMask {
     explicit SmallMask(const QString& folder);
 
     QString file;
     QString studyUid;
-    QString sha256; ///< as the export says it
-    QString problem; ///< why there is none
+    QString sha256; ///< as reported by the export
+    QString problem; ///< why it could not be made
 };
 
-/// A server that holds two studies finds each by what tells them apart, and nobody else.
-/// @param alone whether it holds nothing else
+/// Checks that a server with two studies finds each by its distinguishing attributes, and nothing
+/// for others.
+/// @param alone whether the server holds no other studies
 template <class Node> void compareSearch(const Node& node, const TwoStudies& studies, bool alone)
 {
     const auto found = [&node](const core::StudyFilter& filter, int most = 100) {

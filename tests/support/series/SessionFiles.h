@@ -12,25 +12,27 @@
 
 namespace test {
 
-/// A session on the small study with the rows of manyEdits(), then two more from row 4 on,
-/// closed one row before the last, with segment 2 hidden.
-/// @return the state hash there
+/// Makes a closed session on the small study with the rows of manyEdits(), then two more after row
+/// 4; its position is one row before the last, and segment 2 is hidden.
+/// @return the state hash at that position
 QByteArray makeSession(const QString& path, std::function<core::RowOrigin()> origin = {});
 
-/// The small study as a CT series in a folder; @p shift makes another one of it, by grey values.
+/// Writes the small study as a CT series into a folder; a @p shift of the grey values makes it a
+/// different study.
 void writeSmallSeries(
     const QString& folder, const char* seriesUid, int shift = 0, const char* description = "");
 
-/// One statement on a closed session file. @return whether it changed something
+/// Runs one SQL statement on a closed session file.
+/// @return whether it changed anything
 bool runSql(const QString& path, const QString& sql);
 
-/// The one value that a query on a closed session file answers.
+/// The single value that a query on a closed session file returns.
 [[nodiscard]] QString text(const QString& path, const QString& sql);
 
 /// SHA-256 of a file's bytes, hex.
 [[nodiscard]] QByteArray fingerprint(const QString& path);
 
-/// While it lives, this process is nobody, if it was root: permissions count.
+/// While it lives, this process runs as nobody if it was root, so that file permissions apply.
 class Unprivileged {
 public:
     Unprivileged();
@@ -42,7 +44,7 @@ private:
     bool m_wasRoot = false;
 };
 
-/// While it lives, another process holds a session file as a window does that has it open.
+/// While it lives, another process holds a session file open, as another window would.
 class OtherWindow {
 public:
     explicit OtherWindow(const QString& path);

@@ -12,7 +12,7 @@
 
 namespace test {
 
-/// A small CT series with a geometry to choose, for tests of export. Pixels are zero.
+/// A small CT series with an arbitrary geometry, for tests of export. Pixels are zero.
 struct SmallSeries {
     glm::ivec3 size{12, 9, 6};
     glm::dvec2 spacing{0.7, 0.9}; ///< columns (x), rows (y)
@@ -27,13 +27,13 @@ struct SmallSeries {
     std::string studyDate = "20200304";
     bool frameOfReference = true;
 
-    /// Slices at even steps from @p first.
+    /// Places the slices at equal steps from @p first.
     void placeEvenly(const glm::dvec3& first, const glm::dvec3& step);
-    /// Writes one file per slice, names in no relation to their order.
+    /// Writes one file per slice; the names are unrelated to the order.
     /// @returns the volume as a loader would describe it
     [[nodiscard]] core::Volume write(const QString& folder) const;
-    /// The same as one Enhanced CT file whose frames carry their places in functional groups, in no
-    /// order; what only these tests need of it.
+    /// The same as one Enhanced CT file whose frames store their positions in functional groups, in
+    /// no order; it contains only what these tests need.
     [[nodiscard]] core::Volume writeMultiFrame(const QString& folder) const;
 
 private:

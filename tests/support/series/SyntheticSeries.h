@@ -13,7 +13,8 @@ class DcmDataset;
 
 namespace test {
 
-/// A DICOM CT series made to order, defects included. Every field may be set before writeSeries().
+/// The description of a DICOM CT series for tests, including possible defects. Every field may be
+/// set before writeSeries().
 struct SyntheticSeries {
     glm::ivec3 size{24, 18, 10};
     glm::dvec2 spacing{0.75, 1.25}; ///< mm between columns (x), between rows (y)
@@ -27,7 +28,7 @@ struct SyntheticSeries {
         .highBit = 11,
         .isSigned = false,
         .photometric = QStringLiteral("MONOCHROME2")};
-    /// Fills the bits that hold no value with ones and zeros.
+    /// Fills unused bits with ones and zeros.
     bool dirtySpareBits = false;
     /// Stored value; must fit layout.bitsStored.
     std::function<int(const glm::ivec3& index)> stored = defaultStored;
@@ -38,21 +39,21 @@ struct SyntheticSeries {
     QString seriesUid = QStringLiteral("2.25.4711");
     QString studyUid = QStringLiteral("2.25.4712");
     QString transferSyntaxUid = QStringLiteral("1.2.840.10008.1.2.1");
-    /// File name of slice k; by default their order has nothing to do with k.
+    /// The file name of slice k; by default the order of names is unrelated to k.
     std::function<QString(int k)> fileName = shuffledName;
-    /// Last changes to the data set of slice k before it is written.
+    /// Changes the data set of slice k just before it is written.
     std::function<void(DcmDataset& set, int k)> adjust = [](DcmDataset&, int) {};
 
     static int defaultStored(const glm::ivec3& index);
     static QString shuffledName(int k);
 
-    /// What a loader must find at this index.
+    /// The value that a loader must find at this index.
     [[nodiscard]] double value(const glm::ivec3& index) const;
     [[nodiscard]] glm::dvec3 position(int k) const;
 };
 
-/// Writes one file per slice into @p folder (made if needed); returns their paths, slice by slice.
-/// Compresses with DCMTK's encoders where transferSyntaxUid asks for RLE, JPEG or JPEG-LS.
+/// Writes one file per slice into @p folder, which is created if needed; returns the paths in the
+/// order of slices. Compresses with DCMTK's encoders if transferSyntaxUid is RLE, JPEG or JPEG-LS.
 QStringList writeSeries(const SyntheticSeries& series, const QString& folder);
 
 } // namespace test

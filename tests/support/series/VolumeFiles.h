@@ -21,7 +21,7 @@ namespace test {
     return true;
 }
 
-/// A folder, new for every test function, for volumes that are written byte by byte.
+/// A new folder for every test function, for volumes that are written byte by byte.
 class VolumeFiles {
 protected:
     /// @param name of the file that openBytes() writes
@@ -48,22 +48,26 @@ protected:
         return opened(m_name, bytes);
     }
 
-    // What every reader of such files has to do; each compares as a test function does.
+    // Checks for every reader of such files; each reports failures to Qt Test, as in a test
+    // function.
 
-    /// Cut voxel files apart, one for each name, after @p before each. @p pack them, where given.
+    /// Splits voxels into files, one for each name, with @p before in front of each, compressed by
+    /// @p pack if given.
     void putVoxels(const QByteArray& voxels, const QStringList& names, const QByteArray& before,
         const std::function<QByteArray(const QByteArray&)>& pack = {});
-    /// The voxels of test::nrrd, raised by @p shift, on this grid.
+    /// Compares with the voxels of test::nrrd, raised by @p shift, on this grid.
     static void compareVoxels(const core::Result<core::LoadedVolume>& loaded,
         const glm::dmat4& indexToWorld, int shift = 0);
-    /// Refused by that code; the sentence names the file and @p reason.
+    /// Checks that the bytes are refused with this error, whose sentence names the file and @p
+    /// reason.
     void compareRefusal(const QByteArray& bytes, core::ErrorCode code, const QString& reason);
-    /// Every beginning of a sound file is refused, by name and with a reason.
+    /// Checks that every truncation of a valid file is refused, with its name and a reason.
     void compareEveryCut(const QByteArray& sound);
-    /// Files with some bytes changed, left out or doubled: opened or refused, by a sentence.
+    /// Checks that files with some bytes changed, removed or doubled are either opened or refused
+    /// with a sentence.
     void compareRandomBytes(const std::vector<QByteArray>& kinds, unsigned int seed, int rounds);
-    /// A mask is checked against the file: it no longer passes when that has @p moved, and passes
-    /// without it where a session holds the images.
+    /// Checks that a mask belongs to the file: it no longer passes after @p moved replaces the
+    /// file, and passes without the file if a session holds the images.
     void compareMasks(const QByteArray& sound, const QByteArray& moved);
 
     QString m_name;

@@ -12,19 +12,19 @@
 
 namespace test {
 
-/// What a run of the program `burin` left.
+/// The result of a run of the program `burin`.
 struct Outcome {
     static constexpr int hung = -2;
-    int status = -1; ///< −1: it crashed; hung: it did not end
+    int status = -1; ///< −1: it crashed; `hung`: it did not end
     QByteArray output; ///< stdout
-    QList<QJsonObject> lines; ///< of stdout, where they are JSON
+    QList<QJsonObject> lines; ///< lines of stdout that are JSON
     QString complaint; ///< stderr
 };
 
-/// What a run is given besides its arguments.
+/// The environment of a run besides its arguments.
 struct Surroundings {
-    QMap<QString, QString> variables; ///< besides those of this process
-    std::size_t addressSpaceBytes = 0; ///< at most; 0: no limit
+    QMap<QString, QString> variables; ///< in addition to those of this process
+    std::size_t addressSpaceBytes = 0; ///< upper limit; 0: none
 };
 
 [[nodiscard]] Outcome burin(const QStringList& arguments, const Surroundings& around = {});

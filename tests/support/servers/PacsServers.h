@@ -17,12 +17,13 @@ class QJsonObject;
 
 namespace test {
 
-/// A port of this machine on which nobody listens at the moment.
+/// A port of this machine on which nothing listens at present.
 [[nodiscard]] int freePort();
 
-/// Certificates of a server and of a client that know each other: each is its own authority.
+/// Certificates of a server and a client that trust each other; each is its own authority.
 struct TlsFiles {
-    /// Makes them with openssl, new ones each time. @return empty names: openssl is not installed
+    /// Makes new ones with openssl.
+    /// @return empty names if openssl is not installed
     [[nodiscard]] static TlsFiles make(const QString& folder);
 
     QString serverCertificate;
@@ -31,27 +32,27 @@ struct TlsFiles {
     QString clientKey;
 };
 
-/// A real server of the field, on loopback, for as long as this lives. Empty when it starts.
+/// A real PACS server on loopback, running while the object lives; empty when it starts.
 class PacsServer {
 public:
     enum class Program {
-        Dcmqrscp, ///< DCMTK's; called QRDB
-        Orthanc, ///< called ORTHANC
-        OrthancWeb, ///< the same with its DICOMweb plugin, to tester:secret
+        Dcmqrscp, ///< DCMTK's server, with the title QRDB
+        Orthanc, ///< with the title ORTHANC
+        OrthancWeb, ///< with its DICOMweb plugin, for user tester, password secret
     };
-    /// @param tls of Orthanc: it answers only to that client, and only so
+    /// @param tls for Orthanc: it accepts only this client, and only with TLS
     explicit PacsServer(Program program, const TlsFiles& tls = {});
     PacsServer(const PacsServer&) = delete;
     PacsServer& operator=(const PacsServer&) = delete;
     ~PacsServer();
 
-    /// The program that is not installed; empty: it is. A reason to skip.
+    /// The program that is not installed; empty if it is. A reason to skip.
     [[nodiscard]] const QString& absent() const { return m_absent; }
     /// Why it does not run although it is installed. A reason to fail.
     [[nodiscard]] const QString& problem() const { return m_problem; }
-    /// It knows us as BURIN, listening on movePort().
+    /// The server's node; it knows us as BURIN, listening on movePort().
     [[nodiscard]] const core::PacsNode& node() const { return m_node; }
-    /// Of OrthancWeb.
+    /// The node of OrthancWeb.
     [[nodiscard]] const core::WebNode& webNode() const { return m_webNode; }
     [[nodiscard]] int movePort() const { return m_movePort; }
     void stop();
@@ -70,16 +71,16 @@ private:
     QString m_problem;
 };
 
-/// A connection to a server that fails: hands on what client and server say until the server has
-/// said so many bytes, over all connections together. One connection after the other.
+/// A faulty connection to a server: it forwards what client and server send until the server has
+/// sent @p afterBytes, counted over all connections, and then fails. One connection at a time.
 class FaultyWire {
 public:
     enum class Fault {
-        Cut, ///< then the connection ends, and no other comes about
-        Stall, ///< then the server says nothing more
-        Garbage, ///< then the server talks nonsense
-        Drip, ///< then it says a byte every fifth of a second
-        Slow, ///< then it says a kilobyte every fifth of a second
+        Cut, ///< the connection ends, and no other is accepted
+        Stall, ///< the server sends nothing more
+        Garbage, ///< the server sends garbage
+        Drip, ///< it sends a byte every fifth of a second
+        Slow, ///< it sends a kilobyte every fifth of a second
     };
     FaultyWire(int serverPort, Fault fault, std::int64_t afterBytes);
     FaultyWire(const FaultyWire&) = delete;
@@ -96,7 +97,7 @@ private:
     int m_serverPort;
     Fault m_fault;
     std::int64_t m_left;
-    LocalListener m_listener;
+    LocalListener m_listener; ///< the listening socket, which determines the port
     std::atomic<bool> m_ending = false;
     std::thread m_thread; ///< last: it uses all of the above
 };

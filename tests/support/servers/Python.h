@@ -7,7 +7,7 @@
 
 namespace test {
 
-/// What an independent reader (pydicom, nibabel) says.
+/// The output of an independent reader (pydicom, nibabel).
 struct ScriptOutput {
     int exitCode = -1;
     QByteArray output; ///< standard output

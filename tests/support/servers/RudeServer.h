@@ -12,11 +12,11 @@
 
 namespace test {
 
-/// A server on loopback that keeps no protocol: what it says to whoever connects, and how fast, is
-/// the test's. Several connections at a time.
+/// A server on loopback that follows no protocol: the test decides what it sends to a client, and
+/// how fast. Serves several connections at a time.
 class RudeServer {
 public:
-    /// One connection; ends with the client or with the server.
+    /// One connection; it ends with the client or with the server.
     class Client {
     public:
         Client(int socket, const std::atomic<bool>& ending)
@@ -24,17 +24,18 @@ public:
             , m_ending(ending)
         {
         }
-        /// What the client says until it waits for an answer. Empty: it has gone.
+        /// Receives what the client sends until it waits for an answer. Empty if it has gone.
         QByteArray hear() const;
+        /// Sends bytes.
         /// @return whether the client still listens
         bool say(const QByteArray& bytes) const;
-        /// Byte after byte, with so much time between, for as long as the client listens.
+        /// Sends byte after byte, with a pause between, as long as the client listens.
         void drip(const QByteArray& bytes, int milliseconds) const;
-        /// The same again and again, as fast as it goes, so often at most.
+        /// Sends the same bytes repeatedly, as fast as possible, at most @p often times.
         void flood(const QByteArray& bytes, int often) const;
-        /// Until the client has had enough.
+        /// Sends nothing until the client gives up.
         void beSilent() const;
-        /// The connection is torn, not ended.
+        /// Resets the connection instead of closing it.
         void reset() const;
 
     private:
@@ -55,7 +56,7 @@ private:
     std::function<void(const Client&)> m_talk;
     LocalListener m_listener;
     std::atomic<bool> m_ending = false;
-    std::vector<std::thread> m_talks; ///< of the thread below
+    std::vector<std::thread> m_talks; ///< used by the thread below
     std::thread m_thread; ///< last: it uses all of the above
 };
 

@@ -14,25 +14,26 @@
 
 namespace test {
 
-/// What a web server says to one question.
+/// The reply of a web server to one request.
 struct WebReply {
     int status = 200;
     QByteArray contentType = "application/dicom+json";
     QByteArray body;
-    QByteArray moreHeaders; ///< whole lines, each with its end
-    qint64 afterBytes = -1; ///< of the body: then the fault; −1: none
+    QByteArray moreHeaders; ///< complete lines, each with its line end
+    qint64 afterBytes = -1; ///< number of body bytes before the fault; −1: no fault
     enum class Fault {
         Cut, ///< the connection ends
         Stall, ///< nothing more comes
     } fault = Fault::Cut;
-    bool withoutLength = false; ///< the body lasts until the connection ends
-    int dripMs = 0; ///< after each thousand bytes
+    bool withoutLength = false; ///< no Content-Length: the body lasts until the connection ends
+    int dripMs = 0; ///< pause after each thousand bytes
 };
 
-/// A web server on loopback that says what a test wants it to, one connection after the other.
+/// A web server on loopback that replies as a test wants, one connection at a time.
 class WebServer {
 public:
-    /// @param answer called on the server's thread with "GET /path?query" and the whole question
+    /// @param line "GET /path?query"
+    /// @param question the complete request. Called on the server's thread
     using Answer = std::function<WebReply(const QByteArray& line, const QByteArray& question)>;
     explicit WebServer(Answer answer);
     WebServer(const WebServer&) = delete;
@@ -40,7 +41,7 @@ public:
     ~WebServer();
 
     [[nodiscard]] QUrl url() const;
-    /// Their first lines, without the version.
+    /// The first lines of all requests, without the version.
     [[nodiscard]] std::vector<QByteArray> questions() const;
 
 private:

@@ -18,16 +18,16 @@ class ExportRun;
 class TargetRow;
 class Workspace;
 
-/// Writes the study without what is carved away, as a new DICOM series or NIfTI, or the coverage of
-/// the active sculpt layer; then says what was written and what the check of it found. Nothing is
-/// sent anywhere.
+/// Exports the study without its carved voxels, as a new DICOM series or NIfTI, or the coverage of
+/// the active sculpt layer. Afterwards it tells what was written and what the check of the file
+/// found. Nothing is sent anywhere.
 class CarvedExportDialog : public QDialog {
     Q_OBJECT
 
 public:
     explicit CarvedExportDialog(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Reading coverage, writing or checking.
+    /// Whether it is reading coverage, writing or checking.
     [[nodiscard]] bool running() const { return m_fetch.running() || m_job.running(); }
 
 Q_SIGNALS:
@@ -51,7 +51,7 @@ private:
     QDoubleSpinBox* m_fill = nullptr;
     QLabel* m_fillLabel = nullptr;
     TargetRow* m_target = nullptr;
-    DeidentifyBox* m_deidentify = nullptr; ///< of the series
+    DeidentifyBox* m_deidentify = nullptr; ///< for the DICOM series only
     ExportRun* m_run = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_close = nullptr;

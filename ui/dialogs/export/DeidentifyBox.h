@@ -13,19 +13,20 @@ class QSpinBox;
 
 namespace ui {
 
-/// Whether an export is to name the patient, and what it keeps if not. Begins with the patient
-/// named; what else was chosen last is kept in the settings, and so is the secret by which exports
-/// of this user fit each other.
+/// Options of an export for de-identification: whether it names the patient, and what it keeps if
+/// not. At first the patient is named. The other choices are kept in the settings, and so is the
+/// secret that makes exports of this user consistent with each other.
 class DeidentifyBox : public QWidget {
     Q_OBJECT
 
 public:
     explicit DeidentifyBox(QWidget* parent = nullptr);
 
-    /// Null: the patient stays named.
+    /// The chosen de-identification; null if the patient stays named.
     [[nodiscard]] std::shared_ptr<const core::Deidentifier> deidentifier(
         const core::StudyIdentity& patient) const;
-    /// Of a session: always without the patient, and asks only what a session holds.
+    /// For the export of a session: always removes the patient, and offers only what applies to a
+    /// session.
     void askForSession();
 
 Q_SIGNALS:

@@ -18,9 +18,9 @@ class ExportRun;
 class TargetRow;
 class Workspace;
 
-/// "Save de-identified session as …": a copy of the open session for others, without what tells of
-/// the patient or the user (core/sessionfile/DeidentifySession.h). The open session goes on where
-/// it is; the copy is made beside the window's work.
+/// "Save de-identified session as …": saves a copy of the open session for others, without data
+/// about the patient or the user (core/sessionfile/DeidentifySession.h). The open session stays
+/// where it is. The copy is made on another thread.
 class DeidentifySessionDialog : public QDialog {
     Q_OBJECT
 
@@ -46,7 +46,7 @@ private:
     QPushButton* m_save;
     QPushButton* m_close;
     ExportRun* m_run;
-    bool m_waits = false; ///< for the session's last steps to be on the disk
+    bool m_waits = false; ///< until the session's last steps are on the disk
     BackgroundJob m_job;
 };
 

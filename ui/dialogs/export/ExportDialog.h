@@ -18,16 +18,16 @@ class ExportSegments;
 class TargetRow;
 class Workspace;
 
-/// Export of chosen segments in one of core::exportFormats(): whose study it is, which segments
-/// with their millilitres and remarks, codes where they are missing, the file; then what was
-/// written and what the check of the file found.
+/// Exports chosen segments in one of core::exportFormats(). It shows whose study it is, the
+/// segments with millilitres and remarks, missing codes and the target file; afterwards it tells
+/// what was written and what the check of the file found.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
 public:
     explicit ExportDialog(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Reading labels, writing or checking.
+    /// Whether it is reading labels, writing or checking.
     [[nodiscard]] bool running() const
     {
         return m_fetch.running() || m_coverageFetch.running() || m_job.running();
@@ -37,7 +37,7 @@ Q_SIGNALS:
     void exported(const QString& file);
 
 private:
-    /// A segment, and the sculpt layer that it was made of.
+    /// A segment, and the sculpt layer from which it was made.
     struct MadeOf {
         std::uint8_t label = 0;
         std::uint8_t layer = 0;
@@ -58,16 +58,17 @@ private:
     Workspace& m_workspace;
     ExportSegments* m_segments = nullptr;
     ExportOptions* m_options = nullptr;
-    QLabel* m_ticked = nullptr; ///< how many segments, how much
+    QLabel* m_ticked = nullptr; ///< how many segments, and their volume
     std::vector<QPushButton*> m_tickers;
     TargetRow* m_target = nullptr;
     ExportRun* m_run = nullptr;
     QPushButton* m_export = nullptr;
-    QPushButton* m_send = nullptr; ///< once there is a DICOM file
+    QPushButton* m_send = nullptr; ///< shown once a DICOM file was written
     QPushButton* m_close = nullptr;
-    core::ExportRequest m_request; ///< under way; its segments are taken when it is written
+    /// The export under way; its segments are filled in when it is written.
+    core::ExportRequest m_request;
     std::vector<ExportJob::Plane> m_planes;
-    std::vector<MadeOf> m_layers; ///< of a fractional SEG
+    std::vector<MadeOf> m_layers; ///< for a fractional SEG
     LabelFetch m_fetch;
     LabelFetch m_coverageFetch;
     ExportJob m_job;

@@ -14,8 +14,8 @@ namespace ui {
 class DeidentifyBox;
 class Workspace;
 
-/// In which format segments are written, what the format says of itself, and what is to be chosen
-/// for it: axes, compression, how the segments were made, whether the patient is named.
+/// The format of an export, a description of it, and its options: coordinate system, compression,
+/// how the segments were made, whether the patient is named.
 class ExportOptions : public QWidget {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
 
     [[nodiscard]] core::ExportFormat format() const;
     [[nodiscard]] const core::ExportFormatFacts& facts() const { return core::factsOf(format()); }
-    /// Format, axes, settings and de-identification.
+    /// Writes format, coordinate system, settings and de-identification into the request.
     void putInto(core::ExportRequest& request) const;
 
 Q_SIGNALS:
@@ -38,9 +38,9 @@ private:
     Workspace& m_workspace;
     QComboBox* m_format = nullptr;
     QLabel* m_says = nullptr;
-    QComboBox* m_space = nullptr; ///< of surfaces
+    QComboBox* m_space = nullptr; ///< for surfaces
     QLabel* m_spaceName = nullptr;
-    QComboBox* m_algorithm = nullptr; ///< of DICOM SEGs
+    QComboBox* m_algorithm = nullptr; ///< for DICOM SEG
     QLabel* m_algorithmName = nullptr;
     QCheckBox* m_deflated = nullptr;
     QLabel* m_obstacle = nullptr;

@@ -13,21 +13,22 @@ namespace ui {
 
 class StateLine;
 
-/// The lower part of the export dialogs: what is missing yet, how far the work is, and the verdict:
-/// what was written, what the check of it found, what its reader must know, its checksum.
+/// The lower part of the export dialogs. It shows what is still missing, then the progress, and in
+/// the end the report: what was written, what the check found, what a reader must know, and the
+/// checksum.
 class ExportRun : public QWidget {
     Q_OBJECT
 
 public:
-    /// @param name begins the object names of its labels: "NAMEState", "NAMEReport"
+    /// @param name prefix of the object names of its labels: "NAMEState", "NAMEReport"
     explicit ExportRun(const QString& name, QWidget* parent = nullptr);
 
-    /// One sentence in place of the last one; empty takes no room.
+    /// Shows one sentence in place of the last one; an empty one takes no room.
     void say(const QString& sentence, const char* role = "secondary");
     void setRunning(bool running);
     void showProgress(const QString& step, int done, int total);
     void showReport(const core::ExportReport& report);
-    /// Of a report that no longer belongs to what the dialog shows.
+    /// Removes a report that no longer belongs to what the dialog shows.
     void clearReport();
     void showFailure(const core::Error& error);
 
@@ -41,10 +42,10 @@ private:
     StateLine* m_state;
     QProgressBar* m_progress;
     QLabel* m_report;
-    QScrollArea* m_scroll; ///< of a report that has more lines than a dialog has room for
+    QScrollArea* m_scroll; ///< for a report longer than the dialog
 };
 
-/// Asks whether a file that is there may go. Waits for the answer.
+/// Asks the user whether an existing file may be replaced. Waits for the answer.
 [[nodiscard]] bool mayReplace(const QString& file, QWidget* parent);
 
 } // namespace ui

@@ -18,20 +18,20 @@ namespace ui {
 
 class Workspace;
 
-/// The segments of the session with millilitres, codes and remarks, each with a tick: those that
-/// are exported.
+/// A list of the segments of the session with millilitres, codes and remarks; the ticked ones are
+/// exported.
 class ExportSegments : public QTreeWidget {
     Q_OBJECT
 
 public:
     explicit ExportSegments(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Those that are ticked, in the order of the list.
+    /// The ticked segments, in the order of the list.
     [[nodiscard]] std::vector<core::Segment> chosen() const;
-    /// What was said of them beside their type, by label; for this export.
+    /// Further codes that were chosen for segments, by label; for this export only.
     [[nodiscard]] const std::map<int, core::SegCodes>& codes() const { return m_codes; }
     void fill();
-    /// Those with voxels, or none.
+    /// Ticks all segments that have voxels, or none.
     void tickAll(bool ticked);
 
 Q_SIGNALS:
@@ -43,12 +43,12 @@ private:
     void chooseCode(QTreeWidgetItem* item);
 
     Workspace& m_workspace;
-    std::bitset<256> m_unticked; ///< labels the user took the tick from, or that began without
+    std::bitset<256> m_unticked; ///< labels whose tick the user removed, or that began without
     std::map<int, core::SegCodes> m_codes;
     bool m_filling = false;
 };
 
-/// Segments whose growth may go on: it was seeded and has not been told to be at closure.
+/// The segments whose growth could go on: they were seeded, and no closure was reported.
 [[nodiscard]] std::bitset<256> growingLabels(core::EditSession& session);
 
 } // namespace ui

@@ -12,17 +12,17 @@ namespace ui {
 
 class Workspace;
 
-/// Whether a picture of this name is a DICOM Secondary Capture: it ends in .dcm.
+/// Whether this name is that of a DICOM Secondary Capture, that is, ends in .dcm.
 [[nodiscard]] bool isDicomPicture(const QString& file);
 
-/// Writes a picture of the window: as DICOM Secondary Capture of the volume's patient and study
-/// where the name ends in .dcm, read again and checked; else as PNG, without checksum and patient.
-/// Replaces a file of that name. Errors: those of core::exportScreenshot(); FileUnwritable.
+/// Writes a picture of the window. If the name ends in .dcm it becomes a DICOM Secondary Capture in
+/// the volume's study, which is read again and checked; else a PNG, without checksum and patient
+/// data. Replaces a file of that name. Errors: those of core::exportScreenshot(); FileUnwritable.
 [[nodiscard]] core::Result<core::ExportReport> savePicture(
     const QImage& picture, const core::Volume* volume, const QString& file);
 
-/// Takes a picture of the window as it is, asks where to, and saves it. @return what was written
-/// and checked, in a sentence; empty: nothing was
+/// Takes a picture of the window, asks for a file name, and saves it.
+/// @return a sentence about what was written and checked; empty if nothing was
 [[nodiscard]] QString askAndSavePicture(Workspace& workspace, QWidget& window);
 
 } // namespace ui

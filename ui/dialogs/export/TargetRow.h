@@ -8,25 +8,26 @@ class QPushButton;
 
 namespace ui {
 
-/// Where something is to be written: a line for the path, and a button that asks for one. The
-/// folder of the last time is where the next one begins.
+/// A row in which the user names the file to write: a line for the path, and a button that opens a
+/// file dialog. It starts in the folder that was used last.
 class TargetRow : public QWidget {
     Q_OBJECT
 
 public:
-    /// @param name of the line, as an object @param folderKey of the settings
-    /// @param folder where nothing is remembered yet
+    /// @param name object name of the line
+    /// @param folderKey key of the folder in the settings
+    /// @param folder used if no folder is remembered yet
     TargetRow(const QString& label, const QString& name, const QString& folderKey,
         const QString& folder, QWidget* parent = nullptr);
 
-    /// What the button's dialog says and offers. An answer may name a file that is there.
+    /// Sets title and filter of the file dialog. The user may name an existing file.
     void askFor(const QString& title, const QString& filter);
-    /// Without blanks at its ends; empty: none is named.
+    /// The path without surrounding blanks; empty if none is given.
     [[nodiscard]] QString path() const;
     void setPath(const QString& path);
-    /// Another name in the same folder, at first in the one that is remembered.
+    /// Changes the file name but not the folder; at first the folder is the remembered one.
     void setName(const QString& name);
-    /// For the next time.
+    /// Remembers the folder for the next time.
     void remember() const;
 
 Q_SIGNALS:

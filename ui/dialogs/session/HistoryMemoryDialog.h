@@ -9,8 +9,8 @@ namespace ui {
 
 class Workspace;
 
-/// Asks how much memory the history may take; accepted, it is the setting, and the open session
-/// heeds it at once.
+/// Asks how much memory the history may take. On OK this becomes the setting, and the open session
+/// applies it at once.
 class HistoryMemoryDialog : public QDialog {
     Q_OBJECT
 

@@ -21,26 +21,27 @@ struct StandingStroke;
 
 namespace ui {
 
-/// Asks how an older cut is to be. Its fields show the cut as it counts now, those that it has.
+/// Asks how an older cut is to be changed. It shows only the fields that the cut has, with their
+/// present values.
 class ReviseStrokeDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param title the row's name
+    /// @param title name of the cut's row in the history
     ReviseStrokeDialog(const core::StandingStroke& stroke, const core::SculptEdit& drawn,
         const QString& title, const core::Document& document, QWidget* parent = nullptr);
 
-    /// What was chosen, as it differs from how the stroke was drawn.
+    /// The edit with the fields that differ from how the stroke was drawn.
     [[nodiscard]] core::ReviseStroke edit() const;
 
 private:
-    /// A number of the cut, where it has it.
+    /// A numeric parameter of the cut.
     struct Field {
         QDoubleSpinBox* box;
         std::optional<double> core::ReviseStroke::*edit;
-        double drawn; ///< as the stroke was drawn, in the edit's unit
-        double now; ///< as it counts
-        double perUnit; ///< of the box
+        double drawn; ///< value when the stroke was drawn, in the edit's unit
+        double now; ///< value that counts now
+        double perUnit; ///< factor from the box's unit to the edit's
     };
     struct Kind;
     void addField(QFormLayout& form, const Kind& kind, const core::StrokeParameters& now);

@@ -8,16 +8,16 @@ class QLabel;
 
 namespace ui {
 
-/// Where a session is to be saved, and whether the study's images go with it.
+/// Asks where to save a session, and whether the images of the study are saved in it.
 class SaveSessionDialog : public QFileDialog {
     Q_OBJECT
 
 public:
     SaveSessionDialog(const QString& folder, const QString& name, QWidget* parent = nullptr);
 
-    /// Until this is called images are no question.
-    /// @param included the tick to begin with
-    /// @param studyThere whether the session can do without them
+    /// Adds the question about images, which is not asked otherwise.
+    /// @param included initial state of the tick
+    /// @param studyThere whether the session works without them
     void offerImages(bool included, bool studyThere);
     [[nodiscard]] bool wantsImages() const;
 

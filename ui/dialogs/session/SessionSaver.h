@@ -20,13 +20,13 @@ namespace ui {
 
 class Workspace;
 
-/// "Save session as …": asks for a place and lets the open session go on there. It is told by
-/// Workspace::sessionSaved() or Workspace::failed(); the work goes on meanwhile.
+/// "Save session as …": asks for a file and moves the open session there. The outcome is reported
+/// by Workspace::sessionSaved() or Workspace::failed(); the user can go on working meanwhile.
 class SessionSaver : public QObject {
     Q_OBJECT
 
 public:
-    /// Where to, and whether the study's images go with the session.
+    /// The target file, and whether the study's images are saved in the session.
     struct Choice {
         QString target;
         bool images = false;
@@ -34,18 +34,20 @@ public:
 
     SessionSaver(Workspace& workspace, QWidget& window);
 
-    /// Sessions in this folder were named by the program: that name is not suggested for another.
+    /// The folder of working sessions: their names were made by the program and are not suggested
+    /// for another file.
     void setWorkingFolder(const QString& folder) { m_workingFolder = folder; }
 
-    /// Asks where, asks before a file is replaced, and saves.
+    /// Asks for the file, asks before replacing one, and saves.
     void ask();
-    /// The same, and waits until it is done; steps are what matters then, so that images are not
-    /// asked about. @return whether it is saved
+    /// The same, and waits for the outcome. It does not offer to save images, because what matters
+    /// then are the steps.
+    /// @return whether the session was saved
     bool askAndWait();
-    /// Replaces a file that is there. Images that the session's file does not hold are read from
-    /// the study once more, beside the GUI thread.
+    /// Saves without asking and replaces an existing file. Images that the session's file does not
+    /// hold are read from the study again, on another thread.
     void save(const Choice& choice, std::function<void(bool saved)> done = {});
-    /// Nothing is saved and nothing is left; too late once the images are written.
+    /// Cancels saving and leaves no file behind. Has no effect once the images are written.
     void cancel();
 
 Q_SIGNALS:
@@ -63,8 +65,8 @@ private:
     Workspace& m_workspace;
     QWidget& m_window;
     QString m_workingFolder;
-    core::Background::Task m_staging; ///< of images
-    std::function<void(bool saved)> m_done; ///< told when that has ended
+    core::Background::Task m_staging; ///< the task that writes images
+    std::function<void(bool saved)> m_done; ///< called when that task has ended
     core::Background m_background; ///< last: it uses all of the above
 };
 

@@ -8,9 +8,9 @@ namespace ui {
 class SessionSaver;
 class Workspace;
 
-/// Asks before steps are lost that could not be written to disk; offers to save the session
-/// elsewhere, by @p saver.
-/// @return true if there are none (any more), or the user lets them go
+/// If there are steps that could not be written to disk, asks whether they may be lost, and offers
+/// to save the session elsewhere with @p saver.
+/// @return true if there are none left, or the user agrees to lose them
 [[nodiscard]] bool mayLoseUnwrittenSteps(
     Workspace& workspace, QWidget& window, SessionSaver& saver);
 

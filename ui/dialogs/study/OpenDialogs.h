@@ -18,30 +18,31 @@ namespace ui {
 class MessageBar;
 class StudyOpener;
 
-// Where is what is to be opened? What the user names goes to the opener.
+// Dialogs that ask what is to be opened. The answer is passed to the opener.
 
 void askForFolder(StudyOpener& opener, QWidget& parent);
 void askForFile(StudyOpener& opener, QWidget& parent);
 void askForSession(StudyOpener& opener, QWidget& parent);
 
-/// Which of a study's volumes, and of a series in time which point.
+/// Asks which volume of a study to open, and for a time series which point.
 void chooseVolume(
     const std::shared_ptr<const core::Study>& study, StudyOpener& opener, QWidget& parent);
 
-/// How far apart the voxels of pictures are that do not say so.
+/// Asks for the voxel spacing of pictures that do not state it.
 void askForSpacing(const std::shared_ptr<const core::Study>& study, const QString& series,
     StudyOpener& opener, QWidget& parent);
 
-/// A session whose study is not where it was looked for.
+/// A session whose study was not found where it was expected.
 struct LostStudy {
     QString sessionFile;
     QString format; ///< of the study
     core::Error why;
 };
-/// Says so in the bar, with a button to say where it is. All of them outlive the bar's message.
+/// Shows this in the message bar, with a button to choose the place of the study. All arguments
+/// outlive the message.
 void offerToFindStudy(const LostStudy& lost, MessageBar& bar, StudyOpener& opener, QWidget& parent);
 
-/// Asks all of that whenever the opener wants to know it.
+/// Connects the opener to these dialogs, so that each is shown when the opener needs its answer.
 void answerQuestions(StudyOpener& opener, MessageBar& bar, QWidget& window);
 
 } // namespace ui

@@ -17,9 +17,9 @@ namespace ui {
 
 class ThumbnailLoader;
 
-/// The volumes of a folder, to choose one: patient, date, description, slices, a picture, problems;
-/// of a series in time also the point. Nothing is chosen beforehand, but a volume that is the only
-/// one.
+/// Asks which volume of a folder to open: shows patient, date, description, slices, a picture and
+/// problems of each, and for a time series also its points. Nothing is preselected unless there is
+/// only one volume.
 class OpenStudyDialog : public QDialog {
     Q_OBJECT
 
@@ -27,7 +27,7 @@ public:
     explicit OpenStudyDialog(const core::StudyListing& listing, QWidget* parent = nullptr);
     ~OpenStudyDialog() override;
 
-    /// Key of the chosen entry at the chosen point in time; empty while none is.
+    /// Key of the chosen entry and point in time; empty if none is chosen.
     [[nodiscard]] QString chosenKey() const;
 
 private:

@@ -13,7 +13,8 @@ class QPushButton;
 
 namespace ui {
 
-/// Asks how far apart the voxels of pictures are, which do not say it; begins with what they say.
+/// Asks for the voxel spacing of pictures that do not state it fully; starts with what they do
+/// state.
 class SpacingDialog : public QDialog {
     Q_OBJECT
 

@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// Whose study it is that something is exported of, which series and point in time, and what its
-/// reader must be warned of.
+/// The part of an export dialog that names the patient, study, series and point in time, and the
+/// warnings that a reader of the export must know.
 class StudyBlock : public QFrame {
     Q_OBJECT
 

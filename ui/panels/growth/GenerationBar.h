@@ -10,29 +10,29 @@
 
 namespace ui {
 
-/// The generations of a growth from left to right, drawn as voxels that each has: a bulge is a leak
-/// on its way. The mark stands at the last one that is shown; dragging it goes back through the
-/// growth and forth again.
+/// A bar of a growth's generations from left to right, drawn by the number of voxels in each: a
+/// bulge means that the growth is leaking. A mark stands at the last generation that is shown;
+/// dragging it shrinks the growth to an earlier generation and back again.
 class GenerationBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit GenerationBar(QWidget* parent = nullptr);
 
-    /// @param sizes of the generations from 1 on
+    /// @param sizes voxels of each generation, from generation 1 on
     void setSizes(const std::vector<std::uint32_t>& sizes);
     [[nodiscard]] const std::vector<std::uint32_t>& sizes() const { return m_sizes; }
-    /// Where the mark stands: 1 … as many as there are.
+    /// The generation where the mark stands, 1 … number of generations.
     [[nodiscard]] int shown() const { return m_shown; }
-    /// From which generation to which it may have leaked; none: nothing is suspected.
+    /// The range of generations in which it may have leaked; none if nothing is suspected.
     void setLeak(const std::optional<std::pair<int, int>>& generations);
     [[nodiscard]] const std::optional<std::pair<int, int>>& leak() const { return m_leak; }
-    /// Whether it can be dragged.
+    /// Sets whether the mark can be dragged.
     void setScrubbable(bool scrubbable);
-    /// For tool tips and the millilitres there.
+    /// Sets the volume of a voxel, for the millilitres in tool tips.
     void setVoxelMm3(double voxelMm3) { m_voxelMm3 = voxelMm3; }
     [[nodiscard]] bool scrubbing() const { return m_scrubbing; }
-    /// Where a drag stands, in words; empty: there is none.
+    /// Where a drag stands, in words; empty without a drag.
     [[nodiscard]] QString scrubText() const;
 
     [[nodiscard]] QSize sizeHint() const override { return {240, 40}; }
@@ -41,7 +41,7 @@ public:
 Q_SIGNALS:
     void scrubBegan();
     void scrubbed(int generation);
-    /// @param kept false: Escape was pressed, all is to be as before
+    /// @param kept false if Escape was pressed: everything is to be as before
     void scrubEnded(bool kept);
 
 protected:

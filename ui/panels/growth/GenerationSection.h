@@ -18,19 +18,20 @@ namespace ui {
 class GenerationBar;
 class Workspace;
 
-/// The generation bar of the open study's growth: follows a burst that runs, counts again after
-/// every step, and scrubs. A drag is one step of undo, a shrinking; Escape takes it back.
+/// The generation bar for the growth of the open study: it follows a running burst, counts the
+/// generations again after every step, and lets the user drag. A drag is one step of undo (a
+/// shrinking); Escape takes it back.
 class GenerationSection : public QWidget {
     Q_OBJECT
 
 public:
     explicit GenerationSection(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// How a burst stands; not open: nothing is under way.
+    /// Shows the progress of a burst. If none is open nothing is under way.
     void show(const core::GrowthProgress& progress);
-    /// What the guard suspects; none: nothing any more.
+    /// Shows what the leak guard suspects; none: nothing any more.
     void showLeak(const std::optional<core::LeakAlarm>& alarm);
-    /// Where a drag stands, in words; empty: there is none.
+    /// Where a drag stands, in words; empty without a drag.
     [[nodiscard]] QString scrubText() const;
 
 Q_SIGNALS:
@@ -45,9 +46,9 @@ private:
 
     Workspace& m_workspace;
     GenerationBar* m_bar = nullptr;
-    QTimer m_countLater; ///< steps come in bursts, one count is enough for them
-    std::vector<std::uint32_t> m_sizes; ///< of generations from 1 on, as last counted
-    std::vector<std::uint32_t> m_added; ///< by the burst that runs
+    QTimer m_countLater; ///< counts once after several steps in quick succession
+    std::vector<std::uint32_t> m_sizes; ///< voxels of each generation from 1 on, as last counted
+    std::vector<std::uint32_t> m_added; ///< voxels added by each generation of the running burst
 };
 
 } // namespace ui

@@ -20,8 +20,8 @@ class FoldButton;
 class SeedBand;
 class Workspace;
 
-/// What growth asks for beyond its interval: one row a limit, a tick and its value. Folded it is
-/// one line that says how many are on. Part of the growth panel.
+/// The part of the growth panel for the limits of a growth besides its interval: one row per limit,
+/// with a tick and its value. Folded, it is one line that tells how many are on.
 class GrowCriteriaSection : public QWidget {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ private:
     struct Row {
         GrowSettings::Limit GrowSettings::*limit = nullptr;
         QCheckBox* on = nullptr;
-        QDoubleSpinBox* value = nullptr;
+        QDoubleSpinBox* value = nullptr; ///< mm from the low side of the volume
     };
 
     void build();
@@ -49,7 +49,7 @@ private:
     void takeAxis(int axis, double lower, double upper);
     void setBox(const core::ClipRegion::Box& box);
     [[nodiscard]] core::ClipRegion::Box boxAround(const glm::dvec3& placeLps) const;
-    /// Of the active segment; none: it has none.
+    /// A box around the seeds of the active segment; none if it has none.
     [[nodiscard]] std::optional<core::ClipRegion::Box> boxAroundSeeds() const;
 
     Workspace& m_workspace;

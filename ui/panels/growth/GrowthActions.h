@@ -9,8 +9,9 @@ class Actions;
 class GrowthPanel;
 class Workspace;
 
-/// Growth by menu and key: each action is a press on its button in the panel, whether that shows or
-/// not, and says why where the button cannot be pressed. @return their names, for a menu
+/// Adds the actions of growth for menu and keys. Each presses its button in the panel, whether or
+/// not the panel is visible, and says why if the button is disabled.
+/// @return their ids, for a menu
 QStringList addGrowthActions(Actions& actions, GrowthPanel& panel, Workspace& workspace);
 
 } // namespace ui

@@ -26,8 +26,9 @@ class SeedBand;
 class SeedInterval;
 class Workspace;
 
-/// Region growing (seed A §5): the interval, and transport buttons like a player's. A burst lasts
-/// from a press on play to pause or closure and is one step of undo; a single step is one as well.
+/// The panel of region growing (seed A §5): the interval, and buttons like those of a media player.
+/// A burst lasts from pressing play to pause or closure and is one step of undo; so is a single
+/// step.
 class GrowthPanel : public Panel {
     Q_OBJECT
 
@@ -37,7 +38,7 @@ public:
     [[nodiscard]] QString title() const override;
     [[nodiscard]] QString summary() const override;
 
-    /// The edit that the settings stand for; the steps are what the transport adds.
+    /// The edit that the settings describe; the buttons add the number of steps.
     [[nodiscard]] core::GrowSteps growEdit() const;
     [[nodiscard]] bool running() const { return m_running; }
 
@@ -84,8 +85,8 @@ private:
     LeakSection* m_leak = nullptr;
     QLabel* m_progress = nullptr;
     GenerationSection* m_generations = nullptr;
-    QTimer m_watch; ///< only shows; decides nothing about voxels
-    std::vector<std::uint32_t> m_fronts; ///< of the last burst that was watched
+    QTimer m_watch; ///< only updates what is shown; has no influence on voxels
+    std::vector<std::uint32_t> m_fronts; ///< front sizes of the last burst that was watched
     bool m_running = false;
 };
 

@@ -17,21 +17,20 @@ namespace ui {
 
 class Workspace;
 
-/// The leak guard of the growth panel: whether growth stops where a front bursts out of a narrow
-/// place, and, when it did, what is to become of it; and whether the barriers that keep it out are
-/// shown.
+/// The leak guard in the growth panel: whether growth stops where its front bursts out of a narrow
+/// place and, after it has stopped, what to do; and whether barriers are shown.
 class LeakSection : public QWidget {
     Q_OBJECT
 
 public:
     explicit LeakSection(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Offers what can be done; none: nothing any more.
+    /// Offers the choices for an alarm; none: no alarm any more.
     void showAlarm(const std::optional<core::LeakAlarm>& alarm);
 
 Q_SIGNALS:
     void goOnAsked();
-    /// What is offered to be decided on; none: nothing any more.
+    /// The alarm about which the user is to decide; none: no alarm any more.
     void alarmChanged(const std::optional<core::LeakAlarm>& alarm);
 
 private:
@@ -53,7 +52,7 @@ private:
     QWidget* m_offer = nullptr;
     QLabel* m_text = nullptr;
     std::optional<core::LeakAlarm> m_alarm;
-    bool m_stands = false; ///< the growth has come to the alarm's generation
+    bool m_stands = false; ///< the growth has reached the alarm's generation
     core::RowId m_told = 0; ///< the last growth whose alarm was shown
 };
 

@@ -19,18 +19,18 @@ namespace ui {
 class FoldButton;
 class Workspace;
 
-/// Growing from seeds, a part of the growth panel: what comes of it is shown in all views until it
-/// is applied or cancelled. Whatever is done meanwhile is done to what was there before, and the
-/// preview follows.
+/// The part of the growth panel for growing from seeds: the result is previewed in all views until
+/// it is applied or cancelled. An edit made meanwhile changes the state before the preview, and the
+/// preview is computed again.
 class SpreadBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit SpreadBar(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// The edit that the settings stand for.
+    /// The edit that the settings describe.
     [[nodiscard]] core::GrowFromSeeds edit() const;
-    /// Whether a preview is asked for, shown or being worked out.
+    /// Whether a preview is wanted, shown or being computed.
     [[nodiscard]] bool previewing() const { return m_wanted; }
 
 public Q_SLOTS:
@@ -44,21 +44,21 @@ private:
     void follow();
     void stop();
     void showState();
-    /// How many segments have voxels or seeds to compete with.
+    /// The number of segments that have voxels or seeds to compete with.
     [[nodiscard]] int competitors() const;
 
     Workspace& m_workspace;
-    FoldButton* m_fold = nullptr; ///< this takes room that one segment has no use for
+    FoldButton* m_fold = nullptr; ///< folds the section, which is useless with one segment
     QComboBox* m_extent = nullptr;
     QPushButton* m_preview = nullptr;
     QPushButton* m_apply = nullptr;
     QPushButton* m_cancel = nullptr;
     QLabel* m_text = nullptr;
-    QTimer m_watch; ///< begins a preview anew after something else was done
+    QTimer m_watch; ///< starts the preview again after another edit
     QElapsedTimer m_sinceBegun; ///< for the text
     bool m_wanted = false;
-    /// Where the history stood when the preview was begun last; it is not begun there again by
-    /// itself unless something else was open since.
+    /// The history's position when the preview was last started. It is not started there again by
+    /// itself unless something else was open in between.
     std::optional<core::RowId> m_begunAt;
 };
 

@@ -9,29 +9,29 @@
 
 namespace ui {
 
-/// The tolerances of a field from left to right, drawn as how large the segment is at each: both
-/// axes are compressed, so that small tolerances and small segments have room. Jumps stand out. The
-/// mark is dragged, or moved by the arrow keys, back and forth; letting go, or Return, keeps where
-/// it stands, Escape takes it back.
+/// A bar of tolerances from left to right, drawn by how large the segment is at each. Both axes are
+/// compressed so that small tolerances and small segments have room; jumps in the size are marked.
+/// The mark is moved by dragging or by the arrow keys. Releasing it, or Return, keeps the new
+/// tolerance; Escape takes it back.
 class ToleranceBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit ToleranceBar(QWidget* parent = nullptr);
 
-    /// @param members place t: how many voxels the segment has at tolerance t
-    /// @param jumps tolerances, ascending
+    /// @param members element t: the number of voxels of the segment at tolerance t
+    /// @param jumps tolerances at which the size jumps, ascending
     void setCurve(std::vector<std::int64_t> members, std::vector<int> jumps);
     [[nodiscard]] const std::vector<std::int64_t>& members() const { return m_members; }
     [[nodiscard]] const std::vector<int>& jumps() const { return m_jumps; }
-    /// How a tolerance is told: "±37 HU".
+    /// Sets how a tolerance is written, for example "±37 HU".
     void setText(std::function<QString(int tolerance)> text) { m_text = std::move(text); }
     void setVoxelMm3(double voxelMm3) { m_voxelMm3 = voxelMm3; }
-    /// Where the mark stands; −1: it was never moved.
+    /// The tolerance where the mark stands; −1 if it was never moved.
     [[nodiscard]] int tolerance() const { return m_tolerance; }
     void setTolerance(int tolerance);
     [[nodiscard]] bool moving() const { return m_moving; }
-    /// Where a tolerance lies, in pixels from the left.
+    /// The x position of a tolerance, in pixels from the left.
     [[nodiscard]] double xOf(int tolerance) const;
     /// "±37 HU · 12.4 mL".
     [[nodiscard]] QString textFor(int tolerance) const;
@@ -41,7 +41,7 @@ public:
 
 Q_SIGNALS:
     void moved(int tolerance);
-    /// @param kept false: all is to be as before
+    /// @param kept false if everything is to be as before
     void settled(bool kept);
 
 protected:
@@ -67,7 +67,7 @@ private:
     std::function<QString(int tolerance)> m_text;
     double m_voxelMm3 = 0.0;
     int m_tolerance = -1;
-    int m_before = -1; ///< while it moves: where the mark stood
+    int m_before = -1; ///< where the mark stood before it is moved
     bool m_moving = false;
 };
 

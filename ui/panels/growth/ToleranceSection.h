@@ -21,16 +21,16 @@ namespace ui {
 class ToleranceBar;
 class Workspace;
 
-/// The tolerance of the active segment, a part of the growth panel: once its field is traced, every
-/// view shows the segment at whatever tolerance the mark is dragged to, and letting go makes it
-/// real, as one step. The field is traced again by itself after whatever else was done.
+/// The part of the growth panel for the tolerance of the active segment. Once its tolerance field
+/// is traced, every view shows the segment at the tolerance to which the user drags the mark;
+/// releasing the mark applies it as one step. After any other edit the field is traced again.
 class ToleranceSection : public QWidget {
     Q_OBJECT
 
 public:
     explicit ToleranceSection(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Whether the field is there and told about.
+    /// Whether the field is complete and up to date.
     [[nodiscard]] bool traced() const { return m_traced && !m_asking && !m_stale; }
 
 private:
@@ -39,7 +39,7 @@ private:
     void reset();
     void follow();
     void ask();
-    /// @param curve none: there is more to be worked out
+    /// @param curve none if the computation goes on
     void take(const core::ToleranceRule& rule,
         const core::Result<std::optional<core::ToleranceCurve>>& curve);
     void preview(int tolerance);
@@ -54,11 +54,12 @@ private:
     QPushButton* m_trace = nullptr;
     ToleranceBar* m_bar = nullptr;
     QLabel* m_text = nullptr;
-    QTimer m_again; ///< steps come in bursts, one field is enough for them
-    core::EditSession* m_asked = nullptr; ///< who is to answer; compared, never called
+    QTimer m_again; ///< traces once after several steps in quick succession
+    /// The session that is to answer; only compared, never called.
+    core::EditSession* m_asked = nullptr;
     bool m_on = false;
     bool m_asking = false;
-    bool m_stale = false; ///< something was done since it was traced
+    bool m_stale = false; ///< an edit was made since it was traced
     std::optional<core::ToleranceRule> m_traced;
     int m_centre = 0; ///< code
     QString m_whyNot;

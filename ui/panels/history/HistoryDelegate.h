@@ -5,9 +5,9 @@
 
 namespace ui {
 
-/// A row of the history: a bead on the line, name, detail at the right; undone rows are faint.
-/// Branches stand to the right of the line they fork off, on a side line of their own that begins
-/// at their heading's arrow; a click on the arrow folds and unfolds.
+/// Draws a row of the history: a bead on the line, the name, and a detail at the right. Undone rows
+/// are faint. Branches stand to the right of the line from which they fork off, on a side line that
+/// begins at their heading's arrow; a click on the arrow folds and unfolds them.
 class HistoryDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
     bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
         const QModelIndex& index) override;
 
-    /// Where a heading's arrow takes clicks.
+    /// The area in which a click hits the arrow of a heading.
     [[nodiscard]] static QRect arrowRect(const QRect& row, int depth);
 };
 

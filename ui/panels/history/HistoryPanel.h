@@ -17,10 +17,10 @@ class HistoryTimeline;
 class StrokeRevision;
 class Workspace;
 
-/// What was done, oldest first, with the old futures as branches that unfold (click on the arrow,
-/// Right and Left); a double click (or Return) walks there. The menu of a row also undoes that step
-/// alone, and changes or removes a stroke out of order. Below, the timeline walks along the current
-/// line.
+/// The panel of the history: all steps, oldest first, with abandoned futures as branches that
+/// unfold (by a click on the arrow, or Right and Left). A double click or Return goes to a step.
+/// The menu of a row also undoes that step alone, and changes or removes a stroke out of order.
+/// Below, the timeline moves along the current line.
 class HistoryPanel : public Panel {
     Q_OBJECT
 
@@ -50,7 +50,8 @@ private:
     QListView* m_view = nullptr;
     HistoryTimeline* m_timeline = nullptr;
     StrokeRevision* m_revision = nullptr;
-    std::optional<core::RowId> m_shownPosition; ///< what the list was last scrolled to
+    /// The position to which the list was last scrolled.
+    std::optional<core::RowId> m_shownPosition;
 };
 
 } // namespace ui

@@ -8,17 +8,17 @@ class QLabel;
 
 namespace ui {
 
-/// What a step is called and, where there is one, a picture of what it looked like; floats over the
-/// place it speaks of and takes no input.
+/// A popup with the name of a step and, if there is one, a picture of what it looked like. It
+/// floats over the step and takes no input.
 class KeyframePopup : public QFrame {
     Q_OBJECT
 
 public:
     explicit KeyframePopup(QWidget* parent);
 
-    /// @param note what the picture shows, if it is not quite that step; may be empty
+    /// @param note which step the picture shows, if it is another one; may be empty
     void show(const QString& step, const QString& note, const QImage& picture);
-    /// Above a point of the screen, inside the screen.
+    /// Moves it above a point of the screen, kept inside the screen.
     void moveAbove(const QPoint& global);
 
     [[nodiscard]] const QImage& picture() const { return m_shown; }

@@ -11,21 +11,21 @@ namespace ui {
 
 class Workspace;
 
-/// Strokes of the history as objects: changes one, removes it, and offers to draw later ones anew
-/// where the change took their surface away.
+/// Revises strokes of the history: changes one, removes it, and offers to drill later ones again if
+/// the change took away the surface from which they started.
 class StrokeRevision : public QObject {
     Q_OBJECT
 
 public:
     StrokeRevision(Workspace& workspace, QWidget* parent);
 
-    /// Whether a row is a stroke that counts now.
+    /// Whether a row is a stroke that is part of the present state.
     [[nodiscard]] bool canRevise(core::RowId row) const;
     [[nodiscard]] bool isRemoved(core::RowId row) const;
-    /// Asks how it is to be.
+    /// Asks for the new parameters and revises the stroke.
     void change(core::RowId row);
     void remove(core::RowId row);
-    /// As it was drawn.
+    /// Restores the stroke as it was drawn.
     void restore(core::RowId row);
 
 private:
@@ -35,7 +35,7 @@ private:
 
     Workspace& m_workspace;
     QWidget* m_window;
-    core::RowId m_offered = 0; ///< the revision that it was offered for
+    core::RowId m_offered = 0; ///< the revision for which it was offered
 };
 
 } // namespace ui

@@ -6,12 +6,12 @@
 
 namespace ui {
 
-/// The ground of a row: tinted where it is the active one, raised under the pointer, with a frame
-/// where it has the focus.
+/// Draws the background of a row: tinted if it is the active one, raised under the pointer, with a
+/// frame if it has the focus.
 void paintRowGround(QPainter* painter, const QStyleOptionViewItem& option, bool active);
 
-/// A row with an eye at its left, a name, and a word of state at its right: what the lists of
-/// sculpt layers and of pieces have in common. The name is edited in its place.
+/// Draws a row with an eye at its left, a name, and a word of state at its right; the base for the
+/// lists of sculpt layers and of pieces. The name is edited in place.
 class EyeRowDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -29,14 +29,14 @@ public:
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
         const QModelIndex& index) const override;
 
-    /// Where the eye of a row lies.
+    /// The rectangle of a row's eye.
     [[nodiscard]] static QRect eyeRect(const QRect& row);
 
 protected:
     struct Row {
         bool active = false;
         bool eyeOpen = true;
-        bool counts = true; ///< else it is dimmed
+        bool counts = true; ///< false: it is dimmed
         QString state;
         QColor stateColour;
     };

@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// A row of the list of sculpt layers: eye, name, what it does now. A click on the eye mutes or
-/// unmutes; with Alt it has the layer count alone (solo).
+/// Draws a row of the list of sculpt layers: eye, name, and its present effect. A click on the eye
+/// mutes or unmutes the layer; with Alt only this layer counts (solo).
 class LayerDelegate : public EyeRowDelegate {
     Q_OBJECT
 

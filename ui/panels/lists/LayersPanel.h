@@ -13,9 +13,9 @@ namespace ui {
 class LayerListModel;
 class Workspace;
 
-/// The sculpt layers: muted or not, name; a click makes one the layer that tools carve. Below the
-/// list, how much of what the active one carves is hidden. Folded at
-/// first, since one layer is what most sessions have.
+/// The panel of sculpt layers: whether each is muted, and its name; a click makes one the layer
+/// that tools carve. Below the list, the user sets how much of what the active layer carves is
+/// hidden. Folded at first, since most sessions have a single layer.
 class LayersPanel : public Panel {
     Q_OBJECT
 
@@ -40,7 +40,7 @@ private:
     LayerListModel* m_model = nullptr;
     QListView* m_view = nullptr;
     QAction* m_add = nullptr;
-    QWidget* m_look = nullptr; ///< of the active layer
+    QWidget* m_look = nullptr; ///< how the active layer hides
     QSlider* m_hides = nullptr;
     QLabel* m_hidesText = nullptr;
     QSlider* m_softness = nullptr;

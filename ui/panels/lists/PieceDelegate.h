@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// A row of the list of pieces: eye, name, how far it is from home. A click on the eye shows or
-/// hides it.
+/// Draws a row of the list of pieces: eye, name, and its distance from its true place. A click on
+/// the eye shows or hides the piece.
 class PieceDelegate : public EyeRowDelegate {
     Q_OBJECT
 

@@ -21,13 +21,13 @@ class PieceListModel;
 class VolumeView;
 class Workspace;
 
-/// The pieces: shown or hidden, name, how far each is from its place; of the active one its pose in
-/// numbers, opacity, colour and colour map.
+/// The panel of pieces: whether each is shown, its name, and its distance from its true place; for
+/// the active one its pose in numbers, opacity, colour and colour map.
 class PiecesPanel : public Panel {
     Q_OBJECT
 
 public:
-    /// @param view that "open like a lid" looks at
+    /// @param view the 3D view to which "open like a lid" refers
     PiecesPanel(Workspace& workspace, VolumeView& view, QWidget* parent = nullptr);
 
     [[nodiscard]] QString title() const override;
@@ -57,7 +57,7 @@ private:
     QSlider* m_opacity = nullptr;
     ColorButton* m_colour = nullptr;
     QToolButton* m_plain = nullptr;
-    QComboBox* m_map = nullptr; ///< the scene's; a segment's body; presets
+    QComboBox* m_map = nullptr; ///< choices: the scene's, a segment's body, presets
     QToolButton* m_home = nullptr;
     QToolButton* m_lid = nullptr;
     QToolButton* m_allHome = nullptr;

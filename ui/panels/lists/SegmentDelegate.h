@@ -5,9 +5,9 @@
 
 namespace ui {
 
-/// A row of the segment list: eye, colour, name with its code below, volume, lock, and a shield
-/// where no sculpting tool carves. A click on the eye, the lock or the shield switches it; a click
-/// on the colour or the code asks for it.
+/// Draws a row of the segment list: eye, colour, name with its code below, volume, lock, and a
+/// shield if sculpting tools spare the segment. A click on the eye, the lock or the shield switches
+/// it; a click on the colour or the code asks for a new one.
 class SegmentDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
         const QModelIndex& index) const override;
 
-    /// Where the parts of a row lie.
+    /// The rectangles of the parts of a row.
     [[nodiscard]] static QRect eyeRect(const QRect& row);
     [[nodiscard]] static QRect colourRect(const QRect& row);
     [[nodiscard]] static QRect lockRect(const QRect& row);

@@ -13,7 +13,8 @@ namespace ui {
 class SegmentListModel;
 class Workspace;
 
-/// The segments: shown or hidden, colour, name, code, volume; a click makes one the active segment.
+/// The panel of segments: whether each is shown, its colour, name, code and volume; a click makes
+/// one the active segment.
 class SegmentsPanel : public Panel {
     Q_OBJECT
 

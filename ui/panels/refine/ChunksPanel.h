@@ -17,7 +17,8 @@ namespace ui {
 
 class Workspace;
 
-/// A segment and what lies around it divided into chunks: into how many, and how they are shown.
+/// The panel that divides a segment and its surroundings into chunks (seed B §4.2): it sets how
+/// many there are, and how they are shown.
 class ChunksPanel : public Panel {
     Q_OBJECT
 
@@ -39,14 +40,14 @@ private:
     QLabel* m_whose = nullptr;
     QDoubleSpinBox* m_margin = nullptr;
     QPushButton* m_divide = nullptr;
-    QWidget* m_waiting = nullptr; ///< while chunks are being worked out
+    QWidget* m_waiting = nullptr; ///< shown while chunks are being computed
     QProgressBar* m_progress = nullptr;
     QLabel* m_step = nullptr;
-    QTimer m_asking; ///< how far it is, while it is waited for
-    QWidget* m_looks = nullptr; ///< of a division
+    QTimer m_asking; ///< polls the progress
+    QWidget* m_looks = nullptr; ///< shown while there is a division
     QCheckBox* m_shown = nullptr;
     QLabel* m_state = nullptr;
-    QSlider* m_count = nullptr; ///< hundredths of its logarithm
+    QSlider* m_count = nullptr; ///< 100 · logarithm of the number
     QLabel* m_countText = nullptr;
     QSlider* m_opacity = nullptr;
     QLabel* m_opacityText = nullptr;

@@ -12,8 +12,8 @@ class QPushButton;
 
 namespace ui {
 
-/// How far the surface that is being refined, or the active segment, is from a mask that is held
-/// for the truth, while one works: relative volume error (seed B §7.3), Dice, distances.
+/// Shows, while the user works, how far the surface that is being refined, or else the active
+/// segment, is from a reference mask: relative volume error (seed B §7.3), Dice, distances.
 class ComparePanel : public Panel {
     Q_OBJECT
 

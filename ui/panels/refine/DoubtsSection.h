@@ -11,8 +11,8 @@ class QPushButton;
 
 namespace ui {
 
-/// Where the surface deserves a second look, on demand: a list beside that of errors. Nothing of it
-/// is marked by itself.
+/// Lists places of the surface that deserve a second look, on demand, beside the list of errors.
+/// Nothing is marked automatically.
 class DoubtsSection : public QWidget {
     Q_OBJECT
 

@@ -8,8 +8,8 @@ namespace ui {
 class Actions;
 class Workspace;
 
-/// What is done to the surface that is being refined by menu and key. @return their names, for a
-/// menu
+/// Adds the actions on the surface that is being refined for menu and keys.
+/// @return their ids, for a menu
 QStringList addRefineActions(Actions& actions, Workspace& workspace);
 
 } // namespace ui

@@ -17,8 +17,8 @@ namespace ui {
 class DoubtsSection;
 class Workspace;
 
-/// The surface that is being refined: it is laid here, how it looks, what is marked as wrong, and
-/// whether the segment holds what it encloses.
+/// The panel of the surface that is being refined: it is made here; the panel sets how it looks,
+/// lists what is marked as wrong, and tells whether the segment holds what the surface encloses.
 class RefinePanel : public Panel {
     Q_OBJECT
 
@@ -39,7 +39,7 @@ private:
 
     Workspace& m_workspace;
     QStackedWidget* m_pages = nullptr;
-    QLabel* m_whose = nullptr; ///< of the laying
+    QLabel* m_whose = nullptr; ///< on the page for making a surface
     QSpinBox* m_vertices = nullptr;
     QPushButton* m_lay = nullptr;
     QLabel* m_state = nullptr;

@@ -10,11 +10,12 @@ class QPainter;
 
 namespace ui {
 
-/// Outlines and words of tools at the cursor.
+/// The colour of outlines and words of tools at the cursor.
 [[nodiscard]] QColor toolColour();
 
-/// The outline of a round tool at the cursor, seen on bone and on black alike.
-/// @param radius logical pixels
+/// Draws text beside the cursor, connected by a short line to the rim of a mask and kept inside the
+/// view. The first line says what the tool will do and is emphasised.
+/// @param radius of the mask, logical pixels
 void drawCursorRing(
     QPainter& painter, const QPointF& cursor, double radius, const QColor& colour, bool dashed);
 

@@ -12,25 +12,26 @@ class QPainter;
 
 namespace ui {
 
-/// The mask that the drill's settings stand for, in a pen held like this: turned with it (by the
-/// way it leans, where it does not tell its rotation) and, where that is set, foreshortened as a
-/// disc across the pen is when it leans. What comes out is all that an edit needs to know.
+/// The mask that results from the drill's settings and from how the pen is held: it is rotated with
+/// the pen (by the direction of its tilt if it does not report its rotation) and, if the settings
+/// say so, foreshortened like a disc perpendicular to the tilted pen. The result contains
+/// everything that an edit needs to know.
 [[nodiscard]] core::MaskShape drillMask(
     const Workspace::DrillSettings& settings, const PointerSample& pen = {});
 
-/// What drillMask() makes of an outline, backwards: what is to be kept of a curve that was drawn
-/// with a pen held like this, so that the same pen presses the curve.
+/// The inverse of drillMask() for an outline: what must be stored of a curve that was drawn with a
+/// pen held like this, so that the same pen reproduces the curve.
 [[nodiscard]] std::vector<glm::dvec2> withoutPen(std::vector<glm::dvec2> curve,
     const Workspace::DrillSettings& settings, const PointerSample& pen);
 
-/// Outlines of tools over a picture: a bright line with a dark rim, to be seen on bone and on black
-/// alike.
+/// Draws the outline of a tool over a picture: a bright line with a dark rim, visible on bone and
+/// on black.
 void drawToolOutline(QPainter& painter, const QPolygonF& outline, bool closed = true);
 
-/// The part of a surface that a tool would take, tinted.
+/// Draws the part of a surface that a tool would remove, tinted.
 void paintPatch(QPainter& painter, const SurfacePatch& surface, const ViewContext& view);
 
-/// A mask around a point of the picture, as the viewer sees it.
+/// The outline of a mask around a point of the picture, in pixels.
 [[nodiscard]] QPolygonF maskOutline(
     const core::MaskShape& mask, const QPointF& centre, double mmPerPixel);
 

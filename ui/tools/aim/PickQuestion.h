@@ -12,23 +12,24 @@
 
 namespace ui {
 
-/// The voxel that was seen along each ray; none: nothing was.
+/// The voxel that is seen along each ray; none if nothing is seen.
 using PickedVoxels = std::vector<std::optional<glm::ivec3>>;
 
-/// The camera of a 3D view, as edits name it.
+/// The camera of a 3D view in the form that edits store.
 [[nodiscard]] core::OrthographicView orthographicView(const gpu::VolumeScene& scene);
 
-/// "What does the user see at these points of the 3D view?", one ray per point. Surface, opacity or
-/// brightest voxel after the mode the view draws in.
+/// The question to the engine which voxels the user sees at these points of the 3D view, one ray
+/// per point. The render mode decides whether that is the surface, the opacity or the brightest
+/// voxel.
 /// @param planeMm points in the view plane, mm right of and above the target
 [[nodiscard]] core::PickQuestion pickQuestion(const gpu::VolumeScene& scene,
     const std::vector<glm::dvec2>& planeMm, const core::Volume& volume);
 
-/// Opacity of a transfer function by code >> 8, in 65535ths per sample of @p sampleMm.
+/// The opacity of a transfer function by code >> 8, in 1/65535 per sample of @p sampleMm.
 [[nodiscard]] std::vector<std::uint32_t> opacityOfCodes(
     const gpu::TransferFunction& function, const core::VoxelEncoding& encoding, double sampleMm);
 
-/// Points along a polyline, its ends included, never further apart than @p step.
+/// Points along a polyline, including its ends, never further apart than @p step.
 [[nodiscard]] std::vector<glm::dvec2> alongPath(const std::vector<glm::dvec2>& path, double step);
 
 } // namespace ui

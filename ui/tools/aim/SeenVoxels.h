@@ -14,17 +14,18 @@ namespace ui {
 
 class Workspace;
 
+/// A voxel that the user sees.
 struct SeenVoxel {
     glm::ivec3 voxel{0}; ///< at its true place
-    int piece = 0; ///< id of what it was seen on; 0: what is left of the volume
+    int piece = 0; ///< id of the piece on which it was seen; 0: on the rest of the volume
 };
 
-/// One per point; none: nothing is seen there.
+/// One for each point; none if nothing is seen there.
 using SeenVoxels = std::vector<std::optional<SeenVoxel>>;
 
-/// Asks which voxels the user sees at these points of a 3D view. What is seen of a piece means its
-/// true place, wherever it is shown: its voxel is found along the ray that the pose takes there.
-/// Answered by EditSession::poll(), unless the session closes.
+/// Asks which voxels the user sees at these points of a 3D view. On a piece the answer is the voxel
+/// at its true place, wherever the piece is shown: the ray is transformed by the piece's pose. The
+/// answer arrives in EditSession::poll(), unless the session closes.
 /// @param planeMm points in the view plane, mm right of and above the target
 void askWhatIsSeen(Workspace& workspace, const gpu::VolumeScene& scene,
     const std::vector<glm::dvec2>& planeMm,

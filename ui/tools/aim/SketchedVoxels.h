@@ -16,23 +16,24 @@ namespace ui {
 
 class Workspace;
 
-/// Each voxel once, in the order of its first mention.
+/// Removes duplicates; the voxels stay in the order of their first occurrence.
 [[nodiscard]] std::vector<glm::ivec3> uniqueVoxels(const std::vector<glm::ivec3>& voxels);
 
-/// Neighbouring points of a sketch lie at most so far apart, half a voxel: none is stepped over.
+/// The distance, in pixels, between neighbouring points of a sketch: at most half a voxel, so that
+/// no voxel is skipped.
 [[nodiscard]] double sketchStepPixels(const core::Volume& volume, const ViewContext& view);
 
-/// Voxels under a path on a slice, each once; what lies outside the volume is left out.
+/// The voxels under a path on a slice, each once, without those outside the volume.
 /// @param path logical pixels
 [[nodiscard]] std::vector<glm::ivec3> voxelsUnder(
     const std::vector<glm::dvec2>& path, const ViewContext& slice, const core::Volume& volume);
 
-/// Points of the view plane along a path on the 3D view, as askWhatIsSeen() takes them.
+/// The points of the view plane along a path on the 3D view, as askWhatIsSeen() takes them.
 [[nodiscard]] std::vector<glm::dvec2> planePointsUnder(
     const std::vector<glm::dvec2>& path, const ViewContext& view, const core::Volume& volume);
 
-/// The voxels of a sketch while the pen is down: those that a commit would find. On the 3D view the
-/// engine is asked for what was added to the path, one question at a time.
+/// The voxels of a sketch while the pen is down: the same that a commit would find. For the 3D view
+/// the engine is asked about the new part of the path, one question at a time.
 class SketchedVoxels : public QObject {
     Q_OBJECT
 
@@ -40,9 +41,9 @@ public:
     explicit SketchedVoxels(Workspace& workspace, QObject* parent = nullptr);
 
     void begin(const ViewContext& view);
-    /// @param path all of it, longer than before
+    /// @param path the whole path, longer than before
     void follow(const std::vector<glm::dvec2>& path);
-    /// What is still under way is not told any more.
+    /// Ends the sketch; answers that are still under way are dropped.
     void end();
     [[nodiscard]] const std::vector<glm::ivec3>& voxels() const { return m_voxels; }
 
@@ -56,10 +57,10 @@ private:
     Workspace& m_workspace;
     std::optional<ViewContext> m_view;
     std::vector<glm::dvec2> m_path;
-    std::size_t m_looked = 0; ///< points of the path that were asked about
+    std::size_t m_looked = 0; ///< number of path points that were asked about
     std::vector<glm::ivec3> m_voxels; ///< each once
     bool m_asking = false;
-    int m_sketch = 0; ///< number of the present one
+    int m_sketch = 0; ///< number of the present sketch
 };
 
 } // namespace ui

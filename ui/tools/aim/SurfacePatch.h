@@ -13,30 +13,31 @@
 
 namespace ui {
 
-/// A part of the surface as a view shows it, known on a lattice of rays: what tools go by before
-/// they cut, and what they show. It decides no voxel by itself.
+/// A part of the visible surface, sampled on a lattice of rays. Tools use it to aim before they
+/// cut, and to show what they would cut. It decides no voxel.
 class SurfacePatch {
 public:
-    /// The rays inside an outline (mm in the view plane, right of and above the target), about
-    /// @p across of them along its longer side.
+    /// Makes the rays inside an outline (mm in the view plane, right of and above the target),
+    /// about @p across of them along its longer side.
     SurfacePatch(
         const core::OrthographicView& view, const std::vector<glm::dvec2>& outlineMm, int across);
 
-    /// What is to be picked, and what was.
+    /// The question that picks the surface; take() takes its answer.
     [[nodiscard]] core::PickQuestion question(
         const core::Volume& volume, double threshold, const core::ClipRegion& clip) const;
     void take(const core::Volume& volume, const PickedVoxels& picked);
 
-    /// Forgets what lies more than this behind the middle of all depths.
+    /// Drops points that lie more than this behind the median of all depths.
     void dropBehind(double mm);
-    /// Forgets all but the largest part without jumps (core/sculpt/MaskPeel.h, rule 2).
+    /// Drops all points outside the largest part without jumps in depth (core/sculpt/MaskPeel.h,
+    /// rule 2).
     void keepLargest(double jumpMm);
 
-    /// The surface nearest to the middle of the outline, LPS; none: nothing is met there.
+    /// The surface point nearest to the middle of the outline, LPS; none if no ray met anything.
     [[nodiscard]] std::optional<glm::dvec3> middleLps() const;
-    /// Its normal there, into the material: of the plane that fits best. Unit.
+    /// The unit normal there, pointing into the material: that of the best-fitting plane.
     [[nodiscard]] glm::dvec3 normalLps() const;
-    /// What is met, as a picture of it in a view: squares of the lattice.
+    /// The sampled surface as squares in the pixels of a view.
     [[nodiscard]] std::vector<QPolygonF> squares(const ViewContext& view) const;
 
 private:

@@ -10,9 +10,8 @@
 
 namespace ui {
 
-/// The surface under a tool's footprint before it is pressed. Questions go to the engine one at a
-/// time and are answered when it comes to them: nothing waits, and what is shown follows the
-/// pointer as fast as answers come.
+/// The surface under a tool's footprint before the tool is pressed. Questions go to the engine one
+/// at a time; nothing waits, and the preview follows the pointer as fast as answers arrive.
 class SurfacePreview {
 public:
     /// @param changed called when there is something new to show
@@ -22,7 +21,7 @@ public:
     void lookAt(const ViewContext& view, std::vector<glm::dvec2> outlineMm, int across);
     void forget();
 
-    /// What was seen last; null: nothing yet.
+    /// The latest answer; null if there is none yet.
     [[nodiscard]] const SurfacePatch* patch() const { return m_patch ? &*m_patch : nullptr; }
 
 private:
@@ -36,8 +35,9 @@ private:
     Workspace& m_workspace;
     std::function<void()> m_changed;
     std::optional<SurfacePatch> m_patch;
-    std::optional<Wish> m_next; ///< once the question under way is answered
-    std::shared_ptr<int> m_asking; ///< set while one is under way; who forgets drops it
+    std::optional<Wish> m_next; ///< asked after the question under way is answered
+    /// Set while a question is under way; dropping it makes the answer void.
+    std::shared_ptr<int> m_asking;
 };
 
 } // namespace ui

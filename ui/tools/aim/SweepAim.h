@@ -8,25 +8,27 @@
 
 namespace ui {
 
-/// A stroke of the drill that does not go in along the view: the edit gets a view of its own, which
-/// looks the way the drill goes and at the place under the pen. So any recipe can say the same.
+/// The aim of a drill stroke that does not go in along the view direction. The edit then gets a
+/// view of its own, which looks along the drill at the point under the pen; so a recipe can express
+/// the same.
 class SweepAim {
 public:
     /// @param drawnIn the view that the pen moves in
-    /// @param placeLps of the surface under the pen when it went down
+    /// @param placeLps surface point under the pen when it went down
     /// @param direction unit, not against the view
     SweepAim(const core::OrthographicView& drawnIn, const glm::dvec3& placeLps,
         const glm::dvec3& direction);
 
     [[nodiscard]] const core::OrthographicView& view() const { return m_view; }
-    /// What lies more than this before the place is passed through: it is not what the pen is on.
+    /// The half space that lies more than this far in front of the place: it is passed through,
+    /// because it is not what the pen points at.
     [[nodiscard]] core::HiddenSide before(double mm) const;
-    /// A place of the plane that the mask begins in, from its middle.
+    /// A point of the mask plane, given by its position relative to the plane's middle, in LPS.
     [[nodiscard]] glm::dvec3 toLps(const glm::dvec2& ownMm) const
     {
         return m_view.targetLps + m_axes * glm::dvec3(ownMm, 0.0);
     }
-    /// Where the pen is, in the view of its own.
+    /// The position of the pen in the edit's own view.
     [[nodiscard]] glm::dvec2 toOwn(const glm::dvec2& drawnMm) const;
 
 private:
@@ -36,8 +38,8 @@ private:
     glm::dmat3 m_axes{1.0};
 };
 
-/// Which way a drill goes in; unit. @param normal of the surface under the pen, into the material
-/// @param tiltDegrees of the pen: from upright, positive to the right and towards the user
+/// The direction in which a drill goes in; unit.
+/// @param normal of the surface under the pen, into the material
 [[nodiscard]] glm::dvec3 sweepDirection(Workspace::Sweep sweep, const core::OrthographicView& view,
     const glm::dvec3& normal, const QPointF& tiltDegrees);
 

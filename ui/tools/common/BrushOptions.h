@@ -13,10 +13,10 @@ class QToolButton;
 
 namespace ui {
 
-/// "only 20 … 80 HU": the values that paint is limited to; empty: none.
+/// "only 20 … 80 HU": the range of values to which painting is limited; empty if it is not.
 [[nodiscard]] QString intervalText(const Workspace& workspace);
 
-/// The settings of paint or the carve brush in the option bar; always in step with
+/// The options of paint or the carve brush in the option bar; always in step with
 /// Workspace::brushSettings().
 class BrushOptions : public QWidget {
     Q_OBJECT
@@ -34,7 +34,7 @@ private:
     Workspace::Brush m_brush;
     QDoubleSpinBox* m_radius = nullptr;
     QComboBox* m_shape = nullptr;
-    // Paint only.
+    // The following are for paint only.
     QToolButton* m_limits = nullptr;
     QCheckBox* m_onlyBetween = nullptr;
     QDoubleSpinBox* m_lower = nullptr;

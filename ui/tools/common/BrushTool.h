@@ -12,9 +12,10 @@
 
 namespace ui {
 
-/// What paint and the carve brush have in common: a ball or disc that follows the pen, on a slice
-/// along its plane, in the 3D view along the surface that is seen. Ctrl and the pen's eraser end
-/// turn it round. One edit per stroke; it shows while the pen is down, and cancel() takes it back.
+/// Base of the brushes (paint, barrier, carve brush): a ball or disc follows the pen, on a slice
+/// along its plane, in the 3D view along the visible surface. Ctrl or the pen's eraser end inverts
+/// it. Each stroke is one edit; its effect is visible while the pen is down, and cancel() takes it
+/// back.
 class BrushTool : public Tool {
     Q_OBJECT
 
@@ -43,10 +44,10 @@ protected:
     [[nodiscard]] const Workspace::BrushSettings& settings() const;
     /// "paints Liver", "erases Liver", or why it cannot.
     [[nodiscard]] virtual QString action(bool inverted) const = 0;
-    /// Which voxels alone may change, in words; empty: any.
+    /// Which voxels may change, in words; empty if all may.
     [[nodiscard]] virtual QString limits() const { return {}; }
     [[nodiscard]] virtual QColor colour() const = 0;
-    /// What a stroke that begins now does along a path.
+    /// The edit of a stroke that begins now and follows a path.
     [[nodiscard]] virtual core::Result<core::Edit> strokeAlong(
         const core::BrushPath& path, bool inverted, const ViewContext& view) = 0;
     /// How far around its radius a stroke changes what the 3D view shows, mm.
@@ -56,7 +57,8 @@ private:
     struct Stroke;
 
     [[nodiscard]] core::BrushPath pathIn(const ViewContext& view) const;
-    /// 3D: asks what is seen along the way to here, then goes on there.
+    /// In a 3D view: asks what is seen along the way to this point, then continues the stroke
+    /// there.
     void askOnTheWay(const glm::dvec2& planeMm);
     void follow(Stroke& stroke, const glm::dvec2& from, const glm::dvec2& to);
     void goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted);
@@ -65,7 +67,7 @@ private:
 
     Workspace& m_workspace;
     Workspace::Brush m_brush;
-    std::shared_ptr<Stroke> m_stroke; ///< until all of it is told
+    std::shared_ptr<Stroke> m_stroke; ///< set until the whole stroke was sent to the session
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
     bool m_inverted = false;

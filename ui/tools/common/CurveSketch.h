@@ -14,8 +14,8 @@ class QPainter;
 
 namespace ui {
 
-/// A curve that is being drawn on the 3D view (seed A §4.1). It closes by itself and may cross
-/// itself; the view of pen-down holds until it is finished.
+/// A curve that the user draws on the 3D view (seed A §4.1). It is closed implicitly and may cross
+/// itself. The view at pen-down is used until the curve is finished.
 class CurveSketch {
 public:
     void begin(const QPointF& at, const ViewContext& view);
@@ -23,11 +23,11 @@ public:
     void drop() { m_view.reset(); }
 
     [[nodiscard]] bool drawing() const { return m_view.has_value(); }
-    /// Of pen-down; only while drawing.
+    /// The view at pen-down; only while drawing.
     [[nodiscard]] const ViewContext& view() const { return *m_view; }
-    /// As far as it is drawn: millimetres in the view plane, right of and above the target.
+    /// The curve drawn so far, in millimetres in the view plane, right of and above the target.
     [[nodiscard]] std::vector<glm::dvec2> curveMm() const;
-    /// The same, and the drawing is over. Empty: what was drawn is too small to mean anything.
+    /// The same, and ends the drawing. Empty if the curve is too small to be intended.
     [[nodiscard]] std::vector<glm::dvec2> finish();
 
     void paint(QPainter& painter) const;

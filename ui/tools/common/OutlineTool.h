@@ -11,9 +11,9 @@
 
 namespace ui {
 
-/// What tools share that cut inside a curve sketched on the 3D view (seed A §4.1). The curve closes
-/// by itself; with Ctrl, or the pen's eraser end, the tool restores. Points are millimetres in the
-/// view plane, right of and above the target.
+/// Base of the tools that cut inside a curve sketched on the 3D view (seed A §4.1): peel and
+/// scissors. The curve is closed implicitly; with Ctrl, or the pen's eraser end, the tool restores.
+/// Points are millimetres in the view plane, right of and above the target.
 class OutlineTool : public Tool {
     Q_OBJECT
 
@@ -38,14 +38,15 @@ protected:
         bool restore = false;
         core::HiddenSides hidden{}; ///< what the view's clip region hides
     };
-    /// A curve was closed that is large enough to mean something.
+    /// Called when a curve was closed that is large enough to be intended.
     virtual void cut(const Sketch& sketch) = 0;
-    /// A new one is begun.
+    /// Called when a new curve is begun.
     virtual void begin() { }
-    /// Whether what a curve would take of the surface is shown beforehand, and what that is.
+    /// Whether the part of the surface that a curve would remove is shown beforehand; taken()
+    /// reduces the surface to that part.
     [[nodiscard]] virtual bool showsTaken() const { return false; }
     [[nodiscard]] virtual SurfacePatch taken(SurfacePatch surface) const { return surface; }
-    /// Words at the cursor.
+    /// The text at the cursor.
     [[nodiscard]] virtual QStringList lines() const = 0;
 
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }

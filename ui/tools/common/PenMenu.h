@@ -10,8 +10,8 @@ namespace ui {
 class PressureCurve;
 class Workspace;
 
-/// What a pen does to drill and laser: opens the curve by which its pressure sets the depth, and
-/// whether the mask turns and leans with it.
+/// The menu in the option bar for the effects of a pen on drill and laser: the curve by which
+/// pressure sets the depth, and whether the mask rotates and tilts with the pen.
 class PenMenu : public QToolButton {
     Q_OBJECT
 

@@ -9,12 +9,12 @@ namespace ui {
 
 class Workspace;
 
-/// Which segment a tool works for, in the option bar.
+/// A list in the option bar that chooses the segment on which a tool works.
 class SeedOptions : public QWidget {
     Q_OBJECT
 
 public:
-    /// @param label before the list; may be empty
+    /// @param label in front of the list; may be empty
     SeedOptions(Workspace& workspace, const QString& label, QWidget* parent = nullptr);
 
 private:

@@ -14,8 +14,8 @@ namespace ui {
 
 class Workspace;
 
-/// Sketches voxels: on a slice those under the path, on the 3D view those that are seen under it
-/// (seed A §5.1). What becomes of them at pen-up the tools say.
+/// Base of the tools that sketch voxels: on a slice those under the path, on the 3D view those that
+/// are seen under it (seed A §5.1). Each tool decides what to do with them at pen-up.
 class SketchTool : public Tool {
     Q_OBJECT
 
@@ -35,41 +35,42 @@ public:
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
 protected:
-    /// Whether the pen's eraser end means something to it.
+    /// Whether the pen's eraser end has a meaning for the tool.
     [[nodiscard]] virtual bool takesEraser() const { return false; }
-    /// A stroke that is no sketch: carried out here, and no voxels are committed.
-    /// @param pixels of pen-down's view, at least one
+    /// Handles a stroke that is not a sketch of voxels. If it returns true, commit() is not called.
+    /// @param pixels path in the view at pen-down, at least one point
     virtual bool finishOtherwise(const std::vector<glm::dvec2>&, const ViewContext&)
     {
         return false;
     }
-    // While the pen is down, for tools that show what they will do.
+    // Called while the pen is down, for tools that show what they will do.
     virtual void sketchBegan(const ViewContext&) { }
     virtual void sketchGrew(const std::vector<glm::dvec2>& /*pixels*/) { }
-    virtual void sketchOver() { } ///< dropped, or committed if it met anything
-    /// Words at the cursor, the most important ones first.
+    virtual void sketchOver() { } ///< the sketch was dropped, or committed if it met any voxel
+    /// The text at the cursor, the most important line first.
     [[nodiscard]] virtual QStringList cursorLines() const { return {target()}; }
-    /// Each voxel once, in the order of the sketch; at least one.
+    /// Carries out the sketch.
+    /// @param voxels at least one; each once, in the order of the sketch
     virtual void commit(const std::vector<glm::ivec3>& voxels) = 0;
-    /// What the sketch is drawn in.
+    /// The colour of the sketch.
     [[nodiscard]] virtual QColor colour() const = 0;
-    /// Said where a sketch met no voxel.
+    /// Messages for a sketch that met no voxel.
     [[nodiscard]] virtual QString outsideText() const = 0;
     [[nodiscard]] virtual QString nothingSeenText() const = 0;
 
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
-    /// Of the sketch that is drawn or committed: as at pen-down.
+    /// The modifiers at pen-down of the sketch that is drawn or committed.
     [[nodiscard]] Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
     [[nodiscard]] bool withEraser() const { return m_withEraser; }
     [[nodiscard]] bool drawing() const { return m_strokeView.has_value(); }
 
 private:
-    [[nodiscard]] bool commitOnSlice(); ///< whether it is one
+    [[nodiscard]] bool commitOnSlice(); ///< returns whether the view is a slice
     void askWhatIsSeen();
     void commitSeen(const core::Result<SeenVoxels>& seen);
 
     Workspace& m_workspace;
-    std::optional<ViewContext> m_strokeView; ///< the view of pen-down holds for the whole sketch
+    std::optional<ViewContext> m_strokeView; ///< the view at pen-down, used for the whole sketch
     std::vector<glm::dvec2> m_path; ///< logical pixels
     Qt::KeyboardModifiers m_modifiers;
     bool m_withEraser = false;

@@ -6,8 +6,9 @@
 
 namespace ui {
 
-/// Shuts places to growth, on slices and on the surface that the 3D view shows; with Ctrl or the
-/// pen's eraser end it opens them again. What a growth added there goes.
+/// Paints barriers that close voxels to growth, on slices and on the visible surface of the 3D
+/// view; with Ctrl or the pen's eraser end it opens them again. Voxels that a growth has added
+/// there are removed.
 class BarrierTool : public BrushTool {
     Q_OBJECT
 

@@ -6,9 +6,9 @@
 
 namespace ui {
 
-/// Paints the active segment on slices and on the surface that the 3D view shows; with Ctrl or the
-/// pen's eraser end it erases it. The first stroke of a session makes a segment, as an entry of its
-/// own. What is painted takes part in growth where the segment has seeds.
+/// Paints the active segment, on slices and on the visible surface of the 3D view; with Ctrl or the
+/// pen's eraser end it erases. The first stroke of a session makes a segment, as a step of its own.
+/// If the segment has seeds, painted voxels take part in its growth.
 class PaintTool : public BrushTool {
     Q_OBJECT
 
@@ -30,7 +30,8 @@ protected:
     [[nodiscard]] double reachMm() const override { return 0.0; }
 };
 
-/// Whether a segment has seeds among the steps that stand: then growth goes on from it.
+/// Whether a segment has seeds among the present steps: then its growth goes on from what is
+/// painted.
 [[nodiscard]] bool takesPartInGrowth(const core::History& history, int segment);
 
 } // namespace ui

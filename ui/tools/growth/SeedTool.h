@@ -6,10 +6,10 @@
 
 namespace ui {
 
-/// Sketches seeds of the active segment (seed A §5.1). One SeedStroke per sketch; the first sketch
-/// of a session makes a segment, as an entry of its own. With Ctrl, or the pen's eraser end, seeds
-/// under the path that no growth has accepted are taken away, of whichever segment; with Shift the
-/// one under the pointer is moved.
+/// Sketches seeds of the active segment (seed A §5.1). Each sketch is one Edit; the first
+/// sketch of a session makes a segment, as a step of its own. With Ctrl, or the pen's eraser end,
+/// it removes seeds under the path that no growth has accepted, of any segment; with Shift it moves
+/// the one under the pointer.
 class SeedTool : public SketchTool {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ private:
     void takeAway(const std::vector<glm::dvec2>& pixels, const ViewContext& view);
     void move(const glm::dvec2& from, const glm::dvec2& to, const ViewContext& view);
     void apply(const core::SeedStroke& stroke, const QString& done);
-    /// Says what became of a stroke that was carried out.
+    /// Tells the user the result of a stroke.
     void tellOf(const core::SeedStroke& stroke, const QString& done);
     [[nodiscard]] QColor colour() const override;
     [[nodiscard]] QString outsideText() const override;

@@ -15,27 +15,27 @@ namespace ui {
 
 class Workspace;
 
-/// What a targeted shrink would take, while the pen is down (VoxelQuestions::foreseeCut()). The
-/// engine tints it; here it is asked, one question at a time, and told in words. Nothing waits and
-/// nothing changes.
+/// Tells what a targeted shrink would remove while the pen is down (VoxelQuestions::foreseeCut()).
+/// The engine tints the voxels; this class asks it, one question at a time, and puts the answer
+/// into words. Nothing waits and nothing changes.
 class ShrinkForesight : public QObject {
     Q_OBJECT
 
 public:
     explicit ShrinkForesight(Workspace& workspace, QObject* parent = nullptr);
 
-    /// @param onlyHere only the sketched voxels are to go
+    /// @param onlyHere whether only the sketched voxels are to be removed
     void begin(bool onlyHere);
-    /// All that is sketched so far.
+    /// Sets all voxels that are sketched so far.
     void follow(const std::vector<glm::ivec3>& voxels);
-    /// Takes the tint away.
+    /// Ends the foresight and removes the tint.
     void end();
 
-    /// "takes 12.4 mL", or why it will take nothing; empty while no sketch is followed.
+    /// "takes 12.4 mL", or why it will remove nothing; empty while there is no sketch.
     [[nodiscard]] QString words() const;
-    /// Of the last answer; none: there was none yet.
+    /// The number of voxels in the latest answer; none if there was none yet.
     [[nodiscard]] std::optional<std::int64_t> voxels() const;
-    /// The last answer is about all that is sketched.
+    /// Whether the latest answer covers everything that is sketched.
     [[nodiscard]] bool upToDate() const { return m_foreseen && m_answered == m_wanted.size(); }
 
 Q_SIGNALS:
@@ -43,7 +43,7 @@ Q_SIGNALS:
 
 private:
     void ask();
-    /// @param foreseen none: it is being worked out
+    /// @param foreseen none if it is still being computed
     void take(const core::Result<std::optional<core::ForeseenCut>>& foreseen);
 
     Workspace& m_workspace;
@@ -51,12 +51,12 @@ private:
     bool m_onlyHere = false;
     bool m_asking = false;
     std::vector<glm::ivec3> m_wanted;
-    std::size_t m_asked = 0; ///< voxels of the question that is out
-    std::size_t m_answered = 0; ///< of the one that was answered last
-    std::optional<core::ForeseenCut> m_foreseen; ///< its bricks are left out
-    std::optional<core::Error> m_refused; ///< why the last one would take nothing
-    QTimer m_again; ///< it is being worked out
-    int m_sketch = 0; ///< number of the present one
+    std::size_t m_asked = 0; ///< number of voxels in the question under way
+    std::size_t m_answered = 0; ///< number of voxels in the question that was answered last
+    std::optional<core::ForeseenCut> m_foreseen; ///< without its bricks
+    std::optional<core::Error> m_refused; ///< why the last question found nothing to remove
+    QTimer m_again; ///< asks again while the answer is being computed
+    int m_sketch = 0; ///< number of the present sketch
 };
 
 } // namespace ui

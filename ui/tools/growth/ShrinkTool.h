@@ -8,9 +8,9 @@ namespace ui {
 class ShrinkForesight;
 class SketchedVoxels;
 
-/// Takes back the sketched places and what grew through them (core::ShrinkAt): cut off at its
-/// narrowest passage, or half-way to the seeds, which is shut; with Ctrl only the sketched voxels.
-/// While the pen is down it shows what that would be.
+/// Takes back the sketched voxels and what grew through them (core::ShrinkAt). The growth is cut at
+/// its narrowest passage, or half-way to the seeds, and closed there; with Ctrl only the sketched
+/// voxels are removed. While the pen is down the tool shows what would be removed.
 class ShrinkTool : public SketchTool {
     Q_OBJECT
 

@@ -10,8 +10,8 @@ namespace ui {
 
 class Workspace;
 
-/// Into how many chunks, and which of them the 3D view shows, in the option bar; always in step
-/// with Chunks::look().
+/// The options of the chunk tool in the option bar: how many chunks there are, and which of them
+/// the 3D view shows; always in step with Chunks::look().
 class ChunkOptions : public QWidget {
     Q_OBJECT
 

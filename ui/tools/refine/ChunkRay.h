@@ -8,10 +8,10 @@
 
 namespace ui {
 
-/// The voxel of the chunk that is drawn under a pixel: on a slice the one that lies there, in an
-/// orthographic 3D view the first that its ray meets, of those that are drawn, in what is not
-/// clipped. None: no chunk is drawn there.
-/// @param pixel logical
+/// A voxel of the chunk that is drawn under a pixel: on a slice the voxel there; in an orthographic
+/// 3D view the first voxel of a drawn chunk that the ray meets inside the clip region. None if no
+/// chunk is drawn there.
+/// @param pixel in logical pixels
 [[nodiscard]] std::optional<glm::ivec3> chunkVoxelUnder(
     const ViewContext& view, const QPointF& pixel, const core::VolumeGeometry& geometry);
 

@@ -11,10 +11,10 @@
 
 namespace ui {
 
-/// Adds chunks to the segment that is divided, or takes them away, with mouse or pen, in slices and
-/// in the 3D view. A click takes a chunk that the segment has and gives it any other one; a drag
-/// does to all chunks on its way what a click does to the first; with Ctrl, or the pen's eraser
-/// end, chunks are only taken away. One edit a stroke, when the pen is lifted.
+/// Adds chunks to the divided segment or removes them, with mouse or pen, in slices and in the 3D
+/// view. A click removes a chunk that the segment contains and adds any other. A drag does to all
+/// chunks on its way what it did to the first. With Ctrl, or the pen's eraser end, chunks are only
+/// removed. Each stroke is one edit, made when the pen is lifted.
 class ChunkTool : public Tool {
     Q_OBJECT
 
@@ -43,14 +43,14 @@ public:
 private:
     using Chunk = Chunks::Chunk;
     struct Stroke {
-        ViewContext view; ///< of pen-down; holds for the whole stroke
+        ViewContext view; ///< the view at pen-down, used for the whole stroke
         QPointF last;
         core::ChunkToggle edit; ///< a point for each chunk
         std::vector<Chunk> chunks; ///< in the order of its points
-        bool removes = false; ///< and nothing else
+        bool removes = false; ///< it only removes
     };
 
-    /// Adds the chunks between the last place and this one.
+    /// Adds the chunks between the last point and this one.
     void follow(const QPointF& to);
     void pick(const glm::ivec3& voxel);
     void point(const QPointF& pixel, const ViewContext& view, bool removes);

@@ -13,7 +13,7 @@ class QToolButton;
 
 namespace ui {
 
-/// The settings of the refine tool in the option bar; always in step with Refinement::settings().
+/// The options of the refine tool in the option bar; always in step with Refinement::settings().
 class RefineOptions : public QWidget {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ private:
     QComboBox* m_mark = nullptr;
     QLabel* m_radiusLabel = nullptr;
     QDoubleSpinBox* m_radius = nullptr;
-    QWidget* m_template = nullptr; ///< of Mode::Template
+    QWidget* m_template = nullptr; ///< for Mode::Template
     QLabel* m_contours = nullptr;
     QToolButton* m_preview = nullptr;
     QToolButton* m_take = nullptr;

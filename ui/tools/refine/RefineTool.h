@@ -9,15 +9,15 @@
 
 namespace ui {
 
-/// Works on the surface that is being refined, with mouse or pen, in slices and in the 3D view:
-/// marks what is thought of it, pushes, scrapes, drags, smooths it and draws it to edges
-/// (Refinement::Settings). One edit a stroke, which is seen while the pen is down; cancel() takes
-/// it back. For a template it draws contours on slices of any orientation, which make an edit when
-/// they are taken.
+/// Edits the surface that is being refined, with mouse or pen, in slices and in the 3D view: it
+/// marks, pushes, scrapes, drags and smooths the surface, or draws it to edges
+/// (Refinement::Settings). Each stroke is one edit, visible while the pen is down; cancel() takes
+/// it back. For a template it draws contours on slices of any orientation, which become an edit
+/// when they are applied.
 ///
-/// On a slice the pen is where the tool is. In the 3D view the tool follows the surface as it was
-/// at pen-down; the sphere's middle lies half its radius outside of it and pushes inwards, with
-/// Ctrl inside and pushes outwards.
+/// On a slice the tool is at the pen. In the 3D view it follows the surface as it was at pen-down.
+/// The centre of the sphere then lies half its radius outside of the surface and pushes inwards;
+/// with Ctrl it lies inside and pushes outwards.
 class RefineTool : public Tool {
     Q_OBJECT
 
@@ -49,15 +49,15 @@ public:
 
 private:
     struct Stroke {
-        ViewContext view; ///< of pen-down; holds for the whole stroke
-        core::SurfaceMirror surface; ///< as it was then
+        ViewContext view; ///< the view at pen-down, used for the whole stroke
+        core::SurfaceMirror surface; ///< the surface at pen-down
         Refinement::Settings settings;
         bool inverted = false;
-        double depthMm = 0.0; ///< 3D: of what was hit last, along the view
+        double depthMm = 0.0; ///< in a 3D view: depth of the last hit along the view
         glm::dvec3 last{0.0}; ///< LPS
     };
 
-    /// Where the tool is; none: the surface is not met.
+    /// Where the tool is, LPS; none if the surface is not met.
     [[nodiscard]] std::optional<glm::dvec3> placeOf(Stroke& stroke, const QPointF& pixel) const;
     [[nodiscard]] std::optional<core::MeshHit> hitAt(
         const core::SurfaceMirror& surface, const ViewContext& view, const QPointF& pixel) const;
@@ -68,7 +68,7 @@ private:
 
     Workspace& m_workspace;
     std::optional<Stroke> m_stroke;
-    /// The contour under the pen, LPS, and the view it is drawn in.
+    /// The contour that is being drawn, LPS, and the view in which it is drawn.
     struct Contour {
         ViewContext view;
         std::vector<glm::dvec3> pointsLps;

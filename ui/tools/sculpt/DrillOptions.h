@@ -13,8 +13,7 @@ namespace ui {
 
 class Workspace;
 
-/// The settings of drill or laser in the option bar; always in step with
-/// Workspace::drillSettings().
+/// The options of drill or laser in the option bar; always in step with Workspace::drillSettings().
 class DrillOptions : public QWidget {
     Q_OBJECT
 
@@ -28,15 +27,15 @@ public:
     static constexpr double maximumFloorMm = 200.0;
     static constexpr double maximumSoftnessMm = 30.0;
 
-    /// Which tool they are of: drill and laser differ in their depth.
+    /// The tool for which they are: drill and laser have separate depths.
     enum class Of { Drill, Laser };
     explicit DrillOptions(Workspace& workspace, Of tool, QWidget* parent = nullptr);
 
-    /// Whether the next drag draws a freehand mask's outline.
+    /// Shows whether the next drag draws the outline of a freehand mask.
     void showDrawing(bool drawing);
 
 Q_SIGNALS:
-    void outlineAsked(bool wanted); ///< to be drawn
+    void outlineAsked(bool wanted); ///< the user wants to draw the outline
 
 private:
     void showSettings();
@@ -49,15 +48,15 @@ private:
     Workspace& m_workspace;
     Of m_tool;
     QComboBox* m_shape = nullptr;
-    QToolButton* m_outline = nullptr; ///< freehand
+    QToolButton* m_outline = nullptr; ///< for a freehand mask
     QDoubleSpinBox* m_radius = nullptr;
     QDoubleSpinBox* m_height = nullptr; ///< per cent of the width
     QDoubleSpinBox* m_turn = nullptr;
     QDoubleSpinBox* m_softness = nullptr;
     QComboBox* m_mode = nullptr;
     QDoubleSpinBox* m_depth = nullptr;
-    QDoubleSpinBox* m_floor = nullptr; ///< mode Rate
-    QComboBox* m_sweep = nullptr; ///< the drill's
+    QDoubleSpinBox* m_floor = nullptr; ///< for mode Rate
+    QComboBox* m_sweep = nullptr; ///< for the drill
     QCheckBox* m_throughGaps = nullptr;
     QLabel* m_radiusLabel = nullptr;
     QLabel* m_start = nullptr;

@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// A drill whose mask stands across the surface under the pen and goes in along its normal (seed A
-/// §4.3; DESIGN §5). It shares the drill's tip and has a depth of its own.
+/// A drill whose mask is perpendicular to the surface normal under the pen and goes in along that
+/// normal (seed A §4.3; DESIGN §5). It shares the drill's mask and has a depth of its own.
 class LaserTool final : public DrillTool {
     Q_OBJECT
 

@@ -10,17 +10,17 @@ namespace ui {
 
 class Workspace;
 
-/// The outline of a freehand mask, drawn on the 3D view: once it is wanted, the next drag is no
-/// stroke but the curve, which from then on is the mask of drill and laser. What is too small is
-/// refused in words, and the next drag tries again.
+/// Draws the outline of a freehand mask on the 3D view: once it is wanted, the next drag is not a
+/// stroke but draws the curve, which then becomes the mask of drill and laser. A curve that is too
+/// small is refused with a message, and the next drag tries again.
 class MaskDrawing : public QObject {
     Q_OBJECT
 
 public:
     explicit MaskDrawing(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Whether the next press begins a curve: that was asked for, or the mask is a freehand one and
-    /// nothing is drawn yet.
+    /// Whether the next press begins a curve: because the user asked for it, or because the mask is
+    /// freehand and has no outline yet.
     [[nodiscard]] bool isWanted() const;
     void want(bool wanted);
     [[nodiscard]] bool drawing() const { return m_sketch.drawing(); }
@@ -29,15 +29,16 @@ public:
     void press(const PointerSample& sample, const ViewContext& view);
     void drag(const PointerSample& sample, const ViewContext& view);
     void release(const PointerSample& sample, const ViewContext& view);
-    /// The mask stays as it was; a freehand one that was not drawn yet goes back to the shape
-    /// before. @return whether there was anything to cancel
+    /// Cancels. The mask stays as it was; a freehand mask without an outline returns to the
+    /// previous shape.
+    /// @return whether there was anything to cancel
     bool cancel();
-    void drop(); ///< the curve alone: its view is gone
+    void drop(); ///< drops only the curve, because its view is gone
 
     void paint(QPainter& painter, const ViewContext& view, const QPointF& cursor) const;
 
 Q_SIGNALS:
-    void changed(); ///< isWanted()
+    void changed(); ///< isWanted() has changed
 
 private:
     void follow();
@@ -45,9 +46,9 @@ private:
 
     Workspace& m_workspace;
     CurveSketch m_sketch;
-    PointerSample m_pen; ///< as it was held at pen-down
+    PointerSample m_pen; ///< how the pen was held at pen-down
     bool m_asked = false;
-    bool m_wasWanted = false; ///< as it was told last
+    bool m_wasWanted = false; ///< isWanted() when changed() was last emitted
 };
 
 } // namespace ui

@@ -9,14 +9,15 @@ namespace ui {
 
 class Workspace;
 
-/// The masks that the user has saved: choose one, save the present one, forget one.
+/// The menu of saved masks: choose one, save the present one, delete one.
 class MaskPresetMenu : public QToolButton {
     Q_OBJECT
 
 public:
     explicit MaskPresetMenu(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Saves the present mask. A name of blanks is none; one that is there is replaced.
+    /// Saves the present mask under a name, replacing one of the same name. A blank name is
+    /// ignored.
     void save(const QString& name);
 
 private:

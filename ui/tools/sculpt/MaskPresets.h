@@ -10,27 +10,28 @@
 
 namespace ui {
 
-/// A mask that the user has given a name: shape, size, turn and edge.
+/// A mask that the user has saved under a name: shape, size, rotation and edge.
 struct MaskPreset {
     QString name;
     core::MaskShape::Kind shape = core::MaskShape::Kind::Circle;
-    double radiusMm = 8.0; ///< of other shapes than the circle: half the width
+    double radiusMm = 8.0; ///< half the width for shapes other than the circle
     double heightRatio = 0.5;
     double rotationDegrees = 0.0;
     double softnessMm = 0.0;
-    MaskOutline outline{}; ///< in place of the shape; empty: the shape
+    MaskOutline outline{}; ///< replaces the shape; empty: the shape counts
     bool operator==(const MaskPreset&) const = default;
 };
 
-// Kept in the user's settings, for every study. Entries that cannot be read are left out.
+// Presets are kept in the user's settings and serve every study. Entries that cannot be read are
+// left out.
 [[nodiscard]] std::vector<MaskPreset> maskPresets();
 void setMaskPresets(const std::vector<MaskPreset>& presets);
 
-/// Adds one, or replaces the one of that name; in the order of their names.
+/// Adds a preset, or replaces the one of the same name. Presets are sorted by name.
 void saveMaskPreset(const MaskPreset& preset);
 void removeMaskPreset(const QString& name);
 
-/// The settings' mask, to be saved under a name; and the settings with a preset's mask.
+/// The mask of the settings as a preset; and the settings with the mask of a preset.
 [[nodiscard]] MaskPreset presetOf(const Workspace::DrillSettings& settings, const QString& name);
 [[nodiscard]] Workspace::DrillSettings withPreset(
     Workspace::DrillSettings settings, const MaskPreset& preset);

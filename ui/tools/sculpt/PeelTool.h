@@ -5,9 +5,9 @@
 
 namespace ui {
 
-/// Takes a shell off the surface inside a sketched curve (seed A §4.4). When the curve is closed
-/// the peel shows at once, and its depth goes both ways until it is confirmed: by Enter, by the
-/// next curve, or by whatever else is done; cancel() takes it back.
+/// Removes a shell from the surface inside a sketched curve (seed A §4.4). When the curve is closed
+/// the peel is shown at once. Its depth can then be changed in both directions until it is
+/// confirmed: by Enter, by the next curve, or by any other action. cancel() takes it back.
 class PeelTool : public OutlineTool {
     Q_OBJECT
 

@@ -10,9 +10,9 @@ namespace ui {
 
 class Workspace;
 
-/// Moves and turns pieces by handles in the 3D view: the middle of each is held to move it along
-/// the picture; of the active one the ring turns it in the picture, the knobs on the ring tip it
-/// over. One step of undo a drag; beside the handles the view navigates.
+/// Moves and turns pieces by handles in the 3D view: dragging the middle of a piece moves it in the
+/// plane of the picture; for the active piece the ring turns it in that plane, and the knobs on the
+/// ring tilt it. Each drag is one step of undo; beside the handles the view navigates.
 class PieceTool : public Tool {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ public:
     void cancel() override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
     void leave() override;
-    /// Alt + wheel: the zoom of the active piece.
+    /// Alt + wheel: changes the zoom of the active piece.
     void changeDepth(int steps) override;
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 

@@ -5,14 +5,14 @@
 
 namespace ui {
 
-/// Cuts out what lies under a sketched curve, along the view: through everything, to a depth below
-/// the surface, or through the first layer of material only.
+/// Cuts out what lies under a sketched curve, along the view direction: through everything, down to
+/// a depth below the surface, or only through the first layer of material.
 class ScissorsTool : public OutlineTool {
     Q_OBJECT
 
 public:
     struct Settings {
-        bool limited = false; ///< to depthMm
+        bool limited = false; ///< limited to depthMm
         double depthMm = 20.0;
         bool firstLayerOnly = false;
     };

@@ -8,20 +8,22 @@
 
 namespace ui {
 
-/// What a clip region is moved by in a picture: the middle of a face of its box, or a plane's.
+/// A handle by which the user moves a clip region in a picture: at the middle of a face of its box,
+/// or of a plane.
 struct ClipHandle {
     int face = 0; ///< 0 … 5: box, axis · 2 + (1: the high side); 6 …: planes
     QPointF pixel;
     QPointF pixelsPerMm; ///< along the outward normal
 };
 
-/// Those that can be dragged in a view: a face seen straight on has no way to go. The box has its
-/// handles whether it is on or not, a plane only while it is.
+/// The handles that can be dragged in a view. A face seen straight on has none, since it could not
+/// be moved in the picture. The box has handles whether it is on or not, a plane only while it is
+/// on.
 [[nodiscard]] std::vector<ClipHandle> clipHandles(
     const ViewContext& view, const core::ClipRegion& clip, const core::VolumeGeometry& geometry);
 
-/// The region with one face moved outwards; it stops at the volume's side and one voxel before the
-/// face across. A box that is moved is on.
+/// The region with one face moved outwards by @p mm; the face stops at the volume's border and one
+/// voxel before the opposite face. A box that is moved is switched on.
 [[nodiscard]] core::ClipRegion movedClip(
     core::ClipRegion clip, int face, double mm, const core::VolumeGeometry& geometry);
 

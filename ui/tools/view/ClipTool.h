@@ -12,7 +12,7 @@ namespace ui {
 class Workspace;
 
 /// Drags the faces of the clip box and the clip planes by handles, in the 3D view and in slices;
-/// beside the handles the view navigates. No step of the history, but undo takes it back
+/// beside the handles the view navigates. This makes no step of the history, but undo takes it back
 /// (ClipSteps).
 class ClipTool : public Tool {
     Q_OBJECT

@@ -12,7 +12,7 @@ namespace ui {
 class PlaneTool;
 class Workspace;
 
-/// What the cutting plane is told in the option bar; always in step with it.
+/// The options of the cutting plane in the option bar; always in step with it.
 class PlaneOptions : public QWidget {
     Q_OBJECT
 

@@ -12,9 +12,9 @@ namespace ui {
 
 class Workspace;
 
-/// Puts the cutting plane where it is wanted (seed B §4.1): by handles in slices and in the 3D
-/// view, by dragging in the pen view itself, through three places, or across what runs at a place.
-/// Elsewhere the view navigates. No step of undo.
+/// Places the cutting plane (seed B §4.1): by handles in slices and in the 3D view, by dragging in
+/// the pen view, through three points, or perpendicular to a structure at a point. Elsewhere the
+/// view navigates. This is no step of undo.
 class PlaneTool : public Tool {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
     explicit PlaneTool(Workspace& workspace, QObject* parent = nullptr);
 
     [[nodiscard]] Aim aim() const { return m_aim; }
-    /// The others come back to the handles once they are done.
+    /// Sets the aim. The other two return to Handles when they are done.
     void setAim(Aim aim);
 
     [[nodiscard]] QString name() const override;
@@ -50,7 +50,7 @@ Q_SIGNALS:
 
 private:
     struct Drag {
-        std::optional<PlaneHandle> handle; ///< none: the plane itself is turned in the pen view
+        std::optional<PlaneHandle> handle; ///< none if the plane is turned in the pen view
         gpu::ViewId view = 0;
         QPointF last;
         CuttingPlane::Pose before;
@@ -58,13 +58,14 @@ private:
     [[nodiscard]] std::optional<PlaneHandle> handleAt(
         const QPointF& pixel, const ViewContext& view) const;
     void turnInPenView(const PointerSample& sample, const ViewContext& view);
-    /// Where a press points at: on a slice at once, in the 3D view once the engine has answered.
+    /// Finds the place under a press: on a slice at once, in the 3D view when the engine has
+    /// answered.
     void point(const QPointF& pixel, const ViewContext& view);
     void take(const glm::dvec3& placeLps);
 
     Workspace& m_workspace;
     Aim m_aim = Aim::Handles;
-    std::vector<glm::dvec3> m_points; ///< of Aim::ThreePoints, so far
+    std::vector<glm::dvec3> m_points; ///< the points of Aim::ThreePoints so far
     std::optional<Drag> m_drag;
     std::optional<int> m_hovered; ///< PlaneHandle::id
     gpu::ViewId m_hoveredView = 0;

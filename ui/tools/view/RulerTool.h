@@ -9,9 +9,10 @@ namespace ui {
 
 class Workspace;
 
-/// Measures the distance between two places: a drag on a slice, or on what the 3D view shows.
-/// Places on a piece mean their true ones, so that its length is the true one however far it was
-/// moved or zoomed. Each is one AddMeasurement, drawn in every view (overlays/MeasurementLines.h).
+/// Measures the distance between two points by a drag on a slice, or on what the 3D view shows.
+/// Points on a piece are taken at their true place, so that the length is true however the piece
+/// was moved or zoomed. Each measurement is one AddMeasurement, drawn in every view
+/// (overlays/MeasurementLines.h).
 class RulerTool : public Tool {
     Q_OBJECT
 
@@ -22,7 +23,7 @@ public:
     [[nodiscard]] QString iconName() const override;
     [[nodiscard]] QString hint() const override;
     [[nodiscard]] QString keys() const override;
-    /// The list of measurements, to take them away.
+    /// The list of measurements, from which they can be removed.
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
     [[nodiscard]] bool worksIn(const ViewContext& view) const override;
 
@@ -40,7 +41,7 @@ private:
     void keep(const glm::dvec3& fromLps, const glm::dvec3& toLps, int piece);
 
     Workspace& m_workspace;
-    std::optional<ViewContext> m_pressedView; ///< holds until the release
+    std::optional<ViewContext> m_pressedView; ///< the view of the press, used until the release
     QPointF m_from;
     QPointF m_to;
     QPointF m_cursor;

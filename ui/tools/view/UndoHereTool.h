@@ -10,9 +10,9 @@ namespace ui {
 
 class Workspace;
 
-/// Takes back the last step that changed something at a place, and leaves all others: a click means
-/// a box of twice the radius around what is seen there, a drag on a slice the box under the
-/// rectangle, as deep as the radius to both sides.
+/// Takes back the last step that changed something at a place, and keeps all others. A click means
+/// a box around what is seen there, its side twice the radius; a drag on a slice means the box
+/// under the rectangle, extending by the radius to both sides of the slice.
 class UndoHereTool : public Tool {
     Q_OBJECT
 

@@ -11,19 +11,20 @@
 
 namespace core {
 
-/// Chunks of the newest division become a segment's, or are taken from it.
+/// Add chunks of the newest division to a segment, or remove them from it.
 struct ChunkToggle {
     enum class Mode {
-        Toggle, ///< one that the segment has more than half of goes, any other one comes
+        Toggle, ///< removes a chunk of which the segment has more than half, and adds any other
         Add,
         Remove,
     };
     int segment = 0; ///< label
-    int chunks = 0; ///< into how many the whole is divided
+    int chunks = 0; ///< number of chunks into which the whole is divided
     Mode mode = Mode::Toggle;
-    std::vector<glm::dvec3> pointsLps{}; ///< each stands for the chunk that it lies in
+    std::vector<glm::dvec3> pointsLps{}; ///< each selects the chunk in which it lies
     bool overwriteUnlocked = false;
-    /// That the chunks lie in, ascending: whoever carries it out adds them, for reach().
+    /// The bricks in which the chunks lie, ascending. They are added when it is carried out, for
+    /// reach().
     std::optional<std::vector<std::int64_t>> bricks{};
 };
 

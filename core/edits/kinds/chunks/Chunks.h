@@ -10,20 +10,20 @@
 
 namespace core {
 
-/// A label of the voxels that are divided into chunks.
+/// A label of the voxels that are divided into chunks, with its voxels.
 struct ChunkOwner {
     int label = 0;
     QByteArray voxels{}; ///< packedRuns() (core/brick/VoxelRuns.h), on the volume's grid
     bool operator==(const ChunkOwner&) const = default;
 };
 
-/// Divides a segment and what lies around it into chunks (core/chunks/ChunkTree.h). Whoever carries
-/// it out adds the labels that there are in the box around it, so that the edit names what it
-/// reads besides the volume.
+/// Divide a segment and its surroundings into chunks (core/chunks/ChunkTree.h). When it is carried
+/// out, the labels in the box around the segment are added, so that the edit contains what it reads
+/// besides the volume.
 struct Chunks {
     int segment = 0; ///< label
     double marginMm = 10.0; ///< around its voxels, on all sides
-    std::optional<std::vector<ChunkOwner>> owners{}; ///< by label; 0 is what is left
+    std::optional<std::vector<ChunkOwner>> owners{}; ///< by label; label 0 has all other voxels
     bool operator==(const Chunks&) const = default;
 };
 

@@ -8,7 +8,7 @@ namespace core {
 
 struct PaintBarrier;
 
-/// Shut places to growth, or open them again.
+/// Paint barriers, which growth cannot enter, or erase them.
 struct BarrierStroke {
     BrushPath path{};
     bool erase = false;
@@ -21,7 +21,7 @@ Result<bool> apply(const BarrierStroke& edit, Document& document);
 [[nodiscard]] EditReach reach(const BarrierStroke& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const BarrierStroke& edit, const Document& document);
 
-/// The path is not in it. Errors: InvalidField.
+/// The command without the path. Errors: InvalidField.
 [[nodiscard]] Result<PaintBarrier> paintBarrier(
     const BarrierStroke& stroke, const Document& document);
 

@@ -11,15 +11,17 @@ namespace core {
 
 struct GrowBurst;
 
-/// Give a growth another interval: what qualifies now is recovered, what does not any more is taken
-/// back with what hung on it (seed A §5.4).
+/// Give a growth another interval: what qualifies now is recovered, and what no longer qualifies is
+/// removed with everything that depended on it (seed A §5.4).
 struct ChangeInterval {
-    GrowCriteria criteria{}; ///< with `asBefore` only lower and upper are looked at
-    bool asBefore = true; ///< all else as the last growth; false once it is carried out
-    /// The growth is taken back to its seeds and made anew; none: where more than one segment
-    /// grows, or its criteria are not fixed, which is told once it is carried out.
+    GrowCriteria criteria{}; ///< with `asBefore` only lower and upper are used
+    /// all other criteria are those of the last growth; false once it is carried out
+    bool asBefore = true;
+    /// The growth is removed down to its seeds and repeated. None: that is decided when it is
+    /// carried out; it is done if more than one segment grows or if its criteria are not fixed.
     std::optional<bool> fromSeeds{};
-    /// None: to closure. With `fromSeeds` true counted from the seeds, else from what there is.
+    /// None: to closure. Counted from the seeds if `fromSeeds` is true, otherwise from the present
+    /// state.
     std::optional<int> steps{};
     GrowGuard guard{};
 };
@@ -31,7 +33,7 @@ Result<bool> apply(const ChangeInterval& edit, Document& document);
 [[nodiscard]] EditReach reach(const ChangeInterval& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ChangeInterval& edit, const Document& document);
 
-/// Of an interval that names all that it reads (RecentGrowth.h). Errors: as of GrowSteps.
+/// For an edit that states everything it reads (RecentGrowth.h). Errors: those of Edit.
 [[nodiscard]] Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document);
 
 } // namespace core

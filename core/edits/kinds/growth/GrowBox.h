@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// A box with sides along the volume's axes, by two opposite corners: it holds the voxels between
+/// A box along the volume's axes, given by two opposite corners. It contains the voxels between
 /// those nearest to the corners, inclusive.
 struct GrowBox {
     glm::dvec3 fromLps{0.0};

@@ -7,25 +7,28 @@
 
 namespace core {
 
-/// Which voxels a growth may enter: all that is given here must hold. Values in modality units.
+/// Conditions on the voxels that a growth may enter; all that are given must hold. Values are in
+/// modality units.
 struct GrowCriteria {
     double lower = 0.0; ///< inclusive
     double upper = 0.0;
     int connectivity = 6; ///< 6, 18 or 26
-    /// Narrows the interval, for each segment by itself, to mean ± so many standard deviations
+    /// Narrows the interval, separately for each segment, to mean ± this many standard deviations
     /// around its seeds.
     std::optional<double> sigmas{};
-    /// That is done for each stroke of seeds by itself, and a voxel qualifies where it does for one
-    /// of the segment's. Read are the SeedStrokes that stand before this edit.
+    /// Does so separately for each stroke of seeds; a voxel qualifies if it does for one stroke of
+    /// the segment. The strokes are the SeedStrokes in effect before this edit.
     std::optional<bool> perStroke{};
-    std::optional<double> difference{}; ///< at most so much from the voxel it is reached from
-    std::optional<double> gradient{}; ///< magnitude at most, per millimetre
-    std::optional<double> gradientDifference{}; ///< of magnitudes, from the voxel before
-    std::optional<int> majority{}; ///< so many of the 27 voxels around and at it in the interval
-    /// mm: growth goes only where a ball of this diameter can roll to from a seed (Passage.h). One
-    /// that holds no voxel but its centre asks nothing.
+    std::optional<double> difference{}; ///< greatest difference from the parent voxel
+    std::optional<double> gradient{}; ///< greatest magnitude, per millimetre
+    /// greatest difference of magnitudes from the parent voxel
+    std::optional<double> gradientDifference{};
+    /// at least this many of the 27 voxels around it (with itself) are in the interval
+    std::optional<int> majority{};
+    /// mm: growth only goes where a ball of this diameter can roll to from a seed (Passage.h). A
+    /// ball that contains no voxel but its centre has no effect.
     std::optional<double> passage{};
-    bool onlyVisible = false; ///< not what is carved
+    bool onlyVisible = false; ///< excludes what is carved
     std::optional<GrowBox> box{};
     bool overwriteUnlocked = false;
     bool operator==(const GrowCriteria&) const = default;

@@ -11,16 +11,16 @@ namespace core {
 
 struct SpreadLabels;
 
-/// Every voxel of a box goes to the segment that is nearest, by a way on which values change
-/// little; seeds are the voxels that segments hold, and those that are sketched.
+/// Give every voxel of a box to the segment that is nearest along a path on which values change
+/// little. Seeds are the voxels of segments and the sketched seeds.
 struct GrowFromSeeds {
-    std::optional<std::vector<int>> segments{}; ///< labels that compete; none: all not locked
+    /// labels that compete; none: all that are not locked
+    std::optional<std::vector<int>> segments{};
     std::optional<GrowBox> box{}; ///< none: around the seeds with a margin of a twentieth
     int connectivity = 6; ///< 6, 18 or 26
-    /// Modality units: what a millimetre of the way costs; none: a thousandth of the volume's
-    /// range.
+    /// Modality units per millimetre of the path; none: a thousandth of the volume's range.
     std::optional<double> lengthCost{};
-    bool overwriteUnlocked = false; ///< segments that do not compete
+    bool overwriteUnlocked = false; ///< of segments that do not compete
 };
 
 [[nodiscard]] Result<void> check(const GrowFromSeeds& edit, const Document& document);

@@ -5,14 +5,14 @@
 
 namespace core {
 
-/// Where a growth stops by itself (LeakGuard.h).
+/// When a growth stops by itself because it probably leaks (LeakGuard.h).
 struct GrowGuard {
-    /// Where a front that came out of a narrow place is so many times as wide; none: nowhere.
+    /// A front that came out of a narrow place is this many times as large; none: it never stops.
     std::optional<double> factor{};
-    double areaMm2 = 60.0; ///< and so much wider
-    double backMm = 20.0; ///< how far a narrow place lies back at most
-    // Recipes and sessions of before counted voxels and generations: where one of these is given,
-    // that is done still, and areaMm2 and backMm are not looked at.
+    double areaMm2 = 60.0; ///< and at least this much larger
+    double backMm = 20.0; ///< how far back the narrow place may lie
+    // Older recipes and sessions counted voxels and generations. If one of these is given, that is
+    // done, and areaMm2 and backMm are not used.
     std::optional<int> voxels{}; ///< instead of areaMm2; none: 60
     std::optional<int> generations{}; ///< instead of backMm; none: 20
     [[nodiscard]] bool countsVoxels() const { return voxels || generations; }

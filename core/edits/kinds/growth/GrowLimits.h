@@ -10,20 +10,20 @@ namespace core {
 struct GrowBox;
 struct GrowCriteria;
 
-/// How many codes two values may lie apart that differ by at most @p bound, by search; −1 if that
-/// is below 0.
+/// The greatest difference of two codes whose values differ by at most @p bound, found by search;
+/// −1 if @p bound is negative.
 [[nodiscard]] int greatestDifference(const VoxelEncoding& encoding, double bound);
 
-/// How gradients of a volume are counted in whole numbers: fine where its values span little, and
-/// never so fine that one overflows.
+/// How gradients of a volume are expressed in integers: finer for a smaller range of values, but
+/// never so fine that a number overflows.
 struct GradientScale {
     glm::ivec3 weights{0}; ///< GrowLimits::gradientWeights
-    double perUnit = 0.0; ///< magnitude of one modality unit a millimetre
+    double perUnit = 0.0; ///< magnitude for one modality unit per millimetre
 };
 [[nodiscard]] GradientScale gradientScale(const Volume& volume);
 
-/// The voxels of a box, inclusive. Errors: InvalidField (@p field: no part of it lies in the
-/// volume).
+/// The voxels of a box, both corners included. Errors: InvalidField (@p field: no part of the box
+/// lies in the volume).
 struct VoxelSpan {
     glm::ivec3 from{0};
     glm::ivec3 to{0};
@@ -31,16 +31,18 @@ struct VoxelSpan {
 [[nodiscard]] Result<VoxelSpan> voxelsOf(
     const GrowBox& box, const VolumeGeometry& geometry, const QString& field);
 
-/// The widest passage that can be asked for in a volume, mm.
+/// The greatest passage width that a volume allows, mm.
 [[nodiscard]] double greatestPassageMm(const VolumeGeometry& geometry);
-/// The least that asks for anything: narrower balls hold only their centre.
+/// The least width that has an effect, mm: narrower balls contain only their centre.
 [[nodiscard]] double leastPassageMm(const VolumeGeometry& geometry);
-/// A passage width in whole numbers: units are sixteenths of the finest spacing. Asks nothing where
-/// a ball holds only its centre. @param widthMm not above greatestPassageMm()
+/// A passage width in integers; units are sixteenths of the finest spacing. It has no effect if a
+/// ball contains only its centre.
+/// @param widthMm not above greatestPassageMm()
 [[nodiscard]] Passage passageOf(double widthMm, const VolumeGeometry& geometry);
 
-/// All criteria but interval, neighbours and labels. @param edit its name, for messages. Errors:
-/// those of voxelsOf(), InvalidField (a passage that is too wide).
+/// Converts all criteria except interval, connectivity and labels.
+/// @param edit its name, for messages
+/// Errors: those of voxelsOf(), InvalidField (a passage that is too wide).
 [[nodiscard]] Result<GrowLimits> growLimits(
     const GrowCriteria& criteria, const Volume& volume, const QString& edit);
 

@@ -14,10 +14,11 @@ struct ChangeFacts;
 struct EditStatistics;
 struct GrowBurst;
 
+/// Grow all seeded segments by a number of steps (seed A §5.3).
 struct GrowSteps {
     GrowCriteria criteria{};
     std::optional<int> steps{}; ///< none: to closure
-    /// Voxels that the segment held before are told from those that grow over them, so that
+    /// Record which voxels already had the segment's label when they were claimed, so that
     /// shrinking leaves them. False in sessions of schema 3 and before.
     bool tellsHeld = true;
     GrowGuard guard{};
@@ -34,9 +35,9 @@ Result<bool> apply(const GrowSteps& edit, Document& document);
 /// volume), SegmentLocked (no segment may change).
 [[nodiscard]] Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document);
 
-/// How many steps a burst of growth did after its opening. That seeds are admitted when it opens is
-/// a generation, but no step.
-/// @param first the generation when it opened, after what left it
+/// How many steps a burst of growth did after its opening. Admitting seeds at the opening counts as
+/// a generation but not as a step.
+/// @param first the generation when it opened, after members had left
 /// @param statistics, facts of the burst
 [[nodiscard]] int grownSteps(
     std::uint32_t first, const EditStatistics& statistics, const ChangeFacts& facts);

@@ -19,21 +19,22 @@ struct ChangeFacts;
 struct GrowCriteria;
 struct GrowGuard;
 
-// What edits of growth have in common.
+// Parts that edits of growth share.
 
-/// Whether a plane holds segments, all of them locked.
+/// Whether a plane has segments and all of them are locked.
 [[nodiscard]] bool nothingMayChange(const Document& document, int plane);
 
-/// @param edit its name, for messages. Errors: InvalidField (connectivity other than 6, 18 and 26,
+/// @param edit its name, for messages Errors: InvalidField (connectivity other than 6, 18 and 26,
 /// lower > upper, a box outside the volume), SegmentLocked (no segment may change).
 [[nodiscard]] Result<GrowBurst> burstOf(
     const GrowCriteria& criteria, const Document& document, const QString& edit);
 
-/// By which a growth is watched; none: it is not. Whole numbers from here on.
+/// The rule by which a growth is watched, in integers; none: it is not watched.
 [[nodiscard]] std::optional<GuardRule> guardRule(
     const GrowGuard& guard, const VolumeGeometry& geometry);
 
-/// @param field of the points, for messages. Errors: InvalidField, SegmentLocked.
+/// @param field of the points, for messages
+/// Errors: InvalidField, SegmentLocked.
 [[nodiscard]] Result<CutGrowth> cutAt(const std::vector<glm::dvec3>& pointsLps, CutGrowth::How how,
     const Document& document, const QString& field);
 
@@ -45,10 +46,10 @@ struct GrownSegments {
 /// "120 … 300 HU"
 [[nodiscard]] RowTitle intervalTitle(const GrowCriteria& criteria, const Document& document);
 
-/// Of a growth by criteria: every seed word of its plane, since a burst goes on from all members,
-/// wherever they are; and the labels (with "only visible" the coverage too) of the voxels it asked,
-/// which are members and their neighbours: RowTrace::grownBeside. What its other limits ask is grey
-/// values.
+/// The dependencies of a growth by criteria: every seed word of its plane, since a burst grows from
+/// all members; and the labels (with "only visible" also the coverage) of the voxels that it
+/// examined, which are members and their neighbours (RowTrace::grownBeside). Its other limits read
+/// only grey values.
 [[nodiscard]] EditReach reachOfGrowth(const GrowCriteria& criteria, const ReachFacts& row);
 
 } // namespace core

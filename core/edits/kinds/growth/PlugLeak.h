@@ -9,7 +9,7 @@ namespace core {
 
 struct CutGrowth;
 
-/// Shut the neck through which growth came to a place, and take back what lies beyond.
+/// Set a barrier across the neck through which growth came to a place, and remove what grew beyond.
 struct PlugLeak {
     glm::dvec3 pointLps{0.0};
 };

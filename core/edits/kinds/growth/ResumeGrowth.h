@@ -7,7 +7,8 @@
 
 namespace core {
 
-/// Go on with the growth before, by its own criteria. Kept as the GrowSteps that it was.
+/// Continue the last growth with its own criteria. It is stored as the Edit that it stands
+/// for.
 struct ResumeGrowth {
     std::optional<int> steps{}; ///< none: to closure
 };

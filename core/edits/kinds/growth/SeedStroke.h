@@ -12,12 +12,12 @@ namespace core {
 
 struct SeedPlacement;
 
-/// Sketched seeds: the voxels nearest to these points.
+/// Sketch seeds of a segment: the voxels nearest to these points.
 struct SeedStroke {
     int segment = 0;
     std::vector<glm::dvec3> pointsLps{};
-    /// Seeds that are taken away first, where no growth has accepted them; with as many points,
-    /// they are moved.
+    /// Pending seeds that are removed first. With as many points as there are new ones, seeds are
+    /// moved.
     std::optional<std::vector<glm::dvec3>> takenLps{};
 };
 

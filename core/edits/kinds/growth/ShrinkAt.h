@@ -11,12 +11,12 @@ namespace core {
 
 struct CutGrowth;
 
-/// Take back some places of a growth and what grew through them, cut off where it is narrowest;
-/// what is nearer to the seeds stays (GrowthCut.h).
+/// Remove some places of a growth and what grew through them, cut off where the passage is
+/// narrowest; what is nearer to the seeds stays (GrowthCut.h).
 struct ShrinkAt {
     std::vector<glm::dvec3> pointsLps{};
     bool onlyHere = false; ///< only the voxels at the points
-    bool barrier = true; ///< the cut is shut
+    bool barrier = true; ///< set a barrier along the cut
 };
 
 [[nodiscard]] Result<void> check(const ShrinkAt& edit, const Document& document);

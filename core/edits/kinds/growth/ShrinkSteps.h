@@ -9,9 +9,10 @@ namespace core {
 
 struct ShrinkGrowth;
 
-/// Take back what growth added last, generation by generation.
+/// Remove what growth added last, generation by generation.
 struct ShrinkSteps {
-    std::optional<int> steps{}; ///< none, or as many as there are: only the accepted seeds stay
+    /// none, or at least as many as there are: only the accepted seeds stay
+    std::optional<int> steps{};
 };
 
 [[nodiscard]] Result<void> check(const ShrinkSteps& edit, const Document& document);

@@ -9,9 +9,9 @@ namespace core {
 struct Document;
 struct GrowCriteria;
 
-/// By which a tolerance field shows how a segment would grow; of the criteria the interval is not
-/// looked at. Errors: UnknownSegment, SegmentLocked, InvalidField (as of growBurst(),
-/// or a criterion that knows no least tolerance).
+/// The rule of the tolerance field that shows how a segment would grow; the interval of the
+/// criteria is not used. Errors: UnknownSegment, SegmentLocked, InvalidField (as for growBurst(),
+/// or a criterion for which there is no least tolerance).
 [[nodiscard]] Result<ToleranceRule> toleranceRule(
     int segment, const GrowCriteria& criteria, const Document& document);
 

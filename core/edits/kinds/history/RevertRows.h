@@ -8,7 +8,7 @@
 
 namespace core {
 
-/// "Undo only here": takes back older rows of the history and leaves what came after them. Their
+/// "Undo only here": takes older rows of the history back and keeps what came after them. Their
 /// bricks must not have been written or read since (session/past/RowReach.h).
 struct RevertRows {
     std::vector<std::int64_t> rows{}; ///< RowId, ascending

@@ -8,16 +8,16 @@
 
 namespace core {
 
-/// Changes a cut of the history out of order, or takes it out; what later strokes cut stays
-/// (session/operations/ReviseOperation.h). Absent fields are as in that row, whatever revised it
-/// before; which of them a cut has, StrokeParameters says.
+/// Changes or removes an earlier cut of the history; what later strokes cut stays
+/// (session/operations/ReviseOperation.h). Absent fields are as in the original row, not as in an
+/// earlier revision. StrokeParameters says which fields a cut has.
 struct ReviseStroke {
     std::int64_t row = 0; ///< RowId
     std::optional<double> radiusMm{};
     std::optional<double> sideMm{}; ///< of a square mask
-    std::optional<double> widthMm{}; ///< of an ellipse, a rectangle or a rounded one
+    std::optional<double> widthMm{}; ///< of an ellipse, rectangle or rounded rectangle
     std::optional<double> heightMm{};
-    std::optional<double> factor{}; ///< of a drawn outline: so many times as large
+    std::optional<double> factor{}; ///< of a drawn outline: scales it
     std::optional<double> depthMm{};
     std::optional<double> softnessMm{};
     std::optional<int> layer{};

@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// An empty sculpt layer, last in the list.
+/// Add an empty sculpt layer at the end of the list.
 struct AddLayer {
     QString name{};
 };

@@ -9,7 +9,7 @@
 
 namespace core {
 
-/// Rename or mute a sculpt layer, or have it count alone; absent fields stay.
+/// Rename or mute a sculpt layer, or make it solo; absent fields do not change.
 struct ChangeLayer {
     int layer = 0; ///< id
     std::optional<QString> name{};

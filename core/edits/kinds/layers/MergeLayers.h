@@ -7,8 +7,8 @@ namespace core {
 
 struct FoldLayer;
 
-/// Lay what a layer has carved into another one, by the greater value, and delete it. Both carve,
-/// or neither does, so that nothing looks different.
+/// Add what one layer has carved to another (the greater coverage counts) and delete the first.
+/// Either both layers carve or neither does, so nothing looks different.
 struct MergeLayers {
     int from = 0; ///< id
     int into = 0; ///< id
@@ -21,7 +21,7 @@ Result<bool> apply(const MergeLayers& edit, Document& document);
 [[nodiscard]] EditReach reach(const MergeLayers& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const MergeLayers& edit, const Document& document);
 
-/// Expects layers that are there.
+/// Expects layers that exist.
 [[nodiscard]] FoldLayer foldLayer(const MergeLayers& edit);
 
 } // namespace core

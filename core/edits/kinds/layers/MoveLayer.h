@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// Put a sculpt layer at another place of the list.
+/// Move a sculpt layer to another place in the list.
 struct MoveLayer {
     int layer = 0; ///< id
     int place = 0; ///< 1: first; beyond the end: last

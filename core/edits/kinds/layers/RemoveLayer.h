@@ -7,7 +7,8 @@ namespace core {
 
 struct FoldLayer;
 
-/// Delete a sculpt layer with what it has carved. Not the only one. Its number is not used again.
+/// Delete a sculpt layer with what it has carved. The last one cannot be deleted. Its number is not
+/// used again.
 struct RemoveLayer {
     int layer = 0; ///< id
 };
@@ -19,7 +20,7 @@ Result<bool> apply(const RemoveLayer& edit, Document& document);
 [[nodiscard]] EditReach reach(const RemoveLayer& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const RemoveLayer& edit, const Document& document);
 
-/// Expects a layer that is there.
+/// Expects a layer that exists.
 [[nodiscard]] FoldLayer foldLayer(const RemoveLayer& edit);
 
 } // namespace core

@@ -7,7 +7,7 @@ namespace core {
 
 struct CoverLabel;
 
-/// What a segment holds is carved, whole.
+/// Carve all voxels of a segment.
 struct SegmentToLayer {
     int segment = 0; ///< label
     int layer = 0; ///< id

@@ -8,14 +8,14 @@
 
 namespace core {
 
-/// Hidden are the places with dot(normal, place) > offset: what a clip box or plane hides without
-/// carving it.
+/// A half-space that a clip plane or a side of the clip box hides without carving it: the places
+/// with dot(normal, place) > offset.
 struct HiddenSide {
     glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< about a unit vector
     double offsetMm = 0.0;
     bool operator==(const HiddenSide&) const = default;
 };
-/// What an edit did not see: a cut neither starts nor cuts there.
+/// What was hidden from an edit: a cut neither starts nor cuts there.
 using HiddenSides = std::optional<std::vector<HiddenSide>>;
 
 } // namespace core

@@ -8,10 +8,10 @@
 
 namespace core {
 
-/// The segment that receives voxels: one that is there, or a new one.
+/// The segment that receives voxels: an existing one or a new one.
 struct SegmentChoice {
     std::optional<int> segment{}; ///< label; none: a new one
-    QString name{}; ///< of the new one
+    QString name{}; ///< of a new segment
     std::uint32_t rgb = 0;
 };
 

@@ -6,9 +6,9 @@
 
 namespace core {
 
-/// Segments that a cut leaves as they are, by label, ascending: where they were when it was made.
-/// Whoever carries out a cut adds those that are protected (core/edits/engine/SparedSegments.h), so
-/// that the edit names what it reads. A cut that restores spares none.
+/// Segments that a cut leaves uncut, by label, ascending, with the voxels that they had when it was
+/// made. Carrying out a cut adds those that are protected (core/edits/engine/SparedSegments.h), so
+/// that the edit contains what it reads. A cut that restores has none.
 using SparedSegments = std::optional<std::vector<int>>;
 
 } // namespace core

@@ -5,14 +5,15 @@
 
 namespace core {
 
-/// What of a cut can be revised, as it is; absent: it has no such thing.
+/// The parameters of a cut that can be revised, with their present values; absent: the cut does not
+/// have it.
 struct StrokeParameters {
     int layer = 1;
     std::optional<double> radiusMm{};
     std::optional<double> sideMm{};
     std::optional<double> widthMm{};
     std::optional<double> heightMm{};
-    std::optional<double> factor{}; ///< of its outline as it is: 1
+    std::optional<double> factor{}; ///< of its outline; 1 for the present size
     std::optional<double> depthMm{};
     std::optional<double> softnessMm{};
     std::optional<bool> throughGaps{};

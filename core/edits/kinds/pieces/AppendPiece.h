@@ -6,8 +6,8 @@
 
 namespace core {
 
-/// Gives a piece its number and puts it to the end of the list. Errors: InvalidField (there are as
-/// many as there may be). @param edit its name, for the error
+/// Gives a piece its number and appends it to the list. Errors: InvalidField (the list is full).
+/// @param edit its name, for the error
 Result<bool> appendPiece(Piece piece, const char* edit, Document& document);
 
 } // namespace core

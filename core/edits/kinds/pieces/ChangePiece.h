@@ -11,7 +11,7 @@
 
 namespace core {
 
-/// Rename, move, turn or zoom a piece; absent fields stay.
+/// Rename, move, rotate or zoom a piece; absent fields do not change.
 struct ChangePiece {
     int piece = 0; ///< id
     std::optional<QString> name{};

@@ -11,9 +11,9 @@
 
 namespace core {
 
-/// Make what a sculpt layer has cut out a piece, which can be shown elsewhere.
+/// Make what a sculpt layer has cut out a piece, which can be shown in another place.
 struct CutPiece {
-    int layer = 1; ///< id; not of another piece
+    int layer = 1; ///< id of a layer that is not another piece's
     QString name{};
     std::optional<glm::dvec3> pivotLps{}; ///< none: the middle of the volume
 };

@@ -12,7 +12,7 @@
 
 namespace core {
 
-/// Show a segment as a piece of its own, besides where it is.
+/// Show a segment as a piece, in addition to where it is.
 struct PastePiece {
     int segment = 0; ///< label
     QString name{};

@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// A piece is one no more. What cut it stays cut.
+/// Remove a piece. What it was made of stays cut.
 struct RemovePiece {
     int piece = 0; ///< id
 };

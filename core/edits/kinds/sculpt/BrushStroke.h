@@ -10,7 +10,7 @@ namespace core {
 
 struct CapsuleCut;
 
-/// Carves, or restores what was carved, along a path.
+/// Carve along a path, or refill what was carved.
 struct BrushStroke {
     int layer = 1;
     BrushPath path{};
@@ -26,7 +26,7 @@ Result<bool> apply(const BrushStroke& edit, Document& document);
 [[nodiscard]] EditReach reach(const BrushStroke& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const BrushStroke& edit, const Document& document);
 
-/// The path is not in it. Errors: InvalidField.
+/// The command without the path. Errors: InvalidField.
 [[nodiscard]] Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document);
 
 } // namespace core

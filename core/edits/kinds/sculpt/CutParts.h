@@ -16,10 +16,11 @@
 
 namespace core {
 
-// What the cuts have in common.
+// Parts that the cuts share.
 
-/// Whether a cut may be done: what it spares is there, its layer is there and seen, and a command
-/// can be made of it. @param field of its layer, for the error
+/// Whether a cut may be carried out: the segments to leave uncut exist, its layer exists and is
+/// visible, and a command can be made of it.
+/// @param field the field of its layer, for the error
 template <class Cut, class Command>
 [[nodiscard]] Result<void> checkCut(
     const Cut& cut, const char* field, const Result<Command>& command, const Document& document)
@@ -32,7 +33,7 @@ template <class Cut, class Command>
     return discardValue(command);
 }
 
-/// The plane whose labels a cut reads, since it spares some; none: it reads no labels.
+/// The plane whose labels a cut reads because it leaves segments uncut; none: it reads no labels.
 template <class Cut>
 [[nodiscard]] std::optional<std::uint8_t> labelsReadBy(const Cut& cut, const Document& document)
 {
@@ -41,16 +42,17 @@ template <class Cut>
     return sparedLabels(cut.spared, document).plane;
 }
 
-/// Of a cut that could not be worked out.
+/// For a cut that cannot be computed.
 [[nodiscard]] EditReach reachesNothing();
 
-/// Of a mask that moves along a path: the coverage that its rays can meet, what the blur brings
-/// there included (seed A §4.2), of all layers, muted or not, from the volume's front down to where
-/// the deepest cut could end that begins on the deepest surface met (RowTrace::searchedTo).
+/// The dependencies of a mask that moves along a path: the coverage that its rays can meet,
+/// including what the blur brings there (seed A §4.2), of all layers, muted or not. It extends from
+/// the front of the volume to where the deepest cut could end that begins on the deepest surface
+/// met (RowTrace::searchedTo).
 /// @param labels labelsReadBy()
 [[nodiscard]] EditReach swept(const MaskFrame& frame, std::vector<glm::dvec2> path,
     double maskReachMm, std::optional<std::uint8_t> labels, const ReachFacts& row);
-/// Likewise, under a disc around a closed curve.
+/// The same under the disc around a closed curve.
 [[nodiscard]] EditReach sweptOutline(const MaskFrame& frame, const std::vector<glm::dvec2>& outline,
     std::optional<std::uint8_t> labels, const ReachFacts& row);
 [[nodiscard]] std::vector<glm::dvec2> pathOf(const std::vector<PenSample>& samples);

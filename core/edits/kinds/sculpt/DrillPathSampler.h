@@ -12,24 +12,24 @@ struct DrillStroke;
 struct LaserStroke;
 struct PenSample;
 
-/// Makes the samples of a stroke of drill or laser from what the pen reports, piece by piece as it
-/// comes; how it is cut into pieces does not matter.
+/// Makes the samples of a drill or laser stroke from the reports of the pen, piece by piece as they
+/// come; the division into pieces does not matter.
 ///
-/// By time (DrillStroke::byTime, and always in mode Rate): the path is looked at 120 times a
-/// second, counted from its first sample, straight in between; places are rounded to quarters of an
-/// element and pressures to 1/1024, and all that follows is made of these. So a device that reports
-/// the same path 30 or 250 times a second cuts the same. Two samples of one time are a corner.
-/// Else samples are the corners of the path, as a recipe has them.
+/// By time (Edit::byTime, and always in mode Rate): the path is sampled 120 times a second,
+/// counted from its first sample, with straight lines in between. Places are rounded to quarters of
+/// an element and pressures to 1/1024, and everything else is computed from these. So devices that
+/// report the same path 30 or 250 times a second make the same cut. Two samples at the same time
+/// are a corner. Otherwise the samples are the corners of the path, as in a recipe.
 ///
-/// Either way points are then no farther apart than a quarter of the mask, at least half an
-/// element. In mode Rate each point adds what its time is worth.
+/// In both cases, points are then at most a quarter of the mask apart, but not closer than half an
+/// element. In mode Rate each point adds the depth for its share of the time.
 class DrillPathSampler {
 public:
     DrillPathSampler(const DrillStroke& stroke, const DrillCut& cut);
     DrillPathSampler(const LaserStroke& stroke, const LaserCut& cut);
 
     [[nodiscard]] std::vector<DrillSample> add(const std::vector<PenSample>& samples);
-    /// The pen is lifted: what is left since the last look. Once, at the end.
+    /// To be called once, when the pen is lifted: returns what is left since the last sample.
     [[nodiscard]] std::vector<DrillSample> finish();
 
 private:
@@ -50,18 +50,18 @@ private:
     bool m_byTime = false;
     bool m_rate = false;
     int m_exponent = 1;
-    std::int64_t m_fullDepth = 0; ///< mm16, or mm16 a second
+    std::int64_t m_fullDepth = 0; ///< mm16, or mm16 per second
     std::int64_t m_grid = 1; ///< mm16
     std::int64_t m_spacing = 1; ///< mm16
-    std::optional<Point> m_last; ///< that was reported
-    Point m_seen; ///< where it was looked at last, rounded
+    std::optional<Point> m_last; ///< the last one reported
+    Point m_seen; ///< the last sampled place, rounded
     std::int64_t m_nextLook = 0;
     std::vector<DrillSample> m_path;
 };
 
-/// What a device reports may be nonsense: samples that are no finite numbers within reach are left
-/// out, pressures end at 0 and 1, and time never falls.
-/// @param notBefore the time of the sample before
+/// Removes invalid reports of a device: samples that are not finite or too far away are left out,
+/// pressures are clamped to 0 … 1, and time never decreases.
+/// @param notBefore the time of the previous sample
 [[nodiscard]] std::vector<PenSample> soundSamples(
     const std::vector<PenSample>& samples, double notBefore);
 

@@ -13,21 +13,23 @@
 
 namespace core {
 
+/// Drill into the volume along the view direction with a mask that the pen moves (seed A §4.1,
+/// 4.2).
 struct DrillStroke {
     int layer = 1;
     OrthographicView view{};
     MaskShape mask{};
     DrillMode mode = DrillMode::Limit;
-    double depthMm = 8.0; ///< at full pressure; in mode Rate a second
-    double floorMm = 30.0; ///< mode Rate: no deeper
+    double depthMm = 8.0; ///< at full pressure; in mode Rate per second
+    double floorMm = 30.0; ///< mode Rate: the greatest depth
     int pressureExponent = 2;
-    double surfaceThreshold = 0.0; ///< modality units: what is seen
+    double surfaceThreshold = 0.0; ///< modality units; values from this one on are visible
     bool throughGaps = false;
-    /// Parts of the surface that lie so much farther back than the depth are left alone, since they
-    /// are seen through a gap; 0: all are cut.
+    /// Parts of the surface that are farther back than the depth by this much are left alone, since
+    /// they are seen through a gap; 0: all are cut.
     double guardMm = 0.0;
-    bool restore = false; ///< fills again what was carved, from the surface towards the viewer
-    /// Resampled by time, so that the device's report rate does not matter. Mode Rate always is.
+    bool restore = false; ///< refill what was carved, from the surface towards the viewer
+    /// Resample by time, so that the device's report rate does not matter. Mode Rate always does.
     bool byTime = true;
     std::vector<PenSample> samples{};
     HiddenSides hidden{};
@@ -41,8 +43,8 @@ Result<bool> apply(const DrillStroke& edit, Document& document);
 [[nodiscard]] EditReach reach(const DrillStroke& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const DrillStroke& edit, const Document& document);
 
-/// A stroke without its path (DrillPathSampler.h); its samples are not looked at. Errors:
-/// InvalidField (also a mask that is too small).
+/// A stroke without its path (DrillPathSampler.h); its samples are not used. Errors: InvalidField
+/// (also for a mask that is too small).
 [[nodiscard]] Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document);
 
 } // namespace core

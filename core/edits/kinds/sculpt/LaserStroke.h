@@ -15,19 +15,20 @@ namespace core {
 
 struct LaserCut;
 
-/// As a drill, but the mask stands across the surface and goes in along its normal (seed A §4.3).
+/// Like a drill, but the mask is perpendicular to the surface's normal and cuts along it (seed A
+/// §4.3).
 struct LaserStroke {
     int layer = 1;
     OrthographicView view{};
     MaskShape mask{};
     DrillMode mode = DrillMode::Limit;
-    double depthMm = 15.0; ///< at full pressure; in mode Rate a second
-    double floorMm = 30.0; ///< mode Rate: no deeper
+    double depthMm = 15.0; ///< at full pressure; in mode Rate per second
+    double floorMm = 30.0; ///< mode Rate: the greatest depth
     int pressureExponent = 2;
-    double surfaceThreshold = 0.0; ///< modality units: what is seen
+    double surfaceThreshold = 0.0; ///< modality units; values from this one on are visible
     bool throughGaps = false;
     bool restore = false;
-    bool byTime = true; ///< as DrillStroke's
+    bool byTime = true; ///< as in Edit
     std::vector<PenSample> samples{};
     HiddenSides hidden{};
     SparedSegments spared{};
@@ -40,10 +41,10 @@ Result<bool> apply(const LaserStroke& edit, Document& document);
 [[nodiscard]] EditReach reach(const LaserStroke& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const LaserStroke& edit, const Document& document);
 
-/// A stroke without its path (DrillPathSampler.h). Errors: InvalidField (also a mask that is too
-/// small).
+/// A stroke without its path (DrillPathSampler.h). Errors: InvalidField (also for a mask that is
+/// too small).
 [[nodiscard]] Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document);
-/// How far from the path a laser can look or cut at most, in whatever direction.
+/// The greatest distance from the path at which a laser can read or cut, in any direction.
 [[nodiscard]] double laserReachMm(const LaserCut& cut);
 
 } // namespace core

@@ -11,14 +11,15 @@
 
 namespace core {
 
-/// A mask plane, and a closed curve on it.
+/// A mask plane with the area of a closed curve on it.
 struct OutlinedPlane {
     MaskFrame frame;
     MaskRaster mask;
 };
 
-/// @param options its maskReachMm is that of the curve @param edit name of the edit, for errors
-/// Errors: those of maskFrame(), InvalidField (a curve that is too small).
+/// Makes them. Errors: those of maskFrame(), InvalidField (a curve that is too small).
+/// @param options their maskReachMm is that of the curve
+/// @param edit name of the edit, for errors
 [[nodiscard]] Result<OutlinedPlane> outlinedPlane(const std::vector<glm::dvec2>& outline,
     MaskFrameOptions options, const Document& document, const QString& edit);
 

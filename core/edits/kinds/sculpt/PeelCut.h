@@ -15,16 +15,18 @@ namespace core {
 struct MaskPeel;
 struct PeelDepth;
 
-/// Takes a shell of even thickness off the part of the surface that a closed curve surrounds.
+/// Remove a shell of even thickness from the part of the surface inside a closed curve (seed A
+/// §4.4).
 struct PeelCut {
     int layer = 1;
     OrthographicView view{};
-    std::vector<glm::dvec2> polygonMm{}; ///< closed by itself; in the view plane, from the target
+    /// closed from the last point to the first; in the view plane, from the target
+    std::vector<glm::dvec2> polygonMm{};
     double depthMm = 4.0;
-    double surfaceThreshold = 0.0; ///< modality units: what is seen
+    double surfaceThreshold = 0.0; ///< modality units; values from this one on are visible
     bool throughGaps = false;
-    /// Where the surface jumps by more than this from one element to the next it is another
-    /// surface, and only the largest is peeled; 0: all of them.
+    /// A step of the surface between two elements by more than this separates surfaces, of which
+    /// only the largest is peeled; 0: all are.
     double jumpMm = 4.0;
     bool restore = false;
     HiddenSides hidden{};
@@ -38,7 +40,8 @@ Result<bool> apply(const PeelCut& edit, Document& document);
 [[nodiscard]] EditReach reach(const PeelCut& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const PeelCut& edit, const Document& document);
 
-/// A peel without its depth, and its depth. Errors: InvalidField (also a curve that is too small).
+/// A peel without its depth, and its depth. Errors: InvalidField (also for a curve that is too
+/// small).
 [[nodiscard]] Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document);
 [[nodiscard]] PeelDepth peelDepth(const PeelCut& peel);
 

@@ -3,6 +3,7 @@
 
 namespace core {
 
+/// One report of the pen: place, pressure and time.
 struct PenSample {
     double xMm = 0.0; ///< in the view plane, right of the target
     double yMm = 0.0; ///< up from the target

@@ -12,7 +12,7 @@
 
 namespace core {
 
-// Titles of rows of drill and laser.
+// Names of rows of drill and laser strokes.
 
 template <class Stroke> [[nodiscard]] double deepestMm(const Stroke& stroke)
 {
@@ -30,7 +30,7 @@ struct PressedCodes {
     RowTitleCode restoreByRate;
 };
 
-/// "Drill 6.2 mm, 214 bricks"
+/// "Drill 6.2 mm, 214 bricks". @param verbs for carving and for restoring
 template <class Stroke>
 [[nodiscard]] RowTitle pressedTitle(
     const Stroke& stroke, const PressedCodes& codes, const EditStatistics& statistics)

@@ -15,14 +15,15 @@ namespace core {
 
 struct MaskScissors;
 
-/// Cuts out what lies under a closed curve, along the view.
+/// Cut out what lies under a closed curve, along the view direction.
 struct ScissorsCut {
     int layer = 1;
     OrthographicView view{};
-    std::vector<glm::dvec2> polygonMm{}; ///< closed by itself; in the view plane, from the target
+    /// closed from the last point to the first; in the view plane, from the target
+    std::vector<glm::dvec2> polygonMm{};
     std::optional<double> depthMm{}; ///< below the surface; none: through everything
     bool firstLayerOnly = false; ///< only to the first gap in the material
-    double surfaceThreshold = 0.0; ///< modality units: what is seen
+    double surfaceThreshold = 0.0; ///< modality units; values from this one on are visible
     bool restore = false;
     HiddenSides hidden{};
     SparedSegments spared{};
@@ -35,7 +36,7 @@ Result<bool> apply(const ScissorsCut& edit, Document& document);
 [[nodiscard]] EditReach reach(const ScissorsCut& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ScissorsCut& edit, const Document& document);
 
-/// Errors: InvalidField (also a curve that is too small).
+/// Errors: InvalidField (also for a curve that is too small).
 [[nodiscard]] Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& document);
 
 } // namespace core

@@ -24,8 +24,9 @@ Result<bool> apply(const AddSegment& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const AddSegment& edit, const RowFacts& row);
 [[nodiscard]] EditReach reach(const AddSegment& edit, const ReachFacts& row);
 
-/// The segment that receives voxels, where it is a new one; whether there is any. Only what takes
-/// voxels is carried out at all (EditEffects::takesVoxelsOrNothing), so a new segment is.
+/// Adds the segment that receives voxels if it is a new one; returns whether it is. Edits with a
+/// SegmentChoice are carried out only if they take voxels (EditEffects::takesVoxelsOrNothing), so a
+/// new segment is never left empty.
 Result<bool> addNewSegment(const SegmentChoice& choice, Document& document);
 
 } // namespace core

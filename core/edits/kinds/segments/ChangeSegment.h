@@ -11,7 +11,8 @@
 
 namespace core {
 
-/// Rename, recolour, code or lock a segment, or protect it from sculpting; absent fields stay.
+/// Rename, recolour, code or lock a segment, or protect it from sculpting; absent fields do not
+/// change.
 struct ChangeSegment {
     int segment = 0; ///< label
     std::optional<QString> name{};

@@ -25,18 +25,18 @@ struct ImportedSegment {
     QByteArray voxels{}; ///< packedRuns() (core/brick/VoxelRuns.h), on the volume's grid
 };
 
-/// A segment by the number or the name that a recipe has for it.
+/// A segment, by the number or the name that a recipe gives.
 struct SegmentWord {
-    std::optional<int> number{}; ///< label; none: the name says it
+    std::optional<int> number{}; ///< label; none: use the name
     QString name{};
 };
 
-/// The segments of a mask's file become segments here. An edit that is carried out holds their
-/// voxels and needs the file no more; one that has none yet is completed by core/masks first. Where
-/// segments overlap, the first one has the voxel.
+/// Make the segments of a mask file segments of the session. An edit that was carried out contains
+/// their voxels and no longer needs the file; core/masks completes one without voxels first. Where
+/// segments overlap, the first one gets the voxel.
 struct ImportMask {
     QString file{};
-    std::optional<SegmentWord> as{}; ///< the one that receives all of it; none: new ones
+    std::optional<SegmentWord> as{}; ///< the segment that receives everything; none: new ones
     bool overwriteUnlocked = false;
     std::optional<glm::ivec3> size{}; ///< of the volume
     std::optional<std::vector<ImportedSegment>> segments{};
@@ -49,7 +49,8 @@ Result<bool> apply(const ImportMask& edit, Document& document);
 [[nodiscard]] EditReach reach(const ImportMask& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ImportMask& edit, const Document& document);
 
-/// Errors: those of importTargets(), InvalidField (voxels that are none, or of another grid).
+/// Errors: those of importTargets(), InvalidField (voxels that cannot be unpacked, or of another
+/// grid).
 [[nodiscard]] Result<LabelListed> labelListed(const ImportMask& edit, const Document& document);
 
 } // namespace core

@@ -11,10 +11,10 @@ namespace core {
 
 struct ImportMask;
 
-/// Where the segments of a mask go, in whatever volume.
+/// The labels that receive the segments of a mask, in any volume.
 struct ImportTargets {
-    std::vector<LabelTarget> targets; ///< one a segment
-    bool isNew = true; ///< they are made: one by one, or with "as" one
+    std::vector<LabelTarget> targets; ///< one per segment
+    bool isNew = true; ///< they are new segments: one for each, or a single one with "as"
 };
 /// Errors: InvalidField (no voxels read, no room for so many segments), UnknownSegment,
 /// SegmentLocked.

@@ -8,7 +8,7 @@ namespace core {
 
 struct LabelCarved;
 
-/// What a layer has carved (coverage ≥ 128) becomes voxels of a segment.
+/// Add what a layer has carved (coverage ≥ 128) to a segment.
 struct LayerToSegment {
     int layer = 0; ///< id
     SegmentChoice target{};

@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// Put a segment at another place of the list.
+/// Move a segment to another place in the list.
 struct MoveSegment {
     int segment = 0; ///< label
     int place = 0; ///< 1: first; beyond the end: last

@@ -10,7 +10,7 @@ namespace core {
 
 struct PaintLabel;
 
-/// Paints a segment, or erases it, along a path.
+/// Paint a segment along a path, or erase it.
 struct PaintStroke {
     int segment = 0; ///< label
     BrushPath path{};
@@ -18,7 +18,7 @@ struct PaintStroke {
     std::optional<double> lower{}; ///< modality units, inclusive; none: any
     std::optional<double> upper{};
     bool overwriteUnlocked = false;
-    bool seeds = false; ///< what is painted takes part in growth: it goes on from there
+    bool seeds = false; ///< growth may continue from what is painted
 };
 
 [[nodiscard]] Result<void> check(const PaintStroke& edit, const Document& document);
@@ -28,7 +28,7 @@ Result<bool> apply(const PaintStroke& edit, Document& document);
 [[nodiscard]] EditReach reach(const PaintStroke& edit, const ReachFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const PaintStroke& edit, const Document& document);
 
-/// The path is not in it. Errors: UnknownSegment, SegmentLocked, InvalidField.
+/// The command without the path. Errors: UnknownSegment, SegmentLocked, InvalidField.
 [[nodiscard]] Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document);
 
 } // namespace core

@@ -7,8 +7,7 @@ namespace core {
 
 struct EraseLabel;
 
-/// Delete a segment with its voxels, seeds and what has grown from them. Its label is not used
-/// again.
+/// Delete a segment with its voxels, seeds and growth. Its label is not used again.
 struct RemoveSegment {
     int segment = 0; ///< label
 };

@@ -11,8 +11,8 @@ namespace core {
 
 struct LabelSeen;
 
-/// "Segment what I see": what is not carved, inside the clip region and within an interval of
-/// values becomes voxels of a segment, from wherever one looks.
+/// "Segment what I see": add to a segment what is not carved, inside the clip region and within an
+/// interval of values. The camera has no influence.
 struct SegmentSeen {
     SegmentChoice target{};
     std::optional<double> lower{}; ///< modality units, inclusive; none: any

@@ -9,7 +9,7 @@
 
 namespace core {
 
-/// What is red takes the shape of contours that were drawn on planes.
+/// Fit the red part of the surface to contours that were drawn on planes.
 struct ApplyTemplate {
     std::vector<std::vector<glm::dvec3>> contoursLps{};
 };

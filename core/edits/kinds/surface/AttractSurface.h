@@ -6,7 +6,7 @@
 
 namespace core {
 
-/// Draw the surface to where values change most.
+/// Pull the surface to where values change most.
 struct AttractSurface {
     SurfacePath path{};
 };

@@ -10,18 +10,18 @@
 
 namespace core {
 
-/// Change all that is marked so at once, or one region of it.
+/// Change all marks of one colour, or one region of them, at once.
 struct ChangeMarks {
     enum class Way {
-        Grow, ///< by the vertices beside it
+        Grow, ///< also mark the neighbouring vertices
         Shrink,
-        Invert, ///< what is marked so turns yellow, all that is yellow is marked so
-        Clear, ///< what is marked so turns yellow
-        Accept, ///< what is marked red turns green: it is signed off
+        Invert, ///< exchange the mark with yellow
+        Clear, ///< turn the mark into yellow
+        Accept, ///< turn red into green: the region is approved
     };
     SurfaceMark mark = SurfaceMark::Red; ///< not yellow
     Way way = Way::Grow;
-    /// Of Clear and Accept: only the region that hangs together and lies nearest to it; none: all.
+    /// For Clear and Accept: only the connected region nearest to this point; none: all.
     std::optional<glm::dvec3> nearLps{};
 };
 

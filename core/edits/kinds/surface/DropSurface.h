@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// Do without a surface. What was not written back is lost with it, until this is undone.
+/// Discard the surface. What was not written back is lost with it, unless this is undone.
 struct DropSurface { };
 
 [[nodiscard]] Result<void> check(const DropSurface& edit, const Document& document);

@@ -5,7 +5,8 @@
 
 namespace core {
 
-/// Have what is yellow follow the boundary of what the segment holds now. Red and green stay.
+/// Fit the yellow parts of the surface to the boundary of the segment's present voxels. Red and
+/// green parts stay.
 struct FollowMask { };
 
 [[nodiscard]] Result<void> check(const FollowMask& edit, const Document& document);

@@ -5,13 +5,13 @@
 
 namespace core {
 
-// Edits of the surface that is being refined (seed B §4; core/refine). There is one at a time, of
-// one segment; its voxels change by WriteBack alone.
+// Edits of the surface that is refined (seed B §4; core/refine). There is one surface at a time, of
+// one segment, whose voxels are changed by WriteBack alone.
 
-/// Lay a surface around what a segment holds, all yellow; the one that was there goes.
+/// Lay a surface around the voxels of a segment, all of it yellow; it replaces the present one.
 struct LaySurface {
     int segment = 0; ///< label
-    /// About so many; 0: as many as it takes for the surface to enclose what the segment holds
+    /// Approximate number; 0: as many as are needed for the surface to enclose the segment's voxels
     /// (core/refine/fit/MeasuredFit.h).
     int vertices = 0;
 };

@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// Paint what is thought of the surface.
+/// Paint a mark on the surface.
 struct MarkSurface {
     SurfaceMark mark = SurfaceMark::Red;
     SurfacePath path{};

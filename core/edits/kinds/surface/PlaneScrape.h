@@ -8,10 +8,10 @@
 
 namespace core {
 
-/// A plane takes off what stands beyond it.
+/// Remove what stands out beyond a plane.
 struct PlaneScrape {
     SurfacePath path{};
-    glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< outwards, about a unit vector
+    glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< points outwards; approximately a unit vector
 };
 
 [[nodiscard]] Result<void> check(const PlaneScrape& edit, const Document& document);

@@ -6,7 +6,7 @@
 
 namespace core {
 
-/// The vertex nearest to the first point is drawn along, and what is around it like a rubber sheet.
+/// Drag the vertex nearest to the first point; its surroundings follow like a rubber sheet.
 struct PointDrag {
     SurfacePath path{};
 };

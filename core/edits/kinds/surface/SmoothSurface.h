@@ -6,7 +6,7 @@
 
 namespace core {
 
-/// Even the surface out.
+/// Smooth the surface.
 struct SmoothSurface {
     SurfacePath path{};
 };

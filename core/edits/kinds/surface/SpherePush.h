@@ -6,7 +6,7 @@
 
 namespace core {
 
-/// A ball pushes the surface out from inside of it, and in from outside.
+/// Push the surface with a ball: outwards from inside it, inwards from outside.
 struct SpherePush {
     SurfacePath path{};
 };

@@ -5,12 +5,12 @@
 
 namespace core {
 
-/// Shut the place of the surface to growth, or open it again: every voxel whose centre lies outside
-/// and that has one with its centre inside among the 26 around it. No growth passes such a shell,
-/// by 6, 18 or 26 neighbours, but where a place stays open by the rules of PaintBarrier. It lies
-/// outside so that a growth within can fill all that the surface encloses.
+/// Set barriers along the surface, or remove them: at every voxel whose centre lies outside and
+/// that has a neighbour (26) whose centre lies inside. No growth passes such a shell, whatever its
+/// connectivity, except where the rules of WholeEdits leave a voxel open. The shell lies outside
+/// so that a growth inside can fill everything that the surface encloses.
 struct SurfaceBarrier {
-    bool erase = false; ///< barriers there are opened
+    bool erase = false; ///< remove the barriers there
 };
 
 [[nodiscard]] Result<void> check(const SurfaceBarrier& edit, const Document& document);

@@ -12,18 +12,19 @@ namespace core {
 
 struct SurfacePath;
 
-// What edits of the surface have in common.
+// Parts that edits of the surface share.
 
-/// Of what works on the surface: there has to be one. @param deforms the segment holds something
-/// else from now on
+/// Checks that there is a surface, and records whether it still agrees with its segment.
+/// @param deforms it no longer agrees with its segment
 Result<bool> changeSurface(Document& document, bool deforms);
 
-/// Of what changes the surface, and no voxel. What stands open is a tool, which names places.
+/// The effects of an edit that changes the surface and no voxel. One that stands open is a tool,
+/// and its edit contains places.
 [[nodiscard]] EditEffects surfaceEffects(bool standsOpen);
 
 /// "green"
 [[nodiscard]] RowTitle markTitle(SurfaceMark mark);
-/// "Sphere push 4.0 mm, 214 vertices"
+/// The title followed by how much of the surface was changed.
 [[nodiscard]] RowTitle strokeTitle(
     RowTitleCode code, const SurfacePath& path, const EditStatistics& statistics);
 

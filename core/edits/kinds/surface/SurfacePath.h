@@ -7,7 +7,8 @@
 
 namespace core {
 
-/// Where a tool of the surface went: the middle of the ball in which it works, from point to point.
+/// The path of a tool of the surface: the centre of the ball in which it works, from point to
+/// point.
 struct SurfacePath {
     double radiusMm = 8.0;
     std::vector<glm::dvec3> pointsLps{};

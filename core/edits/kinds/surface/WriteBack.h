@@ -5,11 +5,11 @@
 
 namespace core {
 
-/// The segment follows the surface to where it was moved since they last agreed: where a voxel's
-/// centre has come inside the segment gets it, where it has come outside the segment loses it. All
-/// other voxels stay as they are, whether or not the surface encloses them: one that nobody moved
-/// changes none. What exactly that means, also at the rim of what was moved and where the mask was
-/// changed meanwhile, stands in core/session/surface/SurfaceWriteBack.h.
+/// Make the segment follow the surface to where it was moved since the two last agreed: a voxel
+/// whose centre is inside now joins the segment, and one whose centre is outside now leaves it. All
+/// other voxels stay as they are, whether or not the surface encloses them, so a surface that was
+/// not moved changes none. core/session/surface/SurfaceWriteBack.h has the exact rule, also for the
+/// rim of what was moved and for changes of the mask in the meantime.
 struct WriteBack {
     bool overwriteUnlocked = false;
 };

@@ -10,7 +10,7 @@
 
 namespace core {
 
-/// Keep a view of the patient by name.
+/// Keep a view of the patient under a name.
 struct AddBookmark {
     QString name{};
     OrthographicView view{}; ///< of the 3D view

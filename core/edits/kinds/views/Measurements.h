@@ -9,11 +9,11 @@
 
 namespace core {
 
-/// Keep a distance that was measured: points at their true places.
+/// Keep a measured distance between two points, given at their true places.
 struct AddMeasurement {
     glm::dvec3 fromLps{0.0};
     glm::dvec3 toLps{0.0};
-    std::optional<int> piece{}; ///< id of the one that both points were picked on
+    std::optional<int> piece{}; ///< id of the piece on which both points were picked
 };
 
 struct RemoveMeasurement {

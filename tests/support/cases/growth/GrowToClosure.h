@@ -17,12 +17,12 @@ struct GrownVoxels {
 };
 
 /// Seeds one segment (label 1, plane 0) and grows it to closure in the volume that the engine
-/// holds. Qt Test's failures are the caller's: an engine's error comes as an empty mask.
+/// holds. It reports no failure to Qt Test: an engine's error gives an empty mask.
 [[nodiscard]] GrownVoxels growToClosure(core::EditEngine& engine, const glm::ivec3& size,
     std::span<const glm::ivec3> seeds, int lowCode, int highCode,
     const core::GrowLimits& limits = {});
 
-/// Voxels of codes low … high on the volume's diagonal: many seeds, some of them alone.
+/// The voxels with codes low … high on the volume's diagonal: many seeds, some of them isolated.
 [[nodiscard]] std::vector<glm::ivec3> seedsOnDiagonal(
     const glm::ivec3& size, std::span<const std::uint16_t> codes, int low, int high);
 

@@ -9,26 +9,26 @@
 
 namespace test {
 
-/// A figure of growth in the making: what the user does, counted, and pictures where they are asked
-/// for. Members that return a text: empty, or what was wrong.
+/// Makes a figure of a growth: carries out and counts what the user does, and draws pictures if
+/// requested. Functions that return a text return an error, or an empty text.
 class GrowthFigure {
 public:
     explicit GrowthFigure(SculptStage& stage);
 
     [[nodiscard]] QString does(const core::Edit& edit);
-    /// A stroke of seeds on a slice, along voxels.
+    /// Draws a stroke of seeds on a slice, along voxels.
     [[nodiscard]] QString seeds(int label, const std::vector<glm::ivec3>& corners);
-    /// A stroke of seeds on what is seen in 3D.
+    /// Draws a stroke of seeds on what is seen in 3D.
     [[nodiscard]] QString seeds(
         int label, const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& pathMm);
     [[nodiscard]] QString shrinksAt(const std::vector<glm::ivec3>& corners);
     [[nodiscard]] QString plugs(const glm::ivec3& voxel);
 
     void shows(const gpu::VolumeScene& scene, const gpu::SegmentDisplay& segments = {});
-    /// Over the picture that was shown last.
+    /// Draws a sketch over the last picture.
     void sketched(const core::OrthographicView& view, const std::vector<glm::dvec2>& pathMm,
         bool closed, std::uint32_t rgb = 0xFFD040);
-    /// The segments that were pasted as pieces, in these colours, wherever they are.
+    /// Shows the segments that were pasted as pieces in these colours, wherever they are.
     void showsPieces(gpu::VolumeScene scene, const std::vector<std::uint32_t>& rgb);
     [[nodiscard]] bool kept(const char* name) const;
 
@@ -44,14 +44,14 @@ private:
     int m_actions = 0;
 };
 
-/// Segments 1, 2 … in these colours; black: not shown.
+/// Shows the segments 1, 2 … in these colours; black: not shown.
 [[nodiscard]] gpu::SegmentDisplay inColours(const std::vector<std::uint32_t>& rgb);
 
-/// Of what A holds, how much lies in B.
+/// The fraction of A that lies in B.
 [[nodiscard]] double shareInside(
     const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b);
 
-/// What of a mask lies between two voxels, inclusive.
+/// The part of a mask between two voxels, inclusive.
 [[nodiscard]] std::vector<std::uint8_t> within(std::vector<std::uint8_t> mask,
     const glm::ivec3& size, const glm::ivec3& low, const glm::ivec3& high);
 

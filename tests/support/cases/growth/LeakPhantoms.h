@@ -6,8 +6,9 @@
 
 namespace test {
 
-/// A body with a hole in its wall: a bent vessel, an organ of several balls, or a tree of airways,
-/// and beyond a neck a large blob of the same values. Partial volume at every border, and noise.
+/// A phantom with a hole in its wall: a bent vessel, an organ of several balls, or a tree of
+/// airways, connected by a neck to a large blob of the same values. It has partial volume at every
+/// border, and noise.
 struct LeakPhantom {
     const char* body = "";
     int neckRadius = 0; ///< voxels, 1 … 3; 0: there is no leak
@@ -18,12 +19,13 @@ struct LeakPhantom {
     int highCode = 0;
     Bytes leak; ///< 1 in voxels of the blob
     std::int64_t leakVoxels = 0;
-    glm::ivec3 click{0}; ///< somewhere in the blob
+    glm::ivec3 click{0}; ///< a voxel in the blob
 };
 
-/// Bodies, radii and lengths take turns with the number; everything else is drawn from it.
+/// The phantom of a number: bodies, radii and lengths alternate with it; everything else is drawn
+/// at random from it.
 [[nodiscard]] LeakPhantom leakPhantom(int number, bool leaks);
-/// The same to be opened: voxels of 1 mm, whose value is their code.
+/// The phantom as a volume: voxels of 1 mm, whose values are their codes.
 [[nodiscard]] core::LoadedVolume loadedVolume(const LeakPhantom& phantom);
 
 } // namespace test

@@ -12,7 +12,7 @@ namespace test {
 
 enum class RealStructure { Ventricles, Aorta, Liver, Tooth };
 
-/// A structure of a shared study, as a user takes it out with growth.
+/// A structure of a shared study, with the edits by which a user segments it.
 struct RealGrowth {
     core::LoadedVolume study;
     std::vector<std::uint8_t> reference; ///< 1 in the structure's voxels, x fastest
@@ -20,27 +20,28 @@ struct RealGrowth {
     std::vector<glm::ivec3> seeds; ///< voxels of the strokes in `edits`
 };
 
-/// None where there are no shared data.
+/// The structure with its edits; none if there are no shared data.
 ///
-/// Ventricles: the lateral ones of mr_brain_mricrop_itksnap, label "vent-lat", drawn by hand.
-/// Aorta: the crop of ct_totalseg_body_3mm, label aorta, of a network; dissected and stented, so
-/// that its values run from those of muscle to those of metal. Liver: the whole of that study,
-/// label liver, of a network. Tooth: a molar of ct_cranium_inv3, for which there is no mask; its
+/// Ventricles: the lateral ventricles of mr_brain_mricrop_itksnap, label "vent-lat", drawn by hand.
+/// Aorta: the crop of ct_totalseg_body_3mm, label aorta, by a network; it is dissected and stented,
+/// so its values range from those of muscle to those of metal. Liver: the whole of that study,
+/// label liver, by a network. Tooth: a molar of ct_cranium_inv3, for which there is no mask; its
 /// outline was drawn by eye, voxel by voxel on magnified slices, before anything was grown.
 [[nodiscard]] std::optional<RealGrowth> realGrowth(RealStructure structure);
 
-/// A stroke on a slice: straight from corner to corner, each voxel once.
+/// The voxels of a stroke on a slice that goes straight from corner to corner, each voxel once.
 [[nodiscard]] std::vector<glm::ivec3> strokeVoxels(const std::vector<glm::ivec3>& corners);
 [[nodiscard]] std::vector<glm::dvec3> placesOf(
     const core::VolumeGeometry& geometry, const std::vector<glm::ivec3>& voxels);
 
-/// What the user does for an edit: a stroke, a button, a click; of a growth also its interval,
-/// every criterion that is set, and every side of its box that is moved from the volume's end.
+/// The number of user actions for an edit: a stroke, a button, a click; for a growth also its
+/// interval, every criterion that is set, and every side of its box that was moved from the
+/// volume's border.
 [[nodiscard]] int userActions(const core::Edit& edit, const core::VolumeGeometry& geometry);
 
 /// 2 |A ∩ B| / (|A| + |B|) of the voxels that are not 0.
 [[nodiscard]] double dice(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b);
-/// 1 where a map of labels holds this one.
+/// 1 where the label map has this label.
 [[nodiscard]] std::vector<std::uint8_t> maskOf(
     const std::vector<std::uint8_t>& labels, std::uint8_t label);
 

@@ -8,7 +8,7 @@ namespace test {
 
 [[nodiscard]] core::Edit randomSeeds(const core::Document& document, int segment, Random& random);
 
-/// Sessions that add, mute and delete, then strokes one after the other; so many of each.
+/// Adds sessions that add, mute and delete, then single strokes; @p count of each.
 void addRandomStrokes(std::vector<StrokeCase>& cases, int count);
 
 } // namespace test

@@ -6,18 +6,18 @@
 
 namespace test {
 
-// Each adds the cases of a family of edits, on what others left.
+// Each function adds the cases of a family of edits, after edits of other families.
 
 /// Segments, seeds, growth, shrinking, intervals, barriers.
 void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene);
 void addDrillStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene);
 /// Painting, erasing, growing from seeds.
 void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene);
-/// Brush, peel, scissors, laser, and drills among them.
+/// Carve brush, peel, scissors, laser, with drills among them.
 void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene);
-/// Segments and layers as lists, what goes from one to the other, masks that come in.
+/// The lists of segments and layers, conversions between them, imported masks.
 void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene);
-/// @param grown edits that leave two segments beside each other
+/// @param grown edits that result in two adjacent segments
 void addChunkStrokes(std::vector<StrokeCase>& cases, const core::LoadedVolume& volume,
     const std::vector<core::Edit>& grown);
 /// Pieces, protected segments, measurements.
