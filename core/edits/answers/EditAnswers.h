@@ -22,6 +22,7 @@ namespace core {
 //     What its result depends on: rather too much than too little (EditReach.h).
 //   Result<EngineEdit> engineEdit(const X&, const Document&)
 //     Of those that the engine carries out: the command in whole numbers by which it is begun.
+//     Their effects name engineTask<X>(), which does not compile without.
 //
 // Here is only what headers of edits need to declare them.
 
