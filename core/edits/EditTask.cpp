@@ -16,13 +16,6 @@ concept saysItsEffects = requires
     static_cast<EditEffects (*)(const E&)>(&effects);
 };
 
-/// Those that the engine carries out have one: EditTaskTest holds that against their effects.
-template <class E>
-concept hasEngineEdit = requires
-{
-    static_cast<Result<EngineEdit> (*)(const E&, const Document&)>(&engineEdit);
-};
-
 } // namespace
 
 EditEffects effectsOf(const Edit& edit)

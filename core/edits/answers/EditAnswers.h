@@ -18,11 +18,13 @@ namespace core {
 //   EditEffects effects(const X&)
 //     Who carries it out, and what else follows (EditEffects.h).
 //   RowTitle rowTitle(const X&, const RowFacts&)
-//     The name of its row for people. It is part of the hash chain, so old rows must keep theirs.
+//     What its row says to people (core/titles). The name that is stored is made of it and is part
+//     of the hash chain, so old rows must keep theirs.
 //   EditReach reach(const X&, const ReachFacts&)
 //     What its result depends on; it may be too much, never too little (EditReach.h).
 //   Result<EngineEdit> engineEdit(const X&, const Document&)
 //     Only for those that the engine carries out: the command, in integers, that begins it.
+//     Their effects name engineTask<X>(), which does not compile without this function.
 //
 // This header contains only what headers of edits need to declare them.
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/document/Document.h"
+#include "core/edits/answers/EditAnswers.h"
 
 #include <QString>
 
+#include <concepts>
 #include <optional>
 
 namespace core {
@@ -47,6 +49,24 @@ struct EditEffects {
     /// for another study.
     bool boundToStudy = false;
 };
+
+/// Whether the engine has a command for it.
+template <class E>
+concept hasEngineEdit = requires(const E& edit, const Document& document)
+{
+    {
+        engineEdit(edit, document)
+        } -> std::same_as<Result<EngineEdit>>;
+};
+
+/// The task of what the engine carries out.
+template <class E> [[nodiscard]] constexpr EditTask engineTask()
+{
+    static_assert(hasEngineEdit<E>,
+        "an edit X that the engine carries out needs Result<EngineEdit> engineEdit(const X&, const "
+        "Document&)");
+    return EditTask::Engine;
+}
 
 /// The effects of an edit of the document alone.
 [[nodiscard]] inline EditEffects documentEffects(

@@ -11,12 +11,6 @@ using namespace core;
 
 namespace {
 
-template <class E>
-concept hasEngineEdit = requires
-{
-    static_cast<Result<EngineEdit> (*)(const E&, const Document&)>(&engineEdit);
-};
-
 template <class E> void checkKind()
 {
     const Edit edit = E();

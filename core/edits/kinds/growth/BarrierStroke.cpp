@@ -23,7 +23,7 @@ Result<bool> apply(const BarrierStroke&, Document&)
 
 EditEffects effects(const BarrierStroke&)
 {
-    return {.task = EditTask::Engine, .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<BarrierStroke>(), .standsOpen = true, .boundToStudy = true};
 }
 
 Result<PaintBarrier> paintBarrier(const BarrierStroke& stroke, const Document& document)

@@ -24,7 +24,7 @@ Result<bool> apply(const ChangeInterval&, Document&)
 
 EditEffects effects(const ChangeInterval& edit)
 {
-    return {.task = EditTask::Engine,
+    return {.task = engineTask<ChangeInterval>(),
         .standsOpen = true,
         .boundToStudy = !edit.asBefore && edit.criteria.box.has_value()};
 }

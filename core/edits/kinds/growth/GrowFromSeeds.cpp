@@ -62,7 +62,9 @@ Result<bool> apply(const GrowFromSeeds&, Document&)
 
 EditEffects effects(const GrowFromSeeds& edit)
 {
-    return {.task = EditTask::Engine, .standsOpen = true, .boundToStudy = edit.box.has_value()};
+    return {.task = engineTask<GrowFromSeeds>(),
+        .standsOpen = true,
+        .boundToStudy = edit.box.has_value()};
 }
 
 Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& document)

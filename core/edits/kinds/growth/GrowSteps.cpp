@@ -24,7 +24,7 @@ Result<bool> apply(const GrowSteps&, Document&)
 
 EditEffects effects(const GrowSteps& edit)
 {
-    return {.task = EditTask::Engine,
+    return {.task = engineTask<GrowSteps>(),
         .standsOpen = true,
         .boundToStudy = edit.criteria.box.has_value()};
 }

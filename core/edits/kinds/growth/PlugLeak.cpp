@@ -24,7 +24,7 @@ Result<bool> apply(const PlugLeak&, Document&)
 
 EditEffects effects(const PlugLeak&)
 {
-    return {.task = EditTask::Engine, .standsOpen = false, .boundToStudy = true};
+    return {.task = engineTask<PlugLeak>(), .standsOpen = false, .boundToStudy = true};
 }
 
 Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document)

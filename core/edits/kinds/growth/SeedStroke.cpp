@@ -25,7 +25,7 @@ Result<bool> apply(const SeedStroke&, Document&)
 
 EditEffects effects(const SeedStroke& edit)
 {
-    return {.task = EditTask::Engine,
+    return {.task = engineTask<SeedStroke>(),
         .standsOpen = false,
         .fills = {.label = edit.segment},
         .boundToStudy = true};

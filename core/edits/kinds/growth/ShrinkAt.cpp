@@ -24,7 +24,7 @@ Result<bool> apply(const ShrinkAt&, Document&)
 
 EditEffects effects(const ShrinkAt&)
 {
-    return {.task = EditTask::Engine, .standsOpen = false, .boundToStudy = true};
+    return {.task = engineTask<ShrinkAt>(), .standsOpen = false, .boundToStudy = true};
 }
 
 Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document)

@@ -25,7 +25,7 @@ Result<bool> apply(const ShrinkSteps&, Document&)
 
 EditEffects effects(const ShrinkSteps&)
 {
-    return {.task = EditTask::Engine, .standsOpen = true};
+    return {.task = engineTask<ShrinkSteps>(), .standsOpen = true};
 }
 
 Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& document)

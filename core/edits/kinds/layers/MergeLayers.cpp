@@ -40,7 +40,9 @@ Result<bool> apply(const MergeLayers& edit, Document& document)
 
 EditEffects effects(const MergeLayers&)
 {
-    return {.task = EditTask::Engine, .standsOpen = false, .changes = DocumentChange::What::Layers};
+    return {.task = engineTask<MergeLayers>(),
+        .standsOpen = false,
+        .changes = DocumentChange::What::Layers};
 }
 
 FoldLayer foldLayer(const MergeLayers& edit)

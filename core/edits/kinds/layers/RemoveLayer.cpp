@@ -31,7 +31,9 @@ Result<bool> apply(const RemoveLayer& edit, Document& document)
 
 EditEffects effects(const RemoveLayer&)
 {
-    return {.task = EditTask::Engine, .standsOpen = false, .changes = DocumentChange::What::Layers};
+    return {.task = engineTask<RemoveLayer>(),
+        .standsOpen = false,
+        .changes = DocumentChange::What::Layers};
 }
 
 FoldLayer foldLayer(const RemoveLayer& edit)

@@ -25,7 +25,7 @@ Result<bool> apply(const BrushStroke&, Document&)
 
 EditEffects effects(const BrushStroke&)
 {
-    return {.task = EditTask::Engine, .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<BrushStroke>(), .standsOpen = true, .boundToStudy = true};
 }
 
 Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document)

@@ -48,7 +48,7 @@ Result<bool> apply(const DrillStroke&, Document&)
 
 EditEffects effects(const DrillStroke&)
 {
-    return {.task = EditTask::Engine, .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<DrillStroke>(), .standsOpen = true, .boundToStudy = true};
 }
 
 Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)

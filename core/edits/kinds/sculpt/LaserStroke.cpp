@@ -55,7 +55,7 @@ Result<bool> apply(const LaserStroke&, Document&)
 
 EditEffects effects(const LaserStroke&)
 {
-    return {.task = EditTask::Engine, .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<LaserStroke>(), .standsOpen = true, .boundToStudy = true};
 }
 
 Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document)

@@ -35,7 +35,7 @@ Result<bool> apply(const PeelCut&, Document&)
 
 EditEffects effects(const PeelCut&)
 {
-    return {.task = EditTask::Engine, .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<PeelCut>(), .standsOpen = true, .boundToStudy = true};
 }
 
 Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document)

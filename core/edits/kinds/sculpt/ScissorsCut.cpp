@@ -35,7 +35,7 @@ Result<bool> apply(const ScissorsCut&, Document&)
 
 EditEffects effects(const ScissorsCut&)
 {
-    return {.task = EditTask::Engine, .standsOpen = false, .boundToStudy = true};
+    return {.task = engineTask<ScissorsCut>(), .standsOpen = false, .boundToStudy = true};
 }
 
 Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& document)

@@ -174,7 +174,7 @@ Result<bool> apply(const ImportMask& edit, Document& document)
 EditEffects effects(const ImportMask& edit)
 {
     const std::optional<int> named = edit.as ? edit.as->number : std::nullopt;
-    return {.task = EditTask::Engine,
+    return {.task = engineTask<ImportMask>(),
         .standsOpen = false,
         .changes = named ? std::nullopt : std::optional(DocumentChange::What::Segments),
         .takesVoxelsOrNothing = true,

@@ -23,7 +23,7 @@ Result<bool> apply(const InvertSegment&, Document&)
 
 EditEffects effects(const InvertSegment& edit)
 {
-    return {.task = EditTask::Engine,
+    return {.task = engineTask<InvertSegment>(),
         .standsOpen = false,
         .writesTo = edit.segment,
         .fills = {.label = edit.segment}};

@@ -28,7 +28,7 @@ Result<bool> apply(const LayerToSegment& edit, Document& document)
 
 EditEffects effects(const LayerToSegment& edit)
 {
-    return {.task = EditTask::Engine,
+    return {.task = engineTask<LayerToSegment>(),
         .standsOpen = false,
         .changes =
             edit.target.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),

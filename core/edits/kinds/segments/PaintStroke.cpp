@@ -23,7 +23,7 @@ Result<bool> apply(const PaintStroke&, Document&)
 
 EditEffects effects(const PaintStroke& edit)
 {
-    return {.task = EditTask::Engine,
+    return {.task = engineTask<PaintStroke>(),
         .standsOpen = true,
         .writesTo = edit.segment,
         .fills = {.label = edit.erase ? std::nullopt : std::optional(edit.segment)},

@@ -38,8 +38,9 @@ Result<bool> apply(const RemoveSegment& edit, Document& document)
 
 EditEffects effects(const RemoveSegment&)
 {
-    return {
-        .task = EditTask::Engine, .standsOpen = false, .changes = DocumentChange::What::Segments};
+    return {.task = engineTask<RemoveSegment>(),
+        .standsOpen = false,
+        .changes = DocumentChange::What::Segments};
 }
 
 Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document)

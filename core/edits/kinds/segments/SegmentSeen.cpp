@@ -59,7 +59,7 @@ Result<bool> apply(const SegmentSeen& edit, Document& document)
 
 EditEffects effects(const SegmentSeen& edit)
 {
-    return {.task = EditTask::Engine,
+    return {.task = engineTask<SegmentSeen>(),
         .standsOpen = false,
         .changes =
             edit.target.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
