@@ -19,16 +19,10 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 /// A study that is loaded is put into the engine beside the GUI thread, which goes on meanwhile.
-class OpeningUiTest : public QObject {
+class OpeningUiTest : public QObject, test::WithApplication {
     Q_OBJECT
 
 private:
-    static constexpr int patience = test::ApplicationFixture::patience;
-    std::unique_ptr<test::ApplicationFixture> m_fixture;
-
-    QString path(const char* name) const { return m_fixture->path(name); }
-    ui::MainWindow& window() const { return m_fixture->window(); }
-    ui::Workspace& workspace() const { return m_fixture->workspace(); }
     ui::StudyOpener& opener() const { return window().opener(); }
     /// Behind those who are told of it first.
     template <class Signal> void whenTold(Signal signal, std::function<void()> look)
@@ -37,8 +31,8 @@ private:
     }
 
 private Q_SLOTS:
-    void init() { m_fixture = std::make_unique<test::ApplicationFixture>(); }
-    void cleanup() { m_fixture.reset(); }
+    void init() { makeApplication(); }
+    void cleanup() { dropApplication(); }
 
     void nobodyWaitsForTheEngine_data()
     {

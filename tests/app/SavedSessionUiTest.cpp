@@ -29,25 +29,13 @@ using test::press;
 
 /// "Save session as …": with the study's images, for steps that are on no disk, and for sessions
 /// that could not get a file, in the real window.
-class SavedSessionUiTest : public QObject {
+class SavedSessionUiTest : public QObject, test::WithApplication {
     Q_OBJECT
-
-private:
-    static constexpr int patience = test::ApplicationFixture::patience;
-    std::unique_ptr<test::ApplicationFixture> m_fixture;
-
-    QString path(const char* name) const { return m_fixture->path(name); }
-    ui::MainWindow& window() const { return m_fixture->window(); }
-    ui::Workspace& workspace() const { return m_fixture->workspace(); }
-    core::EditSession& session() const { return m_fixture->session(); }
-    QString bar() const { return m_fixture->bar(); }
-    void open(const QString& what) const { m_fixture->open(what); }
-    void edit(const core::Edit& edit) const { m_fixture->edit(edit); }
 
 private Q_SLOTS:
     void initTestCase() { QApplication::setAttribute(Qt::AA_DontUseNativeDialogs); }
-    void init() { m_fixture = std::make_unique<test::ApplicationFixture>(); }
-    void cleanup() { m_fixture.reset(); }
+    void init() { makeApplication(); }
+    void cleanup() { dropApplication(); }
 
     void imagesTravelWithTheSession()
     {

@@ -34,20 +34,10 @@ using test::press;
 using test::writeSession;
 
 /// What happens to a session file between windows, crashes and disks, in the real window.
-class SessionLifeUiTest : public QObject {
+class SessionLifeUiTest : public QObject, test::WithApplication {
     Q_OBJECT
 
 private:
-    static constexpr int patience = test::ApplicationFixture::patience;
-    std::unique_ptr<test::ApplicationFixture> m_fixture;
-
-    QString path(const char* name) const { return m_fixture->path(name); }
-    ui::MainWindow& window() const { return m_fixture->window(); }
-    ui::Workspace& workspace() const { return m_fixture->workspace(); }
-    core::EditSession& session() const { return m_fixture->session(); }
-    QString bar() const { return m_fixture->bar(); }
-    void open(const QString& what) const { m_fixture->open(what); }
-    void edit(const core::Edit& edit) const { m_fixture->edit(edit); }
     QString mark() const
     {
         const auto* label = window().findChild<ui::ReadOnlyMark*>();
@@ -60,8 +50,8 @@ private:
 
 private Q_SLOTS:
     void initTestCase() { QApplication::setAttribute(Qt::AA_DontUseNativeDialogs); }
-    void init() { m_fixture = std::make_unique<test::ApplicationFixture>(); }
-    void cleanup() { m_fixture.reset(); }
+    void init() { makeApplication(); }
+    void cleanup() { dropApplication(); }
 
     void aDamagedSessionGoesOnBesideIt()
     {

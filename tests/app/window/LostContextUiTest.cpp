@@ -18,16 +18,10 @@ using test::LosingGl;
 
 /// The graphics driver loses its context while a study is open: the window closes it, whole on
 /// disk, says so, and opens it again at the same row.
-class LostContextUiTest : public QObject {
+class LostContextUiTest : public QObject, test::WithApplication {
     Q_OBJECT
 
 private:
-    static constexpr int patience = test::ApplicationFixture::patience;
-    std::unique_ptr<test::ApplicationFixture> m_fixture;
-
-    ui::MainWindow& window() const { return m_fixture->window(); }
-    ui::Workspace& workspace() const { return m_fixture->workspace(); }
-    core::EditSession& session() const { return m_fixture->session(); }
     QPushButton& button() const { return *window().messages().findChild<QPushButton*>(); }
     bool isOffered() const
     {
@@ -50,8 +44,8 @@ private:
     }
 
 private Q_SLOTS:
-    void init() { m_fixture = std::make_unique<test::ApplicationFixture>(); }
-    void cleanup() { m_fixture.reset(); }
+    void init() { makeApplication(); }
+    void cleanup() { dropApplication(); }
 
     void opensAgainAtTheSameRow_data()
     {

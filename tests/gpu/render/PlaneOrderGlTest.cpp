@@ -5,6 +5,7 @@
 #include "tests/support/fixtures/ViewRays.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SimplexShapes.h"
+#include "tests/support/scenes/SlabScene.h"
 
 #include <QDir>
 #include <QTest>
@@ -13,36 +14,15 @@
 #include <cmath>
 
 using namespace gpu;
+using test::noMatter;
+using test::plainLook;
+using test::sceneAlongY;
+using test::slabBetween;
 
 namespace {
 
 const glm::ivec2 size(150, 130);
 constexpr double radiusMm = 22.0;
-
-/// Matter of code 2000 in a slab between two coordinates along y; the views of these tests look
-/// along +y.
-auto slab(double fromY, double toY)
-{
-    return [=](const glm::dvec3& lps) { return lps.y >= fromY && lps.y <= toY ? 2000.0 : 0.0; };
-}
-
-double nothing(const glm::dvec3&)
-{
-    return 0.0;
-}
-
-VolumeScene scene(RenderMode mode)
-{
-    VolumeScene result;
-    result.mode = mode;
-    result.eyeLps = {0.0, -230.0, 0.0};
-    result.heightMm = 80.0;
-    result.surfaceThreshold = 1000.0;
-    result.mipWindow = {2000.0, 4001.0};
-    result.xrayWindow = {2000.0, 4001.0};
-    result.transferFunction.points = {{1000.0, 0xFFFFFF, 0.0}, {1900.0, 0xFFFFFF, 0.9}};
-    return result;
-}
 
 /// Across the view; air is dark grey on it, matter light.
 ScenePlane planeAt(double y)
@@ -63,15 +43,6 @@ ScenePlane slanting()
     plane.downLps = glm::normalize(glm::cross(glm::dvec3(-0.3, 1.0, 0.2), plane.rightLps));
     plane.halfSizeMm = {40.0, 34.0};
     return plane;
-}
-
-SceneSurface plainLook()
-{
-    SceneSurface look;
-    look.colours.rgb = 0x4080E0;
-    look.colours.markOpacity = 0.0f;
-    look.behindOpacity = 0.0f;
-    return look;
 }
 
 double roomOn(const ScenePlane& plane, const test::PixelRay& ray)
@@ -158,7 +129,7 @@ private Q_SLOTS:
     {
         QFETCH(int, mode);
         open([](const glm::dvec3& lps) { return 1000.0 + 100.0 * (radiusMm - glm::length(lps)); });
-        const VolumeScene view = scene(RenderMode(mode));
+        const VolumeScene view = sceneAlongY(RenderMode(mode));
         const Frame plain = draw(view);
         ScenePlane hidden = planeAt(-30.0);
         hidden.opacity = 0.0f;
@@ -182,8 +153,8 @@ private Q_SLOTS:
     void matterAndItHideEachOther()
     {
         QFETCH(int, mode);
-        const VolumeScene view = scene(RenderMode(mode));
-        open(slab(-20.0, 20.0));
+        const VolumeScene view = sceneAlongY(RenderMode(mode));
+        open(slabBetween(-20.0, 20.0));
         const Frame matter = draw(view);
         const auto first = [](glm::dvec3 one, glm::dvec3) { return one; };
         // Before, within and behind the slab.
@@ -213,8 +184,8 @@ private Q_SLOTS:
     void translucentAsAsked()
     {
         QFETCH(int, mode);
-        const VolumeScene view = scene(RenderMode(mode));
-        open(slab(0.0, 12.0));
+        const VolumeScene view = sceneAlongY(RenderMode(mode));
+        open(slabBetween(0.0, 12.0));
         const Frame matter = draw(view);
         ScenePlane plane = planeAt(-20.0);
         plane.opacity = 0.4f;
@@ -246,10 +217,10 @@ private Q_SLOTS:
         QFETCH(bool, orthographic);
         QFETCH(double, surfaceOpacity);
         QFETCH(double, planeOpacity);
-        open(nothing);
+        open(noMatter);
         const glm::dvec3 centre(3.0, -2.0, 4.0);
         showSphere(centre, radiusMm);
-        VolumeScene view = scene(RenderMode(mode));
+        VolumeScene view = sceneAlongY(RenderMode(mode));
         view.orthographic = orthographic;
         ScenePlane plane = slanting();
         plane.opacity = float(planeOpacity);
@@ -293,8 +264,8 @@ private Q_SLOTS:
     void allThreeAtOnce()
     {
         QFETCH(int, mode);
-        VolumeScene view = scene(RenderMode(mode));
-        open(slab(-4.0, 4.0));
+        VolumeScene view = sceneAlongY(RenderMode(mode));
+        open(slabBetween(-4.0, 4.0));
         const Frame matter = draw(view);
         const glm::ivec2 middle = size / 2 + 3;
         const auto at = [&](const Frame& frame) {
@@ -342,8 +313,8 @@ private Q_SLOTS:
     void whatShinesThroughWhat()
     {
         QFETCH(int, mode);
-        open(nothing);
-        VolumeScene view = scene(RenderMode(mode));
+        open(noMatter);
+        VolumeScene view = sceneAlongY(RenderMode(mode));
         view.surface = plainLook();
         view.surface->behindOpacity = 0.5f;
         ScenePlane plane = planeAt(0.0);
@@ -377,9 +348,9 @@ private Q_SLOTS:
     void withinTranslucentMatter()
     {
         // Black matter, 5 % of a millimetre, from y = -20 on.
-        VolumeScene view = scene(RenderMode::Dvr);
+        VolumeScene view = sceneAlongY(RenderMode::Dvr);
         view.transferFunction.points = {{1990.0, 0x000000, 0.0}, {1995.0, 0x000000, 0.05}};
-        open(slab(-20.0, 20.0));
+        open(slabBetween(-20.0, 20.0));
         for (const double y : {-15.0, -5.0, 10.0}) {
             ScenePlane plane = planeAt(y);
             plane.window = {1000.0, 1000.0}; // matter is white
@@ -403,7 +374,7 @@ private Q_SLOTS:
     void amongPiecesAndSeeds()
     {
         QFETCH(int, mode);
-        open(slab(8.0, 14.0));
+        open(slabBetween(8.0, 14.0));
         reference::DenseFields fields(glm::ivec3(70));
         auto& coverage = fields.coverage(2);
         for (int z = 20; z < 50; ++z)
@@ -411,7 +382,7 @@ private Q_SLOTS:
                 for (int x = 10; x < 60; ++x)
                     coverage.at({x, y, z}) = 255;
         m_fixture->put(fields);
-        VolumeScene view = scene(RenderMode(mode));
+        VolumeScene view = sceneAlongY(RenderMode(mode));
         ScenePiece lifted;
         lifted.id = 1;
         lifted.layer = 2;
@@ -448,7 +419,7 @@ private Q_SLOTS:
         open([](const glm::dvec3& lps) {
             return glm::length(lps) < 26.0 ? 1500.0 + 400.0 * std::sin(0.4 * lps.x) : 100.0;
         });
-        VolumeScene view = scene(RenderMode(mode));
+        VolumeScene view = sceneAlongY(RenderMode(mode));
         view.eyeLps = {70.0, -210.0, 60.0};
         view.orthographic = orthographic;
         ScenePlane plane = slanting();

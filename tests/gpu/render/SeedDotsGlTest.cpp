@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/fixtures/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SlabScene.h"
 
 #include <QDir>
 #include <QTest>
@@ -19,11 +20,6 @@ constexpr double radiusMm = 24.0;
 double sphere(const glm::dvec3& lps)
 {
     return 1000.0 + 100.0 * (radiusMm - glm::length(lps));
-}
-
-double nothing(const glm::dvec3&)
-{
-    return 0.0;
 }
 
 VolumeScene scene(RenderMode mode)
@@ -103,7 +99,7 @@ private Q_SLOTS:
     void aSeedIsARoundDot()
     {
         QFETCH(int, mode);
-        m_fixture->open(test::centredGeometry({60, 60, 60}), nothing);
+        m_fixture->open(test::centredGeometry({60, 60, 60}), test::noMatter);
         VolumeScene view = scene(RenderMode(mode));
         // At the corner of four bricks, in its voxel's centre.
         const glm::dvec3 place(2.5, 0.5, 1.5);
@@ -173,7 +169,7 @@ private Q_SLOTS:
     {
         core::VolumeGeometry geometry = test::centredGeometry({50, 60, 20}, {1.0, 0.8, 3.0});
         geometry.indexToWorld[2].x = 0.6; // sheared
-        m_fixture->open(geometry, nothing);
+        m_fixture->open(geometry, test::noMatter);
         VolumeScene view = scene(RenderMode::Surface);
         const glm::dvec3 first = geometry.toWorld({12, 30, 12});
         const glm::dvec3 second = geometry.toWorld({36, 20, 8});

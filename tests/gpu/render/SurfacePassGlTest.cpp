@@ -6,6 +6,7 @@
 #include "tests/support/fixtures/ViewRays.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SimplexShapes.h"
+#include "tests/support/scenes/SlabScene.h"
 
 #include <QDir>
 #include <QTest>
@@ -19,47 +20,16 @@ using namespace gpu;
 using test::apart;
 using test::isLit;
 using test::mostApart;
+using test::noMatter;
+using test::plainLook;
+using test::sceneAlongY;
+using test::slabBetween;
 
 namespace {
 
 const glm::ivec2 size(150, 130);
 constexpr double radiusMm = 22.0;
 const glm::dvec3 sphereLps(3.0, -2.0, 4.0);
-
-double nothing(const glm::dvec3&)
-{
-    return 0.0;
-}
-
-/// Matter of code 2000 in a slab between two coordinates along y; the views of these tests look
-/// along +y.
-auto slab(double fromY, double toY)
-{
-    return [=](const glm::dvec3& lps) { return lps.y >= fromY && lps.y <= toY ? 2000.0 : 0.0; };
-}
-
-VolumeScene scene(RenderMode mode)
-{
-    VolumeScene result;
-    result.mode = mode;
-    result.eyeLps = {0.0, -230.0, 0.0};
-    result.heightMm = 80.0;
-    result.surfaceThreshold = 1000.0;
-    result.mipWindow = {2000.0, 4001.0};
-    result.xrayWindow = {2000.0, 4001.0};
-    result.transferFunction.points = {{1000.0, 0xFFFFFF, 0.0}, {1900.0, 0xFFFFFF, 0.9}};
-    return result;
-}
-
-/// One that looks the same wherever it is, but for its light.
-SceneSurface plainLook()
-{
-    SceneSurface look;
-    look.colours.rgb = 0x4080E0;
-    look.colours.markOpacity = 0.0f;
-    look.behindOpacity = 0.0f;
-    return look;
-}
 
 core::SimplexMesh sphereAt(const glm::dvec3& centreLps, double radius, int cuts = 4)
 {
@@ -159,9 +129,9 @@ private Q_SLOTS:
     {
         QFETCH(int, mode);
         QFETCH(bool, orthographic);
-        open(nothing);
+        open(noMatter);
         show(sphereAt(sphereLps, radiusMm));
-        VolumeScene view = scene(RenderMode(mode));
+        VolumeScene view = sceneAlongY(RenderMode(mode));
         view.eyeLps = {120.0, -230.0, 90.0};
         view.orthographic = orthographic;
         const Frame frame = drawWith(view, plainLook());
@@ -183,9 +153,9 @@ private Q_SLOTS:
 
     void coarsePicturesLieWhereFineOnesDo()
     {
-        open(nothing);
+        open(noMatter);
         show(sphereAt(sphereLps, radiusMm));
-        const VolumeScene view = scene(RenderMode::Surface);
+        const VolumeScene view = sceneAlongY(RenderMode::Surface);
         FrameRequest request;
         request.view = 1;
         request.sizePixels = {600, 520};
@@ -218,7 +188,7 @@ private Q_SLOTS:
     {
         QFETCH(int, mode);
         open([](const glm::dvec3& lps) { return 1000.0 + 100.0 * (radiusMm - glm::length(lps)); });
-        const VolumeScene view = scene(RenderMode(mode));
+        const VolumeScene view = sceneAlongY(RenderMode(mode));
         const Frame plain = draw(view);
         // A scene that wants one where there is none.
         QVERIFY(*drawWith(view, plainLook()).rgba == *plain.rgba);
@@ -253,8 +223,8 @@ private Q_SLOTS:
     void matterAndItHideEachOther()
     {
         QFETCH(int, mode);
-        const VolumeScene view = scene(RenderMode(mode));
-        open(slab(-20.0, 20.0));
+        const VolumeScene view = sceneAlongY(RenderMode(mode));
+        open(slabBetween(-20.0, 20.0));
         const Frame matter = draw(view);
         QVERIFY(isLit(matter, size.x / 2, size.y / 2));
         // Behind the slab.
@@ -271,7 +241,7 @@ private Q_SLOTS:
         show(sphereAt({0.0, -31.0, 0.0}, 9.0));
         const Frame before = drawWith(view, plainLook());
         m_fixture.emplace();
-        open(nothing);
+        open(noMatter);
         show(sphereAt({0.0, -31.0, 0.0}, 9.0));
         const Frame alone = drawWith(view, plainLook());
         int covered = 0;
@@ -303,8 +273,8 @@ private Q_SLOTS:
     void translucentAsAsked()
     {
         QFETCH(int, mode);
-        const VolumeScene view = scene(RenderMode(mode));
-        open(slab(0.0, 12.0));
+        const VolumeScene view = sceneAlongY(RenderMode(mode));
+        open(slabBetween(0.0, 12.0));
         const Frame matter = draw(view);
         show(sphereAt({0.0, -20.0, 0.0}, 14.0));
         const Frame opaque = drawWith(view, plainLook());
@@ -322,13 +292,13 @@ private Q_SLOTS:
     void matterBeforeItLetsThroughWhatItDoes()
     {
         // Black matter, 5 % of a millimetre, 10 mm of it.
-        VolumeScene view = scene(RenderMode::Dvr);
+        VolumeScene view = sceneAlongY(RenderMode::Dvr);
         view.transferFunction.points = {{1990.0, 0x000000, 0.0}, {1995.0, 0x000000, 0.05}};
         open([](const glm::dvec3& lps) { return lps.y > -21.0 && lps.y < -10.0 ? 2000.0 : 0.0; });
         show(sphereAt({0.0, 10.0, 0.0}, 12.0));
         const Frame behind = drawWith(view, plainLook());
         m_fixture.emplace();
-        open(nothing);
+        open(noMatter);
         show(sphereAt({0.0, 10.0, 0.0}, 12.0));
         const Frame alone = drawWith(view, plainLook());
         const glm::ivec2 middle = size / 2;
@@ -341,9 +311,9 @@ private Q_SLOTS:
 
     void whatIsClippedIsNotSeen()
     {
-        open(nothing);
+        open(noMatter);
         show(sphereAt({0.0, 0.0, 0.0}, radiusMm));
-        const VolumeScene view = scene(RenderMode::Surface);
+        const VolumeScene view = sceneAlongY(RenderMode::Surface);
         const Frame whole = drawWith(view, plainLook());
         // The upper part.
         SceneSurface look = plainLook();
@@ -386,7 +356,7 @@ private Q_SLOTS:
 
     void marksHaveTheirColours()
     {
-        open(nothing);
+        open(noMatter);
         core::SimplexMesh mesh = sphereAt({0.0, 0.0, 0.0}, radiusMm);
         core::SimplexMeshEdit edit(mesh);
         for (const core::VertexId id : mesh.vertexIds()) {
@@ -398,7 +368,7 @@ private Q_SLOTS:
         }
         (void)edit.commit();
         show(mesh);
-        const VolumeScene view = scene(RenderMode::Surface);
+        const VolumeScene view = sceneAlongY(RenderMode::Surface);
         SceneSurface look = plainLook();
         look.colours.markOpacity = 1.0f;
         const Frame frame = drawWith(view, look);
@@ -434,7 +404,7 @@ private Q_SLOTS:
     {
         // Grey that rises from left to right.
         open([](const glm::dvec3& lps) { return 900.0 + 10.0 * lps.x; });
-        VolumeScene view = scene(RenderMode::Surface);
+        VolumeScene view = sceneAlongY(RenderMode::Surface);
         view.surfaceThreshold = 60000.0; // nothing of the volume itself
         show(sphereAt({0.0, 0.0, 0.0}, radiusMm));
         SceneSurface look = plainLook();
@@ -456,9 +426,9 @@ private Q_SLOTS:
 
     void wiresAreThinAndLeaveRoom()
     {
-        open(nothing);
+        open(noMatter);
         show(sphereAt({0.0, 0.0, 0.0}, 30.0, 2));
-        const VolumeScene view = scene(RenderMode::Surface);
+        const VolumeScene view = sceneAlongY(RenderMode::Surface);
         SceneSurface look = plainLook();
         const Frame full = drawWith(view, look);
         look.style = SurfaceStyle::Wireframe;
@@ -479,8 +449,8 @@ private Q_SLOTS:
 
     void aPartGivesThePictureOfAWhole()
     {
-        open(nothing);
-        const VolumeScene view = scene(RenderMode::Surface);
+        open(noMatter);
+        const VolumeScene view = sceneAlongY(RenderMode::Surface);
         core::SimplexMesh mesh = sphereAt({0.0, 0.0, 0.0}, radiusMm);
         show(mesh);
         const Frame first = drawWith(view, plainLook());
@@ -533,8 +503,8 @@ private Q_SLOTS:
 
     void manyPartsAddUp()
     {
-        open(nothing);
-        const VolumeScene view = scene(RenderMode::Surface);
+        open(noMatter);
+        const VolumeScene view = sceneAlongY(RenderMode::Surface);
         core::SimplexMesh mesh = sphereAt({0.0, 0.0, 0.0}, radiusMm, 3);
         show(mesh);
         (void)drawWith(view, plainLook());
@@ -565,7 +535,7 @@ private Q_SLOTS:
     void amongPiecesAndSeeds()
     {
         // With all that needs another program: it is seen in each.
-        open(slab(8.0, 14.0));
+        open(slabBetween(8.0, 14.0));
         reference::DenseFields fields(glm::ivec3(70));
         auto& coverage = fields.coverage(2);
         for (int z = 20; z < 50; ++z)
@@ -575,7 +545,7 @@ private Q_SLOTS:
         m_fixture->put(fields);
         show(sphereAt({0.0, -14.0, 0.0}, 12.0));
         for (int mode = 0; mode < int(renderModes); ++mode) {
-            VolumeScene view = scene(RenderMode(mode));
+            VolumeScene view = sceneAlongY(RenderMode(mode));
             const Frame alone = drawWith(view, plainLook());
             ScenePiece lifted;
             lifted.id = 1;
@@ -631,7 +601,7 @@ private Q_SLOTS:
         show(mesh);
         for (int mode = 0; mode < int(renderModes); ++mode) {
             for (const int style : {0, 1, 2, 3, 4}) {
-                VolumeScene view = scene(RenderMode(mode));
+                VolumeScene view = sceneAlongY(RenderMode(mode));
                 view.eyeLps = {90.0, -200.0, 80.0};
                 view.heightMm = 70.0;
                 view.surfaceThreshold = 1300.0;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GrowthPanel.h"
 
-#include "core/edits/kinds/EditKinds.h"
-#include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
@@ -13,6 +11,7 @@
 #include "ui/models/SegmentListModel.h"
 #include "ui/overlays/SeedBand.h"
 #include "ui/panels/growth/GenerationSection.h"
+#include "ui/panels/growth/GenerationText.h"
 #include "ui/panels/growth/GrowCriteriaSection.h"
 #include "ui/panels/growth/LeakSection.h"
 #include "ui/panels/growth/SeedInterval.h"
@@ -63,23 +62,6 @@ bool everySegmentLocked(const core::Document& document)
     return !document.segments.empty()
         && std::all_of(document.segments.begin(), document.segments.end(),
             [](const core::Segment& segment) { return segment.locked; });
-}
-
-// What the last row did to a growth: the generation that it came to, and how many voxels.
-
-QString whatItDid(const core::GrowSteps&)
-{
-    return GrowthPanel::tr("Generation %1 · added %2");
-}
-
-QString whatItDid(const core::ShrinkSteps&)
-{
-    return GrowthPanel::tr("Generation %1 · taken back %2");
-}
-
-QString whatItDid(const core::ChangeInterval&)
-{
-    return GrowthPanel::tr("Generation %1 · changed by %2");
 }
 
 } // namespace
@@ -502,15 +484,7 @@ QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
     const core::History& history = session->history();
     const core::HistoryRow* row =
         progress.open || history.position() == 0 ? nullptr : &history.row(history.position());
-    const auto told = [&](const QString& text) {
-        return text.arg(
-            countText(generation), millilitreText(row->statistics.voxelsChanged, voxelMm3));
-    };
-    QString text = tr("Generation %1").arg(countText(generation));
-    if (row)
-        core::visitAmong([&](const auto& known) { text = told(whatItDid(known)); }, row->edit,
-            core::EditKinds<core::GrowSteps, core::ShrinkSteps, core::ChangeInterval>());
-    return text;
+    return generationText(generation, row, voxelMm3);
 }
 
 } // namespace ui

@@ -2,7 +2,6 @@
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/AddSegment.h"
-#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
@@ -55,22 +54,6 @@ public:
         for (int i = 1; i < 38; ++i)
             pen.move(at(i), 0.5, m_milliseconds += 8);
         pen.release(at(38), m_milliseconds += 8);
-    }
-    [[nodiscard]] std::int64_t carvedVoxels()
-    {
-        std::int64_t count = 0;
-        std::vector<core::BrickKey> keys;
-        const core::BrickGrid grid{workspace.volume()->geometry.size};
-        for (int brick = 0; brick < grid.brickCount(); ++brick)
-            keys.push_back({core::Field::Coverage, 1, std::uint32_t(brick)});
-        session().questions().bricks(
-            std::move(keys), [&count](const core::Result<std::vector<core::BrickImage>>& bricks) {
-                for (const core::BrickImage& brick : *bricks)
-                    count += std::count_if(brick.bytes.read().begin(), brick.bytes.read().end(),
-                        [](std::uint8_t coverage) { return coverage >= 128; });
-            });
-        session().poll();
-        return count;
     }
 
     ui::PeelTool peel;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/sculpt/DrillTool.h"
 
 #include "core/edits/EditJson.h"
@@ -40,22 +39,6 @@ public:
     }
     [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] QPointF middle() const { return QPointF(view.width(), view.height()) / 2.0; }
-    [[nodiscard]] std::int64_t carvedVoxels()
-    {
-        std::int64_t count = 0;
-        std::vector<core::BrickKey> keys;
-        const core::BrickGrid grid{workspace.volume()->geometry.size};
-        for (int brick = 0; brick < grid.brickCount(); ++brick)
-            keys.push_back({core::Field::Coverage, 1, std::uint32_t(brick)});
-        session().questions().bricks(
-            std::move(keys), [&count](const core::Result<std::vector<core::BrickImage>>& bricks) {
-                for (const core::BrickImage& brick : *bricks)
-                    count += std::count_if(brick.bytes.read().begin(), brick.bytes.read().end(),
-                        [](std::uint8_t coverage) { return coverage >= 128; });
-            });
-        session().poll();
-        return count;
-    }
 
     ui::DrillTool tool;
     ui::VolumeView& view;

@@ -10,6 +10,7 @@
 #include "core/recipe/Recipe.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallDocument.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -20,32 +21,13 @@
 
 using namespace core;
 
-namespace {
-
-/// 20 × 16 × 10 voxels of 0.5 × 0.5 × 2 mm, rotated so that i runs to the right (−x) and k down;
-/// value = 0.25 · code − 1024.
-Document smallDocument()
-{
-    Volume volume;
-    volume.geometry.size = {20, 16, 10};
-    volume.geometry.indexToWorld = glm::dmat4(glm::dvec4(-0.5, 0, 0, 0), glm::dvec4(0, 0.5, 0, 0),
-        glm::dvec4(0, 0, -2, 0), glm::dvec4(100, -50, 30, 1));
-    volume.encoding = {.rescaleSlope = 0.25, .rescaleIntercept = -1024};
-    Document document = initialDocument(volume);
-    for (int i = 0; i < 3; ++i)
-        static_cast<void>(applyToDocument(test::newSegment(QStringLiteral("S")), document));
-    return document;
-}
-
-} // namespace
-
 class GrowthEditsTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void cutsNameVoxelsAndWhatIsLocked()
     {
-        Document document = smallDocument();
+        Document document = test::smallDocument();
         document.segments[1].locked = true;
         ShrinkAt shrink{.pointsLps = {{100 - 0.5 * 3, -50 + 0.5 * 4, 30 - 2.0 * 5}}};
         Result<CutGrowth> cut = cutGrowth(shrink, document);
@@ -75,7 +57,7 @@ private Q_SLOTS:
     {
         GrowSteps grow{.criteria = {.lower = 0.0, .upper = 10.0}, .guard = {.factor = 1.5}};
         grow.guard.voxels = 7; // as recipes of before have it
-        Result<GrowBurst> burst = growBurst(grow, smallDocument());
+        Result<GrowBurst> burst = growBurst(grow, test::smallDocument());
         QVERIFY(burst && burst->guard);
         QCOMPARE(burst->guard->factor256, 384);
         QCOMPARE(burst->guard->excess, std::int64_t(7));
@@ -85,7 +67,7 @@ private Q_SLOTS:
         grow.guard.voxels.reset();
         grow.guard.areaMm2 = 12.5;
         grow.guard.backMm = 7.25;
-        burst = growBurst(grow, smallDocument());
+        burst = growBurst(grow, test::smallDocument());
         QVERIFY(burst && burst->guard && burst->guard->measure);
         QCOMPARE(burst->guard->excess, std::int64_t(12500000));
         QCOMPARE(burst->guard->window, std::int64_t(7250));
@@ -99,11 +81,11 @@ private Q_SLOTS:
         QCOMPARE(areas[7], std::int64_t(1436140));
         QCOMPARE(burst->guard->measure->volumeUm3, std::int64_t(500000000));
         grow.guard.factor.reset();
-        QVERIFY(!growBurst(grow, smallDocument())->guard);
+        QVERIFY(!growBurst(grow, test::smallDocument())->guard);
     }
     void seedsLandOnTheNearestVoxelOnce()
     {
-        const Document document = smallDocument();
+        const Document document = test::smallDocument();
         const SeedStroke stroke{.segment = 2,
             .pointsLps = {{100 - 0.5 * 3, -50 + 0.5 * 4, 30 - 2.0 * 5},
                 {100 - 0.5 * 3 + 0.2, -50 + 0.5 * 4 - 0.2, 30 - 2.0 * 5 + 0.9}, {100, -50, 30},
@@ -132,7 +114,7 @@ private Q_SLOTS:
         const Result<Recipe> recipe = readRecipe(file.fileName());
         QVERIFY2(recipe, recipe ? "" : qPrintable(recipe.error().arguments.join(u'\n')));
         QCOMPARE(recipe->steps.size(), std::size_t(4));
-        const Document document = smallDocument();
+        const Document document = test::smallDocument();
         std::vector<Result<SeedPlacement>> placements;
         for (const RecipeStep& step : recipe->steps)
             placements.push_back(seedPlacement(std::get<Edit>(step).get<SeedStroke>(), document));
@@ -155,7 +137,7 @@ private Q_SLOTS:
 
     void seedsOutsideAreRefusedWithTheirPoint()
     {
-        const Document document = smallDocument();
+        const Document document = test::smallDocument();
         for (const glm::dvec3& point : {glm::dvec3(100.26, -50, 30), glm::dvec3(100, -50, 31.1),
                  glm::dvec3(100 - 0.5 * 19.6, -50, 30)}) {
             const Result<SeedPlacement> placement =
@@ -168,7 +150,7 @@ private Q_SLOTS:
 
     void seedsNeedTheirSegment()
     {
-        Document document = smallDocument();
+        Document document = test::smallDocument();
         const SeedStroke stroke{.segment = 9, .pointsLps = {{100, -50, 30}}};
         QCOMPARE(seedPlacement(stroke, document).error().code, ErrorCode::UnknownSegment);
         document.segment(1)->locked = true;
@@ -180,7 +162,7 @@ private Q_SLOTS:
 
     void aGrowthNeedsOneSegmentThatIsNotLocked()
     {
-        Document document = smallDocument();
+        Document document = test::smallDocument();
         for (Segment& segment : document.segments)
             segment.locked = true;
         const Result<GrowBurst> refused =
@@ -193,7 +175,7 @@ private Q_SLOTS:
 
     void boundsAreInclusive()
     {
-        const Document document = smallDocument();
+        const Document document = test::smallDocument();
         const Result<GrowBurst> burst =
             growBurst(GrowSteps{.criteria = {.lower = -1023.75, .upper = -1023.0}}, document);
         QVERIFY(burst);
@@ -207,7 +189,7 @@ private Q_SLOTS:
 
     void overwritingSparesLockedSegments()
     {
-        Document document = smallDocument();
+        Document document = test::smallDocument();
         document.segment(2)->locked = true;
         document.growths.front().generation = 17;
         QVERIFY(growBurst(GrowSteps{.criteria = {.lower = 0, .upper = 1}}, document)
@@ -222,11 +204,11 @@ private Q_SLOTS:
     void boundsMustNotCross()
     {
         const Result<GrowBurst> burst =
-            growBurst(GrowSteps{.criteria = {.lower = 2, .upper = 1}}, smallDocument());
+            growBurst(GrowSteps{.criteria = {.lower = 2, .upper = 1}}, test::smallDocument());
         QVERIFY(!burst);
         QCOMPARE(burst.error().code, ErrorCode::InvalidField);
-        QVERIFY(!growBurst(
-            GrowSteps{.criteria = {.lower = 0, .upper = 1, .connectivity = 14}}, smallDocument()));
+        QVERIFY(!growBurst(GrowSteps{.criteria = {.lower = 0, .upper = 1, .connectivity = 14}},
+            test::smallDocument()));
     }
 
     void segmentsAreNumberedInOrder()
@@ -244,7 +226,7 @@ private Q_SLOTS:
 
     void changingSaysWhetherAnythingChanged()
     {
-        Document document = smallDocument();
+        Document document = test::smallDocument();
         const ChangeSegment rename{.segment = 2, .name = QStringLiteral("Bone"), .rgb = 0x112233};
         QVERIFY(*applyToDocument(rename, document));
         QCOMPARE(document.segment(2)->name, QStringLiteral("Bone"));
@@ -256,7 +238,7 @@ private Q_SLOTS:
 
     void theHashedStateKnowsNoDisplayState()
     {
-        Document document = smallDocument();
+        Document document = test::smallDocument();
         const QJsonObject before = document.hashedState();
         document.segment(1)->visible = false;
         document.segment(1)->voxels = 12;

@@ -4,30 +4,11 @@
 #include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallDocument.h"
 
 #include <QTest>
 
 using namespace core;
-
-namespace {
-
-/// 20 × 16 × 10 voxels of 0.5 × 0.5 × 2 mm, rotated so that i runs to the right (−x) and k down;
-/// value = 0.25 · code − 1024.
-Document smallDocument()
-{
-    Volume volume;
-    volume.geometry.size = {20, 16, 10};
-    volume.geometry.indexToWorld = glm::dmat4(glm::dvec4(-0.5, 0, 0, 0), glm::dvec4(0, 0.5, 0, 0),
-        glm::dvec4(0, 0, -2, 0), glm::dvec4(100, -50, 30, 1));
-    volume.encoding = {.rescaleSlope = 0.25, .rescaleIntercept = -1024};
-    Document document = initialDocument(volume);
-    for (int i = 0; i < 3; ++i)
-        static_cast<void>(applyToDocument(test::newSegment(QStringLiteral("S")), document));
-    return document;
-}
-
-} // namespace
 
 class SpreadEditsTest : public QObject {
     Q_OBJECT
@@ -35,7 +16,7 @@ class SpreadEditsTest : public QObject {
 private Q_SLOTS:
     void growingFromSeedsIsToldInCodes()
     {
-        Document document = smallDocument();
+        Document document = test::smallDocument();
         document.volumes.front().minimum = -1000.0;
         document.volumes.front().maximum = 1000.0;
         Result<SpreadLabels> spread = spreadLabels(GrowFromSeeds{}, document);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/GenerationText.h"
+
+#include "core/edits/kinds/EditKinds.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "ui/base/CountText.h"
+#include "ui/models/SegmentListModel.h"
+
+#include <QObject>
+
+namespace ui {
+
+namespace {
+
+QString whatItDid(const core::GrowSteps&)
+{
+    return QObject::tr("Generation %1 · added %2");
+}
+
+QString whatItDid(const core::ShrinkSteps&)
+{
+    return QObject::tr("Generation %1 · taken back %2");
+}
+
+QString whatItDid(const core::ChangeInterval&)
+{
+    return QObject::tr("Generation %1 · changed by %2");
+}
+
+} // namespace
+
+QString generationText(std::uint32_t generation, const core::HistoryRow* row, double voxelMm3)
+{
+    using Telling = core::EditKinds<core::GrowSteps, core::ShrinkSteps, core::ChangeInterval>;
+    QString text = QObject::tr("Generation %1").arg(countText(generation));
+    const auto tell = [&](const auto& known) {
+        text = whatItDid(known).arg(
+            countText(generation), millilitreText(row->statistics.voxelsChanged, voxelMm3));
+    };
+    if (row)
+        core::visitAmong(tell, row->edit, Telling());
+    return text;
+}
+
+} // namespace ui

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/history/History.h"
+
+#include <QString>
+
+#include <cstdint>
+
+namespace ui {
+
+/// Where a growth stands, and what its last row did: "Generation 12 · added 3.4 ml".
+/// @param row the last one; null: a growth is under way, or nothing was done
+[[nodiscard]] QString generationText(
+    std::uint32_t generation, const core::HistoryRow* row, double voxelMm3);
+
+} // namespace ui
