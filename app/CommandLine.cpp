@@ -104,11 +104,11 @@ int runCommandLine(int argc, char** argv)
             if (arguments.askForHelp())
                 std::printf("%s", qUtf8Printable(arguments.helpText()));
             else if (!arguments.problem().isEmpty())
-                status = tellUsage(command.name, arguments.problem());
+                status = reportUsageError(command.name, arguments.problem());
             else
                 status = command.run(arguments);
         });
-        return ran ? status : tellFailure(ran.error());
+        return ran ? status : reportFailure(ran.error());
     }
     if (std::strcmp(verb, "--version") == 0) {
         std::printf("burin %s\n", BURIN_VERSION);

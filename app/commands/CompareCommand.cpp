@@ -67,7 +67,7 @@ void print(const QString& segment, const QString& reference, const core::MaskCom
         qUtf8Printable(text(hausdorff, "mm")));
 }
 
-void tellNotes(const QString& path, const QStringList& notes)
+void reportNotes(const QString& path, const QStringList& notes)
 {
     for (const QString& note : notes)
         std::fprintf(stderr, "%s: %s\n", qUtf8Printable(path), qUtf8Printable(note));
@@ -96,25 +96,25 @@ int runCompare(const Arguments& arguments)
 {
     const QStringList paths = arguments.rest();
     if (paths.size() != 2 || !arguments.has("study"))
-        return tellUsage(
+        return reportUsageError(
             "compare", QStringLiteral("it needs two masks and --study, whose grid they lie on"));
     const QString study = arguments.value("study");
     const auto loaded = core::loadVolume(study, seriesOf(arguments));
     if (!loaded)
-        return tellFailure(loaded.error());
-    tellProblems(loaded->volume, study);
+        return reportFailure(loaded.error());
+    reportProblems(loaded->volume, study);
     const core::Result<Compared> both = readBoth(paths, loaded->volume);
     if (!both)
-        return tellFailure(both.error());
-    tellNotes(paths[0], both->mask.notes);
-    tellNotes(paths[1], both->reference.notes);
+        return reportFailure(both.error());
+    reportNotes(paths[0], both->mask.notes);
+    reportNotes(paths[1], both->reference.notes);
 
     const std::vector<core::MaskSegment>& segments = both->mask.segments;
     const std::vector<core::MaskSegment>& references = both->reference.segments;
     const std::vector<core::SegmentPair> pairs = core::segmentPairs(segments, references,
         {.segment = arguments.value("segment"), .reference = arguments.value("reference")});
     if (pairs.empty())
-        return tellFailure({.code = core::ErrorCode::UnsupportedFormat,
+        return reportFailure({.code = core::ErrorCode::UnsupportedFormat,
             .arguments = {paths[0],
                 QStringLiteral("its segments (%1) have no counterpart in %2 (%3); --segment and "
                                "--reference say which belong together")
@@ -125,7 +125,7 @@ int runCompare(const Arguments& arguments)
         const core::Result<core::MaskComparison> comparison = core::compareMasks(
             segment.voxels, reference.voxels, loaded->volume.geometry, core::Progress());
         if (!comparison)
-            return tellFailure(comparison.error());
+            return reportFailure(comparison.error());
         print(segment.name, reference.name, *comparison, arguments.has("json"));
     }
     return 0;

@@ -14,7 +14,7 @@ namespace {
 int runDemo(const Arguments& arguments)
 {
     if (arguments.rest().size() != 1)
-        return tellUsage("demo", QStringLiteral("it needs one folder"));
+        return reportUsageError("demo", QStringLiteral("it needs one folder"));
     const QString& folder = arguments.rest().first();
     const auto written = core::makeDemoStudy({}).and_then(
         [&](const core::DemoStudy& study) { return core::writeDemoStudy(folder, study); });

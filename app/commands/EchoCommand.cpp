@@ -16,11 +16,11 @@ int runEcho(const Arguments& arguments)
 {
     const core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
-        return tellUsage("echo", ui::errorText(source.error()));
+        return reportUsageError("echo", ui::errorText(source.error()));
     if (arguments.rest().size() > 1)
-        return tellUsage("echo", QStringLiteral("one source at a time"));
+        return reportUsageError("echo", QStringLiteral("one source at a time"));
     if (const core::Result<void> answered = core::echoNode(*source, core::Progress()); !answered)
-        return tellFailure(answered.error());
+        return reportFailure(answered.error());
     if (arguments.has("json"))
         printJsonLine({{QStringLiteral("node"), source->address()}});
     else

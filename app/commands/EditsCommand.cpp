@@ -80,7 +80,7 @@ void printJson(const std::vector<core::EditDocumentation>& edits)
 int runEdits(const Arguments& arguments)
 {
     if (!arguments.rest().isEmpty())
-        return tellUsage(
+        return reportUsageError(
             "edits", QStringLiteral("unknown argument '%1'").arg(arguments.rest().first()));
     (arguments.has("json") ? printJson : printText)(core::recipeStepDocumentation());
     return 0;

@@ -65,7 +65,7 @@ void print(const core::SeriesHit& hit)
         qUtf8Printable(countText(hit.instances, "images")), qUtf8Printable(hit.seriesUid));
 }
 
-template <class Hit> void tell(const std::vector<Hit>& hits, bool asJson)
+template <class Hit> void printHits(const std::vector<Hit>& hits, bool asJson)
 {
     for (const Hit& hit : hits) {
         if (asJson)
@@ -80,8 +80,8 @@ int findSeriesOf(const core::PacsSource& source, const QString& studyUid, bool a
     const core::Result<std::vector<core::SeriesHit>> found =
         core::findSeries(source, studyUid, core::Progress());
     if (!found)
-        return tellFailure(found.error());
-    tell(*found, asJson);
+        return reportFailure(found.error());
+    printHits(*found, asJson);
     return 0;
 }
 
@@ -89,16 +89,16 @@ int runFind(const Arguments& arguments)
 {
     const core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
-        return tellUsage("find", ui::errorText(source.error()));
+        return reportUsageError("find", ui::errorText(source.error()));
     if (arguments.rest().size() > 1)
-        return tellUsage("find", QStringLiteral("one source at a time"));
+        return reportUsageError("find", QStringLiteral("one source at a time"));
     const bool asJson = arguments.has("json");
     if (arguments.has("study"))
         return findSeriesOf(*source, arguments.value("study"), asJson);
     constexpr int usualMost = 500;
     const int most = arguments.has("most") ? arguments.value("most").toInt() : usualMost;
     if (most < 1)
-        return tellUsage("find", QStringLiteral("--most takes a number from 1"));
+        return reportUsageError("find", QStringLiteral("--most takes a number from 1"));
     const core::StudyFilter filter{.patientName = arguments.value("patient-name"),
         .patientId = arguments.value("patient-id"),
         .studyDate = arguments.value("date"),
@@ -109,8 +109,8 @@ int runFind(const Arguments& arguments)
     const core::Result<core::HitList<core::StudyHit>> found =
         core::findStudies(*source, filter, most, core::Progress());
     if (!found)
-        return tellFailure(found.error());
-    tell(found->hits, asJson);
+        return reportFailure(found.error());
+    printHits(found->hits, asJson);
     if (found->more)
         std::fprintf(stderr, "burin: there are more than %d studies; --most shows more\n", most);
     return 0;

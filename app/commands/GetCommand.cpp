@@ -16,24 +16,24 @@ int runGet(const Arguments& arguments)
 {
     core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
-        return tellUsage("get", ui::errorText(source.error()));
+        return reportUsageError("get", ui::errorText(source.error()));
     if (arguments.rest().size() > 1)
-        return tellUsage("get", QStringLiteral("one source at a time"));
+        return reportUsageError("get", QStringLiteral("one source at a time"));
     if (!arguments.has("study") || !arguments.has("to"))
-        return tellUsage("get", QStringLiteral("--study UID and --to FOLDER are needed"));
+        return reportUsageError("get", QStringLiteral("--study UID and --to FOLDER are needed"));
     if (arguments.has("move")) {
         if (source->isWeb())
-            return tellUsage("get", QStringLiteral("--move is for DICOM nodes"));
+            return reportUsageError("get", QStringLiteral("--move is for DICOM nodes"));
         source->movePort = arguments.value("move").toInt();
         if (*source->movePort < 1 || *source->movePort > 65535)
-            return tellUsage("get", QStringLiteral("--move takes a port"));
+            return reportUsageError("get", QStringLiteral("--move takes a port"));
     }
     const QString folder = arguments.value("to");
     const core::Result<core::Retrieved> done = core::retrieve(*source,
         {.studyUid = arguments.value("study"), .seriesUid = arguments.value("series")}, folder,
         core::Progress());
     if (!done)
-        return tellFailure(done.error());
+        return reportFailure(done.error());
     if (arguments.has("json")) {
         printJsonLine({{QStringLiteral("folder"), folder},
             {QStringLiteral("received"), done->received}, {QStringLiteral("kept"), done->kept}});

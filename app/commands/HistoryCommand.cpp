@@ -44,19 +44,19 @@ int writeReport(const QString& path, const QString& target, bool force)
     // A report also tells of a damaged session what is left of it.
     const auto opened = core::SessionFile::open(path, core::SessionFile::Access::SoundPart);
     if (!opened)
-        return tellFailure(opened.error());
+        return reportFailure(opened.error());
     core::SessionFile& file = **opened;
     core::Result<core::AuditReport> report;
     file.audit([&report](const core::Result<core::AuditReport>& made) { report = made; });
     if (const core::Result<void> waited = file.flush(); !waited)
-        return tellFailure(waited.error());
+        return reportFailure(waited.error());
     if (!report)
-        return tellFailure(report.error());
+        return reportFailure(report.error());
     if (const core::Result<void> written = ui::writeAudit(*report, target, force); !written)
-        return tellFailure(written.error());
+        return reportFailure(written.error());
     // A report of damage is a report, but nobody should take it for a clean one.
     for (const core::Error& error : report->damage)
-        tellFailure(error);
+        reportFailure(error);
     return report->damage.empty() ? 0 : 1;
 }
 
@@ -80,7 +80,7 @@ int writeDeidentified(
 {
     const core::Result<core::SessionContents> contents = core::checkSession(path);
     if (!contents)
-        return tellFailure(contents.error());
+        return reportFailure(contents.error());
     core::StudyIdentity patient;
     const core::Result<core::LoadedVolume> study = core::loadSessionStudy(path, contents->source);
     if (study)
@@ -93,7 +93,7 @@ int writeDeidentified(
     const auto done =
         core::deidentifySession(path, target, force, core::Deidentifier(options, patient));
     if (!done)
-        return tellFailure(done.error());
+        return reportFailure(done.error());
     printJsonLine({{QStringLiteral("export"), target},
         {QStringLiteral("written"), done->join(QLatin1Char(' '))}});
     return 0;
@@ -102,34 +102,35 @@ int writeDeidentified(
 int runHistory(const Arguments& arguments)
 {
     if (arguments.rest().size() != 1)
-        return tellUsage("history", QStringLiteral("it needs one session file"));
+        return reportUsageError("history", QStringLiteral("it needs one session file"));
     const bool asJson = arguments.has("json");
     const bool asRecipe = arguments.has("as-recipe");
     const QString target = arguments.value("report");
     if (int(asJson) + int(asRecipe) + int(!target.isEmpty()) > 1)
-        return tellUsage(
+        return reportUsageError(
             "history", QStringLiteral("--json, --as-recipe and --report exclude each other"));
     if (!target.isEmpty() && !ui::auditNameProblem(target).isEmpty())
-        return tellUsage("history", QStringLiteral("--report: ") + ui::auditNameProblem(target));
+        return reportUsageError(
+            "history", QStringLiteral("--report: ") + ui::auditNameProblem(target));
 
     const QString path = arguments.rest().first();
     if (arguments.has("deidentified")) {
         const auto options = datesFrom(arguments.value("dates"));
         if (!options)
-            return tellUsage("history",
+            return reportUsageError("history",
                 QStringLiteral("--dates is remove, keep or a number of days to shift them by"));
         return writeDeidentified(
             path, arguments.value("deidentified"), arguments.has("force"), *options);
     }
     if (arguments.has("dates"))
-        return tellUsage("history", QStringLiteral("--dates is for --deidentified"));
+        return reportUsageError("history", QStringLiteral("--dates is for --deidentified"));
     if (!target.isEmpty())
         return writeReport(path, target, arguments.has("force"));
     const core::Result<core::SessionContents> checked = core::checkSession(path);
     if (!checked)
-        return tellFailure(checked.error());
+        return reportFailure(checked.error());
     const core::SessionContents& contents = *checked;
-    tellProblems(path, contents);
+    reportProblems(path, contents);
     const int status = contents.damage ? 1 : 0;
     if (!asJson && !asRecipe) {
         printTable(contents);

@@ -166,7 +166,7 @@ bool forEachVolume(const Asked& asked,
             const core::VolumeFacts facts = core::volumeFacts(asked.study, entry, asked.repair);
             if (failed(facts)) {
                 sound = false;
-                tellFailure(facts.loaded.error());
+                reportFailure(facts.loaded.error());
             }
             visit(one, facts);
         }
@@ -339,24 +339,24 @@ int printGraphics()
 int runInfo(const Arguments& arguments)
 {
     if (const QString wrong = spacingProblem(arguments); !wrong.isEmpty())
-        return tellUsage("info", wrong);
+        return reportUsageError("info", wrong);
     const QStringList& paths = arguments.rest();
     if (arguments.has("gl")) {
         if (arguments.optionCount() > 1 || !paths.isEmpty())
-            return tellUsage("info", QStringLiteral("--gl stands alone"));
+            return reportUsageError("info", QStringLiteral("--gl stands alone"));
         return printGraphics();
     }
     if (paths.size() != 1)
-        return tellUsage("info",
+        return reportUsageError("info",
             paths.isEmpty() ? QStringLiteral("PATH is missing")
                             : QStringLiteral("unexpected argument '%1'").arg(paths[1]));
     const core::Result<core::Study> study = core::Study::scan(paths.front());
     if (!study)
-        return tellFailure(study.error());
+        return reportFailure(study.error());
     const core::SeriesChoice choice = study->listing().choice(seriesOf(arguments));
     const Asked asked{.study = *study, .series = choice.series, .repair = choice.repair};
     if (!asked.series.isEmpty() && study->listing().matching(asked.series).empty())
-        return tellFailure(
+        return reportFailure(
             {core::ErrorCode::SeriesNotFound, {paths.front(), arguments.value("series")}});
     return arguments.has("json") ? printJson(asked) : printText(asked);
 }

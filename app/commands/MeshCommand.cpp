@@ -100,12 +100,13 @@ void print(const QString& segment, const Facts& facts, bool asJson)
 int runMesh(const Arguments& arguments)
 {
     if (arguments.rest().size() != 1 || !arguments.has("study") || !arguments.has("out"))
-        return tellUsage("mesh", QStringLiteral("it needs a mask, --study and --out"));
+        return reportUsageError("mesh", QStringLiteral("it needs a mask, --study and --out"));
     const QString maskPath = arguments.rest().front();
     const QString out = arguments.value("out");
     const Writer write = writerFor(out);
     if (!write)
-        return tellUsage("mesh", QStringLiteral("--out must end with .ply, .stl, .obj or .glb"));
+        return reportUsageError(
+            "mesh", QStringLiteral("--out must end with .ply, .stl, .obj or .glb"));
     constexpr int fewest = 100;
     constexpr int most = 400'000;
     bool isNumber = true;
@@ -113,21 +114,21 @@ int runMesh(const Arguments& arguments)
     if (arguments.has("vertices"))
         vertices = arguments.value("vertices").toInt(&isNumber);
     if (!isNumber || (vertices && (*vertices < fewest || *vertices > most)))
-        return tellUsage("mesh",
+        return reportUsageError("mesh",
             QStringLiteral("--vertices must be a number from %1 to %2").arg(fewest).arg(most));
     const QString space = arguments.value("space").toUpper();
     if (arguments.has("space") && space != QLatin1String("LPS") && space != QLatin1String("RAS"))
-        return tellUsage("mesh", QStringLiteral("--space must be lps or ras"));
+        return reportUsageError("mesh", QStringLiteral("--space must be lps or ras"));
     const bool isRas = space == QLatin1String("RAS");
 
     const QString study = arguments.value("study");
     const auto loaded = core::loadVolume(study, seriesOf(arguments));
     if (!loaded)
-        return tellFailure(loaded.error());
-    tellProblems(loaded->volume, study);
+        return reportFailure(loaded.error());
+    reportProblems(loaded->volume, study);
     const auto mask = core::readMask(maskPath, loaded->volume, {});
     if (!mask)
-        return tellFailure(mask.error());
+        return reportFailure(mask.error());
     for (const QString& note : mask->notes)
         std::fprintf(stderr, "%s: %s\n", qUtf8Printable(maskPath), qUtf8Printable(note));
 
@@ -139,11 +140,11 @@ int runMesh(const Arguments& arguments)
             continue;
         const auto fit = core::measuredFit(segment.voxels, geometry, vertices, {});
         if (!fit)
-            return tellFailure(fit.error());
+            return reportFailure(fit.error());
         const core::SimplexMesh& mesh = fit->mesh;
         const core::Result<Facts> facts = factsOf(mesh, segment.voxels, geometry);
         if (!facts)
-            return tellFailure(facts.error());
+            return reportFailure(facts.error());
         core::MeshPart part = core::partOf(mesh, isRas ? glm::dvec3(-1, -1, 1) : glm::dvec3(1));
         part.name = segment.name;
         part.rgb = segment.rgb.value_or(core::usualSegmentColour(i));
@@ -152,22 +153,22 @@ int runMesh(const Arguments& arguments)
         print(segment.name, *facts, arguments.has("json"));
     }
     if (parts.empty())
-        return tellFailure({.code = core::ErrorCode::UnsupportedFormat,
+        return reportFailure({.code = core::ErrorCode::UnsupportedFormat,
             .arguments = {maskPath,
                 QStringLiteral("it has no segment '%1'").arg(arguments.value("segment"))}});
     core::Result<core::StagedFile> file = core::StagedFile::create(out, arguments.has("force"));
     if (!file)
-        return tellFailure(file.error());
+        return reportFailure(file.error());
     if (const auto written =
             write(file->path(), parts, isRas ? QStringLiteral("RAS") : QStringLiteral("LPS"));
         !written) {
         core::Error error = written.error();
         for (QString& argument : error.arguments)
             argument.replace(file->path(), out);
-        return tellFailure(error);
+        return reportFailure(error);
     }
     if (const core::Result<void> kept = file->commit(); !kept)
-        return tellFailure(kept.error());
+        return reportFailure(kept.error());
     return 0;
 }
 

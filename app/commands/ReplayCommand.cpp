@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/ReplayCommand.h"
 
-#include "app/end/ToldToEnd.h"
+#include "app/end/CommandTermination.h"
 #include "app/steps/Arguments.h"
 #include "app/steps/ExportFiles.h"
 #include "app/steps/JsonLine.h"
@@ -118,11 +118,11 @@ int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& 
     for (const core::RecipeExport& target : task.exports) {
         if (const Result<void> fits = core::checkExportTarget(target, volume.volume, task.force);
             !fits)
-            return tellFailure(fits.error());
+            return reportFailure(fits.error());
     }
     SteadySession steady;
     if (const Result<void> started = steady.start(); !started)
-        return tellFailure(started.error());
+        return reportFailure(started.error());
     const auto rowOf = [&recorded](core::RowId id) -> const core::HistoryRow& {
         return recorded.contents.rows[std::size_t(id - 1)];
     };
@@ -148,18 +148,18 @@ int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& 
         return begun;
     };
     if (const Result<void> begun = steady.open(begin, begin); !begun)
-        return tellFailure(begun.error());
+        return reportFailure(begun.error());
     const std::vector<core::RowId> rows = rowsOf(recorded.contents, task);
     int unfinished = 0;
     int damaged = 0;
     for (const core::RowId id : rows) {
         if (progress.cancelled())
-            return tellFailure({core::ErrorCode::Cancelled, {}});
+            return reportFailure({core::ErrorCode::Cancelled, {}});
         const core::HistoryRow& row = rowOf(id);
         const Result<void> done =
             steady.carryOut([&] { return replay(row, replayed, recorded, steady.session()); });
         if (!done)
-            return tellFailure(done.error());
+            return reportFailure(done.error());
         printAgreement(row, recorded, steady.session());
         replayed[id] = steady.session().history().position();
         unfinished += row.stateHash.isEmpty() ? 1 : 0;
@@ -174,7 +174,7 @@ int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& 
     if (const Result<void> exported =
             exportFiles(task.exports, steady, task.force, readStudy, progress);
         !exported)
-        return tellFailure(exported.error());
+        return reportFailure(exported.error());
     const bool lost = !task.to && recorded.contents.damage;
     return lost || (task.verify && damaged > 0) ? 1 : 0;
 }
@@ -273,37 +273,38 @@ QString readTask(const Arguments& arguments, const core::SessionContents& conten
 int runReplay(const Arguments& arguments)
 {
     if (arguments.rest().size() != 1)
-        return tellUsage("replay", QStringLiteral("it needs one session file"));
+        return reportUsageError("replay", QStringLiteral("it needs one session file"));
     if (!arguments.has("verify") && !arguments.has("export"))
-        return tellUsage("replay", QStringLiteral("--verify or --export is missing"));
+        return reportUsageError("replay", QStringLiteral("--verify or --export is missing"));
     for (const char* detail : {"format", "layer", "fill", "space", "deidentify", "deflated"}) {
         if (arguments.has(detail) && !arguments.has("export"))
-            return tellUsage(
+            return reportUsageError(
                 "replay", QStringLiteral("--%1 is for --export").arg(QLatin1String(detail)));
     }
 
     const QString path = arguments.rest().first();
     Result<core::SessionContents> contents = core::checkSession(path);
     if (!contents)
-        return tellFailure(contents.error());
+        return reportFailure(contents.error());
     const Recorded recorded{.path = path, .contents = *std::move(contents)};
     if (const Result<void> sound = checkSound(arguments, recorded); !sound)
-        return tellFailure(sound.error());
+        return reportFailure(sound.error());
     Task task;
     if (const QString problem = readTask(arguments, recorded.contents, task); !problem.isEmpty())
-        return tellUsage("replay", problem);
-    tellProblems(path, recorded.contents);
-    ToldToEnd told;
+        return reportUsageError("replay", problem);
+    reportProblems(path, recorded.contents);
+    CommandTermination termination;
     Result<core::LoadedVolume> volume = core::loadSessionStudy(path, recorded.contents.source,
-        arguments.value("study"), arguments.value("series"), told.progress());
+        arguments.value("study"), arguments.value("series"), termination.progress());
     if (!volume)
-        return told.status(tellFailure(volume.error()));
-    tellNotFromStudy(volume->notFromStudy, path);
+        return termination.status(reportFailure(volume.error()));
+    reportNotFromStudy(volume->notFromStudy, path);
     const auto readStudy = [&] {
         return core::loadSessionStudy(
             path, recorded.contents.source, arguments.value("study"), arguments.value("series"));
     };
-    return told.status(replayRows(recorded, *std::move(volume), task, readStudy, told.progress()));
+    return termination.status(
+        replayRows(recorded, *std::move(volume), task, readStudy, termination.progress()));
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/RunCommand.h"
 
-#include "app/end/ToldToEnd.h"
+#include "app/end/CommandTermination.h"
 #include "app/steps/Arguments.h"
 #include "app/steps/ExportFiles.h"
 #include "app/steps/RunKeyframes.h"
@@ -75,7 +75,7 @@ QString counted(const QMap<QString, int>& steps)
 
 /// What of a recipe is carried out on another study, told on stderr.
 /// @return what is left out; nothing where the user has to agree first
-std::optional<std::vector<core::RecipeElsewhere::LeftOut>> tellElsewhere(
+std::optional<std::vector<core::RecipeElsewhere::LeftOut>> reportElsewhere(
     const core::RecipeElsewhere& elsewhere, const core::Volume& volume, bool agreed)
 {
     const core::Recipe& recipe = elsewhere.recorded();
@@ -202,7 +202,7 @@ void closeSessions()
     core::closeSessionFiles({core::ErrorCode::Cancelled, {}});
 }
 
-int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
+int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& termination)
 {
     const QString file = arguments.value("session");
     const bool force = arguments.has("force");
@@ -210,44 +210,45 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
     const bool replaces = force && QFileInfo::exists(file);
     const QString place = replaces ? core::temporaryNameBeside(file) : file;
     if (const Result<void> beside = checkExportsBeside(recipe, file); !beside)
-        return tellFailure(beside.error());
+        return reportFailure(beside.error());
     std::optional<core::SessionContents> goesOn;
     if (arguments.has("append")) {
         Result<core::SessionContents> contents = core::checkSession(file);
         if (!contents)
-            return tellFailure(contents.error());
+            return reportFailure(contents.error());
         goesOn = *std::move(contents);
         if (!goesOn->leftOpen.isEmpty())
-            tellFailure({core::ErrorCode::SessionDamaged, {file, goesOn->leftOpen}});
+            reportFailure({core::ErrorCode::SessionDamaged, {file, goesOn->leftOpen}});
     }
     // What another study was recorded with may make no sense on this one.
     const QString repair =
         recipe.study && !arguments.has("apply-elsewhere") ? recipe.study->repair : QString();
-    Result<core::LoadedVolume> loaded = load(arguments, goesOn, told.progress(), repair);
+    Result<core::LoadedVolume> loaded = load(arguments, goesOn, termination.progress(), repair);
     if (!loaded)
-        return tellFailure(loaded.error());
-    tellNotFromStudy(loaded->notFromStudy, file);
-    tellProblems(loaded->volume, arguments.has("study") ? arguments.value("study") : file);
+        return reportFailure(loaded.error());
+    reportNotFromStudy(loaded->notFromStudy, file);
+    reportProblems(loaded->volume, arguments.has("study") ? arguments.value("study") : file);
     core::fillSurfaces(recipe, loaded->volume);
     const core::FileInUse sources(core::sourceFiles(loaded->volume), core::FileInUse::As::Study);
     const core::FileInUse masks(masksOf(recipe), core::FileInUse::As::Mask);
     if (!goesOn) {
         if (const Result<void> target = checkSessionTarget(file, force, false); !target)
-            return tellFailure(target.error());
+            return reportFailure(target.error());
     }
     const Result<QStringList> notes = core::readMasks(recipe, loaded->volume);
     if (!notes)
-        return tellFailure(notes.error());
+        return reportFailure(notes.error());
     for (const QString& note : *notes)
         std::fprintf(stderr, "%s\n", qUtf8Printable(note));
     std::optional<core::RecipeElsewhere> elsewhere;
     std::vector<core::RecipeElsewhere::LeftOut> leftOut;
     if (recipe.study && !recipe.study->differenceFrom(loaded->volume).isEmpty()) {
         elsewhere.emplace(recipe);
-        auto foretold = tellElsewhere(*elsewhere, loaded->volume, arguments.has("apply-elsewhere"));
-        if (!foretold)
+        auto reported =
+            reportElsewhere(*elsewhere, loaded->volume, arguments.has("apply-elsewhere"));
+        if (!reported)
             return 1;
-        leftOut = *std::move(foretold);
+        leftOut = *std::move(reported);
     }
     const auto fits = [&](const core::Document& document) {
         return core::checkRecipe(
@@ -255,12 +256,12 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
     };
     if (!goesOn) {
         if (const Result<void> fit = fits(core::initialDocument(loaded->volume)); !fit)
-            return tellFailure(fit.error(), recipeIfAtFault(fit.error(), recipe));
+            return reportFailure(fit.error(), recipeIfAtFault(fit.error(), recipe));
     }
 
     SteadySession steady;
     if (const Result<void> started = steady.start(); !started)
-        return tellFailure(started.error());
+        return reportFailure(started.error());
     SessionPlan plan;
     const core::SessionSource source = core::SessionSource::of(loaded->volume);
     const auto readStudy = [&source](const QString& session) {
@@ -273,7 +274,7 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
     bool isFirst = true;
     const auto first = [&](gpu::GpuEngine& engine) -> Result<SteadySession::Session> {
         if (!std::exchange(isFirst, false)) {
-            loaded = load(arguments, goesOn, told.progress(), repair);
+            loaded = load(arguments, goesOn, termination.progress(), repair);
             if (!loaded)
                 return tl::unexpected(loaded.error());
             if (!goesOn)
@@ -299,31 +300,31 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
         return opened;
     };
     if (const Result<void> opened = steady.open(first, again); !opened)
-        return tellFailure(goesOn ? opened.error() : ofTarget(opened.error(), place, file));
+        return reportFailure(goesOn ? opened.error() : ofTarget(opened.error(), place, file));
     openFile = steady.session().file();
-    told.setClosing([replaces, place, file] {
+    termination.setClosing([replaces, place, file] {
         closeSessions();
         if (replaces)
             keepUnfinished(place, file);
     });
-    const auto leaving = qScopeGuard([&told] { told.setClosing({}); });
+    const auto leaving = qScopeGuard([&termination] { termination.setClosing({}); });
     setOrigin(steady.session());
     const std::size_t rowsBefore = steady.rowCount();
     Result<void> done = goesOn ? fits(steady.session().document()) : Result<void>();
     if (done) {
         if (plan.damage)
-            tellFailure(*plan.damage);
+            reportFailure(*plan.damage);
         done = core::guarded([&] {
             RunKeyframes keyframes(steady);
             return elsewhere
-                ? carryOutElsewhere(*elsewhere, leftOut, steady, keyframes, told.progress())
-                : carryOut(recipe, steady, keyframes, told.progress());
+                ? carryOutElsewhere(*elsewhere, leftOut, steady, keyframes, termination.progress())
+                : carryOut(recipe, steady, keyframes, termination.progress());
         });
     }
     if (!done) {
-        told.setClosing({});
+        termination.setClosing({});
         const core::Error error = ofTarget(done.error(), place, file);
-        const int status = tellFailure(error, recipeIfAtFault(error, recipe));
+        const int status = reportFailure(error, recipeIfAtFault(error, recipe));
         // A line that was printed is a promise: what it tells of stays.
         const bool promised = steady.rowCount() > rowsBefore;
         steady.close();
@@ -337,11 +338,11 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
     }
     if (replaces) {
         // From here on it is the session of that name.
-        told.setClosing(closeSessions);
+        termination.setClosing(closeSessions);
         const Result<void> placed =
             steady.carryOut([&] { return steady.session().storage().rename(file); });
         if (!placed) {
-            const int status = tellFailure(placed.error());
+            const int status = reportFailure(placed.error());
             std::fprintf(stderr, "%s: the new session is in %s\n", qUtf8Printable(file),
                 qUtf8Printable(openFile));
             return status;
@@ -353,14 +354,14 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
         elsewhere ? elsewhere->exports() : recipe.exports;
     const Result<void> exported = core::guarded([&] {
         return exportFiles(
-            exports, steady, force, [&] { return readStudy(openFile); }, told.progress());
+            exports, steady, force, [&] { return readStudy(openFile); }, termination.progress());
     });
     if (!exported)
-        return tellFailure(exported.error());
-    told.setClosing({});
+        return reportFailure(exported.error());
+    termination.setClosing({});
     steady.close();
     if (const QString why = whyNotOneFile(openFile); !why.isEmpty())
-        return tellFailure({core::ErrorCode::FileUnwritable, {openFile, why}});
+        return reportFailure({core::ErrorCode::FileUnwritable, {openFile, why}});
     // The steps stand, but not where they were meant to.
     return goesOn && goesOn->positionLost ? 1 : 0;
 }
@@ -368,24 +369,25 @@ int run(core::Recipe recipe, const Arguments& arguments, ToldToEnd& told)
 int runRecipe(const Arguments& arguments)
 {
     if (arguments.rest().size() != 1)
-        return tellUsage("run", QStringLiteral("it needs one recipe"));
+        return reportUsageError("run", QStringLiteral("it needs one recipe"));
     if (const QString wrong = spacingProblem(arguments); !wrong.isEmpty())
-        return tellUsage("run", wrong);
+        return reportUsageError("run", wrong);
     const bool append = arguments.has("append");
     if (append && arguments.has("force"))
-        return tellUsage("run", QStringLiteral("--append and --force exclude each other"));
+        return reportUsageError("run", QStringLiteral("--append and --force exclude each other"));
     if (append && (arguments.has("repair") || arguments.has("spacing")))
-        return tellUsage("run",
+        return reportUsageError("run",
             QStringLiteral("--repair and --spacing are for a new session; one that goes on "
                            "keeps those that it was made with"));
     if (append && arguments.has("with-images"))
-        return tellUsage("run",
+        return reportUsageError("run",
             QStringLiteral("--with-images is for a new session; one that goes on keeps what it "
                            "holds"));
     for (const char* needed : {"study", "session"}) {
         const bool spared = append && qstrcmp(needed, "study") == 0;
         if (!arguments.has(needed) && !spared)
-            return tellUsage("run", QStringLiteral("--%1 is missing").arg(QLatin1String(needed)));
+            return reportUsageError(
+                "run", QStringLiteral("--%1 is missing").arg(QLatin1String(needed)));
     }
     const QString path = arguments.rest().first();
     const core::FileInUse recipeFile({path}, core::FileInUse::As::Recipe);
@@ -398,14 +400,14 @@ int runRecipe(const Arguments& arguments)
         const core::ErrorCode code = recipe.error().code;
         const bool namesFile = code == core::ErrorCode::FileNotFound
             || code == core::ErrorCode::FileUnreadable || code == core::ErrorCode::InvalidRecipe;
-        return tellFailure(recipe.error(), namesFile ? QString() : path);
+        return reportFailure(recipe.error(), namesFile ? QString() : path);
     }
     const Result<void> target =
         checkSessionTarget(arguments.value("session"), arguments.has("force"), append);
     if (!target)
-        return tellFailure(target.error());
-    ToldToEnd told;
-    return told.status(run(*recipe, arguments, told));
+        return reportFailure(target.error());
+    CommandTermination termination;
+    return termination.status(run(*recipe, arguments, termination));
 }
 
 } // namespace

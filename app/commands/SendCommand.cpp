@@ -45,14 +45,14 @@ int runSend(const Arguments& arguments)
 {
     const core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
-        return tellUsage("send", ui::errorText(source.error()));
+        return reportUsageError("send", ui::errorText(source.error()));
     int others = 0;
     const QStringList files = filesOf(arguments.rest().mid(1), others);
     if (files.isEmpty())
-        return tellUsage("send", QStringLiteral("no files to send"));
+        return reportUsageError("send", QStringLiteral("no files to send"));
     const core::Result<core::SentObjects> done = core::sendFiles(*source, files, core::Progress());
     if (!done)
-        return tellFailure(done.error());
+        return reportFailure(done.error());
     if (others > 0)
         std::fprintf(stderr, "burin: files that are no DICOM stayed here: %d\n", others);
     for (const QString& warning : done->warnings)

@@ -15,14 +15,14 @@ namespace {
 constexpr int signals[] = {SIGTERM, SIGINT, SIGHUP};
 
 // What a signal handler can reach.
-volatile std::sig_atomic_t toTell = -1;
+volatile std::sig_atomic_t writeEnd = -1;
 
 void onSignal(int number)
 {
     const int error = errno;
     const auto byte = char(number);
     // The pipe is full where many came at once; one is enough.
-    static_cast<void>(!::write(toTell, &byte, 1));
+    static_cast<void>(!::write(writeEnd, &byte, 1));
     errno = error;
 }
 
@@ -33,7 +33,7 @@ EndSignals::EndSignals(Reading reading)
     const int flags = reading == Reading::Waits ? O_CLOEXEC : O_CLOEXEC | O_NONBLOCK;
     if (::pipe2(m_ends, flags) != 0)
         return;
-    toTell = m_ends[1];
+    writeEnd = m_ends[1];
     struct sigaction action { };
     action.sa_handler = onSignal;
     action.sa_flags = SA_RESTART;
@@ -70,7 +70,7 @@ void EndSignals::stop()
         if (::sigaction(number, nullptr, &now) == 0 && now.sa_handler == onSignal)
             std::signal(number, SIG_DFL);
     }
-    toTell = -1;
+    writeEnd = -1;
     ::close(std::exchange(m_ends[1], -1));
 }
 

@@ -17,7 +17,7 @@ public:
     EndSignals(const EndSignals&) = delete;
     EndSignals& operator=(const EndSignals&) = delete;
 
-    [[nodiscard]] bool areTold() const { return m_ends[0] >= 0; }
+    [[nodiscard]] bool areCaught() const { return m_ends[0] >= 0; }
     /// The reading end of the pipe; −1 if there is none.
     [[nodiscard]] int descriptor() const { return m_ends[0]; }
     /// The next signal; 0 if there is none, or stop() was called. Any thread, one at a time.

@@ -52,7 +52,7 @@ OrderlyEnd::OrderlyEnd(std::function<void()> closesAll)
     static const int registered = std::atexit(closeAndEnd);
     static_cast<void>(registered);
     messagesBefore = qInstallMessageHandler(onMessage);
-    if (!m_signals.areTold())
+    if (!m_signals.areCaught())
         return;
     auto* notifier = new QSocketNotifier(m_signals.descriptor(), QSocketNotifier::Read, this);
     connect(notifier, &QSocketNotifier::activated, this, [this] {

@@ -131,14 +131,14 @@ QString repairWords(const QString& repair, const QString& spacing)
     return words.join(u',');
 }
 
-int tellFailure(const core::Error& error, const QString& about)
+int reportFailure(const core::Error& error, const QString& about)
 {
     const QString prefix = about.isEmpty() ? QString() : about + QStringLiteral(": ");
     std::fprintf(stderr, "burin: %s\n", qUtf8Printable(prefix + ui::errorText(error)));
     return 1;
 }
 
-void tellNotFromStudy(const std::optional<core::Error>& why, const QString& sessionFile)
+void reportNotFromStudy(const std::optional<core::Error>& why, const QString& sessionFile)
 {
     if (!why)
         return;
@@ -149,7 +149,7 @@ void tellNotFromStudy(const std::optional<core::Error>& why, const QString& sess
         qUtf8Printable(sessionFile), qUtf8Printable(reason));
 }
 
-void tellProblems(const core::Volume& volume, const QString& study)
+void reportProblems(const core::Volume& volume, const QString& study)
 {
     for (const core::VolumeProblem& problem : volume.problems) {
         const QString repaired = problem.repairedBy.isEmpty()
@@ -160,7 +160,7 @@ void tellProblems(const core::Volume& volume, const QString& study)
     }
 }
 
-int tellUsage(const char* command, const QString& problem)
+int reportUsageError(const char* command, const QString& problem)
 {
     std::fprintf(
         stderr, "burin %s: %s (burin %s --help)\n", command, qUtf8Printable(problem), command);

@@ -52,14 +52,14 @@ private:
 [[nodiscard]] QString repairWords(const QString& repair, const QString& spacing);
 /// Reports a failure in one line on stderr.
 /// @return the exit status of a command that failed
-int tellFailure(const core::Error& error, const QString& about = {});
+int reportFailure(const core::Error& error, const QString& about = {});
 /// Reports on stderr if the study's images were read from a session file.
 /// @param why LoadedVolume::notFromStudy
-void tellNotFromStudy(const std::optional<core::Error>& why, const QString& sessionFile);
+void reportNotFromStudy(const std::optional<core::Error>& why, const QString& sessionFile);
 /// Reports on stderr what was noticed about a study when it was opened, one line each.
-void tellProblems(const core::Volume& volume, const QString& study);
+void reportProblems(const core::Volume& volume, const QString& study);
 /// Reports what is wrong and how the command is used.
 /// @return the exit status of wrong arguments
-int tellUsage(const char* command, const QString& problem);
+int reportUsageError(const char* command, const QString& problem);
 
 } // namespace app

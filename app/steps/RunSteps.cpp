@@ -171,7 +171,7 @@ Result<void> carryOut(const core::Recipe& recipe, SteadySession& session, RunKey
 }
 
 Result<void> carryOutElsewhere(core::RecipeElsewhere& recipe,
-    const std::vector<core::RecipeElsewhere::LeftOut>& toldBefore, SteadySession& session,
+    const std::vector<core::RecipeElsewhere::LeftOut>& reportedBefore, SteadySession& session,
     RunKeyframes& keyframes, const core::Progress& progress)
 {
     for (std::size_t i = 0; i < recipe.recorded().steps.size(); ++i) {
@@ -181,7 +181,7 @@ Result<void> carryOutElsewhere(core::RecipeElsewhere& recipe,
         if (!edit) {
             const auto isThis = [entry = edit.error().entry](
                                     const auto& told) { return told.entry == entry; };
-            if (std::none_of(toldBefore.begin(), toldBefore.end(), isThis))
+            if (std::none_of(reportedBefore.begin(), reportedBefore.end(), isThis))
                 std::fprintf(stderr, "%s: edit %d (%s) is skipped: %s\n",
                     qUtf8Printable(recipe.recorded().path), edit.error().entry,
                     qUtf8Printable(core::stepName(recipe.recorded().steps[i])),

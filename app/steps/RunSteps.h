@@ -21,9 +21,9 @@ class SteadySession;
     RunKeyframes& keyframes, const core::Progress& progress);
 
 /// The same on another study than the recipe was recorded on. Steps that turn out to need something
-/// that this study lacks are named on stderr, except those in @p toldBefore.
+/// that this study lacks are named on stderr, except those in @p reportedBefore.
 [[nodiscard]] core::Result<void> carryOutElsewhere(core::RecipeElsewhere& recipe,
-    const std::vector<core::RecipeElsewhere::LeftOut>& toldBefore, SteadySession& session,
+    const std::vector<core::RecipeElsewhere::LeftOut>& reportedBefore, SteadySession& session,
     RunKeyframes& keyframes, const core::Progress& progress);
 
 } // namespace app

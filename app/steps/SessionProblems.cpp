@@ -8,11 +8,11 @@
 
 namespace app {
 
-void tellProblems(const QString& file, const core::SessionContents& contents)
+void reportProblems(const QString& file, const core::SessionContents& contents)
 {
     const std::vector<QString> problems = contents.problems();
     if (!problems.empty())
-        tellFailure({core::ErrorCode::SessionDamaged,
+        reportFailure({core::ErrorCode::SessionDamaged,
             {file, QStringList(problems.begin(), problems.end()).join(QStringLiteral("; "))}});
 }
 

@@ -14,6 +14,6 @@ namespace app {
 // 1.
 
 /// Reports what core::checkSession() found damaged, if anything.
-void tellProblems(const QString& file, const core::SessionContents& contents);
+void reportProblems(const QString& file, const core::SessionContents& contents);
 
 } // namespace app

@@ -33,7 +33,7 @@ core::Result<core::PacsSource> named(const QString& word)
                     : QStringLiteral(" (there are: %1)").arg(names.join(QStringLiteral(", ")))));
 }
 
-void heed(const Arguments& arguments, core::PacsNode& node)
+void applyOptions(const Arguments& arguments, core::PacsNode& node)
 {
     if (arguments.has("own-title"))
         node.ownAeTitle = arguments.value("own-title");
@@ -45,7 +45,7 @@ void heed(const Arguments& arguments, core::PacsNode& node)
         node.tls.keyFile = arguments.value("tls-key");
 }
 
-core::Result<void> heed(const Arguments& arguments, core::WebNode& node)
+core::Result<void> applyOptions(const Arguments& arguments, core::WebNode& node)
 {
     if (arguments.has("tls-authority"))
         node.authorityFile = arguments.value("tls-authority");
@@ -91,14 +91,14 @@ core::Result<core::PacsSource> sourceOf(const Arguments& arguments)
     };
     if (auto* web = std::get_if<core::WebNode>(&source->node)) {
         timeout(web->timeoutSeconds);
-        if (const core::Result<void> heeded = heed(arguments, *web); !heeded)
-            return tl::unexpected<core::Error>(heeded.error());
+        if (const core::Result<void> applied = applyOptions(arguments, *web); !applied)
+            return tl::unexpected<core::Error>(applied.error());
         if (arguments.has("own-title"))
             return wrong("own-title", QStringLiteral("DICOMweb knows no titles"));
     } else {
         auto& node = std::get<core::PacsNode>(source->node);
         timeout(node.timeoutSeconds);
-        heed(arguments, node);
+        applyOptions(arguments, node);
         if (!node.tls.wanted() && arguments.has("tls-certificate"))
             return wrong("tls-certificate", QStringLiteral("TLS needs --tls-authority as well"));
         if (node.tls.certificateFile.isEmpty() != node.tls.keyFile.isEmpty())

@@ -20,7 +20,7 @@ template <class Value> bool isLoss(const Result<Value>& done)
     return !done && done.error().code == core::ErrorCode::ContextLost;
 }
 
-void tellLoss(const core::Error& error)
+void reportLoss(const core::Error& error)
 {
     std::fprintf(stderr,
         "burin: the graphics driver broke off its work (%s); it is begun anew, where the session "
@@ -70,7 +70,7 @@ Result<void> SteadySession::carryOut(const std::function<Result<void>()>& work)
 {
     Result<void> done = work();
     for (int losses = 0; isLoss(done) && losses < mostLosses; ++losses) {
-        tellLoss(done.error());
+        reportLoss(done.error());
         close();
         done = m_engine->renew();
         if (done)

@@ -45,7 +45,7 @@
 #include "ui/tools/sculpt/PieceTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/tools/view/ClipTool.h"
-#include "ui/tools/view/PlaneTool.h"
+#include "ui/tools/view/CuttingPlaneTool.h"
 #include "ui/tools/view/RulerTool.h"
 #include "ui/tools/view/UndoHereTool.h"
 #include "ui/views/ViewGrid.h"
@@ -118,7 +118,7 @@ void Application::makeWindow()
     auto* paint = new ui::PaintTool(*m_workspace, &window);
     auto* barrier = new ui::BarrierTool(*m_workspace, &window);
     auto* refine = new ui::RefineTool(*m_workspace, &window);
-    auto* plane = new ui::PlaneTool(*m_workspace, &window);
+    auto* plane = new ui::CuttingPlaneTool(*m_workspace, &window);
     auto* chunks = new ui::ChunkTool(*m_workspace, &window);
     auto* ruler = new ui::RulerTool(*m_workspace, &window);
     auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
@@ -189,7 +189,8 @@ void Application::makeWindow()
         }
     });
     connect(m_workspace.get(), &ui::Workspace::sessionSaved, this, &Application::followSaved);
-    connect(&window, &ui::MainWindow::demonstrationAsked, this, &Application::openDemonstration);
+    connect(
+        &window, &ui::MainWindow::demonstrationRequested, this, &Application::openDemonstration);
     connect(&window.opener(), &ui::StudyOpener::loaded, this, &Application::openStudy);
     connect(&window.opener(), &ui::StudyOpener::sessionLoaded, this, &Application::openSession);
     new LostContext(
@@ -201,7 +202,7 @@ void Application::addDoctor()
 {
     auto* doctor = new ui::SeriesDoctorPanel(*m_workspace);
     m_window->addPanel(doctor);
-    connect(doctor, &ui::SeriesDoctorPanel::reopenAsked, this,
+    connect(doctor, &ui::SeriesDoctorPanel::reopenRequested, this,
         [this](
             const QString& path, const QString& series) { m_window->opener().open(path, series); });
     QAction& action = m_window->actionTable().add({.id = QStringLiteral("file.seriesDoctor"),
@@ -287,10 +288,10 @@ void Application::openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, c
     make(loaded, {.file = file},
         [this, file, path, series, givenSpacing](const core::Result<void>& opened) {
             if (!opened)
-                return tellWhyNot(opened.error(), file, path, series);
+                return showWhyNot(opened.error(), file, path, series);
             ui::RecentStudies::add(path, givenSpacing ? series : QString());
             if (m_goesOn)
-                tellThatItGoesOn(path, series);
+                showThatItGoesOn(path, series);
         });
 }
 
@@ -301,7 +302,7 @@ void Application::openSession(const std::shared_ptr<core::LoadedVolume>& loaded,
         return;
     make(loaded, {.file = file, .contents = contents}, [this](const core::Result<void>& opened) {
         if (!opened)
-            return tell(opened.error());
+            return showError(opened.error());
         if (!isWorkingSession(m_sessionFile))
             ui::RecentStudies::add(m_sessionFile);
         if (m_goesOn)
@@ -349,7 +350,7 @@ core::Result<void> Application::take(SessionOpening& opening, const QString& fil
     m_rowsAtFirst = madeForIt ? std::optional(steps) : std::nullopt;
     m_workspace->setSession(std::move(*opening.session));
     m_goesOnSentence.clear();
-    m_goesOn = opening.plan && !tellOfSession(opening, file) && steps > 0;
+    m_goesOn = opening.plan && !showSessionProblem(opening, file) && steps > 0;
     if (!opening.plan && whyNoFile)
         m_window->messages().show(ui::MessageBar::Kind::Caution,
             QStringLiteral("Steps stay in memory only, until you save the session elsewhere: %1.")
@@ -358,7 +359,7 @@ core::Result<void> Application::take(SessionOpening& opening, const QString& fil
     return {};
 }
 
-bool Application::tellOfSession(const SessionOpening& opening, const QString& file)
+bool Application::showSessionProblem(const SessionOpening& opening, const QString& file)
 {
     const SessionPlan& plan = *opening.plan;
     const core::SessionContents& contents = *opening.contents;
@@ -378,14 +379,14 @@ bool Application::tellOfSession(const SessionOpening& opening, const QString& fi
             QStringLiteral("%1: %2. Its last steps may be missing.")
                 .arg(QFileInfo(file).fileName(), contents.leftOpen));
     } else if (opening.notFromStudy) {
-        tellWhereImagesAre(*opening.notFromStudy, file);
+        showWhereImagesAre(*opening.notFromStudy, file);
     } else {
         return false;
     }
     return true;
 }
 
-void Application::tellThatItGoesOn(const QString& path, const QString& series)
+void Application::showThatItGoesOn(const QString& path, const QString& series)
 {
     m_rowsWhenOpened = m_workspace->session()->history().rows().size();
     m_goesOnSentence = QStringLiteral("This study was worked on before; its session goes on with "
@@ -413,7 +414,7 @@ void Application::beginAnew(const QString& path, const QString& series)
         m_window->opener().open(path, series);
 }
 
-void Application::tellWhereImagesAre(const core::Error& whyNotFromStudy, const QString& file)
+void Application::showWhereImagesAre(const core::Error& whyNotFromStudy, const QString& file)
 {
     const QString name = QFileInfo(file).fileName();
     const QString why = whyNotFromStudy.code == core::ErrorCode::StudyMissing
@@ -424,17 +425,17 @@ void Application::tellWhereImagesAre(const core::Error& whyNotFromStudy, const Q
             .arg(why, name));
 }
 
-void Application::tell(const core::Error& error)
+void Application::showError(const core::Error& error)
 {
     // Who chose to stay knows.
     if (error.code != core::ErrorCode::Cancelled)
         m_workspace->fail(error);
 }
 
-void Application::tellWhyNot(
+void Application::showWhyNot(
     const core::Error& error, const QString& file, const QString& path, const QString& series)
 {
-    tell(error);
+    showError(error);
     using core::ErrorCode;
     const bool beyondUse = error.code == ErrorCode::SessionDamaged
         || error.code == ErrorCode::SessionMismatch || error.code == ErrorCode::FileTruncated

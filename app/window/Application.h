@@ -54,20 +54,20 @@ private:
     core::Result<void> take(SessionOpening& opening, const QString& file);
     /// Tells the user what must be known about a session that was continued.
     /// @return whether there was anything
-    bool tellOfSession(const SessionOpening& opening, const QString& file);
+    bool showSessionProblem(const SessionOpening& opening, const QString& file);
     /// Tells the user that the opened study already had a session, with the choice to begin a new
     /// one.
-    void tellThatItGoesOn(const QString& path, const QString& series);
+    void showThatItGoesOn(const QString& path, const QString& series);
     /// Closes the open session, which is kept and listed on the start page, and opens its study
     /// with a new one.
     void beginAnew(const QString& path, const QString& series);
     /// Closes the old session, because the engine holds one volume at a time. Errors: Cancelled (it
     /// holds steps that are on no disk, and the user keeps it open).
     core::Result<void> makeRoom();
-    void tell(const core::Error& error);
+    void showError(const core::Error& error);
     /// Tells the user that the images were read from the session file.
-    void tellWhereImagesAre(const core::Error& whyNotFromStudy, const QString& file);
-    void tellWhyNot(
+    void showWhereImagesAre(const core::Error& whyNotFromStudy, const QString& file);
+    void showWhyNot(
         const core::Error& error, const QString& file, const QString& path, const QString& series);
     /// Removes the file of a session that was opened and closed without an edit.
     void forgetUnusedSession();

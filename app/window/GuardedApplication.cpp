@@ -25,7 +25,7 @@ void GuardedApplication::setRescue(std::function<void(const core::Error&)> rescu
 
 void GuardedApplication::escaped(const core::Error& error)
 {
-    static_cast<void>(tellFailure(error));
+    static_cast<void>(reportFailure(error));
     if (!m_rescue || m_state == Rescue::UnderWay)
         return QCoreApplication::exit(EXIT_FAILURE);
     if (m_state == Rescue::Queued)

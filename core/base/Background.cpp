@@ -27,7 +27,7 @@ struct Background::State : std::enable_shared_from_this<Background::State> {
     {
         stop();
         // It may be large, and whoever cancels may want its room.
-        const Tell dropped = end();
+        const Completion dropped = end();
     }
     [[nodiscard]] bool isOver() const
     {
@@ -36,49 +36,49 @@ struct Background::State : std::enable_shared_from_this<Background::State> {
     }
 
     /// Of the task's thread.
-    void tellMeanwhile(Tell tell)
+    void callMeanwhile(Completion completion)
     {
         QMetaObject::invokeMethod(
             &m_here,
-            [state = shared_from_this(), tell = std::move(tell)] {
+            [state = shared_from_this(), completion = std::move(completion)] {
                 if (!state->isOver() && state->m_context)
-                    tell();
+                    completion();
             },
             Qt::QueuedConnection);
     }
     /// Until it is told; what was cancelled meanwhile goes here, before another task begins.
-    void keep(Tell tell)
+    void keep(Completion completion)
     {
         const std::lock_guard lock(m_mutex);
         if (!m_over)
-            m_tell.swap(tell);
+            m_completion.swap(completion);
     }
-    void tellNow()
+    void completeNow()
     {
-        const Tell tell = end();
-        if (tell && m_context)
-            tell();
+        const Completion completion = end();
+        if (completion && m_context)
+            completion();
     }
 
 private:
     [[nodiscard]] Progress::Listener fromThere(const Progress::Listener& progressed)
     {
         return [this, progressed](const QString& step, int done, int total) {
-            tellMeanwhile([progressed, step, done, total] { progressed(step, done, total); });
+            callMeanwhile([progressed, step, done, total] { progressed(step, done, total); });
         };
     }
-    [[nodiscard]] Tell end()
+    [[nodiscard]] Completion end()
     {
         const std::lock_guard lock(m_mutex);
         m_over = true;
-        return std::exchange(m_tell, {});
+        return std::exchange(m_completion, {});
     }
 
     QObject& m_here;
     QPointer<QObject> m_context; ///< not looked at by the task's thread
     Progress m_progress;
     mutable std::mutex m_mutex;
-    Tell m_tell; ///< under the mutex
+    Completion m_completion; ///< under the mutex
     bool m_over = false; ///< told or cancelled; under the mutex
 };
 
@@ -136,7 +136,7 @@ Background::Task Background::begin(QObject* context, Work work,
     const auto state = std::make_shared<State>(m_here, context, progressed);
     m_states.push_back(state);
     const auto fail = [this, state, failed = std::move(failed)](const Error& error) {
-        tellLater(state, [failed, error] { failed(error); });
+        completeLater(state, [failed, error] { failed(error); });
     };
     const Result<void> begun = guarded([&] {
         if (!m_thread)
@@ -154,18 +154,18 @@ Background::Task Background::begin(QObject* context, Work work,
 
 void Background::carryOut(const std::shared_ptr<State>& state, Work work)
 {
-    Tell tell;
+    Completion completion;
     if (!state->isOver())
-        tell = work(state->progress(),
-            [&state](Tell meanwhile) { state->tellMeanwhile(std::move(meanwhile)); });
+        completion = work(state->progress(),
+            [&state](Completion meanwhile) { state->callMeanwhile(std::move(meanwhile)); });
     work = {};
-    tellLater(state, std::move(tell));
+    completeLater(state, std::move(completion));
 }
 
-void Background::tellLater(const std::shared_ptr<State>& state, Tell tell)
+void Background::completeLater(const std::shared_ptr<State>& state, Completion completion)
 {
     constexpr std::chrono::milliseconds pause{5};
-    state->keep(std::move(tell));
+    state->keep(std::move(completion));
     const auto queue = [this, &state] {
         QMetaObject::invokeMethod(
             &m_here, [this, state] { settle(state); }, Qt::QueuedConnection);
@@ -179,7 +179,7 @@ void Background::settle(const std::shared_ptr<State>& state)
 {
     // Whoever is told may destroy this.
     const QPointer<QObject> here(&m_here);
-    state->tellNow();
+    state->completeNow();
     if (!here || m_states.empty() || m_states.back() != state || busy())
         return;
     m_states.clear();

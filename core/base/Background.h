@@ -28,10 +28,10 @@ class Background {
 
 public:
     /// Something to be done on the thread in which Background lives.
-    using Tell = std::function<void()>;
+    using Completion = std::function<void()>;
     /// Lets a task report something before it is done, in order with its progress. Called on the
     /// task's thread.
-    using Meanwhile = std::function<void(Tell)>;
+    using Meanwhile = std::function<void(Completion)>;
 
     /// A task that was started; the task does not depend on this object. Copies refer to the same
     /// task.
@@ -73,7 +73,7 @@ public:
         return begin(
             context,
             [does = std::move(does), done](
-                const Progress& progress, const Meanwhile& meanwhile) mutable -> Tell {
+                const Progress& progress, const Meanwhile& meanwhile) mutable -> Completion {
                 std::shared_ptr<Outcome> outcome;
                 if constexpr (std::is_void_v<decltype(called(does, progress, meanwhile))>) {
                     called(does, progress, meanwhile);
@@ -101,7 +101,7 @@ public:
     [[nodiscard]] bool busy() const;
 
 private:
-    using Work = std::function<Tell(const Progress&, const Meanwhile&)>;
+    using Work = std::function<Completion(const Progress&, const Meanwhile&)>;
     template <class Returned> struct OutcomeOf {
         using Type = Result<Returned>;
     };
@@ -123,7 +123,7 @@ private:
     Task begin(QObject* context, Work work, std::function<void(const Error&)> failed,
         Progress::Listener progressed);
     void carryOut(const std::shared_ptr<State>& state, Work work);
-    void tellLater(const std::shared_ptr<State>& state, Tell tell);
+    void completeLater(const std::shared_ptr<State>& state, Completion completion);
     void settle(const std::shared_ptr<State>& state);
 
     QObject m_here; ///< receives events from the thread; they end with it

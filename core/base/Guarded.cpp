@@ -27,7 +27,7 @@ QString whatWasNeeded(std::size_t bytes)
         .arg(megabytes(bytes), megabytes(addressSpaceBytes()));
 }
 
-Error toldError()
+Error thrownError()
 {
     try {
         throw;
@@ -53,7 +53,7 @@ Error toldError()
 Error errorBeingHandled() noexcept
 {
     try {
-        return toldError();
+        return thrownError();
     } catch (...) { // not even memory to say so
         return {ErrorCode::OutOfMemory, {}};
     }

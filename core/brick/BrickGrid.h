@@ -45,7 +45,7 @@ enum class Field : std::uint8_t {
     SeedWords = 3, ///< four bytes little-endian, empty 0xFFFFFFFF; `plane` names the label plane
     /// One byte, empty 0; `plane` names the label plane: the label that growth overwrote
     /// (growth/GrowthCommands.h).
-    Beneath = 4,
+    Overwritten = 4,
 };
 
 [[nodiscard]] int bytesPerVoxel(Field field);

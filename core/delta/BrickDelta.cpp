@@ -2,7 +2,7 @@
 #include "core/delta/BrickDelta.h"
 
 #include "core/delta/DeltaStream.h"
-#include "core/delta/SeedWordForecast.h"
+#include "core/delta/SeedWordPrediction.h"
 
 #include <algorithm>
 #include <cstring>
@@ -27,7 +27,7 @@ enum class Form : std::uint8_t {
 struct Entry {
     BrickKey key;
     Form form = Form::Masked;
-    BrickMask mask; ///< voxels that differ
+    BrickBits mask; ///< voxels that differ
     std::size_t labels = 0; ///< MaskedAsLabels: where the labels' bytes begin among all bytes
     std::vector<std::uint8_t> bytes; ///< the XOR; none for seed words
 };
@@ -71,7 +71,7 @@ std::uint32_t wordAt(const std::uint8_t* bytes)
 }
 
 /// Which of the voxels that differ belong to a further mask, one bit each.
-std::vector<std::uint8_t> packed(const BrickMask& differing, const BrickMask& further)
+std::vector<std::uint8_t> packed(const BrickBits& differing, const BrickBits& further)
 {
     std::vector<std::uint8_t> bits((differing.count() + 7) / 8, 0);
     std::size_t number = 0;
@@ -83,9 +83,9 @@ std::vector<std::uint8_t> packed(const BrickMask& differing, const BrickMask& fu
     return bits;
 }
 
-BrickMask unpacked(const BrickMask& differing, const std::vector<std::uint8_t>& bits)
+BrickBits unpacked(const BrickBits& differing, const std::vector<std::uint8_t>& bits)
 {
-    BrickMask further;
+    BrickBits further;
     std::size_t number = 0;
     differing.forEach([&](std::size_t voxel) {
         if ((bits[number / 8] >> (number % 8) & 1U) != 0)
@@ -100,7 +100,7 @@ Difference differenceOf(const std::vector<BrickChange>& changes, const BrickGrid
 {
     Difference all{.along = glm::ivec2(grid.bricks()), .entries = {}, .words = {}, .bytes = {}};
     struct Labels {
-        BrickMask mask;
+        BrickBits mask;
         std::size_t first;
     };
     std::map<BrickKey, Labels> labels;
@@ -141,7 +141,7 @@ Difference differenceOf(const std::vector<BrickChange>& changes, const BrickGrid
     return all;
 }
 
-/// Seed words: which are kept, labels of those that are foretold, the kept ones by significance.
+/// Seed words: which are kept, labels of those that are predicted, the kept ones by significance.
 void writeWords(DeltaWriter& writer, const Difference& all)
 {
     std::vector<std::uint8_t> labels;
@@ -150,14 +150,14 @@ void writeWords(DeltaWriter& writer, const Difference& all)
     for (const Entry& entry : all.entries) {
         if (entry.key.field != Field::SeedWords)
             continue;
-        BrickMask keeps;
+        BrickBits keeps;
         std::size_t number = entry.labels;
         entry.mask.forEach([&](std::size_t voxel) {
             const std::uint32_t difference = brick->differences[voxel];
             const std::uint8_t beside =
                 entry.form == Form::MaskedAsLabels ? all.bytes[number] : std::uint8_t(0);
             ++number;
-            if (brick->foretold.has(voxel)) {
+            if (brick->predicted.has(voxel)) {
                 labels.push_back(labelOfDifference(difference) ^ beside);
                 return;
             }
@@ -175,7 +175,7 @@ void writeWords(DeltaWriter& writer, const Difference& all)
 
 bool readWords(DeltaReader& reader, Difference& all)
 {
-    std::size_t foretold = 0;
+    std::size_t predicted = 0;
     std::size_t kept = 0;
     for (const Entry& entry : all.entries) {
         if (entry.key.field != Field::SeedWords)
@@ -188,11 +188,11 @@ bool readWords(DeltaReader& reader, Difference& all)
             byte = std::uint8_t(~byte);
         SeedWordBrick& brick = all.words.emplace_back();
         brick.key = entry.key;
-        brick.foretold = unpacked(entry.mask, bits);
-        foretold += brick.foretold.count();
-        kept += count - brick.foretold.count();
+        brick.predicted = unpacked(entry.mask, bits);
+        predicted += brick.predicted.count();
+        kept += count - brick.predicted.count();
     }
-    std::vector<std::uint8_t> labels(foretold);
+    std::vector<std::uint8_t> labels(predicted);
     std::array<std::vector<std::uint8_t>, wordBytes> planes;
     if (!reader.fill(labels))
         return false;
@@ -213,8 +213,8 @@ bool readWords(DeltaReader& reader, Difference& all)
             const std::uint8_t beside =
                 entry.form == Form::MaskedAsLabels ? all.bytes[number] : std::uint8_t(0);
             ++number;
-            if (brick->foretold.has(voxel)) {
-                difference = foretoldDifference(*label++ ^ beside);
+            if (brick->predicted.has(voxel)) {
+                difference = predictedDifference(*label++ ^ beside);
                 return;
             }
             for (std::size_t byte = 0; byte < wordBytes; ++byte)
@@ -223,7 +223,7 @@ bool readWords(DeltaReader& reader, Difference& all)
         });
         ++brick;
     }
-    return completeForetold(all.words, all.along);
+    return completePredicted(all.words, all.along);
 }
 
 /// Everything up to the masks.
@@ -328,7 +328,7 @@ BrickDelta makeDelta(const std::vector<BrickChange>& changes, const BrickGrid& g
     if (changes.empty())
         return {};
     Difference all = differenceOf(changes, grid);
-    markForetold(all.words, all.along);
+    markPredicted(all.words, all.along);
     DeltaWriter writer;
     writer.add(magic);
     std::vector<std::uint8_t> heads;

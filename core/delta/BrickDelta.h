@@ -15,7 +15,7 @@ namespace core {
 /// What an edit changed, in a form small enough to keep: the XOR of before and after for every
 /// changed brick, compressed with zstd. It stores which voxels differ and then their differences;
 /// of a growth it stores only what does not follow from where the growth began
-/// (SeedWordForecast.h). core/session/README.md describes the stream.
+/// (SeedWordPrediction.h). core/session/README.md describes the stream.
 ///
 /// XOR has no direction: the same delta leads from before to after and from after to before.
 struct BrickDelta {

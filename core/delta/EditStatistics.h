@@ -16,7 +16,7 @@ struct EditStatistics {
     int generations = 0;
     double milliseconds = 0.0; ///< engine time; never part of a hash
     /// Of a cut that starts from the surface: how far the surface was searched for, in mm16 of its
-    /// plane (searchEnd() in core/sculpt/MaskFrame.h); none: no ray was cast, or it was not
+    /// plane (searchEnd() in core/sculpt/CutFrame.h); none: no ray was cast, or it was not
     /// recorded.
     std::optional<std::int32_t> searchedTo{};
     /// The edit changed voxels of the segment that is refined as a surface. Engines leave it false,

@@ -264,7 +264,7 @@ Result<void> maskToPolygon(const QString& name, QJsonObject& object)
     if (object.contains(QStringLiteral("polygonMm")))
         return tl::unexpected(notUnderstood(name + QStringLiteral(".mask"),
             QStringLiteral("and polygonMm are two ways to say the same")));
-    MaskShape mask;
+    ToolMask mask;
     Reader reader(name, QJsonObject{{QStringLiteral("mask"), object.take(QStringLiteral("mask"))}});
     editSchema::visitMask(reader, mask);
     Checker checker(name, false);

@@ -16,9 +16,9 @@ concept saysItsTitle = requires
 };
 
 template <class E>
-concept saysItsReach = requires
+concept saysItsDependencies = requires
 {
-    static_cast<EditReach (*)(const E&, const ReachFacts&)>(&reach);
+    static_cast<EditDependencies (*)(const E&, const DependencyFacts&)>(&dependencies);
 };
 
 } // namespace
@@ -34,13 +34,13 @@ RowTitle titleOf(const Edit& edit, const RowFacts& row)
         edit);
 }
 
-EditReach reachOf(const Edit& edit, const ReachFacts& row)
+EditDependencies dependenciesOf(const Edit& edit, const DependencyFacts& row)
 {
     return visitEdit(
         [&row](const auto& known) {
-            static_assert(saysItsReach<std::decay_t<decltype(known)>>,
-                "an edit X needs EditReach reach(const X&, const ReachFacts&)");
-            return reach(known, row);
+            static_assert(saysItsDependencies<std::decay_t<decltype(known)>>,
+                "an edit X needs EditDependencies dependencies(const X&, const DependencyFacts&)");
+            return dependencies(known, row);
         },
         edit);
 }

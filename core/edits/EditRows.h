@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/titles/RowTitle.h"
@@ -15,6 +15,6 @@ namespace core {
 [[nodiscard]] RowTitle titleOf(const Edit& edit, const RowFacts& row);
 
 /// What its result depends on. Cost: of cuts and brushes, that of the conversion.
-[[nodiscard]] EditReach reachOf(const Edit& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependenciesOf(const Edit& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -46,13 +46,16 @@ struct Sums {
             facts.voxelsChanged += before[i] != after[i] ? 1 : 0;
     }
 
-    /// @param beneath the change of what lies beneath these labels; null: it has not changed
-    void addLabels(const BrickChange& change, const BrickChange* beneath)
+    /// @param overwritten the change of what these labels have overwritten; null: it has not
+    ///     changed
+    void addLabels(const BrickChange& change, const BrickChange* overwritten)
     {
         const std::uint8_t* before = bytesOf(change.before, Field::Labels);
         const std::uint8_t* after = bytesOf(change.after, Field::Labels);
-        const std::uint8_t* lay = beneath ? bytesOf(beneath->before, Field::Beneath) : nullptr;
-        const std::uint8_t* lies = beneath ? bytesOf(beneath->after, Field::Beneath) : nullptr;
+        const std::uint8_t* lay =
+            overwritten ? bytesOf(overwritten->before, Field::Overwritten) : nullptr;
+        const std::uint8_t* lies =
+            overwritten ? bytesOf(overwritten->after, Field::Overwritten) : nullptr;
         std::array<Flow, 256>& flow = flows[change.key.plane];
         for (std::size_t i = 0; i < voxels; ++i) {
             if (before[i] == after[i])
@@ -100,29 +103,29 @@ struct Sums {
     }
 };
 
-using Beneath = std::map<std::pair<std::uint8_t, std::uint32_t>, const BrickChange*>;
+using Overwritten = std::map<std::pair<std::uint8_t, std::uint32_t>, const BrickChange*>;
 
-void add(Sums& sums, const BrickChange& change, const Beneath& beneath)
+void add(Sums& sums, const BrickChange& change, const Overwritten& overwritten)
 {
     switch (change.key.field) {
     case Field::Coverage:
         sums.addValues(change);
         break;
     case Field::Labels: {
-        const auto below = beneath.find({change.key.plane, change.key.brick});
+        const auto below = overwritten.find({change.key.plane, change.key.brick});
         sums.addValues(change);
-        sums.addLabels(change, below == beneath.end() ? nullptr : below->second);
+        sums.addLabels(change, below == overwritten.end() ? nullptr : below->second);
         break;
     }
     case Field::SeedWords:
         sums.addWords(change);
         break;
-    case Field::Beneath: // nothing that is seen
+    case Field::Overwritten: // nothing that is seen
         break;
     }
 }
 
-Sums summed(const std::vector<BrickChange>& changes, const Beneath& beneath)
+Sums summed(const std::vector<BrickChange>& changes, const Overwritten& overwritten)
 {
     constexpr std::size_t portion = 256; // bricks; fewer are not worth a thread
     const std::size_t parts = (changes.size() + portion - 1) / portion;
@@ -130,7 +133,7 @@ Sums summed(const std::vector<BrickChange>& changes, const Beneath& beneath)
     const auto sumPart = [&](std::size_t part) {
         const std::size_t end = std::min((part + 1) * portion, changes.size());
         for (std::size_t i = part * portion; i < end; ++i)
-            add(sums[part], changes[i], beneath);
+            add(sums[part], changes[i], overwritten);
     };
     if (parts > 1)
         parallelFor(int(parts), [&](int part) { sumPart(std::size_t(part)); });
@@ -159,12 +162,12 @@ bool ChangeFacts::admittedSeedsAt(std::uint32_t generation) const
 
 ChangeFacts factsOf(const std::vector<BrickChange>& changes, const BrickGrid& grid)
 {
-    Beneath beneath;
+    Overwritten overwritten;
     for (const BrickChange& change : changes) {
-        if (change.key.field == Field::Beneath)
-            beneath[{change.key.plane, change.key.brick}] = &change;
+        if (change.key.field == Field::Overwritten)
+            overwritten[{change.key.plane, change.key.brick}] = &change;
     }
-    Sums sums = summed(changes, beneath);
+    Sums sums = summed(changes, overwritten);
     ChangeFacts facts = std::move(sums.facts);
     facts.bricksOfAllFields = int(changes.size());
     facts.seedGenerations.assign(sums.seedGenerations.begin(), sums.seedGenerations.end());

@@ -31,7 +31,7 @@ struct ChangeFacts {
     /// The labels that gained or lost voxels, sorted by plane and label; without label 0.
     std::vector<LabelFlow> flows;
     /// Voxels whose label changed: those that became empty or were given back to the label that
-    /// growth had overwritten (Field::Beneath).
+    /// growth had overwritten (Field::Overwritten).
     std::int64_t labelsLost = 0;
     /// All other voxels whose label changed.
     std::int64_t labelsGrown = 0;

@@ -20,10 +20,10 @@
 #include "core/sculpt/DrillCut.h"
 #include "core/sculpt/LaserCut.h"
 #include "core/sculpt/LayerWrites.h"
-#include "core/sculpt/MaskPeel.h"
-#include "core/sculpt/MaskScissors.h"
+#include "core/sculpt/OutlineCut.h"
 #include "core/sculpt/PickRay.h"
-#include "core/sculpt/SparedLabels.h"
+#include "core/sculpt/ProtectedLabels.h"
+#include "core/sculpt/ShellPeel.h"
 
 #include <bitset>
 #include <cstdint>
@@ -70,14 +70,14 @@ struct PaintLabel {
 };
 
 /// Carve along a path: coverage = max(coverage, cut) with the cut of CapsuleSweep.h, rule 5. To
-/// restore, coverage is refilled as described at the end of MaskFrame.h, rule 6. Hidden voxels are
-/// not changed, and voxels with protected labels (`spared`) are not carved.
+/// restore, coverage is refilled as described at the end of CutFrame.h, rule 6. Hidden voxels are
+/// not changed, and voxels with protected labels (`protectedLabels`) are not carved.
 struct CapsuleCut {
     std::uint8_t layer = 0;
     bool restore = false;
     CapsuleFrame frame;
-    std::vector<HiddenHalf> hidden{};
-    SparedLabels spared{};
+    std::vector<IntegerHalfSpace> hidden{};
+    ProtectedLabels protectedLabels{};
 };
 
 [[nodiscard]] Result<void> checkSound(const EraseLabel& edit, const BrickGrid& grid);
@@ -86,14 +86,14 @@ struct CapsuleCut {
 
 /// Of growth: growth/GrowthCommands.h, growth/SeedSpread.h.
 using GrowthEdits = TypeList<SeedPlacement, GrowBurst, ShrinkGrowth, CutGrowth, SpreadLabels>;
-/// Under the pen. DrillCut, MaskPeel, MaskScissors (sculpt/DrillCut.h and so on): cut into the
+/// Under the pen. DrillCut, ShellPeel, OutlineCut (sculpt/DrillCut.h and so on): cut into the
 /// coverage of one sculpt layer with a mask that is pressed into the volume along the view;
 /// LaserCut: along the surface's normals. CapsuleCut, PaintLabel, PaintBarrier: with a brush.
 using StrokeEdits =
-    TypeList<DrillCut, LaserCut, MaskPeel, MaskScissors, CapsuleCut, PaintLabel, PaintBarrier>;
+    TypeList<DrillCut, LaserCut, ShellPeel, OutlineCut, CapsuleCut, PaintLabel, PaintBarrier>;
 /// Of whole labels and layers, and of places that are listed. CoverLabel, FoldLayer:
 /// sculpt/LayerWrites.h, as LabelWrites, which give labels to voxels.
-using WholeEdits = TypeList<EraseLabel, CoverLabel, FoldLayer, ShutListed>;
+using WholeEdits = TypeList<EraseLabel, CoverLabel, FoldLayer, BarrierListed>;
 
 using EngineEditVariant =
     JoinedTypes<GrowthEdits, StrokeEdits, WholeEdits, LabelWrites>::List::Variant;
@@ -134,7 +134,7 @@ struct CapsulePath {
     std::vector<Capsule> capsules;
 };
 
-/// Sets the depth of an open MaskPeel, which begins with 0. It may increase or decrease.
+/// Sets the depth of an open ShellPeel, which begins with 0. It may increase or decrease.
 struct PeelDepth {
     std::int32_t depth = 0; ///< mm16, ≥ 0
 };
@@ -155,12 +155,12 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // of seeds that are not sound (isSound()); bounds that are not (areSound()); a layer folded into
 // itself; a table of opacities of another length than 256; growing from seeds that is not sound
 // (isSound()) or with seeds of fewer than two labels; TraceTolerance while a transaction is open,
-// by a rule that is not sound (isSound()) or of a label without seeds; ForeseeCut while a
+// by a rule that is not sound (isSound()) or of a label without seeds; PreviewCut while a
 // transaction is open, or of a cut that could not begin; a box of codes that is empty or not within
 // the volume. ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels,
-// CountGenerations, DropTolerance and DropForesight are served while a transaction is open too. A
+// CountGenerations, DropTolerance and DropCutPreview are served while a transaction is open too. A
 // StrokeEdits over seeds yields ErrorCode::SeedsStay, one where nothing has grown NothingGrown
-// (growth/cut/GrowthCut.h), and so does a ForeseeCut of it.
+// (growth/cut/GrowthCut.h), and so does a PreviewCut of it.
 
 /// Opens a transaction. At most one is open; its ticket identifies it until EndEdit.
 struct BeginEdit {
@@ -243,21 +243,21 @@ struct TraceTolerance {
 struct DropTolerance { };
 
 /// Computes what a StrokeEdits would remove if it began now. It changes nothing. The result
-/// contains it (`foreseen`). From then on it can be shown, until BeginEdit, SwapBricks, XorBricks
-/// or DropForesight is carried out, another ForeseeCut is answered, or a volume is opened.
-struct ForeseeCut {
+/// contains it (`cutPreview`). From then on it can be shown, until BeginEdit, SwapBricks, XorBricks
+/// or DropCutPreview is carried out, another PreviewCut is answered, or a volume is opened.
+struct PreviewCut {
     CutGrowth cut;
-    /// False: do not wait for it. A result without an error and without `foreseen` then means that
-    /// it is being computed beside other commands and pictures: ask again.
+    /// False: do not wait for it. A result without an error and without `cutPreview` then means
+    /// that it is being computed beside other commands and pictures: ask again.
     bool toTheEnd = true;
 };
-/// Discards what ForeseeCut computed. The result is empty.
-struct DropForesight { };
+/// Discards what PreviewCut computed. The result is empty.
+struct DropCutPreview { };
 
 /// Casts rays to find what is visible; all integers, so a pick is the same on every machine. A hit
 /// is the voxel nearest to the sample found: (P + 2¹⁵) >> 16. Material, inside, carved and Z are
-/// those of MaskFrame.h, rule 3, with the radiation at the time of this command, which includes
-/// what an open stroke has cut so far. Opacity: each sample that is inside and not carved adds o =
+/// those of CutFrame.h, rule 3, with the radiation at the time of this command, which includes what
+/// an open stroke has cut so far. Opacity: each sample that is inside and not carved adds o =
 /// opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from T =
 /// 65535; visible when T ≤ 32767. BrightestVoxel: Z over samples that are inside and not carved.
 struct PickVoxels {
@@ -269,7 +269,7 @@ struct PickVoxels {
 
 using EngineCommandVariant = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, XorBricks,
     MuteLayers, ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels, PickVoxels, CountGenerations,
-    ProbeSeeds, TraceTolerance, DropTolerance, ForeseeCut, DropForesight>;
+    ProbeSeeds, TraceTolerance, DropTolerance, PreviewCut, DropCutPreview>;
 
 /// Any one command; like Edit (core/edits/kinds/Edit.h), its copies are compiled once.
 struct EngineCommand : EngineCommandVariant {
@@ -308,7 +308,7 @@ struct EngineResult {
     std::vector<std::uint32_t> generationSizes; ///< place g: members of generation g; ends with the
                                                 ///< last that has any
     std::optional<ToleranceCurve> tolerance{}; ///< TraceTolerance, once it is done
-    std::optional<ForeseenCut> foreseen{}; ///< ForeseeCut, once it is done
+    std::optional<CutPreview> cutPreview{}; ///< PreviewCut, once it is done
 };
 
 } // namespace core

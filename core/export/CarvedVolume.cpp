@@ -161,7 +161,7 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
                           .arg(volume.geometry.size.z);
     Volume expected = volume;
     if (request.deidentifier)
-        expected.identity = request.deidentifier->masked(volume.identity);
+        expected.identity = request.deidentifier->deidentified(volume.identity);
     const auto checked = checkCarvedSeries(staged->path(), expected,
         carvedValue(volume, request, fill), volume.encoding.maxError, progress);
     if (!checked)

@@ -88,10 +88,10 @@ bool isSound(const GrowBurst& burst)
         && (!rolls || (burst.opening != GrowOpening::Narrow && burst.tellsHeld));
 }
 
-bool isSound(const ShutListed& edit, int brickCount)
+bool isSound(const BarrierListed& edit, int brickCount)
 {
     std::int64_t last = -1;
-    for (const ShutListed::Brick& brick : edit.bricks) {
+    for (const BarrierListed::Brick& brick : edit.bricks) {
         if (std::int64_t(brick.brick) <= last || std::int64_t(brick.brick) >= brickCount)
             return false;
         last = brick.brick;
@@ -141,7 +141,7 @@ Result<void> checkSound(const PaintBarrier& edit, const BrickGrid&)
     return {};
 }
 
-Result<void> checkSound(const ShutListed& edit, const BrickGrid& grid)
+Result<void> checkSound(const BarrierListed& edit, const BrickGrid& grid)
 {
     if (!isSound(edit, grid.brickCount()))
         return failure(

@@ -21,8 +21,8 @@ namespace core {
 // Seed words are described in core/growth/SeedWord.h; SpreadLabels ("grow from seeds") has its own
 // header, core/growth/SeedSpread.h.
 //
-// Growth can give back the labels that it overwrote: for each voxel, Field::Beneath holds the label
-// that the label plane held before a member claimed the voxel. The value is read only where a
+// Growth can give back the labels that it overwrote: for each voxel, Field::Overwritten holds the
+// label that the label plane held before a member claimed the voxel. The value is read only where a
 // member has added its own label to the plane, that is where its generation is above 0 and its
 // direction is neither 29 nor 30. Everywhere else the value is meaningless, so commands that paint,
 // erase or fill need not maintain it. Three rules make this work:
@@ -85,7 +85,7 @@ struct GrowLimits {
 [[nodiscard]] bool isSound(const GrowLimits& limits);
 
 /// What the opening of a burst does with members that are already there. Members whose label is in
-/// `frozen` always stay, and so does what was painted (generation 0).
+/// `lockedLabels` always stay, and so does what was painted (generation 0).
 enum class GrowOpening : std::uint8_t {
     GoOn, ///< they stay
     /// Members that no longer qualify leave, and with them those that depended on them. A seed that
@@ -134,7 +134,7 @@ struct LeakAlarm {
 /// Grow all labels of a plane at once, one ring of voxels per generation (seed A §5.3).
 ///
 /// accept(label, q) holds if
-///   - the label is not in `frozen`;
+///   - the label is not in `lockedLabels`;
 ///   - the limits allow it at q, which includes lowCode ≤ code(q) ≤ highCode;
 ///   - at q the label plane holds 0, the label itself or a label in `overwritable`. What counts is
 ///     the plane after members have left at the opening; for a member that Narrow examines, it is
@@ -169,7 +169,7 @@ struct GrowBurst {
     GrowOpening opening = GrowOpening::GoOn;
     std::uint32_t generation = 0; ///< the counter at the opening; no member has a greater one
     std::bitset<256> overwritable{};
-    std::bitset<256> frozen{}; ///< labels that do not grow: those of locked segments
+    std::bitset<256> lockedLabels{}; ///< labels that do not grow: those of locked segments
     bool tellsHeld = true; ///< false: directions 29 and 30 are not used
     /// After a generation that raises an alarm no further step is done, however many are requested.
     std::optional<GuardRule> guard{};
@@ -181,8 +181,9 @@ struct GrowBurst {
 /// tellsHeld is true.
 [[nodiscard]] bool isSound(const GrowBurst& burst);
 
-/// Remove what a growth added after generation `keep`, for every label that is not in `frozen`: the
-/// exact inverse of growing (shrinking, seed A §5.3). Of each member of a later generation
+/// Remove what a growth added after generation `keep`, for every label that is not in
+/// `lockedLabels`: the exact inverse of growing (shrinking, seed A §5.3). Of each member of a later
+/// generation
 /// - a seed stays as a member of generation 1 if `keepSeeds`; otherwise it becomes a pending seed;
 /// - any other member becomes seedWord::unvisited.
 /// Members that leave and had added their label to the plane are given back: voxels that had the
@@ -194,7 +195,7 @@ struct ShrinkGrowth {
     std::uint32_t generation = 0; ///< the generation now; no member has a greater one
     std::uint32_t keep = 0; ///< at most `generation`
     bool keepSeeds = false;
-    std::bitset<256> frozen{};
+    std::bitset<256> lockedLabels{};
 };
 
 /// Moves an open ShrinkGrowth: voxels, words and generation become what they would be if it had
@@ -222,13 +223,13 @@ struct CutGrowth {
     bool barrier = true; ///< set a barrier along the cut
     int connectivity = 26; ///< of fronts: 6, 18 or 26
     std::uint32_t generation = 0; ///< the generation now
-    std::bitset<256> frozen{};
+    std::bitset<256> lockedLabels{};
     std::vector<glm::ivec3> voxels{}; ///< inside the volume
     bool operator==(const CutGrowth&) const = default;
 };
 
 /// What a StrokeEdits would remove, as it is shown before it is carried out.
-struct ForeseenCut {
+struct CutPreview {
     struct Brick {
         std::uint32_t brick = 0;
         std::bitset<BrickGrid::voxelsPerBrick> taken; ///< where the plane would lose its label
@@ -237,24 +238,25 @@ struct ForeseenCut {
     std::int64_t members = 0; ///< members that would leave the growth; 0: the cut would do nothing
     std::int64_t voxels = 0; ///< voxels at which the plane would lose its label
     std::vector<Brick> bricks{}; ///< ascending; those in which the plane would lose a label
-    bool operator==(const ForeseenCut&) const = default;
+    bool operator==(const CutPreview&) const = default;
 };
 
 /// Set barriers along a path, or remove them. It changes the voxels inside (CapsuleSweep.h, rule
 /// 4).
 ///
 /// Set: every word becomes seedWord::barrier, except the words of members and pending seeds whose
-/// label is in `frozen`. Members that had added their label to the plane are given back. Erase: a
-/// barrier becomes unvisited, so growth may enter it again. The label plane stays as it is.
+/// label is in `lockedLabels`. Members that had added their label to the plane are given back.
+/// Erase: a barrier becomes unvisited, so growth may enter it again. The label plane stays as it
+/// is.
 struct PaintBarrier {
     std::uint8_t plane = 0;
     bool erase = false;
-    std::bitset<256> frozen{};
+    std::bitset<256> lockedLabels{};
     CapsuleFrame frame;
 };
 
 /// Set barriers at listed voxels, or remove them, as WholeEdits does along its path.
-struct ShutListed {
+struct BarrierListed {
     struct Brick {
         std::uint32_t brick = 0;
         std::bitset<BrickGrid::voxelsPerBrick> places{};
@@ -262,18 +264,18 @@ struct ShutListed {
     };
     std::uint8_t plane = 0;
     bool erase = false;
-    std::bitset<256> frozen{};
+    std::bitset<256> lockedLabels{};
     std::vector<Brick> bricks{}; ///< ascending, each once
 };
 
 /// Whether its bricks ascend and lie in a volume of `brickCount` bricks.
-[[nodiscard]] bool isSound(const ShutListed& edit, int brickCount);
+[[nodiscard]] bool isSound(const BarrierListed& edit, int brickCount);
 
 [[nodiscard]] Result<void> checkSound(const SeedPlacement& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const GrowBurst& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const ShrinkGrowth& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const CutGrowth& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const PaintBarrier& edit, const BrickGrid& grid);
-[[nodiscard]] Result<void> checkSound(const ShutListed& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const BarrierListed& edit, const BrickGrid& grid);
 
 } // namespace core

@@ -15,8 +15,8 @@ namespace core {
 ///   - q is no barrier, and
 ///   - the label plane as it was at the opening holds 0, the label itself or a label in
 ///     `overwritable` at q, or q was grown: it is a member of a generation above 0, its direction
-///     is neither 29 nor 30, and its label is not in `frozen`. So labels that grow side by side are
-///     no walls to each other, and the number of bursts makes no difference.
+///     is neither 29 nor 30, and its label is not in `lockedLabels`. So labels that grow side by
+///     side are no walls to each other, and the number of bursts makes no difference.
 /// isCentre(label, c) holds for a voxel of the volume if all of B(c) is free. For a place outside
 ///   the volume the nearest voxel inside is tested.
 /// room(label, q) is the least |q − c|² over all centres c whose B(c) contains q; if there is none,

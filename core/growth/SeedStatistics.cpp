@@ -29,7 +29,7 @@ std::int64_t divideDown(std::int64_t number, std::int64_t by)
 
 } // namespace
 
-SeedSpread seedSpread(const SeedSums& sums)
+SeedMoments seedMoments(const SeedSums& sums)
 {
     const std::uint64_t n = sums.voxels;
     if (n == 0)
@@ -49,7 +49,7 @@ CodeInterval seedInterval(const SeedSums& sums, int sigmas256)
 {
     if (sums.voxels == 0)
         return {};
-    const SeedSpread spread = seedSpread(sums);
+    const SeedMoments spread = seedMoments(sums);
     const std::int64_t reach = (sigmas256 * spread.deviation256) >> 8;
     return {.low = int(std::max<std::int64_t>(divideDown(spread.mean256 - reach + 255, 256), 0)),
         .high = int(std::min<std::int64_t>(divideDown(spread.mean256 + reach, 256), 65535))};

@@ -22,11 +22,11 @@ constexpr int seedReach = 3;
 /// With c = codes div voxels, r = codes − voxels · c and s = Σ (code − c)²: mean = 256 · c +
 /// ⌊⌊4096 · r / voxels⌋ / 16⌋, and deviation = ⌊√(⌊2¹⁶ · s / voxels⌋ − ⌊⌊4096 · r / voxels⌋² /
 /// 2⁸⌋)⌋, in which no 64-bit number overflows for up to 2³¹ voxels.
-struct SeedSpread {
+struct SeedMoments {
     std::int64_t mean256 = 0;
     std::int64_t deviation256 = 0;
 };
-[[nodiscard]] SeedSpread seedSpread(const SeedSums& sums);
+[[nodiscard]] SeedMoments seedMoments(const SeedSums& sums);
 
 /// Codes from low to high, both included; empty if low > high.
 struct CodeInterval {

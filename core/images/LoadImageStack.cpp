@@ -44,7 +44,7 @@ tl::unexpected<Error> changed(const SeriesEntry& entry)
         QStringLiteral("its pictures were changed meanwhile"));
 }
 
-void tellOfEmptySlices(const std::vector<Slice>& slices, Volume& volume)
+void reportEmptySlices(const std::vector<Slice>& slices, Volume& volume)
 {
     for (std::size_t k = 0; k < slices.size(); ++k) {
         if (slices[k].wrong.isEmpty())
@@ -103,7 +103,7 @@ Result<LoadedVolume> loadImageStack(const SeriesEntry& entry, const Progress& pr
     volume.sourceFormat = QLatin1String(imageFormatName);
     volume.problems = entry.problems;
     volume.displayInverted = like.isInverted;
-    tellOfEmptySlices(slices, volume);
+    reportEmptySlices(slices, volume);
     encodeScalars(loaded, {voxels.get(), bytes}, like.type, 1.0, 0.0, false);
     return loaded;
 }

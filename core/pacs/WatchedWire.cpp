@@ -40,7 +40,7 @@ public:
     OFCondition clientSideHandshake() override
     {
         const OFCondition shaken = m_inner->clientSideHandshake();
-        if (!heedWatch() && shaken.bad())
+        if (!endedByWatch() && shaken.bad())
             m_state.handshake = QString::fromUtf8(shaken.text());
         return shaken;
     }
@@ -85,7 +85,7 @@ public:
             return -1;
         }
         const ssize_t count = m_inner->read(bytes, size);
-        if (heedWatch()) {
+        if (endedByWatch()) {
             errno = m_state.cancelled ? ECANCELED : ETIMEDOUT;
             return -1;
         }
@@ -111,7 +111,7 @@ public:
         const ssize_t count = m_inner->write(bytes, size);
         if (count > 0)
             m_state.patience->passed(count);
-        if (!heedWatch() && count < 0)
+        if (!endedByWatch() && count < 0)
             note(errno);
         return count;
     }
@@ -120,7 +120,7 @@ public:
         using Clock = std::chrono::steady_clock;
         const auto until = Clock::now() + std::chrono::seconds(timeout);
         for (;;) {
-            if (isCancelled() || heedWatch())
+            if (isCancelled() || endedByWatch())
                 return OFFalse;
             if (m_inner->networkDataAvailable(0))
                 return OFTrue;
@@ -139,7 +139,7 @@ public:
 
 private:
     /// Whether the watch has ended the connection, which is noted.
-    bool heedWatch()
+    bool endedByWatch()
     {
         m_state.cancelled = m_state.cancelled || m_watch.cancelled();
         m_state.lost = m_watch.lost();

@@ -34,7 +34,7 @@ std::int64_t contribution(const DrillCut& cut, const DrillSample& sample, std::i
     return cut.mode == DrillMode::Limit ? product >> 8 : product;
 }
 
-MaskColumn drillColumn(const MaskFrame& frame, const SurfaceHit& hit, std::int32_t depth)
+CutColumn drillColumn(const CutFrame& frame, const SurfaceHit& hit, std::int32_t depth)
 {
     if (hit.zSurface == SurfaceHit::none || depth <= 0)
         return {};

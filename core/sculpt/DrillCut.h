@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
-#include "core/sculpt/MaskFrame.h"
-#include "core/sculpt/MaskRaster.h"
+#include "core/sculpt/CutFrame.h"
+#include "core/sculpt/OutlineRaster.h"
 
 namespace core {
 
@@ -14,7 +14,7 @@ enum class DrillMode : std::uint8_t {
 };
 
 /// A drill stroke in integers: everything that decides which voxels it cuts (seed A §4.1, 4.2). It
-/// lies on the plane of MaskFrame.h and continues with rules 2 to 6 of that header.
+/// lies on the plane of CutFrame.h and continues with rules 2 to 6 of that header.
 ///
 /// 1. a. Mask. Under a sample s, element (a, b) has the weight m, 0 … 256. For round masks (`mask`
 ///       is empty) m = clamp(⌊((maskRadius − d)·256 + 128·pitch) / pitch⌋, 0, 256), where
@@ -29,13 +29,13 @@ enum class DrillMode : std::uint8_t {
 ///    d. Depth D(a, b) of an element: in mode Limit the greatest contribution that it receives, in
 ///       mode Rate min(maxDepth, (sum of contributions) >> 16), in 64 bits.
 ///    e. Column. An element with D > 0 and a surface has a column of weight 255:
-///       (zSurface − front, min(zSurface + D, zExit)), or, when restoring, that of MaskFrame.h,
-///       rule 7.
+///       (zSurface − front, min(zSurface + D, zExit)), or, when restoring, that of CutFrame.h, rule
+///       7.
 struct DrillCut {
     std::uint8_t layer = 0;
-    MaskFrame frame;
+    CutFrame frame;
     std::int32_t maskRadius = 0; ///< mm16, for round masks
-    MaskRaster mask{}; ///< its origin is the middle of element (0, 0); empty: round
+    OutlineRaster mask{}; ///< its origin is the middle of element (0, 0); empty: round
     DrillMode mode = DrillMode::Limit;
     std::int32_t guard = -1; ///< mm16; negative: no guard
     Laying laying = Laying::Carve;
@@ -58,8 +58,8 @@ struct DrillSample {
     const DrillCut& cut, const DrillSample& sample, std::int32_t weight);
 
 /// Rule 1e.
-[[nodiscard]] MaskColumn drillColumn(
-    const MaskFrame& frame, const SurfaceHit& hit, std::int32_t depth);
+[[nodiscard]] CutColumn drillColumn(
+    const CutFrame& frame, const SurfaceHit& hit, std::int32_t depth);
 
 /// The elements that a sample may change.
 [[nodiscard]] ElementBox elementsUnder(const DrillCut& cut, const DrillSample& sample);

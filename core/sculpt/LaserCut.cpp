@@ -37,7 +37,7 @@ std::int32_t restoredFrom(const LaserCut& cut, std::int32_t end, std::int32_t de
     return from < cut.frame.front ? 0 : from;
 }
 
-glm::ivec3 footPosition(const MaskFrame& frame, const glm::ivec2& element, std::int32_t surface)
+glm::ivec3 footPosition(const CutFrame& frame, const glm::ivec2& element, std::int32_t surface)
 {
     const std::int64_t t = std::int64_t(surface) - frame.zStart;
     const std::int64_t n = divided(t, frame.zPerSample);
@@ -56,13 +56,13 @@ glm::ivec3 footPosition(const MaskFrame& frame, const glm::ivec2& element, std::
 
 LaserLattice laserLattice(const LaserCut& cut)
 {
-    const MaskFrame& frame = cut.frame;
+    const CutFrame& frame = cut.frame;
     return {round14(scaled(frame.rayPerA, cut.normalStep, frame.pitch)),
         round14(scaled(frame.rayPerB, cut.normalStep, frame.pitch)),
         round14(scaled(frame.rayPerSample, cut.normalStep, frame.zPerSample))};
 }
 
-LaserBeam laserBeam(const MaskFrame& frame, const glm::ivec2& element, std::int32_t surface,
+LaserBeam laserBeam(const CutFrame& frame, const glm::ivec2& element, std::int32_t surface,
     const glm::ivec3& gradient)
 {
     glm::ivec3 m(gradient.x, gradient.y, std::max(gradient.z, 0));
@@ -97,7 +97,8 @@ LaserBeam laserBeam(const MaskFrame& frame, const glm::ivec2& element, std::int3
     return beam;
 }
 
-glm::ivec4 hiddenAround(const HiddenHalf& half, const glm::ivec3& foot, const LaserLattice& lattice)
+glm::ivec4 hiddenAround(
+    const IntegerHalfSpace& half, const glm::ivec3& foot, const LaserLattice& lattice)
 {
     constexpr std::int64_t far = std::int64_t(1) << 30;
     const auto along = [&half](const glm::ivec3& v) {
@@ -131,7 +132,7 @@ bool isSound(const LaserCut& cut)
     return true;
 }
 
-glm::ivec3 beamStep(const MaskFrame& frame, const LaserBeam& beam)
+glm::ivec3 beamStep(const CutFrame& frame, const LaserBeam& beam)
 {
     const Fixed3 a = scaled(frame.rayPerA, frame.zPerSample, frame.pitch);
     const Fixed3 b = scaled(frame.rayPerB, frame.zPerSample, frame.pitch);

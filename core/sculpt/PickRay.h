@@ -9,7 +9,7 @@ namespace core {
 
 /// Which point along a ray counts as visible to the user.
 enum class SeenBy : std::uint8_t {
-    Surface, ///< first sample that is material (MaskFrame.h rule 3)
+    Surface, ///< first sample that is material (CutFrame.h rule 3)
     Opacity, ///< first sample where accumulated opacity reaches one half
     BrightestVoxel, ///< greatest interpolated value along the ray; the first of equals
 };

@@ -13,7 +13,7 @@ SessionDisplay::SessionDisplay(OperationQueue& queue)
 void SessionDisplay::setSegmentVisible(int label, bool visible)
 {
     m_queue.state().setVisible(label, visible);
-    m_queue.tellNews();
+    m_queue.notifyListeners();
 }
 
 const QJsonObject& SessionDisplay::kept() const

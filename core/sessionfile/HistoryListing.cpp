@@ -4,7 +4,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/sessionfile/records/StateHash.h"
@@ -35,9 +35,9 @@ QJsonValue told(const HistoryRow& row, const QString& text)
 }
 
 /// A recipe says what was done; what a row adds to it, it finds again.
-Edit asToldAtFirst(Edit edit)
+Edit asFirstGiven(Edit edit)
 {
-    if (auto* chunks = edit.as<Chunks>())
+    if (auto* chunks = edit.as<DivideSegment>())
         chunks->owners.reset();
     else if (auto* toggle = edit.as<ChunkToggle>())
         toggle->bricks.reset();
@@ -139,7 +139,7 @@ QJsonObject historyAsRecipe(const SessionContents& contents)
     QJsonArray edits;
     std::map<RowId, RowId> numbers;
     for (const RowId id : history.pathTo(contents.position)) {
-        edits.append(editToJson(asToldAtFirst(renumbered(history.row(id).edit, numbers))));
+        edits.append(editToJson(asFirstGiven(renumbered(history.row(id).edit, numbers))));
         numbers.emplace(id, RowId(numbers.size()) + 1);
     }
     return {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gpu/kernels/cut/MaskPrograms.h"
+#include "gpu/kernels/cut/CutPrograms.h"
 #include "gpu/kernels/growth/GrowthKernel.h"
+#include "gpu/kernels/labels/BarrierKernel.h"
 #include "gpu/kernels/labels/EraseKernel.h"
 #include "gpu/kernels/labels/LabelKernel.h"
-#include "gpu/kernels/labels/ShutKernel.h"
 #include "gpu/kernels/sculpt/CapsuleKernel.h"
 #include "gpu/kernels/sculpt/LaserKernel.h"
 #include "gpu/kernels/spread/SpreadKernel.h"
@@ -22,7 +22,7 @@ struct EditPrograms {
         , erase(library)
         , capsule(library)
         , label(library)
-        , shut(library)
+        , barriers(library)
         , laser(library)
         , spread(library)
         , tolerance(library)
@@ -30,11 +30,11 @@ struct EditPrograms {
     }
 
     GrowthPrograms growth;
-    MaskPrograms mask;
+    CutPrograms mask;
     ErasePrograms erase;
     CapsulePrograms capsule;
     LabelPrograms label;
-    ShutPrograms shut;
+    BarrierPrograms barriers;
     LaserPrograms laser;
     SpreadPrograms spread;
     TolerancePrograms tolerance;

@@ -53,8 +53,8 @@ void EditTransaction::commit(core::EngineResult& result)
     result.facts = core::factsOf(result.changes, m_fields.grid());
     result.statistics = core::statisticsOf(result.facts);
     for (const core::BrickChange& change : result.changes) {
-        if (change.key.field == core::Field::Beneath && change.after.empty())
-            m_fields.beneath(change.key.plane).release(std::span(&change.key.brick, 1));
+        if (change.key.field == core::Field::Overwritten && change.after.empty())
+            m_fields.overwritten(change.key.plane).release(std::span(&change.key.brick, 1));
     }
     m_work->finish(result);
 }

@@ -13,7 +13,7 @@ core::Result<void> GpuEditEngine::checkKeys(std::span<const core::BrickKey> keys
 {
     for (const core::BrickKey& key : keys) {
         const bool known = key.field == core::Field::Coverage || key.field == core::Field::Labels
-            || key.field == core::Field::SeedWords || key.field == core::Field::Beneath;
+            || key.field == core::Field::SeedWords || key.field == core::Field::Overwritten;
         if (!known || key.brick >= std::uint32_t(m_fields->grid().brickCount()))
             return refusal("brick", "not in this volume");
     }
@@ -42,7 +42,7 @@ GpuEditEngine::Outcome GpuEditEngine::put(const core::LabelGuard& guard,
     if (const core::Result<void> checked = core::checkGuard(guard, now, images); !checked)
         return tl::unexpected(checked.error());
     hideTolerance();
-    m_foresight.forget();
+    m_cutPreviewer.forget();
     std::vector<core::BrickImage> held;
     held.reserve(images.size());
     core::EngineResult result;

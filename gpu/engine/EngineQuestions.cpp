@@ -148,24 +148,25 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::DropTolerance&)
     return core::EngineResult{};
 }
 
-GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ForeseeCut& command)
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::PreviewCut& command)
 {
     if (m_transaction)
         return refusal("transaction", "an edit is open");
     if (const core::Result<void> checked = core::checkSound(command.cut, m_fields->grid());
         !checked)
         return tl::unexpected(checked.error());
-    core::Result<std::optional<core::ForeseenCut>> foreseen = m_foresight.ask(*m_fields, command);
-    if (!foreseen)
-        return tl::unexpected(foreseen.error());
+    core::Result<std::optional<core::CutPreview>> cutPreview =
+        m_cutPreviewer.ask(*m_fields, command);
+    if (!cutPreview)
+        return tl::unexpected(cutPreview.error());
     core::EngineResult result;
-    result.foreseen = *std::move(foreseen);
+    result.cutPreview = *std::move(cutPreview);
     return result;
 }
 
-GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::DropForesight&)
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::DropCutPreview&)
 {
-    m_foresight.forget();
+    m_cutPreviewer.forget();
     return core::EngineResult{};
 }
 

@@ -20,7 +20,7 @@ GpuEditEngine::GpuEditEngine(const EditContext& context)
     , m_fieldPrograms(context.shaders)
     , m_idleWork(m_programs, m_fieldPrograms)
     , m_picks(context.shaders)
-    , m_foresight(context.textures)
+    , m_cutPreviewer(context.textures)
 {
 }
 
@@ -72,7 +72,7 @@ void GpuEditEngine::close()
 {
     m_transaction.reset();
     m_trace.reset();
-    m_foresight.forget();
+    m_cutPreviewer.forget();
     m_fields.reset();
 }
 
@@ -121,7 +121,7 @@ void GpuEditEngine::warmUp()
 
 std::size_t GpuEditEngine::brickBytes() const
 {
-    return m_fields ? m_fields->bytes() + m_foresight.bytes() : 0;
+    return m_fields ? m_fields->bytes() + m_cutPreviewer.bytes() : 0;
 }
 
 /// What is thrown in spite of all that is caught below: of nothing is it known how far it came.
@@ -288,10 +288,10 @@ void GpuEditEngine::clearAfter(const core::TraceTolerance&, const core::Error&)
     m_fields->dropTolerance();
 }
 
-void GpuEditEngine::clearAfter(const core::ForeseeCut&, const core::Error&)
+void GpuEditEngine::clearAfter(const core::PreviewCut&, const core::Error&)
 {
     if (!m_lost)
-        m_foresight.forget();
+        m_cutPreviewer.forget();
 }
 
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
@@ -299,7 +299,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
     if (m_transaction)
         return refusal("transaction", "another edit is open");
     hideTolerance();
-    m_foresight.forget();
+    m_cutPreviewer.forget();
     m_editMilliseconds = 0.0;
     auto transaction = EditTransaction::begin(m_programs, *m_fields, command.edit);
     if (!transaction)

@@ -8,7 +8,7 @@
 #include "gpu/fields/textures/VolumeTextures.h"
 #include "gpu/frame/EditWorker.h"
 #include "gpu/kernels/labels/PickKernel.h"
-#include "gpu/kernels/shrink/CutForesight.h"
+#include "gpu/kernels/shrink/CutPreviewer.h"
 
 #include <memory>
 #include <optional>
@@ -73,7 +73,7 @@ private:
     void clearAfter(const core::ExtendEdit& command, const core::Error& why);
     void clearAfter(const core::EndEdit& command, const core::Error& why);
     void clearAfter(const core::TraceTolerance& command, const core::Error& why);
-    void clearAfter(const core::ForeseeCut& command, const core::Error& why);
+    void clearAfter(const core::PreviewCut& command, const core::Error& why);
     Outcome carryOut(const core::BeginEdit& command);
     Outcome carryOut(const core::ExtendEdit& command);
     Outcome carryOut(const core::EndEdit& command);
@@ -89,8 +89,8 @@ private:
     Outcome carryOut(const core::CountGenerations& command);
     Outcome carryOut(const core::TraceTolerance& command);
     Outcome carryOut(const core::DropTolerance& command);
-    Outcome carryOut(const core::ForeseeCut& command);
-    Outcome carryOut(const core::DropForesight& command);
+    Outcome carryOut(const core::PreviewCut& command);
+    Outcome carryOut(const core::DropCutPreview& command);
     [[nodiscard]] core::Result<void> checkImages(
         const std::vector<core::BrickImage>& images, bool mayBeEmpty) const;
     Outcome put(const core::LabelGuard& guard, const std::vector<core::BrickImage>& now,
@@ -107,7 +107,7 @@ private:
     IdleWork m_idleWork;
     PickKernel m_picks;
     std::unique_ptr<VoxelFields> m_fields;
-    CutForesight m_foresight;
+    CutPreviewer m_cutPreviewer;
     std::unique_ptr<EditTransaction> m_transaction;
     std::optional<core::Error> m_lost; ///< why every command is refused until a volume is opened
     std::bitset<256> m_shownLabels;

@@ -58,14 +58,14 @@ public:
         const std::vector<std::uint32_t> bricks = m_kernel->touchedBricks();
         std::vector<core::BrickKey> keys = keysOf(core::Field::Labels, m_plane, bricks);
         append(keys, keysOf(core::Field::SeedWords, m_plane, bricks));
-        if (m_kernel->keepsBeneath())
-            append(keys, keysOf(core::Field::Beneath, m_plane, bricks));
+        if (m_kernel->keepsOverwritten())
+            append(keys, keysOf(core::Field::Overwritten, m_plane, bricks));
         return keys;
     }
     void finish(core::EngineResult& result) override
     {
         m_kernel->releaseUnused();
-        m_kernel->releaseBeneath(result.changes);
+        m_kernel->releaseOverwritten(result.changes);
         result.generation = m_kernel->generation();
         result.atClosure = m_kernel->atClosure();
         result.alarm = m_kernel->alarm();
@@ -74,7 +74,7 @@ public:
     void rollBack(core::EngineResult& result) override
     {
         m_kernel->releaseUnused();
-        m_kernel->releaseBeneath({});
+        m_kernel->releaseOverwritten({});
         result.generation = m_openedAt;
     }
     core::GrowthProgress progress() const override
@@ -118,7 +118,7 @@ private:
             return refusal("plane", "is another one");
         m_context.before.restore(touchedKeys());
         m_kernel->releaseUnused();
-        m_kernel->releaseBeneath({});
+        m_kernel->releaseOverwritten({});
         open(burst);
         m_stepsLeft = 0;
         return {};

@@ -91,7 +91,7 @@ bool KernelWarmUp::runNext()
     static constexpr std::array runs{&KernelWarmUp::runDrill, &KernelWarmUp::runBrushes,
         &KernelWarmUp::runTakingGrowth, &KernelWarmUp::runGrowth, &KernelWarmUp::runLaser,
         &KernelWarmUp::runPeel, &KernelWarmUp::runScissors, &KernelWarmUp::runTolerance,
-        &KernelWarmUp::runRelabelling, &KernelWarmUp::runShutting};
+        &KernelWarmUp::runRelabelling, &KernelWarmUp::runBarriers};
     if (!m_fields || m_done == runs.size())
         return false;
     (this->*runs[m_done++])();
@@ -149,14 +149,14 @@ void KernelWarmUp::runPeel()
 {
     core::PeelCut peel{.view = fromFront(), .polygonMm = outline};
     peel.surfaceThreshold = matter;
-    if (const auto cut = core::maskPeel(peel, m_document))
+    if (const auto cut = core::shellPeel(peel, m_document))
         run(*cut, {core::peelDepth(peel)});
 }
 
 void KernelWarmUp::runScissors()
 {
     core::ScissorsCut scissors{.view = fromFront(), .polygonMm = outline};
-    if (const auto cut = core::maskScissors(scissors, m_document))
+    if (const auto cut = core::outlineCut(scissors, m_document))
         run(*cut, {});
 }
 
@@ -174,7 +174,7 @@ void KernelWarmUp::runBrushes()
 
 void KernelWarmUp::runTakingGrowth()
 {
-    // One that may take voxels from others keeps what lies beneath, by kernels of its own.
+    // One that may take voxels from others keeps what it overwrites, by kernels of its own.
     run(core::SeedPlacement{.label = label, .voxels = {glm::ivec3(leastSide / 2)}}, {},
         core::Ending::Commit);
     core::GrowBurst burst{.lowCode = matter, .highCode = matter};
@@ -217,13 +217,13 @@ void KernelWarmUp::runRelabelling()
     run(relabel, {});
 }
 
-void KernelWarmUp::runShutting()
+void KernelWarmUp::runBarriers()
 {
     // A surface that becomes a barrier.
-    core::ShutListed shut;
-    shut.bricks.push_back({.brick = 0});
-    shut.bricks.back().places.set();
-    run(shut, {});
+    core::BarrierListed listed;
+    listed.bricks.push_back({.brick = 0});
+    listed.bricks.back().places.set();
+    run(listed, {});
 }
 
 } // namespace gpu

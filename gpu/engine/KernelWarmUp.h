@@ -39,7 +39,7 @@ private:
     void runGrowth();
     void runTolerance();
     void runRelabelling();
-    void runShutting();
+    void runBarriers();
 
     EditPrograms& m_programs;
     VolumeTextures m_textures;

@@ -31,9 +31,9 @@ BegunWork begun(const core::EraseLabel& edit, const WorkContext& context)
     return done(eraseLabel(context.programs.erase, context.fields, context.before, edit));
 }
 
-BegunWork begun(const core::ShutListed& edit, const WorkContext& context)
+BegunWork begun(const core::BarrierListed& edit, const WorkContext& context)
 {
-    return done(shutListed(context.programs.shut, context.fields, context.before, edit));
+    return done(writeBarriers(context.programs.barriers, context.fields, context.before, edit));
 }
 
 BegunWork begun(const core::CoverLabel& edit, const WorkContext& context)

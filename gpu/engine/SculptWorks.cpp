@@ -22,13 +22,13 @@ BegunWork begun(const core::LaserCut& edit, const WorkContext& context)
         context.programs.laser, context.fields, context.before, edit);
 }
 
-BegunWork begun(const core::MaskPeel& edit, const WorkContext& context)
+BegunWork begun(const core::ShellPeel& edit, const WorkContext& context)
 {
     return std::make_unique<PeelKernel>(
         context.programs.mask, context.fields, context.before, edit);
 }
 
-BegunWork begun(const core::MaskScissors& edit, const WorkContext& context)
+BegunWork begun(const core::OutlineCut& edit, const WorkContext& context)
 {
     return std::make_unique<ScissorsKernel>(
         context.programs.mask, context.fields, context.before, edit);

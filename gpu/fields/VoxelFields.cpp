@@ -45,19 +45,19 @@ BrickField& VoxelFields::seedWords(std::uint8_t plane)
     return field;
 }
 
-BrickField& VoxelFields::beneath(std::uint8_t plane)
+BrickField& VoxelFields::overwritten(std::uint8_t plane)
 {
-    BrickField& field = m_beneath[plane];
+    BrickField& field = m_overwritten[plane];
     if (!field.created())
         field = BrickField(
             {.label = "beneath members", .format = GL_R8UI, .emptyVoxel = 0, .grid = m_grid});
     return field;
 }
 
-bool VoxelFields::anythingBeneath(std::uint8_t plane) const
+bool VoxelFields::anyOverwritten(std::uint8_t plane) const
 {
-    const auto field = m_beneath.find(plane);
-    return field != m_beneath.end() && !field->second.empty();
+    const auto field = m_overwritten.find(plane);
+    return field != m_overwritten.end() && !field->second.empty();
 }
 
 const Texture3D& VoxelFields::labels(std::uint8_t plane)
@@ -79,8 +79,8 @@ BrickField* VoxelFields::paged(core::Field field, std::uint8_t plane)
         return &coverage(plane);
     case core::Field::SeedWords:
         return &seedWords(plane);
-    case core::Field::Beneath:
-        return &beneath(plane);
+    case core::Field::Overwritten:
+        return &overwritten(plane);
     case core::Field::Labels:
         return nullptr;
     }
@@ -290,7 +290,7 @@ std::size_t VoxelFields::bytes() const
         total += layer.second.bytes();
     for (const auto& words : m_seedWords)
         total += words.second.bytes();
-    for (const auto& below : m_beneath)
+    for (const auto& below : m_overwritten)
         total += below.second.bytes();
     for (const auto& plane : m_furtherPlanes)
         total += plane.second.bytes();

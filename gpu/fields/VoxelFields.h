@@ -40,10 +40,10 @@ public:
 
     [[nodiscard]] BrickField& coverage(std::uint8_t layer);
     [[nodiscard]] BrickField& seedWords(std::uint8_t plane);
-    /// The labels that growth took from other segments (Field::Beneath). Only bricks where it took
-    /// any have pages.
-    [[nodiscard]] BrickField& beneath(std::uint8_t plane);
-    [[nodiscard]] bool anythingBeneath(std::uint8_t plane) const;
+    /// The labels that growth took from other segments (Field::Overwritten). Only bricks where it
+    /// took any have pages.
+    [[nodiscard]] BrickField& overwritten(std::uint8_t plane);
+    [[nodiscard]] bool anyOverwritten(std::uint8_t plane) const;
     [[nodiscard]] const Texture3D& labels(std::uint8_t plane);
     /// The intermediate result of growing from seeds, kept for the next preview. It can be
     /// recomputed.
@@ -128,7 +128,7 @@ private:
     RadiationKernel m_radiationKernel;
     std::map<std::uint8_t, BrickField> m_coverage;
     std::map<std::uint8_t, BrickField> m_seedWords;
-    std::map<std::uint8_t, BrickField> m_beneath;
+    std::map<std::uint8_t, BrickField> m_overwritten;
     std::map<std::uint8_t, Texture3D> m_furtherPlanes;
     SpreadField m_spread;
     BarrierBricks m_barriers; ///< of plane 0

@@ -4,7 +4,7 @@
 #include "core/base/Guarded.h"
 #include "gpu/fields/textures/VolumeTextures.h"
 #include "gpu/gl/GlFailure.h"
-#include "gpu/scene/SceneReach.h"
+#include "gpu/scene/DirtyVoxels.h"
 
 #include <algorithm>
 #include <chrono>
@@ -197,7 +197,7 @@ void FrameScheduler::takeChanges()
         .pieces = m_volume.takeDirty(VolumeField::Pieces),
         .barriers = m_volume.takeDirty(VolumeField::Barriers),
         .barrierBricks = m_volume.takeDirty(VolumeField::BarrierBricks),
-        .foreseen = m_volume.takeDirty(VolumeField::Foreseen)};
+        .cutPreview = m_volume.takeDirty(VolumeField::CutPreview)};
     if (dirty.empty())
         return;
     const core::VoxelBox box = dirty.radiation.united(dirty.segmentation);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/frame/ViewProgress.h"
 
-#include "gpu/scene/SceneReach.h"
+#include "gpu/scene/DirtyVoxels.h"
 
 #include <variant>
 

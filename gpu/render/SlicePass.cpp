@@ -14,7 +14,7 @@ constexpr unsigned carved = 2;
 constexpr unsigned barriers = 4;
 constexpr unsigned warned = 8; // this and the next ones when they are first needed
 constexpr unsigned atTolerance = 16;
-constexpr unsigned foreseen = 32;
+constexpr unsigned cutPreview = 32;
 constexpr unsigned chunked = 64;
 constexpr unsigned seldom = warned;
 
@@ -37,7 +37,7 @@ Program& SlicePass::programFor(unsigned form, unsigned variant)
                 .fragmentPath = "render/slice.frag",
                 .defines = {{"LABELED", has(labeled)}, {"CARVED", has(carved)},
                     {"BARRIERS", has(barriers)}, {"WARNED", has(warned)},
-                    {"AT_TOLERANCE", has(atTolerance)}, {"FORESEEN", has(foreseen)},
+                    {"AT_TOLERANCE", has(atTolerance)}, {"CUT_PREVIEW", has(cutPreview)},
                     {"CHUNKS", has(chunked)}, {"CUBIC", (form & Cubic) != 0 ? 1 : 0},
                     {"PLANE", (form & OnPlane) != 0 ? 1 : 0}}});
     return known;
@@ -93,8 +93,8 @@ Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const Sli
         words->atlas().bindUnit(14);
         words->pageTable().bindUnit(15);
     }
-    if (BrickField* marks = volume.foreseen()) {
-        variant += foreseen;
+    if (BrickField* marks = volume.cutPreview()) {
+        variant += cutPreview;
         marks->pageTable().bindUnit(16);
         marks->atlas().bindUnit(17);
     }

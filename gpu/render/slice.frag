@@ -1,4 +1,4 @@
-// Draws one pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, FORESEEN, CHUNKS: whether
+// Draws one pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, CUT_PREVIEW, CHUNKS: whether
 // there is anything of this kind to draw. AT_TOLERANCE: one segment is drawn as it would be at a
 // tolerance. CUBIC: cubic interpolation. PLANE: draws the cutting plane in the 3D view.
 
@@ -7,14 +7,14 @@ layout(binding = 0) uniform sampler3D intensity; // code / 65535
 layout(binding = 1) uniform sampler3D radiation; // ≥ 0.5: carved away
 layout(binding = 3) uniform usampler3D labels;
 layout(binding = 7) uniform sampler2D palette;   // rgb, shown
-#if BARRIERS || WARNED || AT_TOLERANCE || FORESEEN
+#if BARRIERS || WARNED || AT_TOLERANCE || CUT_PREVIEW
 #include "kernels/labels/memberWords.glsl"
 #endif
 #if AT_TOLERANCE
 #include "kernels/spread/toleranceLabel.glsl"
 #endif
-#if FORESEEN
-#include "render/raycast/foreseen.glsl"
+#if CUT_PREVIEW
+#include "render/raycast/cutPreview.glsl"
 #endif
 #if CUBIC
 #include "render/cubic.glsl"
@@ -48,7 +48,7 @@ const vec3 carvedColour = vec3(0.94, 0.55, 0.29);
 const float carvedWidth = 1.5; // pixels
 const vec3 barrierColour = vec3(0.93, 0.25, 0.36);
 const float barrierWidth = 1.2; // pixels
-const float foreseenWidth = 1.5; // pixels
+const float cutPreviewWidth = 1.5; // pixels
 const float chunkWidth = 0.8; // pixels
 
 #if PLANE
@@ -67,7 +67,7 @@ ivec3 nearestVoxel(vec3 index)
 }
 
 #if BARRIERS
-bool isShut(ivec3 voxel)
+bool isBarrier(ivec3 voxel)
 {
     return wordAt(voxel) == barrierWord;
 }
@@ -145,14 +145,14 @@ void main()
 #endif
     result = mix(result, own, entry.a * (edge ? 1.0 : fillOpacity));
 #endif
-#if FORESEEN
-    const bool goes = isForeseen(voxel);
+#if CUT_PREVIEW
+    const bool goes = isInCutPreview(voxel);
     bool border = false;
     for (int i = 0; i < 8; i += 2) {
-        const vec3 there = indexAt(pixel + around(i) * foreseenWidth);
-        border = border || isForeseen(nearestVoxel(there)) != goes;
+        const vec3 there = indexAt(pixel + around(i) * cutPreviewWidth);
+        border = border || isInCutPreview(nearestVoxel(there)) != goes;
     }
-    result = mix(result, border ? foreseenColour : foreseenAt(pixel),
+    result = mix(result, border ? cutPreviewColour : cutPreviewAt(pixel),
         goes ? (border ? 1.0 : 0.6) : 0.0);
 #endif
 #if CARVED
@@ -165,12 +165,12 @@ void main()
     result = mix(result, carvedColour, showCarved && covered >= 0.5 ? tint : 0.0);
 #endif
 #if BARRIERS
-    const bool shut = isShut(voxel);
+    const bool isBarred = isBarrier(voxel);
     bool rim = false;
     for (int i = 0; i < 8; i += 2)
-        rim = rim || isShut(nearestVoxel(indexAt(pixel + around(i) * barrierWidth))) != shut;
+        rim = rim || isBarrier(nearestVoxel(indexAt(pixel + around(i) * barrierWidth))) != isBarred;
     const bool stripe = fract((pixel.x + pixel.y) / 8.0) < 0.4;
-    result = mix(result, barrierColour, shut ? (rim || stripe ? 0.9 : 0.25) : 0.0);
+    result = mix(result, barrierColour, isBarred ? (rim || stripe ? 0.9 : 0.25) : 0.0);
 #endif
 #if PLANE
     colour = planeColour(result, isInside, pixel);

@@ -89,7 +89,7 @@ private:
     static inline const ui::Workspace::DrillSettings drill{.radiusMm = 3.5,
         .depthMm = 12.5,
         .throughGaps = true,
-        .shape = core::MaskShape::Kind::Rounded,
+        .shape = core::ToolMask::Kind::Rounded,
         .heightRatio = 0.25,
         .rotationDegrees = -40.0,
         .softnessMm = 1.5,

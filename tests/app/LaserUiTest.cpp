@@ -31,7 +31,7 @@ private Q_SLOTS:
             return test::waitUntilDrawn(fixture.window(), fixture.workspace());
         };
         if (qEnvironmentVariableIsSet("BURIN_SCREENSHOTS")) {
-            Q_EMIT fixture.window().demonstrationAsked();
+            Q_EMIT fixture.window().demonstrationRequested();
             QVERIFY(wait([&] { return fixture.workspace().session() != nullptr; }));
         } else {
             fixture.open(fixture.path("case/ct"));

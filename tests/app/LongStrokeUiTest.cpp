@@ -93,7 +93,7 @@ private Q_SLOTS:
         const test::Outcome info = test::burin({QStringLiteral("info"), QStringLiteral("--gl")});
         m_slow = info.output.contains("llvmpipe") && QThread::idealThreadCount() <= 4;
         m_fixture = std::make_unique<test::ApplicationFixture>();
-        Q_EMIT m_fixture->window().demonstrationAsked();
+        Q_EMIT m_fixture->window().demonstrationRequested();
         QVERIFY(wait([&] { return m_fixture->workspace().session() != nullptr; }));
         ui::ViewGrid& views = m_fixture->window().views();
         views.maximise(&views.volume());

@@ -19,7 +19,7 @@
 #include "ui/panels/history/KeyframePopup.h"
 #include "ui/tools/refine/ChunkTool.h"
 #include "ui/tools/refine/RefineTool.h"
-#include "ui/tools/view/PlaneTool.h"
+#include "ui/tools/view/CuttingPlaneTool.h"
 #include "ui/views/SliceView.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
@@ -268,7 +268,7 @@ private Q_SLOTS:
         window().views().arrange(ui::ViewGrid::Layout::PenAndStage);
         window().views().volume().lookFrom(
             glm::normalize(-plane.pose().normalLps() + glm::dvec3(0.45, 0.0, 0.35)));
-        take<ui::PlaneTool>();
+        take<ui::CuttingPlaneTool>();
         QVERIFY(waitUntilDrawn());
         keep("cutting-plane.png");
     }

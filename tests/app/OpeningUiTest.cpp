@@ -140,7 +140,7 @@ private Q_SLOTS:
         QCOMPARE(workspace().volume()->geometry.spacingMm(), glm::dvec3(0.5, 0.25, 2));
         window().closeStudy();
         QCOMPARE(ui::RecentStudies::paths().value(0), folder);
-        Q_EMIT window().findChild<ui::StartPage*>()->recentAsked(folder);
+        Q_EMIT window().findChild<ui::StartPage*>()->recentRequested(folder);
         QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 2, patience);
         QCOMPARE(asked.size(), 0);
         QCOMPARE(workspace().volume()->geometry.spacingMm(), glm::dvec3(0.5, 0.25, 2));

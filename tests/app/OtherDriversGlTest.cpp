@@ -29,7 +29,7 @@ std::vector<core::Edit> everyTool()
 {
     const core::Edit drill = test::drillAt(-6);
     const test::StrokeFacts at = test::factsOfStroke(drill);
-    const core::MaskShape rounded{.kind = core::MaskShape::Kind::Rounded,
+    const core::ToolMask rounded{.kind = core::ToolMask::Kind::Rounded,
         .widthMm = 9.0,
         .heightMm = 6.0,
         .rotationDegrees = 30.0,
@@ -37,8 +37,8 @@ std::vector<core::Edit> everyTool()
     const core::Edit rate =
         test::drillWith({.mask = rounded, .mode = core::DrillMode::Rate}, test::drillAt(5));
     const core::Edit restore = test::drillWith({.restore = true}, test::drillAt(-4));
-    const core::MaskShape ellipse{
-        .kind = core::MaskShape::Kind::Ellipse, .widthMm = 8.0, .heightMm = 5.0};
+    const core::ToolMask ellipse{
+        .kind = core::ToolMask::Kind::Ellipse, .widthMm = 8.0, .heightMm = 5.0};
     const std::vector<core::PenSample> path{
         {.xMm = 0.0, .yMm = 7.0}, {.xMm = 4.0, .yMm = 8.0, .tSeconds = 0.1}};
     const core::Edit laser = test::laserWith({.view = at.view,

@@ -191,7 +191,7 @@ private Q_SLOTS:
         gpu::VolumeScene scene = sceneOf(view);
         scene.surfaceThreshold = 200.0;
         DrillStroke drill{.layer = 1, .view = view};
-        drill.mask.kind = MaskShape::Kind::Square;
+        drill.mask.kind = ToolMask::Kind::Square;
         drill.mask.widthMm = 34.0;
         drill.mask.rotationDegrees = 12.0;
         drill.surfaceThreshold = 200.0;
@@ -397,7 +397,7 @@ private Q_SLOTS:
 
         // The roots lie under a shell of bone.
         DrillStroke drill{.layer = 1, .view = viewFrom(towardsViewer, place(160, 179, 9), 62.0)};
-        drill.mask.kind = MaskShape::Kind::Ellipse;
+        drill.mask.kind = ToolMask::Kind::Ellipse;
         drill.mask.widthMm = 15.0;
         drill.mask.heightMm = 14.0;
         drill.depthMm = 2.0;

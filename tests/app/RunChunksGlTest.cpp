@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -30,7 +30,7 @@ private Q_SLOTS:
     {
         ChunkToggle click{.segment = 1, .chunks = 3, .pointsLps = test::pointsInBone()};
         const std::vector<Edit> edits{test::addSegment("Head"), test::seedInBrain(1),
-            test::growBrain(), Chunks{.segment = 1, .marginMm = 6.0}, click};
+            test::growBrain(), DivideSegment{.segment = 1, .marginMm = 6.0}, click};
         const Outcome made =
             run(recipe("make.json", {{key("edits"), test::toJson(edits)}}), "a.burin");
         QVERIFY2(made.status == 0, qPrintable(made.complaint));

@@ -68,14 +68,14 @@ std::vector<glm::dvec2> lasso()
 QString measureLasso(PeerReport& report)
 {
     const std::vector<glm::dvec2> points = lasso();
-    std::vector<core::MaskVertex> vertices;
+    std::vector<core::OutlineVertex> vertices;
     QPolygonF polygon;
     for (const glm::dvec2& point : points) {
-        vertices.emplace_back(glm::round(point * double(core::maskSubdivision)));
-        polygon << QPointF(vertices.back().x, vertices.back().y) / core::maskSubdivision;
+        vertices.emplace_back(glm::round(point * double(core::outlineSubdivision)));
+        polygon << QPointF(vertices.back().x, vertices.back().y) / core::outlineSubdivision;
     }
-    core::MaskRaster ours;
-    core::MaskRaster filtered;
+    core::OutlineRaster ours;
+    core::OutlineRaster filtered;
     QImage theirs(1230, 870, QImage::Format_Grayscale8);
     std::vector<double> oursMs;
     std::vector<double> filteredMs;
@@ -297,7 +297,7 @@ std::vector<Stroke> strokes(const Block& block)
         const double t = 2.0 * std::numbers::pi * i / 60.0;
         peel.polygonMm.emplace_back(25.0 * std::cos(t), 20.0 * std::sin(t));
     }
-    if (const auto cut = core::maskPeel(peel, block.document())) {
+    if (const auto cut = core::shellPeel(peel, block.document())) {
         Stroke stroke{"sculpt.peel", *cut, {}};
         for (int tick = 1; tick <= 20; ++tick) {
             peel.depthMm = 0.5 * tick;

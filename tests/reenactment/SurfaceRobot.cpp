@@ -2,7 +2,7 @@
 #include "tests/reenactment/SurfaceRobot.h"
 
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/surface/ApplyTemplate.h"
 #include "core/edits/kinds/surface/AttractSurface.h"
 #include "core/edits/kinds/surface/ChangeMarks.h"
@@ -93,7 +93,7 @@ private:
     void mendByChunks()
     {
         if (!m_log.prepare(
-                Chunks{.segment = 1, .marginMm = m_hand.mm(8.0)}, QStringLiteral("divide")))
+                DivideSegment{.segment = 1, .marginMm = m_hand.mm(8.0)}, QStringLiteral("divide")))
             return;
         const auto map = m_bench.chunks();
         if (!map)

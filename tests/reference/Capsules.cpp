@@ -2,8 +2,8 @@
 #include "tests/reference/Capsules.h"
 
 #include "core/growth/SeedWord.h"
+#include "tests/reference/ElementPlane.h"
 #include "tests/reference/Growth.h"
-#include "tests/reference/MaskPlane.h"
 #include "tests/reference/Rays.h"
 
 #include <algorithm>
@@ -46,11 +46,11 @@ Capsules::Capsules(
 }
 
 Capsules::Capsules(
-    const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::PaintBarrier shut)
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::PaintBarrier command)
     : m_codes(codes)
     , m_fields(fields)
-    , m_edit(shut)
-    , m_frame(shut.frame)
+    , m_edit(command)
+    , m_frame(command.frame)
 {
 }
 
@@ -123,7 +123,7 @@ void Capsules::extend(const std::vector<core::Capsule>& capsules)
                     else if (*squared > unitRadius * unitRadius)
                         continue;
                     else if (const auto* barrier = std::get_if<core::PaintBarrier>(&m_edit))
-                        shut(*barrier, voxel);
+                        setBarrier(*barrier, voxel);
                     else
                         paint(std::get<core::PaintLabel>(m_edit), voxel);
                 }
@@ -136,7 +136,8 @@ void Capsules::cut(const core::CapsuleCut& cut, const glm::ivec3& voxel, std::in
 {
     if (hidesVoxel(cut.hidden, voxel))
         return;
-    if (!cut.restore && cut.spared.labels.test(m_fields.labels(cut.spared.plane).at(voxel)))
+    if (!cut.restore
+        && cut.protectedLabels.labels.test(m_fields.labels(cut.protectedLabels.plane).at(voxel)))
         return;
     const std::int64_t r = m_frame.rampHalfWidth;
     const std::int64_t t = m_frame.radius - (squareRoot(squared) << m_frame.shift);
@@ -172,9 +173,9 @@ void Capsules::paint(const core::PaintLabel& paint, const glm::ivec3& voxel)
         word = seedWord::unvisited;
 }
 
-void Capsules::shut(const core::PaintBarrier& shut, const glm::ivec3& voxel)
+void Capsules::setBarrier(const core::PaintBarrier& command, const glm::ivec3& voxel)
 {
-    shutOrOpen(m_fields, shut.plane, shut.erase, shut.frozen, voxel);
+    setOrClearBarrier(m_fields, command.plane, command.erase, command.lockedLabels, voxel);
 }
 
 } // namespace reference

@@ -14,7 +14,8 @@ namespace reference {
 class Capsules {
 public:
     Capsules(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::PaintLabel paint);
-    Capsules(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::PaintBarrier shut);
+    Capsules(
+        const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::PaintBarrier command);
     Capsules(const DenseArray<std::uint16_t>& codes, DenseFields& fields, core::CapsuleCut cut);
 
     void extend(const std::vector<core::Capsule>& capsules);
@@ -25,7 +26,7 @@ private:
     [[nodiscard]] std::optional<std::int64_t> distance(
         const core::Capsule& capsule, std::array<std::int64_t, 3> position) const;
     void paint(const core::PaintLabel& paint, const glm::ivec3& voxel);
-    void shut(const core::PaintBarrier& shut, const glm::ivec3& voxel);
+    void setBarrier(const core::PaintBarrier& command, const glm::ivec3& voxel);
     void cut(const core::CapsuleCut& cut, const glm::ivec3& voxel, std::int64_t squared);
 
     const DenseArray<std::uint16_t>& m_codes;

@@ -52,16 +52,16 @@ DenseArray<std::uint32_t>& DenseFields::seedWords(std::uint8_t plane)
     return named<std::uint32_t>(m_seedWords, plane, size(), core::seedWord::unvisited);
 }
 
-DenseArray<std::uint8_t>& DenseFields::beneath(std::uint8_t plane)
+DenseArray<std::uint8_t>& DenseFields::overwritten(std::uint8_t plane)
 {
-    return named<std::uint8_t>(m_beneath, plane, size(), 0);
+    return named<std::uint8_t>(m_overwritten, plane, size(), 0);
 }
 
 const DenseFields::Layers& DenseFields::layersOf(core::Field field) const
 {
-    return field == core::Field::Labels ? m_labels
-        : field == core::Field::Beneath ? m_beneath
-                                        : m_coverage;
+    return field == core::Field::Labels     ? m_labels
+        : field == core::Field::Overwritten ? m_overwritten
+                                            : m_coverage;
 }
 
 DenseArray<std::uint8_t> DenseFields::composedCoverage(const std::bitset<256>& muted) const
@@ -80,7 +80,7 @@ DenseArray<std::uint8_t> DenseFields::composedCoverage(const std::bitset<256>& m
 bool DenseFields::holds(const core::BrickKey& key) const
 {
     const bool known = key.field == core::Field::Coverage || key.field == core::Field::Labels
-        || key.field == core::Field::SeedWords || key.field == core::Field::Beneath;
+        || key.field == core::Field::SeedWords || key.field == core::Field::Overwritten;
     return known && key.brick < std::uint32_t(m_grid.brickCount());
 }
 
@@ -135,7 +135,7 @@ void DenseFields::writeBrick(const core::BrickKey& key, std::span<const std::uin
         forEachVoxel(box, [&](const glm::ivec3& voxel) { field.at(voxel) = get(voxel); });
     } else {
         auto& field = key.field == core::Field::Labels ? labels(key.plane)
-            : key.field == core::Field::Beneath        ? beneath(key.plane)
+            : key.field == core::Field::Overwritten    ? overwritten(key.plane)
                                                        : coverage(key.plane);
         forEachVoxel(
             box, [&](const glm::ivec3& voxel) { field.at(voxel) = std::uint8_t(get(voxel)); });
@@ -155,8 +155,8 @@ std::vector<core::BrickKey> DenseFields::allKeys() const
         add(core::Field::Labels, plane);
     for (const auto& [plane, field] : m_seedWords)
         add(core::Field::SeedWords, plane);
-    for (const auto& [plane, field] : m_beneath)
-        add(core::Field::Beneath, plane);
+    for (const auto& [plane, field] : m_overwritten)
+        add(core::Field::Overwritten, plane);
     return keys;
 }
 

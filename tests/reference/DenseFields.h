@@ -43,7 +43,7 @@ public:
     [[nodiscard]] DenseArray<std::uint8_t>& coverage(std::uint8_t layer);
     [[nodiscard]] DenseArray<std::uint8_t>& labels(std::uint8_t plane);
     [[nodiscard]] DenseArray<std::uint32_t>& seedWords(std::uint8_t plane);
-    [[nodiscard]] DenseArray<std::uint8_t>& beneath(std::uint8_t plane);
+    [[nodiscard]] DenseArray<std::uint8_t>& overwritten(std::uint8_t plane);
     [[nodiscard]] const Layers& coverageLayers() const { return m_coverage; }
     /// Coverage of the composed layers: at each voxel the greatest of all that are not muted.
     [[nodiscard]] DenseArray<std::uint8_t> composedCoverage(const std::bitset<256>& muted) const;
@@ -67,7 +67,7 @@ private:
     core::BrickGrid m_grid;
     Layers m_coverage;
     Layers m_labels;
-    Layers m_beneath;
+    Layers m_overwritten;
     std::map<std::uint8_t, DenseArray<std::uint32_t>> m_seedWords;
 };
 

@@ -33,7 +33,7 @@ std::int64_t Drill::weightUnder(
 
 void Drill::extend(const std::vector<core::DrillSample>& samples)
 {
-    const core::MaskFrame& frame = m_cut.frame;
+    const core::CutFrame& frame = m_cut.frame;
     const std::int64_t pitch = frame.pitch;
     // A mask ends half an element beyond its radius; one more is asked for than can be reached.
     std::int64_t reach = m_cut.maskRadius / pitch + 2;
@@ -75,13 +75,13 @@ void Drill::extend(const std::vector<core::DrillSample>& samples)
         }
     }
 
-    std::map<MaskPlane::Place, MaskPlane::Column> columns;
+    std::map<ElementPlane::Place, ElementPlane::Column> columns;
     for (const auto& [place, element] : m_elements) {
         if (!element.hit || element.depth <= 0)
             continue;
-        const MaskPlane::Hit& hit = *element.hit;
+        const ElementPlane::Hit& hit = *element.hit;
         columns[place] = frame.restore ? m_plane.restoring(hit, hit.zSurface - element.depth, 255)
-                                       : MaskPlane::Column{hit.zSurface - frame.front,
+                                       : ElementPlane::Column{hit.zSurface - frame.front,
                                            std::min(hit.zSurface + element.depth, hit.zExit)};
     }
     m_plane.lay(columns, m_cut.laying);

@@ -3,7 +3,7 @@
 
 #include "core/engine/EngineCommands.h"
 #include "tests/reference/DenseFields.h"
-#include "tests/reference/MaskPlane.h"
+#include "tests/reference/ElementPlane.h"
 
 #include <map>
 #include <optional>
@@ -25,15 +25,15 @@ private:
     struct Element {
         std::int64_t depth = 0;
         std::int64_t sum = 0; ///< mode Rate
-        std::optional<MaskPlane::Hit> hit;
+        std::optional<ElementPlane::Hit> hit;
     };
 
     [[nodiscard]] std::int64_t weightUnder(
         const core::DrillSample& sample, std::int64_t a, std::int64_t b) const;
 
     core::DrillCut m_cut;
-    MaskPlane m_plane;
-    std::map<MaskPlane::Place, Element> m_elements;
+    ElementPlane m_plane;
+    std::map<ElementPlane::Place, Element> m_elements;
 };
 
 } // namespace reference

@@ -49,9 +49,9 @@ void eraseLabel(DenseFields& fields, const core::EraseLabel& erase)
         if (bears && seedWord::label(word) == erase.label)
             word = seedWord::unvisited;
     }
-    for (std::uint8_t& beneath : fields.beneath(erase.plane).values) {
-        if (beneath == erase.label)
-            beneath = 0;
+    for (std::uint8_t& overwritten : fields.overwritten(erase.plane).values) {
+        if (overwritten == erase.label)
+            overwritten = 0;
     }
 }
 
@@ -62,13 +62,13 @@ void giveBack(DenseFields& fields, std::uint8_t plane, const glm::ivec3& voxel, 
     if (!seedWord::isMember(word) || seedWord::generation(word) == 0 || direction == 29
         || direction == 30 || held != seedWord::label(word))
         return;
-    std::uint8_t& beneath = fields.beneath(plane).at(voxel);
-    held = beneath;
-    beneath = 0;
+    std::uint8_t& overwritten = fields.overwritten(plane).at(voxel);
+    held = overwritten;
+    overwritten = 0;
 }
 
-void shutOrOpen(DenseFields& fields, std::uint8_t plane, bool erase, const std::bitset<256>& frozen,
-    const glm::ivec3& voxel)
+void setOrClearBarrier(DenseFields& fields, std::uint8_t plane, bool erase,
+    const std::bitset<256>& lockedLabels, const glm::ivec3& voxel)
 {
     std::uint32_t& word = fields.seedWords(plane).at(voxel);
     if (erase) {
@@ -77,7 +77,7 @@ void shutOrOpen(DenseFields& fields, std::uint8_t plane, bool erase, const std::
         return;
     }
     const bool bears = seedWord::isMember(word) || seedWord::isPendingSeed(word);
-    if (bears && frozen.test(seedWord::label(word)))
+    if (bears && lockedLabels.test(seedWord::label(word)))
         return;
     giveBack(fields, plane, voxel, word);
     word = seedWord::barrier;
@@ -94,7 +94,7 @@ std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink
         const std::uint32_t label = seedWord::label(word);
         const std::uint32_t direction = seedWord::direction(word);
         const bool seed = direction == 30 || direction == 31;
-        if (seedWord::generation(word) > shrink.keep && !shrink.frozen.test(label)) {
+        if (seedWord::generation(word) > shrink.keep && !shrink.lockedLabels.test(label)) {
             if (seed && shrink.keepSeeds) {
                 word = seedWord::member(1, label, direction);
             } else {
@@ -114,7 +114,7 @@ Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> 
     , m_fields(fields)
     , m_words(fields.seedWords(m_burst.plane))
     , m_labels(fields.labels(m_burst.plane))
-    , m_beneath(fields.beneath(m_burst.plane))
+    , m_overwritten(fields.overwritten(m_burst.plane))
     , m_criterion(codes, std::move(coverage), m_words, m_burst)
     , m_generation(m_burst.generation)
 {
@@ -126,7 +126,7 @@ Growth::Growth(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> 
                 .generation = m_generation,
                 .keep = 0,
                 .keepSeeds = false,
-                .frozen = m_burst.frozen});
+                .lockedLabels = m_burst.lockedLabels});
     lookForPassages();
     if (m_burst.guard)
         m_watch.emplace(m_words.size, *m_burst.guard);
@@ -182,7 +182,7 @@ void Growth::narrow()
         const std::uint32_t word = m_words.at(voxel);
         const std::uint32_t label = seedWord::label(word);
         if (!seedWord::isMember(word) || seedWord::generation(word) == 0
-            || m_burst.frozen.test(label))
+            || m_burst.lockedLabels.test(label))
             return;
         if (!seedWord::isSeed(word))
             grown.push_back(voxel);
@@ -240,12 +240,13 @@ bool Growth::acceptsMember(const glm::ivec3& voxel) const
     const std::uint32_t direction = seedWord::direction(word);
     const bool added =
         direction != 29 && direction != 30 && m_labels.at(voxel) == seedWord::label(word);
-    return mayEnter(seedWord::label(word), voxel, added ? m_beneath.at(voxel) : m_labels.at(voxel));
+    return mayEnter(
+        seedWord::label(word), voxel, added ? m_overwritten.at(voxel) : m_labels.at(voxel));
 }
 
 bool Growth::mayEnter(std::uint32_t label, const glm::ivec3& voxel, std::uint8_t held) const
 {
-    return !m_burst.frozen.test(label) && m_criterion.allows(label, voxel)
+    return !m_burst.lockedLabels.test(label) && m_criterion.allows(label, voxel)
         && (held == 0 || held == label || m_burst.overwritable.test(held));
 }
 
@@ -295,9 +296,9 @@ void Growth::finishGeneration(std::vector<glm::ivec3> added)
         const auto label = std::uint8_t(seedWord::label(m_words.at(voxel)));
         std::uint8_t& held = m_labels.at(voxel);
         if (!m_burst.tellsHeld)
-            m_beneath.at(voxel) = 0;
+            m_overwritten.at(voxel) = 0;
         else if (held != label)
-            m_beneath.at(voxel) = held;
+            m_overwritten.at(voxel) = held;
         held = label;
     }
     if (m_watch)

@@ -24,8 +24,8 @@ void eraseLabel(DenseFields& fields, const core::EraseLabel& erase);
 void giveBack(DenseFields& fields, std::uint8_t plane, const glm::ivec3& voxel, std::uint32_t word);
 
 /// What core::PaintBarrier does to one voxel.
-void shutOrOpen(DenseFields& fields, std::uint8_t plane, bool erase, const std::bitset<256>& frozen,
-    const glm::ivec3& voxel);
+void setOrClearBarrier(DenseFields& fields, std::uint8_t plane, bool erase,
+    const std::bitset<256>& lockedLabels, const glm::ivec3& voxel);
 
 /// Takes back what a growth added (core::ShrinkGrowth). @return the generation then
 std::uint32_t shrinkGrowth(DenseFields& fields, const core::ShrinkGrowth& shrink);
@@ -73,7 +73,7 @@ private:
     DenseFields& m_fields;
     DenseArray<std::uint32_t>& m_words;
     DenseArray<std::uint8_t>& m_labels;
-    DenseArray<std::uint8_t>& m_beneath;
+    DenseArray<std::uint8_t>& m_overwritten;
     GrowCriterion m_criterion;
     std::unique_ptr<Passage> m_passage; ///< none where it asks nothing
     std::vector<glm::ivec3> m_front; ///< members that may have neighbours to take

@@ -274,7 +274,7 @@ core::Result<std::map<std::uint32_t, Set>> sketches(
     Set roots;
     for (const glm::ivec3& place : command.voxels) {
         const std::uint32_t word = words.at(place);
-        if (!seedWord::isMember(word) || command.frozen.test(seedWord::label(word)))
+        if (!seedWord::isMember(word) || command.lockedLabels.test(seedWord::label(word)))
             continue;
         const bool root = seedWord::direction(word) >= 30 || seedWord::generation(word) == 0;
         (root ? roots : found[seedWord::label(word)]).insert(words.offset(place));
@@ -332,19 +332,18 @@ core::Result<std::uint32_t> cutGrowth(DenseFields& fields, const core::CutGrowth
     return greatest;
 }
 
-core::Result<core::ForeseenCut> foreseeCut(
-    const DenseFields& fields, const core::CutGrowth& command)
+core::Result<core::CutPreview> previewCut(const DenseFields& fields, const core::CutGrowth& command)
 {
     DenseFields before = fields;
     DenseFields after = fields;
     if (const auto cut = cutGrowth(after, command); !cut)
         return tl::unexpected(cut.error());
-    core::ForeseenCut foreseen;
+    core::CutPreview cutPreview;
     const Words& words = before.seedWords(command.plane);
     for (std::size_t voxel = 0; voxel < words.values.size(); ++voxel) {
         const bool goes = seedWord::isMember(words.values[voxel])
             && !seedWord::isMember(after.seedWords(command.plane).values[voxel]);
-        foreseen.members += goes ? 1 : 0;
+        cutPreview.members += goes ? 1 : 0;
     }
     const core::BrickGrid grid{fields.size()};
     std::map<std::uint32_t, std::bitset<core::BrickGrid::voxelsPerBrick>> taken;
@@ -354,15 +353,15 @@ core::Result<core::ForeseenCut> foreseeCut(
                 const glm::ivec3 voxel(x, y, z);
                 if (before.labels(command.plane).at(voxel) == after.labels(command.plane).at(voxel))
                     continue;
-                ++foreseen.voxels;
+                ++cutPreview.voxels;
                 taken[std::uint32_t(grid.brickOf(voxel))].set(
                     std::size_t(core::BrickGrid::offsetInBrick(voxel)));
             }
         }
     }
     for (const auto& [brick, voxels] : taken)
-        foreseen.bricks.push_back({.brick = brick, .taken = voxels});
-    return foreseen;
+        cutPreview.bricks.push_back({.brick = brick, .taken = voxels});
+    return cutPreview;
 }
 
 } // namespace reference

@@ -12,7 +12,7 @@ namespace reference {
 core::Result<std::uint32_t> cutGrowth(DenseFields& fields, const core::CutGrowth& command);
 
 /// What it would take: the cut is made in a copy, and the two are compared.
-core::Result<core::ForeseenCut> foreseeCut(
+core::Result<core::CutPreview> previewCut(
     const DenseFields& fields, const core::CutGrowth& command);
 
 } // namespace reference

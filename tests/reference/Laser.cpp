@@ -28,7 +28,7 @@ Laser::Laser(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> ra
     : m_codes(codes)
     , m_radiation(radiation)
     , m_coverage(fields.coverage(cut.layer))
-    , m_labels(fields.labels(cut.frame.spared.plane))
+    , m_labels(fields.labels(cut.frame.protectedLabels.plane))
     , m_cut(std::move(cut))
     , m_plane(codes, std::move(radiation), fields, m_cut.layer, m_cut.frame)
 {
@@ -42,7 +42,7 @@ bool Laser::materialAt(const Index16& position) const
 
 std::int64_t Laser::weight(std::int64_t p, std::int64_t q) const
 {
-    const core::MaskRaster& mask = m_cut.mask;
+    const core::OutlineRaster& mask = m_cut.mask;
     const std::int64_t x = p - mask.first.x;
     const std::int64_t y = q - mask.first.y;
     if (x < 0 || y < 0 || x >= mask.size.x || y >= mask.size.y)
@@ -52,7 +52,7 @@ std::int64_t Laser::weight(std::int64_t p, std::int64_t q) const
 
 std::optional<Laser::Beam> Laser::beamAt(std::int64_t a, std::int64_t b)
 {
-    const core::MaskFrame& frame = m_cut.frame;
+    const core::CutFrame& frame = m_cut.frame;
     const auto hit = m_plane.cast(a, b);
     if (!hit)
         return std::nullopt;
@@ -91,7 +91,7 @@ std::optional<Laser::Beam> Laser::beamAt(std::int64_t a, std::int64_t b)
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     at[axis] += x * lattice[0][axis] + y * lattice[1][axis] + z * lattice[2][axis];
                 bool hidden = false;
-                for (const core::HiddenHalf& half : m_cut.frame.hidden) {
+                for (const core::IntegerHalfSpace& half : m_cut.frame.hidden) {
                     const auto along = [&half](const Index16& v) {
                         return half.perVoxel.x * v[0] + half.perVoxel.y * v[1]
                             + half.perVoxel.z * v[2];
@@ -167,7 +167,7 @@ std::optional<Laser::Beam> Laser::beamAt(std::int64_t a, std::int64_t b)
     return beam;
 }
 
-std::int64_t Laser::depthOf(const MaskPlane::Place& place) const
+std::int64_t Laser::depthOf(const ElementPlane::Place& place) const
 {
     if (m_cut.mode == core::DrillMode::Limit) {
         const std::vector<std::int64_t>& depths = m_depths.at(place);
@@ -186,7 +186,7 @@ void Laser::extend(const std::vector<core::DrillSample>& samples)
     for (const core::DrillSample& sample : samples) {
         if (sample.depth <= 0)
             continue;
-        const MaskPlane::Place place(
+        const ElementPlane::Place place(
             floorDivide(sample.x, m_cut.frame.pitch), floorDivide(sample.y, m_cut.frame.pitch));
         m_depths[place].push_back(sample.depth);
         if (m_beams.count(place) == 0)
@@ -200,7 +200,7 @@ void Laser::extend(const std::vector<core::DrillSample>& samples)
 
 void Laser::lay(const Beam& beam, std::int64_t depth)
 {
-    const core::MaskFrame& frame = m_cut.frame;
+    const core::CutFrame& frame = m_cut.frame;
     const core::BrickGrid grid{m_codes.size};
     const std::array<Vector, 3> axes{beam.across, beam.up, beam.normal};
     const auto turned = [&axes](std::size_t axis, const core::Fixed3& v) {
@@ -236,7 +236,7 @@ void Laser::lay(const Beam& beam, std::int64_t depth)
                 if (d <= 0 || hidesVoxel(frame.hidden, voxel))
                     continue;
                 if (m_cut.laying == core::Laying::Carve
-                    && frame.spared.labels.test(m_labels.at(voxel)))
+                    && frame.protectedLabels.labels.test(m_labels.at(voxel)))
                     continue;
                 const std::int64_t from = beam.exit - depth < frame.front ? 0 : beam.exit - depth;
                 const auto cut = std::uint8_t(m_cut.restore

@@ -3,7 +3,7 @@
 
 #include "core/engine/EngineCommands.h"
 #include "tests/reference/DenseFields.h"
-#include "tests/reference/MaskPlane.h"
+#include "tests/reference/ElementPlane.h"
 
 #include <map>
 #include <optional>
@@ -34,24 +34,24 @@ private:
         Vector across; ///< X, Y, N of rule 5
         Vector up;
         Vector normal;
-        std::int64_t exit = MaskPlane::never;
+        std::int64_t exit = ElementPlane::never;
     };
 
     [[nodiscard]] std::optional<Beam> beamAt(std::int64_t a, std::int64_t b);
     [[nodiscard]] bool materialAt(const Index16& position) const;
     [[nodiscard]] std::int64_t weight(std::int64_t p, std::int64_t q) const;
-    [[nodiscard]] std::int64_t depthOf(const MaskPlane::Place& place) const;
+    [[nodiscard]] std::int64_t depthOf(const ElementPlane::Place& place) const;
     void lay(const Beam& beam, std::int64_t depth);
 
     const DenseArray<std::uint16_t>& m_codes;
     DenseArray<std::uint8_t> m_radiation; ///< as it was when the edit began
     DenseArray<std::uint8_t>& m_coverage;
-    const DenseArray<std::uint8_t>& m_labels; ///< of what is spared
+    const DenseArray<std::uint8_t>& m_labels; ///< of what is protected
     core::LaserCut m_cut;
-    MaskPlane m_plane;
-    std::map<MaskPlane::Place, std::vector<std::int64_t>>
+    ElementPlane m_plane;
+    std::map<ElementPlane::Place, std::vector<std::int64_t>>
         m_depths; ///< of the samples in an element
-    std::map<MaskPlane::Place, std::optional<Beam>> m_beams;
+    std::map<ElementPlane::Place, std::optional<Beam>> m_beams;
 };
 
 } // namespace reference

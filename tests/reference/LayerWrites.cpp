@@ -119,13 +119,13 @@ void mapLabels(DenseFields& fields, const core::MapLabels& edit)
     });
 }
 
-void shutListed(DenseFields& fields, const core::ShutListed& edit)
+void writeBarriers(DenseFields& fields, const core::BarrierListed& edit)
 {
     forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
-        for (const core::ShutListed::Brick& brick : edit.bricks) {
+        for (const core::BarrierListed::Brick& brick : edit.bricks) {
             if (int(brick.brick) == core::BrickGrid{fields.size()}.brickOf(voxel)
                 && brick.places[std::size_t(core::BrickGrid::offsetInBrick(voxel))])
-                shutOrOpen(fields, edit.plane, edit.erase, edit.frozen, voxel);
+                setOrClearBarrier(fields, edit.plane, edit.erase, edit.lockedLabels, voxel);
         }
     });
 }

@@ -17,7 +17,7 @@ void labelListed(DenseFields& fields, const core::LabelListed& edit);
 void relabelListed(DenseFields& fields, const core::RelabelListed& edit);
 void mapLabels(DenseFields& fields, const core::MapLabels& edit);
 /// Of growth (core/growth/GrowthCommands.h), listed in the same way.
-void shutListed(DenseFields& fields, const core::ShutListed& edit);
+void writeBarriers(DenseFields& fields, const core::BarrierListed& edit);
 void coverLabel(DenseFields& fields, const core::CoverLabel& edit);
 void foldLayer(DenseFields& fields, const core::FoldLayer& edit);
 

@@ -65,7 +65,8 @@ void Passage::look(std::uint32_t label, const std::function<bool(const glm::ivec
         const std::uint32_t direction = seedWord::direction(word);
         const std::uint8_t held = labels.at(voxel);
         const bool grown = seedWord::isMember(word) && seedWord::generation(word) > 0
-            && direction != 29 && direction != 30 && !m_burst.frozen.test(seedWord::label(word));
+            && direction != 29 && direction != 30
+            && !m_burst.lockedLabels.test(seedWord::label(word));
         const bool open = grown || held == 0 || held == label || m_burst.overwritable.test(held);
         free.at(voxel) = open && word != seedWord::barrier && allows(voxel) ? 1 : 0;
     });

@@ -11,11 +11,11 @@ namespace reference {
 
 namespace {
 
-using Place = MaskPlane::Place;
-using Hits = std::map<Place, MaskPlane::Hit>;
+using Place = ElementPlane::Place;
+using Hits = std::map<Place, ElementPlane::Hit>;
 
 /// Elements with a weight, and their weights.
-std::map<Place, std::int64_t> weightsOf(const core::MaskRaster& mask)
+std::map<Place, std::int64_t> weightsOf(const core::OutlineRaster& mask)
 {
     std::map<Place, std::int64_t> weights;
     for (int b = 0; b < mask.size.y; ++b) {
@@ -74,7 +74,7 @@ Place firstOf(const Hits& sheet)
 } // namespace
 
 Peel::Peel(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
-    DenseFields& fields, core::MaskPeel peel)
+    DenseFields& fields, core::ShellPeel peel)
     : m_peel(std::move(peel))
     , m_coverage(fields.coverage(m_peel.layer))
     , m_before(m_coverage)
@@ -99,13 +99,13 @@ Peel::Peel(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radi
 
 void Peel::setDepth(std::int64_t depth)
 {
-    const core::MaskFrame& frame = m_peel.frame;
+    const core::CutFrame& frame = m_peel.frame;
     const std::int64_t sign = frame.restore ? -1 : 1;
     const std::int64_t pitch = frame.pitch;
     m_coverage = m_before;
     if (depth <= 0)
         return;
-    std::map<Place, MaskPlane::Column> columns;
+    std::map<Place, ElementPlane::Column> columns;
     for (const auto& [place, hit] : m_sheet) {
         std::int64_t end = sign * hit.zSurface;
         const std::int64_t reach = depth / pitch;
@@ -118,7 +118,7 @@ void Peel::setDepth(std::int64_t depth)
             }
         }
         end *= sign;
-        MaskPlane::Column column;
+        ElementPlane::Column column;
         column.weight = part(m_peel.mask.at({int(place.first), int(place.second)}));
         if (frame.restore) {
             column =
@@ -133,14 +133,14 @@ void Peel::setDepth(std::int64_t depth)
 }
 
 std::optional<std::int32_t> cutWithScissors(const DenseArray<std::uint16_t>& codes,
-    DenseArray<std::uint8_t> radiation, DenseFields& fields, const core::MaskScissors& scissors)
+    DenseArray<std::uint8_t> radiation, DenseFields& fields, const core::OutlineCut& scissors)
 {
-    const core::MaskFrame& frame = scissors.frame;
+    const core::CutFrame& frame = scissors.frame;
     const std::int64_t r = frame.rampHalfWidth;
-    MaskPlane plane(codes, std::move(radiation), fields, scissors.layer, frame);
-    std::map<Place, MaskPlane::Column> columns;
+    ElementPlane plane(codes, std::move(radiation), fields, scissors.layer, frame);
+    std::map<Place, ElementPlane::Column> columns;
     for (const auto& [place, weight] : weightsOf(scissors.mask)) {
-        MaskPlane::Column column;
+        ElementPlane::Column column;
         column.weight = part(weight);
         column.zFrom = frame.zStart - 2 * r;
         column.zTo = frame.zStart + std::int64_t(frame.sampleCount) * frame.zPerSample + 2 * r;

@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/sculpt/MaskPeel.h"
-#include "core/sculpt/MaskScissors.h"
-#include "tests/reference/MaskPlane.h"
+#include "core/sculpt/OutlineCut.h"
+#include "core/sculpt/ShellPeel.h"
+#include "tests/reference/ElementPlane.h"
 
 namespace reference {
 
-/// One open peel (core/sculpt/MaskPeel.h). Codes and fields are borrowed.
+/// One open peel (core/sculpt/ShellPeel.h). Codes and fields are borrowed.
 class Peel {
 public:
     /// @param radiation as it is now
     Peel(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> radiation,
-        DenseFields& fields, core::MaskPeel peel);
+        DenseFields& fields, core::ShellPeel peel);
 
     [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return m_plane.searchedTo(); }
     void setDepth(std::int64_t depth);
 
 private:
-    core::MaskPeel m_peel;
+    core::ShellPeel m_peel;
     DenseArray<std::uint8_t>& m_coverage;
     DenseArray<std::uint8_t> m_before;
-    MaskPlane m_plane;
-    std::map<MaskPlane::Place, MaskPlane::Hit> m_sheet;
+    ElementPlane m_plane;
+    std::map<ElementPlane::Place, ElementPlane::Hit> m_sheet;
 };
 
-/// core/sculpt/MaskScissors.h.
+/// core/sculpt/OutlineCut.h.
 std::optional<std::int32_t> cutWithScissors(const DenseArray<std::uint16_t>& codes,
-    DenseArray<std::uint8_t> radiation, DenseFields& fields, const core::MaskScissors& scissors);
+    DenseArray<std::uint8_t> radiation, DenseFields& fields, const core::OutlineCut& scissors);
 
 } // namespace reference

@@ -58,9 +58,9 @@ glm::ivec3 nearestVoxel(const Index16& position)
 
 } // namespace
 
-bool hidesPosition(const std::vector<core::HiddenHalf>& hidden, const Index16& position)
+bool hidesPosition(const std::vector<core::IntegerHalfSpace>& hidden, const Index16& position)
 {
-    for (const core::HiddenHalf& half : hidden) {
+    for (const core::IntegerHalfSpace& half : hidden) {
         std::int64_t beyond = -half.offset * 65536;
         for (int axis = 0; axis < 3; ++axis)
             beyond += half.perVoxel[axis] * position[std::size_t(axis)];
@@ -70,7 +70,7 @@ bool hidesPosition(const std::vector<core::HiddenHalf>& hidden, const Index16& p
     return false;
 }
 
-bool hidesVoxel(const std::vector<core::HiddenHalf>& hidden, const glm::ivec3& voxel)
+bool hidesVoxel(const std::vector<core::IntegerHalfSpace>& hidden, const glm::ivec3& voxel)
 {
     return hidesPosition(hidden,
         {std::int64_t(voxel.x) * 65536, std::int64_t(voxel.y) * 65536,

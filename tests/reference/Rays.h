@@ -31,10 +31,11 @@ struct Tissue {
     bool asWhole = false; ///< nothing counts as carved
 };
 
-/// core/sculpt/HiddenHalf.h.
-[[nodiscard]] bool hidesVoxel(const std::vector<core::HiddenHalf>& hidden, const glm::ivec3& voxel);
+/// core/sculpt/IntegerHalfSpace.h.
+[[nodiscard]] bool hidesVoxel(
+    const std::vector<core::IntegerHalfSpace>& hidden, const glm::ivec3& voxel);
 [[nodiscard]] bool hidesPosition(
-    const std::vector<core::HiddenHalf>& hidden, const Index16& position);
+    const std::vector<core::IntegerHalfSpace>& hidden, const Index16& position);
 
 /// The voxel that one ray of a pick finds.
 [[nodiscard]] std::optional<glm::ivec3> pick(

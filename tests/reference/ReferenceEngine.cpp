@@ -157,11 +157,11 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::PaintBarrier& e
     return Capsules(m_codes, m_fields, edit);
 }
 
-core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::ShutListed& edit)
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::BarrierListed& edit)
 {
     if (!core::isSound(edit, core::BrickGrid{m_codes.size}.brickCount()))
         return refuse("bricks", "are not sound");
-    shutListed(m_fields, edit);
+    writeBarriers(m_fields, edit);
     return Done{};
 }
 
@@ -176,7 +176,7 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::SpreadLabels& e
 
 namespace {
 
-bool isSound(const core::MaskFrame& frame)
+bool isSound(const core::CutFrame& frame)
 {
     return frame.pitch >= 1 && frame.rampHalfWidth >= 1 && frame.gapSamples >= 1;
 }
@@ -197,7 +197,7 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::LaserCut& edit)
     return Laser(m_codes, carved(), m_fields, edit);
 }
 
-core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::MaskPeel& edit)
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::ShellPeel& edit)
 {
     if (!isSound(edit.frame))
         return refuse("frame", unsound);
@@ -206,7 +206,7 @@ core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::MaskPeel& edit)
     return Peel(m_codes, carved(), m_fields, edit);
 }
 
-core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::MaskScissors& edit)
+core::Result<ReferenceEngine::Work> ReferenceEngine::begin(core::OutlineCut& edit)
 {
     if (!isSound(edit.frame))
         return refuse("frame", unsound);

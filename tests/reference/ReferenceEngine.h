@@ -80,8 +80,8 @@ private:
     [[nodiscard]] Outcome carryOut(core::CountGenerations& command);
     [[nodiscard]] Outcome carryOut(core::TraceTolerance& command);
     [[nodiscard]] Outcome carryOut(core::DropTolerance& command);
-    [[nodiscard]] Outcome carryOut(core::ForeseeCut& command);
-    [[nodiscard]] Outcome carryOut(core::DropForesight& command);
+    [[nodiscard]] Outcome carryOut(core::PreviewCut& command);
+    [[nodiscard]] Outcome carryOut(core::DropCutPreview& command);
     [[nodiscard]] core::Result<void> checkCut(const core::CutGrowth& edit) const;
     [[nodiscard]] core::Result<void> check(const core::GrowBurst& edit) const;
     [[nodiscard]] core::Result<void> checkGroups(const std::vector<core::SeedGroup>& groups) const;
@@ -91,14 +91,14 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::ShrinkGrowth& edit);
     [[nodiscard]] core::Result<Work> begin(core::CutGrowth& edit);
     [[nodiscard]] core::Result<Work> begin(core::PaintBarrier& edit);
-    [[nodiscard]] core::Result<Work> begin(core::ShutListed& edit);
+    [[nodiscard]] core::Result<Work> begin(core::BarrierListed& edit);
     [[nodiscard]] core::Result<Work> begin(core::SpreadLabels& edit);
     [[nodiscard]] core::Result<Work> begin(core::DrillCut& edit);
     [[nodiscard]] core::Result<Work> begin(core::EraseLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::PaintLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::CapsuleCut& edit);
-    [[nodiscard]] core::Result<Work> begin(core::MaskPeel& edit);
-    [[nodiscard]] core::Result<Work> begin(core::MaskScissors& edit);
+    [[nodiscard]] core::Result<Work> begin(core::ShellPeel& edit);
+    [[nodiscard]] core::Result<Work> begin(core::OutlineCut& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelCarved& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelSeen& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelListed& edit);

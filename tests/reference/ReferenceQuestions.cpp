@@ -111,21 +111,21 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::DropTolerance&)
     return core::EngineResult{};
 }
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ForeseeCut& command)
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::PreviewCut& command)
 {
     if (m_open)
         return refuse("transaction", "an edit is open");
     if (const core::Result<void> checked = checkCut(command.cut); !checked)
         return tl::unexpected(checked.error());
     core::EngineResult result;
-    const core::Result<core::ForeseenCut> foreseen = foreseeCut(m_fields, command.cut);
-    if (!foreseen)
-        return tl::unexpected(foreseen.error());
-    result.foreseen = *foreseen;
+    const core::Result<core::CutPreview> cutPreview = previewCut(m_fields, command.cut);
+    if (!cutPreview)
+        return tl::unexpected(cutPreview.error());
+    result.cutPreview = *cutPreview;
     return result;
 }
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::DropForesight&)
+ReferenceEngine::Outcome ReferenceEngine::carryOut(core::DropCutPreview&)
 {
     return core::EngineResult{};
 }

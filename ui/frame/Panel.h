@@ -26,7 +26,7 @@ public:
 Q_SIGNALS:
     void summaryChanged(const QString& summary);
     /// The user did something in the header whose result is in the panel's body.
-    void unfoldAsked();
+    void unfoldRequested();
     void hasSomethingChanged();
 };
 

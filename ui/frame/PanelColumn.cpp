@@ -53,7 +53,7 @@ PanelSection& PanelColumn::add(ui::Panel* panel)
         m_layout->setStretchFactor(section, panel->stretches() && !folded ? 1 : 0);
     });
     connect(panel, &Panel::hasSomethingChanged, this, &PanelColumn::update);
-    connect(section, &PanelSection::floatAsked, this,
+    connect(section, &PanelSection::floatRequested, this,
         [this, section](bool floating) { setFloating(*section, floating); });
     return *section;
 }

@@ -47,7 +47,7 @@ PanelSection::PanelSection(Panel& panel, QWidget* parent)
         setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     setFolded(panel.foldedAtFirst());
     showPlace();
-    connect(&panel, &Panel::unfoldAsked, this, [this] { setFolded(false); });
+    connect(&panel, &Panel::unfoldRequested, this, [this] { setFolded(false); });
 }
 
 void PanelSection::buildHeader()
@@ -85,7 +85,7 @@ void PanelSection::buildHeader()
     row->addWidget(m_place);
     connect(&m_panel, &Panel::summaryChanged, summary, &QLabel::setText);
     connect(m_fold, &QToolButton::clicked, this, [this] { setFolded(!m_folded); });
-    connect(m_place, &QToolButton::clicked, this, [this] { Q_EMIT floatAsked(!isFloating()); });
+    connect(m_place, &QToolButton::clicked, this, [this] { Q_EMIT floatRequested(!isFloating()); });
 }
 
 QString PanelSection::id() const
@@ -153,7 +153,7 @@ bool PanelSection::eventFilter(QObject* watched, QEvent* event)
         const QPoint grip = *m_pressed;
         m_pressed.reset();
         if (!isFloating()) {
-            Q_EMIT floatAsked(true);
+            Q_EMIT floatRequested(true);
             move(mouse->globalPosition().toPoint() - grip);
         }
         // The window manager goes on with the drag.
@@ -179,7 +179,7 @@ void PanelSection::closeEvent(QCloseEvent* event)
     // Later: what is closing now gets hidden, and may be closing with the whole program.
     if (isFloating())
         QMetaObject::invokeMethod(
-            this, [this] { Q_EMIT floatAsked(false); }, Qt::QueuedConnection);
+            this, [this] { Q_EMIT floatRequested(false); }, Qt::QueuedConnection);
 }
 
 } // namespace ui

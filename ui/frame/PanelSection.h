@@ -43,7 +43,7 @@ public:
 
 Q_SIGNALS:
     void folded(bool folded);
-    void floatAsked(bool floating);
+    void floatRequested(bool floating);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

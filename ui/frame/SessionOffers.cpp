@@ -207,8 +207,8 @@ QWidget* SessionOffers::card(const core::SessionPreview& preview)
     discard->setAccessibleName(tr("Discard the session of %1").arg(studyText(preview)));
     row->addWidget(open);
     row->addWidget(discard);
-    connect(
-        open, &QPushButton::clicked, this, [this, file = preview.file] { Q_EMIT openAsked(file); });
+    connect(open, &QPushButton::clicked, this,
+        [this, file = preview.file] { Q_EMIT openRequested(file); });
     connect(
         discard, &QPushButton::clicked, this, [this, preview] { SessionOffers::discard(preview); });
     return frame;

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] static QString studyText(const core::SessionPreview& preview);
 
 Q_SIGNALS:
-    void openAsked(const QString& sessionFile);
+    void openRequested(const QString& sessionFile);
     void changed(); ///< count() or the list has changed
 
 private:

@@ -123,10 +123,10 @@ StartPage::StartPage(QWidget* parent)
     centre->addLayout(m_columns);
     centre->addStretch(3);
 
-    connect(folder, &QPushButton::clicked, this, &StartPage::openFolderAsked);
-    connect(file, &QPushButton::clicked, this, &StartPage::openFileAsked);
-    connect(demonstration, &QPushButton::clicked, this, &StartPage::demonstrationAsked);
-    connect(m_sessions, &SessionOffers::openAsked, this, &StartPage::sessionAsked);
+    connect(folder, &QPushButton::clicked, this, &StartPage::openFolderRequested);
+    connect(file, &QPushButton::clicked, this, &StartPage::openFileRequested);
+    connect(demonstration, &QPushButton::clicked, this, &StartPage::demonstrationRequested);
+    connect(m_sessions, &SessionOffers::openRequested, this, &StartPage::sessionRequested);
     connect(m_sessions, &SessionOffers::changed, this, &StartPage::arrange);
 }
 
@@ -172,7 +172,8 @@ void StartPage::showRecent(const QStringList& paths)
             info.fileName() + QStringLiteral("   ") + place, Qt::ElideMiddle, columnWidth - 40));
         button->setToolTip(path);
         button->setCursor(Qt::PointingHandCursor);
-        connect(button, &QToolButton::clicked, this, [this, path] { Q_EMIT recentAsked(path); });
+        connect(
+            button, &QToolButton::clicked, this, [this, path] { Q_EMIT recentRequested(path); });
         m_recent->addWidget(button);
     }
 }

@@ -23,11 +23,11 @@ public:
     void showSessions(const QString& folder);
 
 Q_SIGNALS:
-    void openFolderAsked();
-    void openFileAsked();
-    void demonstrationAsked();
-    void recentAsked(const QString& path);
-    void sessionAsked(const QString& sessionFile);
+    void openFolderRequested();
+    void openFileRequested();
+    void demonstrationRequested();
+    void recentRequested(const QString& path);
+    void sessionRequested(const QString& sessionFile);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

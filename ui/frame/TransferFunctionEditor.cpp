@@ -74,7 +74,7 @@ std::optional<std::size_t> TransferFunctionEditor::pointAt(const QPointF& positi
     return nearest;
 }
 
-void TransferFunctionEditor::tell()
+void TransferFunctionEditor::notifyEdited()
 {
     update();
     Q_EMIT functionEdited(m_function);
@@ -89,7 +89,7 @@ void TransferFunctionEditor::movePoint(std::size_t point, double value, double o
     // A preset may reach beyond the volume's values; such points keep their place.
     points[point].value = minimum <= maximum ? std::clamp(value, minimum, maximum) : value;
     points[point].opacity = opacity;
-    tell();
+    notifyEdited();
 }
 
 void TransferFunctionEditor::mousePressEvent(QMouseEvent* event)
@@ -126,7 +126,7 @@ void TransferFunctionEditor::mouseDoubleClickEvent(QMouseEvent* event)
             QColor(m_function.points[*point].rgb), window(), tr("Colour at this value"));
         if (picked.isValid()) {
             m_function.points[*point].rgb = picked.rgb() & 0xFFFFFFu;
-            tell();
+            notifyEdited();
         }
         return;
     }
@@ -142,7 +142,7 @@ void TransferFunctionEditor::mouseDoubleClickEvent(QMouseEvent* event)
         added.rgb = points.back().rgb;
     m_chosen = std::size_t(place - points.begin());
     points.insert(place, added);
-    tell();
+    notifyEdited();
 }
 
 void TransferFunctionEditor::keyPressEvent(QKeyEvent* event)
@@ -154,7 +154,7 @@ void TransferFunctionEditor::keyPressEvent(QKeyEvent* event)
     }
     m_function.points.erase(m_function.points.begin() + std::ptrdiff_t(*m_chosen));
     m_chosen.reset();
-    tell();
+    notifyEdited();
 }
 
 void TransferFunctionEditor::paintEvent(QPaintEvent* event)

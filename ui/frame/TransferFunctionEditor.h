@@ -41,7 +41,7 @@ private:
     [[nodiscard]] std::optional<std::size_t> pointAt(const QPointF& position) const;
     [[nodiscard]] double opacityAt(double y) const;
     void movePoint(std::size_t point, double value, double opacity);
-    void tell();
+    void notifyEdited();
 
     gpu::TransferFunction m_function;
     QString m_unit;

@@ -90,12 +90,12 @@ HitsTree::HitsTree(QWidget* parent)
     connect(this, &QTreeWidget::itemSelectionChanged, this, &HitsTree::choiceChanged);
     connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
         if (choiceOf(item))
-            Q_EMIT openAsked();
+            Q_EMIT openRequested();
     });
     connect(this, &QTreeWidget::itemExpanded, this, [this](QTreeWidgetItem* item) {
         const auto place = std::size_t(item->data(Name, placeRole).toInt());
         if (!item->parent() && m_series[place].empty())
-            Q_EMIT seriesAsked(m_studies[place].studyUid);
+            Q_EMIT seriesRequested(m_studies[place].studyUid);
     });
 }
 

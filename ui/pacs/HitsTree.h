@@ -38,9 +38,9 @@ public:
 
 Q_SIGNALS:
     /// A study was expanded whose series are not known yet.
-    void seriesAsked(const QString& studyUid);
+    void seriesRequested(const QString& studyUid);
     void choiceChanged();
-    void openAsked();
+    void openRequested();
 
 private:
     [[nodiscard]] std::optional<Choice> choiceOf(const QTreeWidgetItem* item) const;

@@ -56,11 +56,11 @@ PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
 
     connect(m_test, &QPushButton::clicked, this, &PacsBrowserDialog::test);
     connect(m_search, &QPushButton::clicked, this, &PacsBrowserDialog::search);
-    connect(m_form, &SearchForm::searchAsked, this, &PacsBrowserDialog::search);
+    connect(m_form, &SearchForm::searchRequested, this, &PacsBrowserDialog::search);
     connect(m_form, &SearchForm::changed, this, [this] { m_state->say(m_form->problem()); });
-    connect(m_hits, &HitsTree::seriesAsked, this, &PacsBrowserDialog::askForSeries);
+    connect(m_hits, &HitsTree::seriesRequested, this, &PacsBrowserDialog::askForSeries);
     connect(m_hits, &HitsTree::choiceChanged, this, &PacsBrowserDialog::showChoice);
-    connect(m_hits, &HitsTree::openAsked, this, [this] { download(true); });
+    connect(m_hits, &HitsTree::openRequested, this, [this] { download(true); });
     connect(m_download, &QPushButton::clicked, this, [this] { download(false); });
     connect(m_open, &QPushButton::clicked, this, [this] { download(true); });
     connect(m_close, &QPushButton::clicked, this, &PacsBrowserDialog::reject);
@@ -309,7 +309,7 @@ void PacsBrowserDialog::showDownloaded(
         "good");
     if (!thenOpen)
         return;
-    Q_EMIT openAsked(path);
+    Q_EMIT openRequested(path);
     accept();
 }
 

@@ -33,7 +33,7 @@ public:
 
 Q_SIGNALS:
     /// The folder that holds the complete chosen study or series.
-    void openAsked(const QString& folder);
+    void openRequested(const QString& folder);
 
 private:
     void build();

@@ -52,7 +52,7 @@ SearchForm::SearchForm(QWidget* parent)
     m_modality->addItems({QString(), QStringLiteral("CT"), QStringLiteral("MR"),
         QStringLiteral("PT"), QStringLiteral("SEG"), QStringLiteral("RTSTRUCT")});
     m_modality->lineEdit()->setPlaceholderText(QStringLiteral("any"));
-    connect(m_modality->lineEdit(), &QLineEdit::returnPressed, this, &SearchForm::searchAsked);
+    connect(m_modality->lineEdit(), &QLineEdit::returnPressed, this, &SearchForm::searchRequested);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(theme::smallPadding);
@@ -80,7 +80,7 @@ QLineEdit* SearchForm::field(const char* name, const QString& placeholder)
     auto* edit = new QLineEdit(this);
     edit->setObjectName(QLatin1String(name));
     edit->setPlaceholderText(placeholder);
-    connect(edit, &QLineEdit::returnPressed, this, &SearchForm::searchAsked);
+    connect(edit, &QLineEdit::returnPressed, this, &SearchForm::searchRequested);
     connect(edit, &QLineEdit::textChanged, this, &SearchForm::changed);
     return edit;
 }

@@ -25,7 +25,7 @@ public:
     [[nodiscard]] QString problem() const;
 
 Q_SIGNALS:
-    void searchAsked();
+    void searchRequested();
     void changed();
 
 private:

@@ -162,7 +162,7 @@ void SeriesDoctorPanel::showVolume()
     Q_EMIT summaryChanged(summary());
     Q_EMIT hasSomethingChanged();
     if (volume != nullptr && volume->needsCaution())
-        Q_EMIT unfoldAsked();
+        Q_EMIT unfoldRequested();
 }
 
 const core::RepairOffer* SeriesDoctorPanel::otherStack() const
@@ -234,9 +234,9 @@ void SeriesDoctorPanel::apply()
     if (volume == nullptr)
         return;
     if (const core::RepairOffer* stack = otherStack())
-        Q_EMIT reopenAsked(volume->sourcePath, stack->series);
+        Q_EMIT reopenRequested(volume->sourcePath, stack->series);
     else if (const QString chosen = chosenRepair(); chosen != volume->repair)
-        Q_EMIT reopenAsked(volume->sourcePath, core::withRepair(volume->seriesKey, chosen));
+        Q_EMIT reopenRequested(volume->sourcePath, core::withRepair(volume->seriesKey, chosen));
     else
         m_workspace.acceptCaution();
 }
@@ -265,7 +265,7 @@ void SeriesDoctorPanel::openTime()
     const int time = m_time->value();
     const QString key =
         time == 0 ? alternatives.key : QStringLiteral("%1@%2").arg(alternatives.key).arg(time + 1);
-    Q_EMIT reopenAsked(volume->sourcePath, core::withRepair(key, volume->repair));
+    Q_EMIT reopenRequested(volume->sourcePath, core::withRepair(key, volume->repair));
 }
 
 } // namespace ui

@@ -33,7 +33,7 @@ public:
 Q_SIGNALS:
     /// The user wants to open the series with another choice.
     /// @param series as loadVolume() takes it
-    void reopenAsked(const QString& path, const QString& series);
+    void reopenRequested(const QString& path, const QString& series);
 
 private:
     void build();

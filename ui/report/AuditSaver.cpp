@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/report/AuditSaver.h"
 
-#include "core/base/ToldHere.h"
+#include "core/base/OnMainThread.h"
 #include "core/session/SessionStorage.h"
 #include "ui/report/WriteAudit.h"
 #include "ui/workspace/Workspace.h"
@@ -47,7 +47,7 @@ void AuditSaver::save(const QString& path)
     m_busy = true;
     session->closeGrowth();
     session->storage().audit(
-        core::toldHere(this, [this, path](const core::Result<core::AuditReport>& report) {
+        core::onMainThread(this, [this, path](const core::Result<core::AuditReport>& report) {
             if (report)
                 return write(*report, path);
             m_busy = false;

@@ -64,7 +64,7 @@ void StudyOpener::open(const QString& path, const QString& series)
 {
     if (core::SessionFile::isNamedAt(path))
         return openSession(path);
-    start(path, [this, path, series](const auto& progress, const auto& early) -> Tell {
+    start(path, [this, path, series](const auto& progress, const auto& early) -> Completion {
         Found found = find(path, series, progress, early);
         return [this, path, found = std::move(found)] {
             if (!found.withoutSpacing.isEmpty())
@@ -86,7 +86,7 @@ void StudyOpener::open(const std::shared_ptr<const core::Study>& study, const QS
         return;
     }
     const QString path = study->listing().path;
-    start(path, [this, study, series, path](const auto& progress, const auto& early) -> Tell {
+    start(path, [this, study, series, path](const auto& progress, const auto& early) -> Completion {
         Volume volume = load(*study, series, progress, early);
         if (!volume)
             return [this, error = volume.error()] { Q_EMIT failed(error); };
@@ -97,7 +97,7 @@ void StudyOpener::open(const std::shared_ptr<const core::Study>& study, const QS
 void StudyOpener::openSession(const QString& sessionFile, const QString& place)
 {
     start(sessionFile,
-        [this, sessionFile, place](const core::Progress& progress, const auto&) -> Tell {
+        [this, sessionFile, place](const core::Progress& progress, const auto&) -> Completion {
             // All of it now: once it is open for writing its file cannot be left untouched.
             const auto contents = core::checkSession(sessionFile, progress);
             if (!contents)
@@ -120,7 +120,7 @@ void StudyOpener::openSession(const QString& sessionFile, const QString& place)
 
 void StudyOpener::run(const QString& path, Job job)
 {
-    start(path, [this, path, job](const auto& progress, const auto& early) -> Tell {
+    start(path, [this, path, job](const auto& progress, const auto& early) -> Completion {
         auto volume = job(progress, early);
         if (!volume)
             return [this, error = volume.error()] { Q_EMIT failed(error); };
@@ -130,7 +130,7 @@ void StudyOpener::run(const QString& path, Job job)
 }
 
 void StudyOpener::start(const QString& path,
-    std::function<Tell(const core::Progress&, const core::EarlySliceListener&)> work)
+    std::function<Completion(const core::Progress&, const core::EarlySliceListener&)> work)
 {
     cancel();
     // What was called off may take a while to notice; nobody but the next task waits for it.
@@ -143,19 +143,19 @@ void StudyOpener::start(const QString& path,
                     meanwhile([this, slice] { Q_EMIT sliceReady(slice); });
                 });
         },
-        [this](const core::Result<Tell>& outcome) { take(outcome); },
+        [this](const core::Result<Completion>& outcome) { take(outcome); },
         [this](const QString& step, int done, int total) { Q_EMIT progressed(step, done, total); });
     Q_EMIT started(path);
 }
 
-void StudyOpener::goOn(const QString& step, std::function<Tell()> work)
+void StudyOpener::goOn(const QString& step, std::function<Completion()> work)
 {
     m_task = m_background.start(
-        this, std::move(work), [this](const core::Result<Tell>& outcome) { take(outcome); });
+        this, std::move(work), [this](const core::Result<Completion>& outcome) { take(outcome); });
     Q_EMIT progressed(step, 0, 0);
 }
 
-void StudyOpener::take(const core::Result<Tell>& outcome)
+void StudyOpener::take(const core::Result<Completion>& outcome)
 {
     if (outcome)
         (*outcome)();

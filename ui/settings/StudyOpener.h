@@ -43,12 +43,12 @@ public:
         const core::Progress&, const core::EarlySliceListener&)>;
     void run(const QString& path, Job job);
     /// A function that reports an outcome; called on this object's thread.
-    using Tell = std::function<void()>;
+    using Completion = std::function<void()>;
     /// Continues the opening with more work on the other thread. Call it only while loaded() or
     /// sessionLoaded() is emitted, from a receiver. It still counts as the same opening: busy()
     /// stays true, its first slice stays, and finished() is emitted after what @p work returns was
     /// called. If the opening is cancelled, that is not called.
-    void goOn(const QString& step, std::function<Tell()> work);
+    void goOn(const QString& step, std::function<Completion()> work);
     void cancel();
     /// Cancels and waits, as the destructor does, and reports nothing, now or later: the program
     /// ends.
@@ -78,8 +78,8 @@ Q_SIGNALS:
 
 private:
     void start(const QString& path,
-        std::function<Tell(const core::Progress&, const core::EarlySliceListener&)> work);
-    void take(const core::Result<Tell>& outcome);
+        std::function<Completion(const core::Progress&, const core::EarlySliceListener&)> work);
+    void take(const core::Result<Completion>& outcome);
 
     core::Background::Task m_task; ///< the running task
     core::Background m_background; ///< last: it uses all of the above

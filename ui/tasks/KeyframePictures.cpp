@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/KeyframePictures.h"
 
-#include "core/base/ToldHere.h"
+#include "core/base/OnMainThread.h"
 #include "core/session/SessionKeyframes.h"
 #include "ui/workspace/Workspace.h"
 
@@ -56,12 +56,13 @@ QImage KeyframePictures::picture(core::RowId row)
     core::EditSession* session = m_workspace.session();
     if (!session || !m_asked.insert(row).second)
         return {};
-    const auto tell = core::toldHere(this, [this, row, asked = m_session](const QImage& picture) {
-        if (m_session == asked)
-            take(row, picture);
-    });
+    const auto deliver =
+        core::onMainThread(this, [this, row, asked = m_session](const QImage& picture) {
+            if (m_session == asked)
+                take(row, picture);
+        });
     session->keyframes().fetch(
-        row, [tell](const QByteArray& png) { tell(QImage::fromData(png, "PNG")); });
+        row, [deliver](const QByteArray& png) { deliver(QImage::fromData(png, "PNG")); });
     return {};
 }
 

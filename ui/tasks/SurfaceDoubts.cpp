@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/SurfaceDoubts.h"
 
-#include "core/refine/fit/SurfaceDoubts.h"
+#include "core/refine/fit/DoubtfulVertices.h"
 #include "core/refine/voxels/BoxMask.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/workspace/Refinement.h"

@@ -15,8 +15,8 @@ namespace ui {
 class Workspace;
 
 /// Finds parts of the surface that is being refined which may need a second look (seed B §4.3;
-/// core/refine/fit/SurfaceDoubts.h). The search runs on another thread; its results are reported,
-/// never applied. GUI thread.
+/// core/refine/fit/DoubtfulVertices.h). The search runs on another thread; its results are
+/// reported, never applied. GUI thread.
 class SurfaceDoubts : public QObject {
     Q_OBJECT
 

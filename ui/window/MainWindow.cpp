@@ -201,12 +201,13 @@ void MainWindow::buildCentre()
     statusBar()->layout()->setContentsMargins(0, 0, 0, 0);
     statusBar()->addWidget(m_status, 1);
 
-    connect(m_start, &StartPage::openFolderAsked, this, [this] { askForFolder(m_opener, *this); });
-    connect(m_start, &StartPage::openFileAsked, this, [this] { askForFile(m_opener, *this); });
-    connect(m_start, &StartPage::demonstrationAsked, this, &MainWindow::demonstrationAsked);
-    connect(m_start, &StartPage::recentAsked, this,
+    connect(
+        m_start, &StartPage::openFolderRequested, this, [this] { askForFolder(m_opener, *this); });
+    connect(m_start, &StartPage::openFileRequested, this, [this] { askForFile(m_opener, *this); });
+    connect(m_start, &StartPage::demonstrationRequested, this, &MainWindow::demonstrationRequested);
+    connect(m_start, &StartPage::recentRequested, this,
         [this](const QString& path) { m_opener.open(path, RecentStudies::seriesOf(path)); });
-    connect(m_start, &StartPage::sessionAsked, this,
+    connect(m_start, &StartPage::sessionRequested, this,
         [this](const QString& file) { m_opener.openSession(file); });
 }
 

@@ -80,7 +80,7 @@ public:
     void closeStudy();
 
 Q_SIGNALS:
-    void demonstrationAsked();
+    void demonstrationRequested();
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;

@@ -23,7 +23,7 @@ void addPacsActions(MainWindow& window)
             if (!dialog) {
                 dialog = new PacsBrowserDialog(&window);
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
-                QObject::connect(dialog, &PacsBrowserDialog::openAsked, &window,
+                QObject::connect(dialog, &PacsBrowserDialog::openRequested, &window,
                     [&window](const QString& folder) { window.opener().open(folder); });
             }
             // Not modal: a study may be read while the next one comes.

@@ -55,7 +55,7 @@ void read(const QJsonValue& json, Workspace::DrillSettings& drill)
     read(at("radiusMm"), drill.radiusMm, Options::minimumRadiusMm, Options::maximumRadiusMm);
     read(at("depthMm"), drill.depthMm, Options::minimumDepthMm, Options::maximumDepthMm);
     read(at("throughGaps"), drill.throughGaps);
-    read(at("shape"), drill.shape, core::MaskShape::Kind::Rounded);
+    read(at("shape"), drill.shape, core::ToolMask::Kind::Rounded);
     read(at("heightRatio"), drill.heightRatio, Options::minimumHeightRatio, 1.0);
     read(at("rotationDegrees"), drill.rotationDegrees, -180.0, 180.0);
     read(at("softnessMm"), drill.softnessMm, 0.0, Options::maximumSoftnessMm);

@@ -119,7 +119,7 @@ void addFileActions(MainWindow& window)
     actions.add({.id = QStringLiteral("file.demonstration"),
         .text = QStringLiteral("Open the demonstration study"),
         .icon = QStringLiteral("demo"),
-        .run = [&window] { Q_EMIT window.demonstrationAsked(); }});
+        .run = [&window] { Q_EMIT window.demonstrationRequested(); }});
     actions.add({.id = QStringLiteral("file.saveAs"),
         .text = QStringLiteral("Save session as …"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+S"))},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/Chunks.h"
 
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/session/SessionChunks.h"
 #include "ui/workspace/Workspace.h"
 
@@ -302,7 +302,7 @@ void Chunks::divide(double marginMm)
                 .arg(segment->name));
     m_dividedAfter = core::RowId(session->history().rows().size());
     if (const auto applied =
-            session->apply(core::Chunks{.segment = segment->label, .marginMm = marginMm});
+            session->apply(core::DivideSegment{.segment = segment->label, .marginMm = marginMm});
         !applied)
         return m_workspace.fail(applied.error());
     m_workspace.say(tr("%1 and what lies around it is being divided …").arg(segment->name));
@@ -328,7 +328,7 @@ void Chunks::takeBack()
     setLook(look);
     core::EditSession* session = m_workspace.session();
     const core::RowId row = session->history().position();
-    if (row <= m_dividedAfter || !session->history().row(row).edit.is<core::Chunks>())
+    if (row <= m_dividedAfter || !session->history().row(row).edit.is<core::DivideSegment>())
         return;
     if (const auto undone = session->undo(); !undone)
         m_workspace.fail(undone.error());

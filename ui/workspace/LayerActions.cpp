@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/LayerActions.h"
 
-#include "core/edits/engine/HiddenSides.h"
+#include "core/edits/engine/HalfSpaces.h"
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/layers/MergeLayers.h"
 #include "core/edits/kinds/layers/RemoveLayer.h"
@@ -151,7 +151,7 @@ void segmentWhatIsSeen(Workspace& workspace, std::optional<int> label)
         return workspace.say(shown.why);
     core::SegmentSeen edit{.target = {.segment = label}, .lower = shown.lower};
     edit.upper = shown.upper;
-    edit.hidden = core::hiddenSides(workspace.clip(), workspace.volume()->geometry);
+    edit.hidden = core::clipHalfSpaces(workspace.clip(), workspace.volume()->geometry);
     if (!label)
         edit.target = newSegment(workspace.session()->foreseenDocument(), {});
     give(workspace, edit, label);

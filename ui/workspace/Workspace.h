@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/session/EditSession.h"
 #include "gpu/frame/FrameSource.h"
-#include "ui/geometry/MaskOutline.h"
+#include "ui/geometry/ToolMaskOutline.h"
 #include "ui/settings/GrowSettings.h"
 
 #include <QObject>
@@ -42,10 +42,10 @@ public:
         double radiusMm = 8.0; ///< half the width for shapes other than the circle
         double depthMm = 8.0; ///< in mode Rate: per second
         bool throughGaps = false;
-        core::MaskShape::Kind shape = core::MaskShape::Kind::Circle;
+        core::ToolMask::Kind shape = core::ToolMask::Kind::Circle;
         double heightRatio = 0.5; ///< height / width, for shapes where they differ
         double rotationDegrees = 0.0;
-        double softnessMm = 0.0; ///< as in core::MaskShape
+        double softnessMm = 0.0; ///< as in core::ToolMask
         bool turnsWithPen = true; ///< the mask rotates with the pen, in addition to rotationDegrees
         bool foreshortened = false; ///< the mask is foreshortened by the pen's tilt
         core::DrillMode mode = core::DrillMode::Limit;
@@ -54,7 +54,7 @@ public:
         double laserDepthMm = 15.0; ///< depth of the laser
         Sweep sweep = Sweep::View; ///< for the drill
         bool freehand = false; ///< the outline replaces the shape
-        MaskOutline outline{}; ///< radiusMm is half of its longer side
+        ToolMaskOutline outline{}; ///< radiusMm is half of its longer side
         bool operator==(const DrillSettings&) const = default;
     };
     /// The settings of one brush; paint, carve brush and barrier have their own.
@@ -174,7 +174,7 @@ public:
     void say(const QString& sentence) { Q_EMIT said(sentence); }
     /// Tells that the session was moved to another file.
     /// @param before the previous file; empty if the session was read-only
-    void tellSaved(const QString& before, const QString& now) { Q_EMIT sessionSaved(before, now); }
+    void noteSaved(const QString& before, const QString& now) { Q_EMIT sessionSaved(before, now); }
     /// Reports a failure in the bar above the views.
     void fail(const core::Error& error) { Q_EMIT failed(error); }
     /// A sentence with a button, for the bar above the views.

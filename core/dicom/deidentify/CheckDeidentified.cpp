@@ -54,7 +54,7 @@ public:
                     if (const QString what = in(*sequence->getItem(k)); !what.isEmpty())
                         return what;
                 }
-            } else if (isText(element.ident()) && !isKeyword(element) && tellsWho(element)) {
+            } else if (isText(element.ident()) && !isKeyword(element) && identifies(element)) {
                 return QStringLiteral("attribute %1 tells who the patient is").arg(name);
             }
         }
@@ -74,7 +74,7 @@ private:
             && DcmTag::findTagFromName(value.c_str(), attribute).good();
     }
 
-    bool tellsWho(DcmElement& element)
+    bool identifies(DcmElement& element)
     {
         ++m_looked;
         OFString value;

@@ -167,7 +167,7 @@ QString Deidentifier::segmentName(int label, const QString& name, const QString&
     return meaning.isEmpty() ? QStringLiteral("Segment %1").arg(label) : meaning;
 }
 
-SourceHeader Deidentifier::masked(SourceHeader header) const
+SourceHeader Deidentifier::deidentified(SourceHeader header) const
 {
     header.patient = {.name = patientName(), .id = patientId(), .birthDate = {}};
     header.studyUid = uid(header.studyUid);
@@ -177,7 +177,7 @@ SourceHeader Deidentifier::masked(SourceHeader header) const
     return header;
 }
 
-StudyIdentity Deidentifier::masked(StudyIdentity identity) const
+StudyIdentity Deidentifier::deidentified(StudyIdentity identity) const
 {
     const auto described = [this](const QString& text) {
         return m_options.keepDescriptions ? cleanText(text) : QString();

@@ -59,8 +59,8 @@ public:
     /// cleaned.
     [[nodiscard]] QString segmentName(int label, const QString& name, const QString& meaning) const;
     /// The de-identified form of a header of the source.
-    [[nodiscard]] SourceHeader masked(SourceHeader header) const;
-    [[nodiscard]] StudyIdentity masked(StudyIdentity identity) const;
+    [[nodiscard]] SourceHeader deidentified(SourceHeader header) const;
+    [[nodiscard]] StudyIdentity deidentified(StudyIdentity identity) const;
 
     /// Only for sources of core/dicom. @param settled UIDs that this object has already mapped
     void apply(DcmDataset& set, const QStringList& settled = {}) const;

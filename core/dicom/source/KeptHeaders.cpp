@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/source/KeptHeaders.h"
 
-#include "core/dicom/source/SourceFiles.h"
+#include "core/dicom/source/VisitSourceFiles.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcostrmb.h>

@@ -2,7 +2,7 @@
 #include "core/dicom/source/SegSource.h"
 
 #include "core/dicom/items/PatientHeader.h"
-#include "core/dicom/source/SourceFiles.h"
+#include "core/dicom/source/VisitSourceFiles.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

@@ -7,7 +7,7 @@
 #include "core/dicom/deidentify/Deidentifier.h"
 #include "core/dicom/header/ImageHeaderReader.h"
 #include "core/dicom/items/ConditionChain.h"
-#include "core/dicom/source/SourceFiles.h"
+#include "core/dicom/source/VisitSourceFiles.h"
 #include "core/dicom/write/SaveDicom.h"
 
 #include <QCoreApplication>

@@ -20,19 +20,19 @@ namespace core {
 //   RowTitle rowTitle(const X&, const RowFacts&)
 //     What its row says to people (core/titles). The name that is stored is made of it and is part
 //     of the hash chain, so old rows must keep theirs.
-//   EditReach reach(const X&, const ReachFacts&)
-//     What its result depends on; it may be too much, never too little (EditReach.h).
+//   EditDependencies dependencies(const X&, const DependencyFacts&)
+//     What its result depends on; it may be too much, never too little (EditDependencies.h).
 //   Result<EngineEdit> engineEdit(const X&, const Document&)
 //     Only for those that the engine carries out: the command, in integers, that begins it.
 //     Their effects name engineTask<X>(), which does not compile without this function.
 //
 // This header contains only what headers of edits need to declare them.
 
+struct DependencyFacts;
 struct Document;
+struct EditDependencies;
 struct EditEffects;
-struct EditReach;
 struct EngineEdit;
-struct ReachFacts;
 struct RowFacts;
 struct RowTitle;
 

@@ -2,19 +2,19 @@
 #pragma once
 
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/schema/EditChunks.h"
 #include "core/edits/schema/SchemaParts.h"
 
 namespace core::editSchema {
 
-template <> inline constexpr const char* editName<Chunks> = "chunks";
+template <> inline constexpr const char* editName<DivideSegment> = "chunks";
 template <>
-inline constexpr const char* editMeaning<Chunks> =
+inline constexpr const char* editMeaning<DivideSegment> =
     "Divides a segment and what lies around it into chunks of different likelihood, which "
     "chunkToggle adds and takes. Changes no voxel. A row of the history holds the labels that the "
     "chunks depend on.";
-template <class Visitor> void visitFields(Visitor& visit, Chunks& edit)
+template <class Visitor> void visitFields(Visitor& visit, DivideSegment& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("marginMm", Presence::Optional, edit.marginMm,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/fields/EditFields.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 
 #include <cstdint>
 #include <vector>

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int maxListLength = 1000000;
 constexpr int maxOutlineLength = 100000;
-constexpr int maxHiddenSides = 16;
+constexpr int maxClipHalfSpaces = 16;
 
 const Number sampleMillimetres{"mm", -quantum::reachMm, quantum::reachMm, quantum::perMillimetre};
 const Number sideNormal{"", -1.0, 1.0, quantum::perDirection};
@@ -116,17 +116,17 @@ Outline::Value Outline::rounded(const Value& value) const
     });
 }
 
-QJsonValue HiddenSideList::write(const Value& value) const
+QJsonValue ClipHalfSpaceList::write(const Value& value) const
 {
-    return writeEach(value, [](const HiddenSide& side) {
+    return writeEach(value, [](const ClipHalfSpace& side) {
         return QJsonArray{side.normalLps.x, side.normalLps.y, side.normalLps.z, side.offsetMm};
     });
 }
 
-QString HiddenSideList::read(const QJsonValue& json, Value& value) const
+QString ClipHalfSpaceList::read(const QJsonValue& json, Value& value) const
 {
     return readEach(json, value, QStringLiteral("must be a list of planes [x, y, z, offset]"),
-        [](const QJsonValue& each, HiddenSide& side) {
+        [](const QJsonValue& each, ClipHalfSpace& side) {
             double numbers[4]{};
             const QString reason = readNumbers(each, numbers, 4);
             side = {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
@@ -134,11 +134,11 @@ QString HiddenSideList::read(const QJsonValue& json, Value& value) const
         });
 }
 
-QString HiddenSideList::check(const Value& value) const
+QString ClipHalfSpaceList::check(const Value& value) const
 {
-    if (value.empty() || value.size() > std::size_t(maxHiddenSides))
-        return QStringLiteral("needs 1 to %1 entries").arg(maxHiddenSides);
-    return checkEach(value, [](const HiddenSide& side) {
+    if (value.empty() || value.size() > std::size_t(maxClipHalfSpaces))
+        return QStringLiteral("needs 1 to %1 entries").arg(maxClipHalfSpaces);
+    return checkEach(value, [](const ClipHalfSpace& side) {
         const bool pointsSomewhere = glm::length(side.normalLps) > 0.01;
         return firstOf({sideNormal.check(side.normalLps.x), sideNormal.check(side.normalLps.y),
             sideNormal.check(side.normalLps.z), sampleMillimetres.check(side.offsetMm),
@@ -146,10 +146,10 @@ QString HiddenSideList::check(const Value& value) const
     });
 }
 
-HiddenSideList::Value HiddenSideList::rounded(const Value& value) const
+ClipHalfSpaceList::Value ClipHalfSpaceList::rounded(const Value& value) const
 {
-    return roundEach(value, [](const HiddenSide& side) {
-        return HiddenSide{
+    return roundEach(value, [](const ClipHalfSpace& side) {
+        return ClipHalfSpace{
             Point{sideNormal}.rounded(side.normalLps), sampleMillimetres.rounded(side.offsetMm)};
     });
 }

@@ -3,7 +3,7 @@
 
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/growth/GrowBox.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 
 #include <cstdint>
@@ -54,8 +54,8 @@ struct Outline {
 };
 
 /// [[x, y, z, offset], …]: half-spaces, 1 to 16 of them.
-struct HiddenSideList {
-    using Value = std::vector<HiddenSide>;
+struct ClipHalfSpaceList {
+    using Value = std::vector<ClipHalfSpace>;
 
     [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z, offset], …]"); }
     [[nodiscard]] QString unit() const { return QStringLiteral("direction, mm"); }

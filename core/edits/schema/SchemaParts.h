@@ -5,8 +5,8 @@
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/fields/Quantum.h"
 #include "core/edits/kinds/parts/BrushPath.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
-#include "core/edits/kinds/parts/SparedSegments.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/ProtectedSegments.h"
 #include "core/edits/schema/EditLists.h"
 
 namespace core::editSchema {
@@ -96,18 +96,18 @@ template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)
 }
 
 /// What clip box and clip planes hid when the cut was made.
-template <class Visitor> void visitHidden(Visitor& visit, HiddenSides& hidden)
+template <class Visitor> void visitHidden(Visitor& visit, ClipHalfSpaces& hidden)
 {
-    visit.maybe("hidden", hidden, editFields::HiddenSideList{},
+    visit.maybe("hidden", hidden, editFields::ClipHalfSpaceList{},
         "what is not seen, so that the cut neither starts nor cuts there: where normal · place > "
         "offset, patient coordinates (LPS)",
         "nothing");
 }
 
 /// What a cut leaves uncut.
-template <class Visitor> void visitSpared(Visitor& visit, SparedSegments& spared)
+template <class Visitor> void visitProtected(Visitor& visit, ProtectedSegments& protectedSegments)
 {
-    visit.maybe("spared", spared, editFields::SegmentList{},
+    visit.maybe("spared", protectedSegments, editFields::SegmentList{},
         "segments that are not carved, those that are protected added when it is carried out; "
         "not while restoring",
         "those that are protected");

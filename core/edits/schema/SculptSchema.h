@@ -5,9 +5,9 @@
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
-#include "core/edits/kinds/sculpt/MaskShape.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/edits/schema/SchemaParts.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ template <class Visitor> void visitCarvedLayer(Visitor& visit, int& layer)
 template <class Visitor, class Cut> void visitLeftAlone(Visitor& visit, Cut& edit)
 {
     visitHidden(visit, edit.hidden);
-    visitSpared(visit, edit.spared);
+    visitProtected(visit, edit.protectedSegments);
 }
 
 /// A curve that is drawn on the view, of peel and scissors.
@@ -54,10 +54,10 @@ template <class Visitor> void visitSurface(Visitor& visit, double& threshold)
 }
 
 /// The mask that is pressed into the volume.
-template <class Visitor> void visitMask(Visitor& visit, MaskShape& mask)
+template <class Visitor> void visitMask(Visitor& visit, ToolMask& mask)
 {
     using namespace editFields;
-    using Kind = MaskShape::Kind;
+    using Kind = ToolMask::Kind;
     visit.group("mask", "what is pressed into the volume, parallel to the view", [&](auto& inside) {
         inside.maybe("polygonMm", mask.polygonMm, maskOutline,
             "a closed curve around the sample: right, up; no shape then", "a shape");

@@ -2,7 +2,7 @@
 #include "core/edits/sculpt/SculptEdits.h"
 
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/SparedSegments.h"
+#include "core/edits/engine/SegmentProtection.h"
 #include "core/edits/kinds/EditKinds.h"
 #include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
@@ -59,7 +59,7 @@ Result<WholeCut> cutAlone(const BrushStroke& stroke, const Document& document, s
 
 Result<WholeCut> cutAlone(const PeelCut& peel, const Document& document, std::uint8_t layer)
 {
-    Result<MaskPeel> cut = maskPeel(peel, document);
+    Result<ShellPeel> cut = shellPeel(peel, document);
     if (!cut)
         return tl::unexpected(cut.error());
     return alone(*std::move(cut), layer, peelDepth(peel));
@@ -67,7 +67,7 @@ Result<WholeCut> cutAlone(const PeelCut& peel, const Document& document, std::ui
 
 Result<WholeCut> cutAlone(const ScissorsCut& scissors, const Document& document, std::uint8_t layer)
 {
-    Result<MaskScissors> cut = maskScissors(scissors, document);
+    Result<OutlineCut> cut = outlineCut(scissors, document);
     if (!cut)
         return tl::unexpected(cut.error());
     cut->layer = layer;
@@ -75,9 +75,9 @@ Result<WholeCut> cutAlone(const ScissorsCut& scissors, const Document& document,
     return WholeCut{*std::move(cut), {}};
 }
 
-template <class Visitor> void visitSize(Visitor& visit, MaskShape& mask)
+template <class Visitor> void visitSize(Visitor& visit, ToolMask& mask)
 {
-    using Kind = MaskShape::Kind;
+    using Kind = ToolMask::Kind;
     if (mask.polygonMm) {
         visit.outline(*mask.polygonMm, glm::dvec2(0.0));
     } else if (mask.kind == Kind::Circle) {
@@ -263,26 +263,26 @@ const std::vector<glm::dvec2>* outlineOf(const SculptEdit& edit)
         edit);
 }
 
-const SparedSegments* sparedBy(const Edit& edit)
+const ProtectedSegments* protectedSegmentsOf(const Edit& edit)
 {
-    const SparedSegments* spared = nullptr;
-    const auto look = [&spared](const auto& cut) {
+    const ProtectedSegments* protectedSegments = nullptr;
+    const auto look = [&protectedSegments](const auto& cut) {
         if (!cut.restore)
-            spared = &cut.spared;
+            protectedSegments = &cut.protectedSegments;
     };
     visitAmong(look, edit, SculptKinds());
-    return spared;
+    return protectedSegments;
 }
 
-SparedSegments* sparedBy(Edit& edit)
+ProtectedSegments* protectedSegmentsOf(Edit& edit)
 {
-    return const_cast<SparedSegments*>(sparedBy(std::as_const(edit)));
+    return const_cast<ProtectedSegments*>(protectedSegmentsOf(std::as_const(edit)));
 }
 
-void spareProtected(Edit& edit, const Document& document)
+void addProtected(Edit& edit, const Document& document)
 {
-    if (SparedSegments* spared = sparedBy(edit))
-        spareProtected(*spared, document);
+    if (ProtectedSegments* protectedSegments = protectedSegmentsOf(edit))
+        addProtected(*protectedSegments, document);
 }
 
 StrokeParameters parametersOf(const SculptEdit& edit)

@@ -4,7 +4,7 @@
 #include "core/base/Result.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/parts/SparedSegments.h"
+#include "core/edits/kinds/parts/ProtectedSegments.h"
 #include "core/edits/kinds/parts/StrokeParameters.h"
 #include "core/engine/EngineCommands.h"
 
@@ -50,11 +50,11 @@ private:
 /// The list of segments that an edit leaves uncut. Null: it does not carve.
 [[nodiscard]] const std::vector<glm::dvec2>* outlineOf(const SculptEdit& edit);
 
-/// What an edit that carves spares: its own list. Null: it carves nothing, or restores.
-[[nodiscard]] SparedSegments* sparedBy(Edit& edit);
-[[nodiscard]] const SparedSegments* sparedBy(const Edit& edit);
-/// Adds the segments that are protected to that list (core/edits/engine/SparedSegments.h).
-void spareProtected(Edit& edit, const Document& document);
+/// What an edit that carves protects: its own list. Null: it carves nothing, or restores.
+[[nodiscard]] ProtectedSegments* protectedSegmentsOf(Edit& edit);
+[[nodiscard]] const ProtectedSegments* protectedSegmentsOf(const Edit& edit);
+/// Adds the segments that are protected to that list (core/edits/engine/SegmentProtection.h).
+void addProtected(Edit& edit, const Document& document);
 
 [[nodiscard]] StrokeParameters parametersOf(const SculptEdit& edit);
 

@@ -126,7 +126,7 @@ Result<std::vector<SourceHeader>> checkedSourceHeaders(
     auto headers = checkedSourceHeaders(file, expected.volume, progress);
     if (headers && expected.deidentifier) {
         for (SourceHeader& header : *headers)
-            header = expected.deidentifier->masked(header);
+            header = expected.deidentifier->deidentified(header);
     }
     return headers;
 }

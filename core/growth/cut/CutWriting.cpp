@@ -41,7 +41,7 @@ void CutWriting::replace(Voxel voxel, std::uint32_t word)
     begun(voxel >> 12).words[voxel & 4095u] = word;
 }
 
-void CutWriting::shut(const glm::ivec3& place)
+void CutWriting::setBarrier(const glm::ivec3& place)
 {
     const auto number = std::uint32_t(m_words.grid().brickOf(place));
     const auto known = m_places.find(number);
@@ -51,7 +51,7 @@ void CutWriting::shut(const glm::ivec3& place)
     brick.words[std::size_t(BrickGrid::offsetInBrick(place))] = seedWord::barrier;
 }
 
-void CutWriting::shutEmptyAround(const glm::ivec3& place)
+void CutWriting::setBarrierAround(const glm::ivec3& place)
 {
     for (const std::array<int, 3>& offset : seedWord::offsets) {
         const glm::ivec3 next = place + glm::ivec3(offset[0], offset[1], offset[2]);
@@ -61,7 +61,7 @@ void CutWriting::shutEmptyAround(const glm::ivec3& place)
         const std::uint32_t word = wordAt(next);
         if (!seedWord::isMember(word) && !seedWord::isPendingSeed(word)
             && word != seedWord::barrier)
-            shut(next);
+            setBarrier(next);
     }
 }
 

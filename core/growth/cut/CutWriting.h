@@ -21,9 +21,9 @@ public:
     /// Gives a member that stays another word.
     void replace(WordBricks::Voxel voxel, std::uint32_t word);
     /// Sets a barrier at any voxel of the volume.
-    void shut(const glm::ivec3& place);
+    void setBarrier(const glm::ivec3& place);
     /// Sets barriers at those of its 26 neighbours that are neither members nor pending seeds.
-    void shutEmptyAround(const glm::ivec3& place);
+    void setBarrierAround(const glm::ivec3& place);
     /// The bricks, ascending by number; nothing remains here.
     [[nodiscard]] std::vector<CutBrick> take();
 

@@ -18,7 +18,7 @@ using WordChanges = LabelCut::WordChanges;
 void write(CutWriting& writing, const WordBricks& words, const std::vector<std::uint8_t>& marks,
     const Voxels& leaving, std::uint32_t label, bool barrier)
 {
-    std::vector<glm::ivec3> shut;
+    std::vector<glm::ivec3> barriers;
     for (const Voxel voxel : leaving) {
         writing.leave(voxel, seedWord::wasHeld(words[voxel]) ? 0 : label);
         bool bounds = false;
@@ -29,12 +29,12 @@ void write(CutWriting& writing, const WordBricks& words, const std::vector<std::
                         && (marks[neighbour] & LabelCut::leaves) == 0);
             });
         if (bounds)
-            shut.push_back(words.positionOf(voxel));
+            barriers.push_back(words.positionOf(voxel));
     }
-    for (const glm::ivec3& place : shut)
-        writing.shut(place);
-    for (const glm::ivec3& place : shut)
-        writing.shutEmptyAround(place);
+    for (const glm::ivec3& place : barriers)
+        writing.setBarrier(place);
+    for (const glm::ivec3& place : barriers)
+        writing.setBarrierAround(place);
 }
 
 /// Rule 1.
@@ -47,7 +47,7 @@ Result<LeavingVoxels> sketches(const WordBricks& words, const CutGrowth& command
         if (voxel == WordBricks::none)
             continue;
         const std::uint32_t word = words[voxel];
-        if (!seedWord::isMember(word) || command.frozen[seedWord::label(word)])
+        if (!seedWord::isMember(word) || command.lockedLabels[seedWord::label(word)])
             continue;
         if (LabelMembers::isRoot(word))
             roots.push_back(voxel);

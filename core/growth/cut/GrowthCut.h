@@ -10,11 +10,11 @@
 namespace core {
 
 // The rules of StrokeEdits: what a cut removes from a growth. They are applied to each label that
-// is not frozen by itself, the lowest first. "Members" are those of the label, "neighbours" are all
+// is not locked by itself, the lowest first. "Members" are those of the label, "neighbours" are all
 // 26 unless something else is said. All numbers are integers, and no result depends on an order.
 //
 // 1. The sketch is the set of members among the given voxels. The cut is refused with
-//    ErrorCode::SeedsStay if a root (rule 2) of any label that is not frozen is among them, and
+//    ErrorCode::SeedsStay if a root (rule 2) of any label that is not locked is among them, and
 //    with ErrorCode::NothingGrown if no label has a sketch.
 // 2. Roots are the members that are seeds or of generation 0; they have no parents. The parents of
 //    any other member are its neighbours that are members of an earlier generation: its face

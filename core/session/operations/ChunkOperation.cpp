@@ -2,13 +2,13 @@
 #include "core/session/operations/ChunkOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 
 #include <utility>
 
 namespace core {
 
-DivideOperation::DivideOperation(Chunks edit, RowId again)
+DivideOperation::DivideOperation(DivideSegment edit, RowId again)
     : m_edit(std::move(edit))
     , m_again(again)
 {
@@ -75,7 +75,7 @@ void DivideOperation::commit(SessionState& state)
 {
     m_done = true;
     const RowId newest = state.divisionRow();
-    if (newest == 0 || !(state.history.row(newest).edit.get<Chunks>() == m_edit))
+    if (newest == 0 || !(state.history.row(newest).edit.get<DivideSegment>() == m_edit))
         state.commit(m_edit, {}, {});
 }
 
@@ -108,7 +108,7 @@ void ToggleChunks::takeChunks(SessionState& state)
     if (!m_awaited)
         return;
     if (const std::optional<Error> why = state.chunks->whyNot(*m_awaited)) {
-        static_cast<void>(state.chunks->takeUntold()); // it is told here
+        static_cast<void>(state.chunks->takeUnreported()); // it is told here
         return giveUp(state, *why);
     }
     if (const ChunkWorker::Map map = state.chunks->map(*m_awaited)) {

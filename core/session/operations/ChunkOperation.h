@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/ChunkVoxels.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/state/Operation.h"
 
@@ -16,7 +16,7 @@ namespace core {
 class DivideOperation final : public Operation {
 public:
     /// @param again as in VoxelOperation
-    explicit DivideOperation(Chunks edit, RowId again = 0);
+    explicit DivideOperation(DivideSegment edit, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
@@ -29,7 +29,7 @@ private:
     void commit(SessionState& state);
     void giveUp(SessionState& state, const Error& error);
 
-    Chunks m_edit;
+    DivideSegment m_edit;
     RowId m_again = 0;
     std::optional<LabelReader> m_reader;
     std::optional<Ticket> m_asked;

@@ -3,7 +3,7 @@
 
 #include "core/edits/EditTask.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/session/operations/ChunkOperation.h"
@@ -23,7 +23,7 @@ std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
     case EditTask::Surface:
         return std::make_unique<SurfaceOperation>(edit, SurfaceOperation::Kind::Whole, again);
     case EditTask::Chunks:
-        if (const auto* chunks = edit.as<Chunks>())
+        if (const auto* chunks = edit.as<DivideSegment>())
             return std::make_unique<DivideOperation>(*chunks, again);
         return std::make_unique<ToggleChunks>(edit.get<ChunkToggle>(), again);
     case EditTask::History:

@@ -67,11 +67,11 @@ void OperationQueue::submit(std::unique_ptr<Operation> operation)
 {
     if (m_state.lost()) {
         m_state.fail(*m_state.lost());
-        return tellNews();
+        return notifyListeners();
     }
     m_operations.push_back(std::move(operation));
     guard([this] { advance(); });
-    tellNews();
+    notifyListeners();
 }
 
 void OperationQueue::ask(EngineCommand question, Answer answer)
@@ -106,7 +106,7 @@ void OperationQueue::end(OpenOperation& stroke, Ending ending)
         stroke.end(m_state, ending);
         advance();
     });
-    tellNews();
+    notifyListeners();
 }
 
 void OperationQueue::closeGrowth()
@@ -154,7 +154,7 @@ void OperationQueue::poll()
     while (collect());
     m_polling = false;
     noticeTrouble();
-    tellNews();
+    notifyListeners();
 }
 
 void OperationQueue::waitForEngine()
@@ -173,7 +173,7 @@ void OperationQueue::noticeTrouble()
     // Who began without a file was told so.
     if (trouble && !m_state.file->whyNoFile())
         m_state.errors.push_back({ErrorCode::SessionUnwritten, trouble->arguments});
-    m_state.tell(DocumentChange::What::Disk);
+    m_state.notify(DocumentChange::What::Disk);
 }
 
 bool OperationQueue::collect()
@@ -205,11 +205,11 @@ bool OperationQueue::collect()
 
 void OperationQueue::takeChunks()
 {
-    m_state.tell(DocumentChange::What::Chunks);
+    m_state.notify(DocumentChange::What::Chunks);
     if (m_started)
         m_operations.front()->takeChunks(m_state);
     // Nobody waited for them, or nobody of the session's.
-    if (const std::optional<Error> why = m_state.chunks->takeUntold())
+    if (const std::optional<Error> why = m_state.chunks->takeUnreported())
         m_state.fail(*why);
 }
 
@@ -243,7 +243,7 @@ void OperationQueue::take(CommitWorker::Report&& report)
     HistoryRow& row = m_state.history.row(report.row);
     row.deltaBytes = report.deltaBytes;
     row.stateHash = std::move(report.stateHash);
-    m_state.tell(DocumentChange::What::History);
+    m_state.notify(DocumentChange::What::History);
 }
 
 void OperationQueue::advance()
@@ -304,7 +304,7 @@ Result<void> OperationQueue::waitUntilSettled()
     if (m_state.file)
         onDisk = m_state.file->flush();
     noticeTrouble();
-    tellNews();
+    notifyListeners();
     if (const std::optional<Error> error = std::exchange(m_state.firstError, std::nullopt))
         return tl::unexpected(*error);
     return onDisk;
@@ -340,7 +340,7 @@ void OperationQueue::setErrorListener(std::function<void(const Error&)> listener
     m_errorListener = std::move(listener);
 }
 
-void OperationQueue::tellNews()
+void OperationQueue::notifyListeners()
 {
     // Listeners may well ask for more, which makes more news.
     while (!m_state.news.empty() || !m_state.errors.empty() || !m_state.answers.empty()) {

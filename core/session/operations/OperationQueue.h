@@ -55,7 +55,7 @@ public:
     void setListener(std::function<void(const DocumentChange&)> listener);
     void setErrorListener(std::function<void(const Error&)> listener);
     /// Passes the news of the state to the listeners.
-    void tellNews();
+    void notifyListeners();
     /// Runs @p work, which tells the open operation something. If it throws, the operation is taken
     /// back; if that is impossible, the session is lost (SessionState::lose()).
     void guard(const std::function<void()>& work);

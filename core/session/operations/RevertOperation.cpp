@@ -68,7 +68,7 @@ std::vector<BrickKey> keysOf(const std::vector<BrickImage>& images)
 /// What must not have been written by later rows that take back or revise, though the bricks of the
 /// row itself say nothing of it.
 struct Claim {
-    RowReach reach;
+    RowDependencies dependencies;
     RowId row = 0; ///< which is taken back
     RowId returning = 0; ///< a step that comes back: what it read must be as it was
 
@@ -103,10 +103,10 @@ void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
     for (const RowId id : revert->rows) {
         const Edit& edit = state.history.row(id).edit;
         if (!edit.is<RevertRows>())
-            claims.push_back({RowReach(edit, state.document, written), taken, id});
+            claims.push_back({RowDependencies(edit, state.document, written), taken, id});
         if (const auto* revise = edit.as<ReviseStroke>()) {
             for (const SculptEdit& form : formsOf(state.history, revise->row))
-                claims.push_back({RowReach(form.plain(), state.document, {}), taken, id});
+                claims.push_back({RowDependencies(form.plain(), state.document, {}), taken, id});
         }
         claimWhatReturns(state, id, taken, written, claims);
     }
@@ -119,7 +119,7 @@ void claimForms(const SessionState& state, RowId row, std::vector<Claim>& claims
     const Edit& edit = state.history.row(row).edit;
     const auto* revise = edit.as<ReviseStroke>();
     for (const SculptEdit& form : formsOf(state.history, revise ? revise->row : row))
-        claims.push_back({RowReach(form.plain(), state.document, {}), row, 0});
+        claims.push_back({RowDependencies(form.plain(), state.document, {}), row, 0});
 }
 
 /// A revision folds in the cuts, and carved segments, that lie wherever its own stroke reaches,
@@ -132,9 +132,9 @@ bool foldedIn(const SessionState& state, const Edit& taken, const std::vector<Br
     if (!revise || !(sculptEdit(taken) || taken.is<SegmentToLayer>()))
         return false;
     for (const SculptEdit& form : formsOf(state.history, revise->row)) {
-        const RowReach reach(form.plain(), state.document, {});
+        const RowDependencies dependencies(form.plain(), state.document, {});
         if (std::any_of(written.begin(), written.end(),
-                [&reach](const BrickKey& key) { return reach.covers(key); }))
+                [&dependencies](const BrickKey& key) { return dependencies.covers(key); }))
             return true;
     }
     return false;
@@ -235,7 +235,7 @@ void RevertOperation::loadNext(SessionState& state)
         state.worker->load(m_toLoad.back(), true);
         return;
     }
-    if (const Result<void> checked = checkReach(state); !checked)
+    if (const Result<void> checked = checkDependencies(state); !checked)
         return giveUp(state, checked.error());
     layOver(state);
 }
@@ -252,7 +252,7 @@ void RevertOperation::takeDifferences(SessionState& state, Result<RowDifferences
     loadNext(state);
 }
 
-Result<void> RevertOperation::checkReach(const SessionState& state) const
+Result<void> RevertOperation::checkDependencies(const SessionState& state) const
 {
     const History& history = state.history;
     const std::vector<RowId> standing = history.standing();
@@ -285,25 +285,25 @@ Result<void> RevertOperation::checkReach(const SessionState& state) const
             if (!claim.isHurtBy(row.edit))
                 continue;
             for (const BrickKey& key : keysOf(differences->second)) {
-                if (claim.reach.covers(key))
+                if (claim.dependencies.covers(key))
                     return entangled(row, history.row(claim.row));
             }
         }
         if (row.edit.is<RevertRows>())
             continue;
-        const RowReach reach(row.edit, state.document,
+        const RowDependencies dependencies(row.edit, state.document,
             differences == m_differences.end() ? std::vector<BrickKey>()
                                                : keysOf(differences->second),
             traceOf(state, id));
         for (const auto& [key, first] : taken) {
-            if (reach.covers(key))
+            if (dependencies.covers(key))
                 return entangled(row, history.row(first));
         }
     }
     // Nor may what comes back have read what goes with the same step.
     for (const Claim& claim : claims) {
         for (const auto& [key, first] : taken) {
-            if (first < claim.returning && first != claim.row && claim.reach.covers(key))
+            if (first < claim.returning && first != claim.row && claim.dependencies.covers(key))
                 return entangled(history.row(claim.returning), history.row(first));
         }
     }
@@ -344,7 +344,7 @@ void RevertOperation::finish(SessionState& state, EngineResult&& result)
             std::max(state.document.growths.front().generation, result.facts.greatestGeneration);
         state.commit(m_edit, std::move(result), counter);
     }
-    state.tell(DocumentChange::What::Growth);
+    state.notify(DocumentChange::What::Growth);
 }
 
 void RevertOperation::giveUp(SessionState& state, const Error& error)

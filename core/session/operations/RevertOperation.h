@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/session/past/GrowthTrace.h"
-#include "core/session/past/RowReach.h"
+#include "core/session/past/RowDependencies.h"
 #include "core/session/state/Operation.h"
 
 #include <map>
@@ -11,7 +11,7 @@
 namespace core {
 
 /// "Undo only here": applies the differences of older rows to the present bricks, as a new row. It
-/// is refused, naming the row, if a later row wrote or read the same place (RowReach).
+/// is refused, naming the row, if a later row wrote or read the same place (RowDependencies).
 class RevertOperation final : public Operation {
 public:
     /// @param again a row that is carried out again when a session is opened; 0: a new row
@@ -24,7 +24,7 @@ public:
 
 private:
     [[nodiscard]] Result<void> checkRows(const SessionState& state) const;
-    [[nodiscard]] Result<void> checkReach(const SessionState& state) const;
+    [[nodiscard]] Result<void> checkDependencies(const SessionState& state) const;
     [[nodiscard]] bool isTakenBack(RowId row) const;
     /// Whether the whole difference of a row is needed, and not only where it changed seed words.
     [[nodiscard]] bool isNeeded(RowId row, const Edit& edit) const;

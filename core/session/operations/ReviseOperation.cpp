@@ -3,11 +3,11 @@
 
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/EditJson.h"
-#include "core/edits/engine/SparedSegments.h"
-#include "core/edits/kinds/parts/SparedSegments.h"
-#include "core/sculpt/MaskFrame.h"
+#include "core/edits/engine/SegmentProtection.h"
+#include "core/edits/kinds/parts/ProtectedSegments.h"
+#include "core/sculpt/CutFrame.h"
 #include "core/session/past/GuardedLabels.h"
-#include "core/session/past/RowReach.h"
+#include "core/session/past/RowDependencies.h"
 
 #include <algorithm>
 #include <iterator>
@@ -31,11 +31,11 @@ std::vector<StandingStroke> before(const std::vector<StandingStroke>& strokes, R
     return result;
 }
 
-bool spares(const StandingStroke& stroke)
+bool protectsSegments(const StandingStroke& stroke)
 {
     const Edit edit = stroke.form.plain();
-    const SparedSegments* spared = sparedBy(edit);
-    return spared && *spared;
+    const ProtectedSegments* protectedSegments = protectedSegmentsOf(edit);
+    return protectedSegments && *protectedSegments;
 }
 
 /// The first stroke that counts otherwise now than it did; 0: none.
@@ -66,8 +66,9 @@ void ReviseOperation::start(SessionState& state)
         m_done = true;
         return;
     }
-    m_past = PastCoverage(
-        m_path, spares(m_before) || std::any_of(m_strokes.begin(), m_strokes.end(), spares));
+    m_past = PastCoverage(m_path,
+        protectsSegments(m_before)
+            || std::any_of(m_strokes.begin(), m_strokes.end(), protectsSegments));
     m_toLoad = m_path;
     loadNext(state);
 }
@@ -236,9 +237,9 @@ void ReviseOperation::chooseBricks(SessionState& state)
     const auto misses = [&](const StandingStroke& stroke) {
         if (stroke.row == m_edit.row)
             return false;
-        const RowReach reach(stroke.form.plain(), state.document, {});
+        const RowDependencies dependencies(stroke.form.plain(), state.document, {});
         return std::none_of(m_folded.begin(), m_folded.end(),
-            [&reach](const auto& brick) { return reach.covers(brick.first); });
+            [&dependencies](const auto& brick) { return dependencies.covers(brick.first); });
     };
     m_strokes.erase(std::remove_if(m_strokes.begin(), m_strokes.end(), misses), m_strokes.end());
 

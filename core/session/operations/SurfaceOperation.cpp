@@ -98,7 +98,7 @@ void SurfaceOperation::work(SessionState& state)
             return SideThread::Sequel();
         // It is told at once: whoever looks at what he began waits for something to be seen.
         return SideThread::Sequel(
-            [this, why = begun.error()](SessionState& known) { tell(known, why); });
+            [this, why = begun.error()](SessionState& known) { reportFailure(known, why); });
     });
     if (m_ending)
         end(state, *m_ending);
@@ -109,8 +109,8 @@ void SurfaceOperation::extendPath(
 {
     if (!open() || pointsLps.empty())
         return;
-    std::vector<glm::dvec3>& told = surfacePathOf(m_edit)->pointsLps;
-    told.insert(told.end(), pointsLps.begin(), pointsLps.end());
+    std::vector<glm::dvec3>& soFar = surfacePathOf(m_edit)->pointsLps;
+    soFar.insert(soFar.end(), pointsLps.begin(), pointsLps.end());
     // What waits in line still gets them with the edit.
     if (m_work) {
         post(state, [work = m_work, pointsLps] {
@@ -146,7 +146,7 @@ void SurfaceOperation::post(SessionState& state, std::function<SideThread::Seque
                 throw;
             }
         },
-        [this](SessionState& known, const Error& error) { tell(known, error); });
+        [this](SessionState& known, const Error& error) { reportFailure(known, error); });
 }
 
 void SurfaceOperation::finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome)
@@ -174,15 +174,15 @@ void SurfaceOperation::write(SessionState& state, EngineEdit&& edit)
 void SurfaceOperation::giveUp(SessionState& state, const Error& error)
 {
     if (!m_done)
-        tell(state, error);
+        reportFailure(state, error);
     m_done = true;
 }
 
-void SurfaceOperation::tell(SessionState& state, const Error& error)
+void SurfaceOperation::reportFailure(SessionState& state, const Error& error)
 {
-    if (!m_told)
+    if (!m_reported)
         state.fail(error);
-    m_told = true;
+    m_reported = true;
 }
 
 ShowSurface::ShowSurface(SurfaceState::Listener listener)

@@ -44,7 +44,7 @@ private:
     void write(SessionState& state, EngineEdit&& edit);
     void post(SessionState& state, std::function<SideThread::Sequel()> work);
     void giveUp(SessionState& state, const Error& error);
-    void tell(SessionState& state, const Error& error);
+    void reportFailure(SessionState& state, const Error& error);
 
     Edit m_edit;
     Kind m_kind;
@@ -55,7 +55,7 @@ private:
     std::shared_ptr<SurfaceWork> m_work; ///< from when it continues on the side thread
     std::optional<Ending> m_ending;
     std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
-    bool m_told = false; ///< the reason for the failure was reported
+    bool m_reported = false; ///< the reason for the failure was reported
     bool m_done = false;
 };
 

@@ -59,7 +59,7 @@ bool VoxelOperation::foresee(Document& document) const
 void VoxelOperation::start(SessionState& state)
 {
     if (m_again == 0)
-        spareProtected(m_edit, state.document);
+        addProtected(m_edit, state.document);
     const std::vector<PenSample>* samples = penSamplesOf(m_edit);
     const Result<void> named = nameWhatGrowthReads(m_edit, state.history, state.document);
     Result<EngineEdit> edit =
@@ -274,7 +274,7 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
     if (m_failed && !result.changes.empty())
         state.require(SwapBricks{imagesBefore(result.changes)});
     if (movesGeneration())
-        state.tell(DocumentChange::What::Growth);
+        state.notify(DocumentChange::What::Growth);
     if (m_edit.is<SeedStroke>())
         state.lastSketched = m_sketched;
     const bool changed = !result.changes.empty()

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/GuardedLabels.h"
 
-#include "core/edits/engine/SparedSegments.h"
+#include "core/edits/engine/SegmentProtection.h"
 
 namespace core {
 
 LabelGuard carvingGuard(const Document& document)
 {
-    SparedSegments all;
-    spareProtected(all, document);
-    const SparedLabels spared = sparedLabels(all, document);
-    return {.plane = spared.plane, .uncarved = spared.labels};
+    ProtectedSegments all;
+    addProtected(all, document);
+    const ProtectedLabels protectedLabels = protectedLabelsIn(all, document);
+    return {.plane = protectedLabels.plane, .uncarved = protectedLabels.labels};
 }
 
 LabelGuard fullGuard(const Document& document)

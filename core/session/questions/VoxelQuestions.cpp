@@ -17,7 +17,7 @@ namespace {
 
 /// Answers with one part of the engine's result.
 template <class T>
-QuestionLine::Answer telling(T EngineResult::*part, VoxelQuestions::Answer<T> answer)
+QuestionLine::Answer answerWith(T EngineResult::*part, VoxelQuestions::Answer<T> answer)
 {
     return [part, answer = std::move(answer)](EngineResult&& result) {
         if (result.error)
@@ -40,7 +40,7 @@ VoxelQuestions::VoxelQuestions(QuestionLine& line, const glm::ivec3& volumeSize)
 void VoxelQuestions::probe(std::vector<glm::ivec3> voxels, Answer<std::vector<ProbedVoxel>> answer)
 {
     m_line.ask(ProbeVoxels{.voxels = std::move(voxels)},
-        telling(&EngineResult::probes, std::move(answer)));
+        answerWith(&EngineResult::probes, std::move(answer)));
 }
 
 void VoxelQuestions::pick(
@@ -50,12 +50,12 @@ void VoxelQuestions::pick(
                    .seenBy = question.seenBy,
                    .thresholdCode = question.thresholdCode,
                    .opacityOfCode = std::move(question.opacityOfCode)},
-        telling(&EngineResult::picks, std::move(answer)));
+        answerWith(&EngineResult::picks, std::move(answer)));
 }
 
 void VoxelQuestions::codes(const VoxelBox& box, Answer<std::vector<std::uint16_t>> answer)
 {
-    m_line.ask(ReadCodes{box}, telling(&EngineResult::codes, std::move(answer)));
+    m_line.ask(ReadCodes{box}, answerWith(&EngineResult::codes, std::move(answer)));
 }
 
 void VoxelQuestions::bricks(std::vector<BrickKey> keys, Answer<std::vector<BrickImage>> answer)
@@ -88,19 +88,19 @@ void VoxelQuestions::seedSums(const CodeInterval& interval, std::vector<SeedGrou
     m_line.ask(
         ProbeSeeds{
             .lowCode = interval.low, .highCode = interval.high, .seedGroups = std::move(strokes)},
-        telling(&EngineResult::seeds, std::move(answer)));
+        answerWith(&EngineResult::seeds, std::move(answer)));
 }
 
 void VoxelQuestions::generationSizes(Answer<std::vector<std::uint32_t>> answer)
 {
-    m_line.ask(CountGenerations{}, telling(&EngineResult::generationSizes, std::move(answer)));
+    m_line.ask(CountGenerations{}, answerWith(&EngineResult::generationSizes, std::move(answer)));
 }
 
 void VoxelQuestions::traceTolerance(
     const ToleranceRule& rule, Answer<std::optional<ToleranceCurve>> answer)
 {
     m_line.ask(TraceTolerance{.rule = rule, .toTheEnd = false},
-        telling(&EngineResult::tolerance, std::move(answer)));
+        answerWith(&EngineResult::tolerance, std::move(answer)));
 }
 
 void VoxelQuestions::dropTolerance()
@@ -108,20 +108,20 @@ void VoxelQuestions::dropTolerance()
     m_line.ask(DropTolerance{}, ignore);
 }
 
-Result<void> VoxelQuestions::foreseeCut(
-    const ShrinkAt& shrink, Answer<std::optional<ForeseenCut>> answer)
+Result<void> VoxelQuestions::previewCut(
+    const ShrinkAt& shrink, Answer<std::optional<CutPreview>> answer)
 {
     Result<CutGrowth> cut = cutGrowth(shrink, m_line.foreseen());
     if (!cut)
         return tl::unexpected(cut.error());
-    m_line.ask(ForeseeCut{.cut = *std::move(cut), .toTheEnd = false},
-        telling(&EngineResult::foreseen, std::move(answer)));
+    m_line.ask(PreviewCut{.cut = *std::move(cut), .toTheEnd = false},
+        answerWith(&EngineResult::cutPreview, std::move(answer)));
     return {};
 }
 
-void VoxelQuestions::dropForesight()
+void VoxelQuestions::dropCutPreview()
 {
-    m_line.ask(DropForesight{}, ignore);
+    m_line.ask(DropCutPreview{}, ignore);
 }
 
 void VoxelQuestions::lastTouching(const Touch& touch, std::function<void(RowId)> answer)

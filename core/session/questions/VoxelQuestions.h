@@ -75,9 +75,9 @@ public:
     /// it is still being computed: ask again. Once delivered, it can be shown until an edit begins
     /// or it is dropped. Returns the errors of the edit, in which case nothing is asked. Errors of
     /// the answer also: SeedsStay, NothingGrown.
-    [[nodiscard]] Result<void> foreseeCut(
-        const ShrinkAt& shrink, Answer<std::optional<ForeseenCut>> answer);
-    void dropForesight();
+    [[nodiscard]] Result<void> previewCut(
+        const ShrinkAt& shrink, Answer<std::optional<CutPreview>> answer);
+    void dropCutPreview();
 
     /// The last step in effect that touched something; 0: none. A running growth is committed
     /// first.

@@ -2,7 +2,7 @@
 #include "core/session/state/ChunkWorker.h"
 
 #include "core/edits/kinds/chunks/ChunkVoxels.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 
 #include <algorithm>
 #include <array>
@@ -79,11 +79,11 @@ void ChunkWorker::drop()
     m_job.reset();
     m_map.reset();
     m_failure.reset();
-    m_isUntold = false;
+    m_isUnreported = false;
     m_row = 0;
 }
 
-void ChunkWorker::want(RowId row, const Chunks& edit)
+void ChunkWorker::want(RowId row, const DivideSegment& edit)
 {
     if (m_row == row)
         return;
@@ -97,7 +97,7 @@ void ChunkWorker::want(RowId row, const Chunks& edit)
     }
 }
 
-Result<void> ChunkWorker::begin(const Chunks& edit)
+Result<void> ChunkWorker::begin(const DivideSegment& edit)
 {
     auto job = std::make_shared<Job>();
     try {
@@ -206,12 +206,12 @@ void ChunkWorker::fail(const Error& error)
 {
     m_job.reset();
     m_failure = error;
-    m_isUntold = true;
+    m_isUnreported = true;
 }
 
-std::optional<Error> ChunkWorker::takeUntold()
+std::optional<Error> ChunkWorker::takeUnreported()
 {
-    return std::exchange(m_isUntold, false) ? m_failure : std::nullopt;
+    return std::exchange(m_isUnreported, false) ? m_failure : std::nullopt;
 }
 
 void ChunkWorker::forgetFailure()
@@ -226,7 +226,7 @@ void ChunkWorker::cancel()
         return;
     m_job->progress.cancel();
     fail({ErrorCode::Cancelled, {}});
-    m_isUntold = false;
+    m_isUnreported = false;
     m_news = true;
     if (m_wakeUp)
         m_wakeUp();

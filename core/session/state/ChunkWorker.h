@@ -32,7 +32,7 @@ public:
 
     /// Begins to compute the division of a row, unless it is available or being computed; any other
     /// one is dropped. A failed computation is not repeated.
-    void want(RowId row, const Chunks& edit);
+    void want(RowId row, const DivideSegment& edit);
     /// The chunks of a row's division; null: not available (yet).
     [[nodiscard]] Map map(RowId row) const;
     /// Why they cannot be computed: the engine's reasons, OutOfMemory, Cancelled.
@@ -54,12 +54,12 @@ public:
     /// @return whether a computation ended since the last call
     bool collect();
     /// Returns a failure that was not reported yet, and marks it as reported.
-    [[nodiscard]] std::optional<Error> takeUntold();
+    [[nodiscard]] std::optional<Error> takeUnreported();
 
 private:
     struct Job;
 
-    [[nodiscard]] Result<void> begin(const Chunks& edit);
+    [[nodiscard]] Result<void> begin(const DivideSegment& edit);
     void ask(const std::shared_ptr<Job>& job);
     void workOut(Job& job);
     void setOutcome(Job& job, Result<Map> outcome);
@@ -74,7 +74,7 @@ private:
     std::shared_ptr<Job> m_job; ///< being computed
     Map m_map;
     std::optional<Error> m_failure;
-    bool m_isUntold = false; ///< m_failure was not reported
+    bool m_isUnreported = false; ///< m_failure was not reported
     bool m_news = false; ///< not yet returned by collect()
     std::map<Ticket, std::shared_ptr<Job>> m_asked;
     TaskThread m_thread; ///< last, since it uses all of the above

@@ -71,15 +71,15 @@ RowId SessionState::append(const Edit& edit, const ChangeFacts& facts,
         file->addRow(history.row(id));
     // One that writes to its segment changes what is said of the surface.
     if (document.surface != surfaceBefore && changedPart(edit) != DocumentChange::What::Surface)
-        tell(DocumentChange::What::Surface);
+        notify(DocumentChange::What::Surface);
     return id;
 }
 
-void SessionState::tellCommitted(const Edit& edit)
+void SessionState::notifyCommitted(const Edit& edit)
 {
     if (const std::optional<DocumentChange::What> part = changedPart(edit))
-        tell(*part);
-    tell(DocumentChange::What::History);
+        notify(*part);
+    notify(DocumentChange::What::History);
 }
 
 void SessionState::commit(
@@ -90,7 +90,7 @@ void SessionState::commit(
     const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(result.changes));
     worker->commit(id, shared, documentJson());
     recent.keep(id, shared, false);
-    tellCommitted(edit);
+    notifyCommitted(edit);
 }
 
 void SessionState::commitSurface(const Edit& edit, std::shared_ptr<const SurfaceStep> step,
@@ -102,7 +102,7 @@ void SessionState::commitSurface(const Edit& edit, std::shared_ptr<const Surface
     surface.keep(id, step);
     worker->commit(id, std::move(step), documentJson());
     recent.keep(id, std::make_shared<const std::vector<BrickChange>>(), false);
-    tellCommitted(edit);
+    notifyCommitted(edit);
 }
 
 void SessionState::completeSurface(RowId row, std::shared_ptr<const SurfaceStep> step)
@@ -114,8 +114,8 @@ void SessionState::completeSurface(RowId row, std::shared_ptr<const SurfaceStep>
     surface.keep(row, step);
     worker->commit(row, std::move(step), documentJson());
     recent.keep(row, std::make_shared<const std::vector<BrickChange>>(), false);
-    tell(DocumentChange::What::Surface);
-    tell(DocumentChange::What::History);
+    notify(DocumentChange::What::Surface);
+    notify(DocumentChange::What::History);
 }
 
 void SessionState::complete(RowId row, EngineResult&& result)
@@ -128,7 +128,7 @@ void SessionState::complete(RowId row, EngineResult&& result)
     const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(result.changes));
     worker->commit(row, shared, documentJson());
     recent.keep(row, shared, false);
-    tell(DocumentChange::What::History);
+    notify(DocumentChange::What::History);
 }
 
 void SessionState::moveTo(RowId position, RowId over, EngineResult&& result)
@@ -144,15 +144,15 @@ void SessionState::moveTo(RowId position, RowId over, EngineResult&& result)
     const auto shared = std::make_shared<const std::vector<BrickChange>>(std::move(result.changes));
     worker->move(shared);
     recent.keep(over, shared, isBack);
-    tell(DocumentChange::What::Segments);
-    tell(DocumentChange::What::Layers);
-    tell(DocumentChange::What::Bookmarks);
-    tell(DocumentChange::What::Pieces);
-    tell(DocumentChange::What::Measurements);
-    tell(DocumentChange::What::Surface);
-    tell(DocumentChange::What::Chunks);
-    tell(DocumentChange::What::Growth);
-    tell(DocumentChange::What::History);
+    notify(DocumentChange::What::Segments);
+    notify(DocumentChange::What::Layers);
+    notify(DocumentChange::What::Bookmarks);
+    notify(DocumentChange::What::Pieces);
+    notify(DocumentChange::What::Measurements);
+    notify(DocumentChange::What::Surface);
+    notify(DocumentChange::What::Chunks);
+    notify(DocumentChange::What::Growth);
+    notify(DocumentChange::What::History);
 }
 
 void SessionState::begin(std::vector<BrickImage> bricks)
@@ -174,13 +174,13 @@ void SessionState::takeIn(const ChangeFacts& facts)
     for (const LabelFlow& flow : facts.flows)
         m_voxels[flow.label] += flow.gained - flow.lost;
     if (!facts.coverage.empty())
-        tell(DocumentChange::What::Coverage, facts.coverage);
+        notify(DocumentChange::What::Coverage, facts.coverage);
     if (!facts.labels.empty()) {
-        tell(DocumentChange::What::Labels, facts.labels);
-        tell(DocumentChange::What::Segments);
+        notify(DocumentChange::What::Labels, facts.labels);
+        notify(DocumentChange::What::Segments);
     }
     if (!facts.seedWords.empty())
-        tell(DocumentChange::What::Growth, facts.seedWords);
+        notify(DocumentChange::What::Growth, facts.seedWords);
 }
 
 RowId SessionState::divisionRow() const
@@ -188,7 +188,7 @@ RowId SessionState::divisionRow() const
     if (!document.chunks)
         return 0;
     for (RowId id = history.position(); id != 0; id = history.row(id).parent) {
-        if (history.row(id).edit.is<Chunks>())
+        if (history.row(id).edit.is<DivideSegment>())
             return id;
     }
     return 0;
@@ -197,7 +197,7 @@ RowId SessionState::divisionRow() const
 void SessionState::wantChunks()
 {
     if (const RowId row = divisionRow(); row != 0)
-        chunks->want(row, history.row(row).edit.get<Chunks>());
+        chunks->want(row, history.row(row).edit.get<DivideSegment>());
 }
 
 /// What the edits on the way there made of the first one.
@@ -321,7 +321,7 @@ void SessionState::setVisible(int label, bool visible)
     placeSegments();
     if (file)
         file->setHiddenSegments({m_hidden.begin(), m_hidden.end()});
-    tell(DocumentChange::What::Segments);
+    notify(DocumentChange::What::Segments);
 }
 
 void SessionState::hide(const std::vector<int>& labels)
@@ -339,7 +339,7 @@ void SessionState::setDisplay(const QJsonObject& shown)
         file->setDisplay(display);
 }
 
-void SessionState::tell(DocumentChange::What what, const VoxelBox& box)
+void SessionState::notify(DocumentChange::What what, const VoxelBox& box)
 {
     for (DocumentChange& change : news) {
         if (change.what == what) {

@@ -77,7 +77,7 @@ public:
     /// Why nothing is carried out any more.
     [[nodiscard]] const std::optional<Error>& lost() const { return m_lost; }
 
-    void tell(DocumentChange::What what, const VoxelBox& box = {});
+    void notify(DocumentChange::What what, const VoxelBox& box = {});
     void fail(const Error& error);
 
     /// The document after a row (0: the beginning), without the volume and display state.
@@ -117,7 +117,7 @@ public:
 private:
     RowId append(const Edit& edit, const ChangeFacts& facts, const EditStatistics& statistics,
         std::optional<std::uint32_t> generation, const std::optional<RowTitle>& remark = {});
-    void tellCommitted(const Edit& edit);
+    void notifyCommitted(const Edit& edit);
     void takeIn(const ChangeFacts& facts);
     void placeDocument();
     void placeSegments();

@@ -358,9 +358,9 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const SurfaceBarrier& edit, E
         return tl::unexpected(inside.error());
     const glm::ivec3& size = m_surface.geometry().size;
     return Outcome{.step = nullptr,
-        .voxels = ShutListed{.plane = m_segment.plane,
+        .voxels = BarrierListed{.plane = m_segment.plane,
             .erase = edit.erase,
-            .frozen = m_locked,
+            .lockedLabels = m_locked,
             .bricks = placesOf(shellAround(*inside, size), size)}};
 }
 

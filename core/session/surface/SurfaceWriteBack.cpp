@@ -247,7 +247,7 @@ VoxelRuns shellAround(const VoxelRuns& inside, const glm::ivec3& size)
     return shell;
 }
 
-std::vector<ShutListed::Brick> placesOf(const VoxelRuns& voxels, const glm::ivec3& size)
+std::vector<BarrierListed::Brick> placesOf(const VoxelRuns& voxels, const glm::ivec3& size)
 {
     const BrickGrid grid{size};
     std::map<std::uint32_t, std::bitset<BrickGrid::voxelsPerBrick>> bricks;
@@ -258,7 +258,7 @@ std::vector<ShutListed::Brick> placesOf(const VoxelRuns& voxels, const glm::ivec
                 std::size_t(BrickGrid::offsetInBrick(voxel)));
         }
     }
-    std::vector<ShutListed::Brick> listed;
+    std::vector<BarrierListed::Brick> listed;
     for (const auto& [brick, places] : bricks)
         listed.push_back({.brick = brick, .places = places});
     return listed;

@@ -44,7 +44,7 @@ constexpr int writeBackRimVoxels = 2;
 /// outside passes one, whatever the connectivity. Cost ∝ the runs and the rows of the volume.
 [[nodiscard]] VoxelRuns shellAround(const VoxelRuns& inside, const glm::ivec3& size);
 /// The bricks that contain any of these voxels.
-[[nodiscard]] std::vector<ShutListed::Brick> placesOf(
+[[nodiscard]] std::vector<BarrierListed::Brick> placesOf(
     const VoxelRuns& voxels, const glm::ivec3& size);
 
 } // namespace core

@@ -5,17 +5,17 @@
 
 namespace gpu {
 
-void setHidden(Program& program, const std::vector<core::HiddenHalf>& hidden)
+void setHidden(Program& program, const std::vector<core::IntegerHalfSpace>& hidden)
 {
     std::vector<glm::ivec4> perVoxel;
-    for (const core::HiddenHalf& half : hidden)
+    for (const core::IntegerHalfSpace& half : hidden)
         perVoxel.emplace_back(half.perVoxel, 0);
     program.set("hiddenCount", int(perVoxel.size()));
     if (!perVoxel.empty())
         program.set("hiddenPerVoxel", std::span<const glm::ivec4>(perVoxel));
 }
 
-Buffer hiddenBases(const std::vector<core::HiddenHalf>& hidden, const core::BrickGrid& grid,
+Buffer hiddenBases(const std::vector<core::IntegerHalfSpace>& hidden, const core::BrickGrid& grid,
     std::span<const std::uint32_t> candidates)
 {
     std::vector<std::int32_t> bases;

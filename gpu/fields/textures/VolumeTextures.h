@@ -27,7 +27,7 @@ enum class VolumeField : std::uint8_t {
     Pieces, ///< footprints of pieces (PieceTextures)
     Barriers, ///< voxels closed to growth: seed words of plane 0
     BarrierBricks, ///< which bricks hold barriers
-    Foreseen, ///< what a cut of the growth would remove
+    CutPreview, ///< what a cut of the growth would remove
 };
 
 /// The dense textures of the open volume (DESIGN §4). Edit kernels write labels, radiation and
@@ -71,8 +71,8 @@ public:
     void setBarriers(const BarrierBricks* barriers) { m_barriers = barriers; }
     /// What a cut of the growth of plane 0 would remove (R8UI, 1: would go), also owned by the edit
     /// engine; null if nothing is foreseen.
-    [[nodiscard]] BrickField* foreseen() { return m_foreseen; }
-    void setForeseen(BrickField* foreseen) { m_foreseen = foreseen; }
+    [[nodiscard]] BrickField* cutPreview() { return m_cutPreview; }
+    void setCutPreview(BrickField* cutPreview) { m_cutPreview = cutPreview; }
     /// The tolerance field of a label of plane 0 (R16UI, whole bricks), also owned by the edit
     /// engine; null if no valid one exists.
     [[nodiscard]] const Texture3D* tolerances(int label) const
@@ -113,7 +113,7 @@ private:
     PieceTextures m_pieces;
     BrickField* m_seedWords = nullptr;
     const BarrierBricks* m_barriers = nullptr;
-    BrickField* m_foreseen = nullptr;
+    BrickField* m_cutPreview = nullptr;
     const Texture3D* m_tolerances = nullptr;
     int m_toleranceLabel = 0;
     static constexpr std::size_t fields = 7;

@@ -8,7 +8,7 @@ namespace gpu {
 using core::fixedPoint::round14;
 
 ColumnCutter::ColumnCutter(Program& cut, VoxelFields& fields, BeforeImages& before,
-    const core::MaskFrame& frame, const CoverageWriter::Target& target)
+    const core::CutFrame& frame, const CoverageWriter::Target& target)
     : m_cut(cut)
     , m_fields(fields)
     , m_frame(frame)
@@ -25,7 +25,7 @@ ColumnCutter::ColumnCutter(Program& cut, VoxelFields& fields, BeforeImages& befo
     setHidden(m_cut, frame.hidden);
 }
 
-std::vector<std::uint32_t> ColumnCutter::lay(MaskColumns& columns)
+std::vector<std::uint32_t> ColumnCutter::lay(CutColumns& columns)
 {
     const PlaneAxes axes{core::planeBase(m_frame, glm::ivec3(0)), round14(m_frame.planePerI),
         round14(m_frame.planePerJ), round14(m_frame.planePerK)};

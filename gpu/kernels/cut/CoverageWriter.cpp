@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/cut/CoverageWriter.h"
 
-#include "gpu/kernels/cut/SparedVoxels.h"
+#include "gpu/kernels/cut/ProtectedVoxels.h"
 
 #include <algorithm>
 #include <iterator>
@@ -18,7 +18,7 @@ CoverageWriter::CoverageWriter(VoxelFields& fields, BeforeImages& before, const 
 void CoverageWriter::prepare(Program& program) const
 {
     program.set("refill", refills());
-    setSpared(program, m_target.spared);
+    setProtected(program, m_target.protectedLabels);
 }
 
 std::vector<std::uint32_t> CoverageWriter::begin(std::vector<std::uint32_t> candidates)
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> CoverageWriter::begin(std::vector<std::uint32_t> cand
         coverage.ensure(candidates);
         coverage.pageTable().bindUnit(1);
         coverage.atlas().bindImage(0, GL_READ_WRITE);
-        bindSpared(m_fields, m_target.spared);
+        bindProtected(m_fields, m_target.protectedLabels);
     }
     m_candidates = candidates;
     return candidates;

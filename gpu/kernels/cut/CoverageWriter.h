@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/sculpt/MaskFrame.h"
+#include "core/sculpt/CutFrame.h"
 #include "gpu/fields/BeforeImages.h"
 
 #include <set>
@@ -17,7 +17,7 @@ public:
     struct Target {
         std::uint8_t layer = 0;
         core::Laying laying = core::Laying::Carve;
-        core::SparedLabels spared{};
+        core::ProtectedLabels protectedLabels{};
     };
     CoverageWriter(VoxelFields& fields, BeforeImages& before, const Target& target);
 

@@ -15,7 +15,7 @@ constexpr std::int64_t farthest = std::int64_t(1) << 30; ///< index16, of a ray'
 
 } // namespace
 
-SurfaceCaster::SurfaceCaster(Program& cast, VoxelFields& fields, const core::MaskFrame& frame)
+SurfaceCaster::SurfaceCaster(Program& cast, VoxelFields& fields, const core::CutFrame& frame)
     : m_cast(cast)
     , m_fields(fields)
     , m_frame(frame)

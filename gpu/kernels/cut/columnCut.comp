@@ -1,4 +1,4 @@
-// Cuts the columns of a mask plane into candidate bricks (core/sculpt/MaskFrame.h, rule 6). One
+// Cuts the columns of a mask plane into candidate bricks (core/sculpt/CutFrame.h, rule 6). One
 // work-group per brick; each voxel is written by one invocation.
 
 layout(local_size_x = 64) in;

@@ -1,4 +1,5 @@
-// Tests whether a voxel lay in a half space that was hidden from a cut (core/sculpt/HiddenHalf.h).
+// Tests whether a voxel lay in a half space that was hidden from a cut
+// (core/sculpt/IntegerHalfSpace.h).
 
 // perVoxel · p − offset for the first voxel of each candidate brick, hiddenCount values per brick
 layout(binding = 6, std430) readonly buffer HiddenBases { int hiddenBases[]; };

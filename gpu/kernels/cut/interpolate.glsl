@@ -1,4 +1,4 @@
-// Integer interpolation of codes and radiation along rays (core/sculpt/MaskFrame.h, rule 3).
+// Integer interpolation of codes and radiation along rays (core/sculpt/CutFrame.h, rule 3).
 // Requires volumeSize and the functions codeAt(ivec3) and radiationAt(ivec3).
 
 const uint carvedAt = 128u << 24;

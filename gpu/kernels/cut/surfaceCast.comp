@@ -1,9 +1,9 @@
 // Finds where rays from mask elements meet the surface as it was when the edit began, and where the
-// material behind it ends (core/sculpt/MaskFrame.h, rules 2 to 5). One invocation per ray.
+// material behind it ends (core/sculpt/CutFrame.h, rules 2 to 5). One invocation per ray.
 
 layout(local_size_x = 64) in;
 
-#include "kernels/cut/asItBegan.glsl"
+#include "kernels/cut/snapshot.glsl"
 
 layout(binding = 2) uniform sampler3D codeRanges; // macro-cells: least and greatest code
 layout(binding = 0, std430) readonly buffer Rays { ivec4 rays[]; };     // index16 at sample 0

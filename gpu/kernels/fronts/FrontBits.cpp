@@ -48,8 +48,8 @@ Buffer listOf(
 
 } // namespace
 
-FrontBitsPrograms::FrontBitsPrograms(
-    const ShaderLibrary& shaders, int connectivity, const core::GrowLimits& limits, bool beneath)
+FrontBitsPrograms::FrontBitsPrograms(const ShaderLibrary& shaders, int connectivity,
+    const core::GrowLimits& limits, bool overwritten)
     : open(program(shaders, "kernels/fronts/frontBitsOpen.comp", definesOf(limits)))
     , fill(program(shaders, "kernels/fronts/frontBitsFill.comp", {}))
     , reach(
@@ -57,8 +57,8 @@ FrontBitsPrograms::FrontBitsPrograms(
     , end(program(shaders, "kernels/fronts/frontBitsEnd.comp", {}))
 {
     ShaderDefines defines{{"CONNECTIVITY", connectivity}};
-    if (beneath)
-        defines.emplace_back("BENEATH", 1);
+    if (overwritten)
+        defines.emplace_back("OVERWRITTEN", 1);
     ring = program(shaders, "kernels/fronts/frontBitsRing.comp", defines);
 }
 

@@ -16,9 +16,9 @@ namespace gpu {
 
 /// The compiled kernels of growth fronts stored as bits (frontBits*.comp).
 struct FrontBitsPrograms {
-    /// @param beneath whether they also write the labels that growth takes from other segments
+    /// @param overwritten whether they also write the labels that growth takes from other segments
     FrontBitsPrograms(const ShaderLibrary& shaders, int connectivity,
-        const core::GrowLimits& limits, bool beneath);
+        const core::GrowLimits& limits, bool overwritten);
 
     Program open;
     Program fill;

@@ -71,7 +71,7 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
     // What is there by now may be gone once this growth is shrunk, and must not come back then.
     , m_kind{.connectivity = burst.connectivity,
           .limits = burst.limits,
-          .beneath = m_mayTake || fields.anythingBeneath(burst.plane)}
+          .overwritten = m_mayTake || fields.anyOverwritten(burst.plane)}
     , m_rings(&programs.rings(m_kind))
     , m_criterion(burst, sumsFor(programs, fields, burst))
     , m_state({.label = "growth state", .bytes = sizeof(State)})
@@ -94,7 +94,7 @@ void GrowthKernel::setUniforms(Program& each) const
     each.set("volumeSize", m_fields.grid().volumeSize)
         .set("volumeBricks", m_fields.grid().bricks())
         .set("overwritable", m_burst.overwritable)
-        .set("frozen", m_burst.frozen)
+        .set("lockedLabels", m_burst.lockedLabels)
         .set("tellsHeld", m_burst.tellsHeld)
         .set("openGeneration", m_openGeneration)
         .set("queueCapacity", m_queueCapacity);
@@ -111,10 +111,10 @@ void GrowthKernel::bind()
     if (m_passage)
         m_passage->bind();
     words.pageTable().bindImage(3, GL_READ_ONLY);
-    if (m_kind.beneath) {
-        BrickField& beneath = m_fields.beneath(m_burst.plane);
-        beneath.atlas().bindImage(4, GL_READ_WRITE);
-        beneath.pageTable().bindUnit(3);
+    if (m_kind.overwritten) {
+        BrickField& overwritten = m_fields.overwritten(m_burst.plane);
+        overwritten.atlas().bindImage(4, GL_READ_WRITE);
+        overwritten.pageTable().bindUnit(3);
     }
     words.pageOwners().bindBase(GL_SHADER_STORAGE_BUFFER, 5);
     m_state.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
@@ -207,17 +207,17 @@ void GrowthKernel::capture(std::span<const std::uint32_t> bricks)
 {
     m_before.capture(core::Field::SeedWords, m_burst.plane, bricks);
     m_before.capture(core::Field::Labels, m_burst.plane, bricks);
-    if (!m_kind.beneath)
+    if (!m_kind.overwritten)
         return;
-    m_before.capture(core::Field::Beneath, m_burst.plane, bricks);
+    m_before.capture(core::Field::Overwritten, m_burst.plane, bricks);
     if (!m_mayTake)
         return;
-    BrickField& beneath = m_fields.beneath(m_burst.plane);
+    BrickField& overwritten = m_fields.overwritten(m_burst.plane);
     for (const std::uint32_t brick : bricks) {
-        if (!beneath.holds(brick))
-            m_newBeneath.insert(brick);
+        if (!overwritten.holds(brick))
+            m_newOverwritten.insert(brick);
     }
-    beneath.ensure(bricks);
+    overwritten.ensure(bricks);
 }
 
 std::vector<std::uint32_t> GrowthKernel::prepareBricks()
@@ -440,21 +440,22 @@ void GrowthKernel::releaseUnused(std::span<const std::uint32_t> reachable)
     m_fields.seedWords(m_burst.plane).release(unused);
     if (!m_mayTake)
         return;
-    std::erase_if(unused, [this](std::uint32_t brick) { return m_newBeneath.erase(brick) == 0; });
-    m_fields.beneath(m_burst.plane).release(unused);
+    std::erase_if(
+        unused, [this](std::uint32_t brick) { return m_newOverwritten.erase(brick) == 0; });
+    m_fields.overwritten(m_burst.plane).release(unused);
 }
 
-void GrowthKernel::releaseBeneath(std::span<const core::BrickChange> changes)
+void GrowthKernel::releaseOverwritten(std::span<const core::BrickChange> changes)
 {
     if (!m_mayTake)
         return;
     for (const core::BrickChange& change : changes) {
-        if (change.key.field == core::Field::Beneath && !change.after.empty())
-            m_newBeneath.erase(change.key.brick);
+        if (change.key.field == core::Field::Overwritten && !change.after.empty())
+            m_newOverwritten.erase(change.key.brick);
     }
-    m_fields.beneath(m_burst.plane)
-        .release(std::vector<std::uint32_t>(m_newBeneath.begin(), m_newBeneath.end()));
-    m_newBeneath.clear();
+    m_fields.overwritten(m_burst.plane)
+        .release(std::vector<std::uint32_t>(m_newOverwritten.begin(), m_newOverwritten.end()));
+    m_newOverwritten.clear();
 }
 
 } // namespace gpu

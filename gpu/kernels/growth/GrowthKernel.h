@@ -23,7 +23,7 @@ namespace gpu {
 struct GrowthKind {
     int connectivity = 6; ///< 6, 18 or 26
     core::GrowLimits limits{};
-    bool beneath = false; ///< labels taken from other segments are kept and restored
+    bool overwritten = false; ///< labels taken from other segments are kept and restored
 
     [[nodiscard]] ShaderDefines defines() const;
 };
@@ -69,7 +69,7 @@ struct GrowthPrograms {
 
 private:
     const ShaderLibrary& m_shaders;
-    using Kind = std::array<unsigned, 3>; ///< neighbours, kindOf(limits), beneath
+    using Kind = std::array<unsigned, 3>; ///< neighbours, kindOf(limits), overwritten
     [[nodiscard]] static Kind keyOf(const GrowthKind& kind);
     std::map<Kind, Rings> m_rings;
     std::map<Kind, Narrowing> m_narrowings;
@@ -112,12 +112,12 @@ public:
     /// Frees the pages of bricks that were prepared and not reached, except those listed
     /// (ascending).
     void releaseUnused(std::span<const std::uint32_t> reachable = {});
-    /// Whether it may change which labels are kept beneath members (core::Field::Beneath); if so,
-    /// in touchedKeys().
-    [[nodiscard]] bool keepsBeneath() const { return m_kind.beneath; }
-    /// Frees the pages of Field::Beneath that were taken for this burst and in which these changes
-    /// put nothing.
-    void releaseBeneath(std::span<const core::BrickChange> changes);
+    /// Whether it may change which labels are kept beneath members (core::Field::Overwritten); if
+    /// so, in touchedKeys().
+    [[nodiscard]] bool keepsOverwritten() const { return m_kind.overwritten; }
+    /// Frees the pages of Field::Overwritten that were taken for this burst and in which these
+    /// changes put nothing.
+    void releaseOverwritten(std::span<const core::BrickChange> changes);
 
 private:
     struct State {
@@ -133,8 +133,8 @@ private:
 
     void bind();
     void setUniforms(Program& program) const;
-    /// Captures label plane, seed words and Field::Beneath, and gives pages for what may be taken
-    /// from other labels.
+    /// Captures label plane, seed words and Field::Overwritten, and gives pages for what may be
+    /// taken from other labels.
     void capture(std::span<const std::uint32_t> bricks);
     void admitSeeds(const std::vector<std::uint32_t>& held);
     // Removing voxels in open() (GrowthNarrowing.cpp).
@@ -193,7 +193,7 @@ private:
     std::vector<bool> m_prepared; ///< bricks that are captured and have a page
     std::set<std::uint32_t> m_allTouched;
     std::set<std::uint32_t> m_newPages;
-    std::set<std::uint32_t> m_newBeneath;
+    std::set<std::uint32_t> m_newOverwritten;
     std::vector<std::uint32_t> m_lastTouched; ///< bricks of the last batch
     std::optional<core::LeakGuard> m_guard;
     std::optional<core::LeakAlarm> m_alarm;

@@ -53,7 +53,7 @@ void GrowthKernel::restart()
             .generation = m_generation,
             .keep = 0,
             .keepSeeds = false,
-            .frozen = m_burst.frozen});
+            .lockedLabels = m_burst.lockedLabels});
     for (const core::BrickKey& key : shrink.touchedKeys())
         m_allTouched.insert(key.brick);
     m_generation = shrink.generation();

@@ -15,8 +15,8 @@ Program program(const ShaderLibrary& library, const char* path, const ShaderDefi
 ShaderDefines GrowthKind::defines() const
 {
     ShaderDefines defines = definesOf(limits);
-    if (beneath)
-        defines.emplace_back("BENEATH", 1);
+    if (overwritten)
+        defines.emplace_back("OVERWRITTEN", 1);
     return defines;
 }
 
@@ -60,7 +60,7 @@ GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders)
 
 GrowthPrograms::Kind GrowthPrograms::keyOf(const GrowthKind& kind)
 {
-    return {unsigned(kind.connectivity), kindOf(kind.limits), kind.beneath ? 1u : 0u};
+    return {unsigned(kind.connectivity), kindOf(kind.limits), kind.overwritten ? 1u : 0u};
 }
 
 GrowthPrograms::Rings& GrowthPrograms::rings(const GrowthKind& kind)
@@ -85,7 +85,7 @@ FrontBitsPrograms& GrowthPrograms::frontBits(const GrowthKind& kind)
     if (known != m_frontBits.end())
         return known->second;
     return m_frontBits
-        .try_emplace(keyOf(kind), m_shaders, kind.connectivity, kind.limits, kind.beneath)
+        .try_emplace(keyOf(kind), m_shaders, kind.connectivity, kind.limits, kind.overwritten)
         .first->second;
 }
 

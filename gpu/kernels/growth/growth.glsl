@@ -34,7 +34,7 @@ uniform ivec3 volumeBricks;
 uniform uint lowCode;
 uniform uint highCode;
 uniform uint overwritable[8]; // one bit per label
-uniform uint frozen[8]; // one bit per label; labels that do not grow
+uniform uint lockedLabels[8]; // one bit per label; labels that do not grow
 uniform bool tellsHeld;
 uniform uint openGeneration; // members of later generations belong to this burst
 uniform uint queueCapacity; // capacity of each queue
@@ -43,9 +43,9 @@ uniform uint firstQueue; // 0 or 1: where the front of the batch's first ring li
 // Labels that growth took from other segments are kept beneath its members
 // (core/growth/GrowthCommands.h). Compiled only with its define, so that a growth that takes
 // nothing pays nothing for it.
-#ifdef BENEATH
-layout(binding = 3) uniform usampler3D beneathPages;
-layout(binding = 4, r8ui) uniform uimage3D beneath; // atlas
+#ifdef OVERWRITTEN
+layout(binding = 3) uniform usampler3D overwrittenPages;
+layout(binding = 4, r8ui) uniform uimage3D overwritten; // atlas
 #endif
 
 #include "kernels/criterion/growCriterion.glsl"
@@ -87,10 +87,10 @@ bool hasAdded(uint word, ivec3 voxel)
 bool acceptsMember(uint word, ivec3 voxel)
 {
     bool held;
-#ifdef BENEATH
-    uint entry = texelFetch(beneathPages, voxel >> 4, 0).r;
+#ifdef OVERWRITTEN
+    uint entry = texelFetch(overwrittenPages, voxel >> 4, 0).r;
     if (entry != 0u && hasAdded(word, voxel)) {
-        uint below = imageLoad(beneath, atlasTexel(entry, voxel)).r;
+        uint below = imageLoad(overwritten, atlasTexel(entry, voxel)).r;
         if (below != 0u && below != labelOf(word)
             && (overwritable[below >> 5] >> (below & 31u) & 1u) == 0u)
             return false;
@@ -105,11 +105,11 @@ void giveBack(uint word, ivec3 voxel)
     if (!hasAdded(word, voxel))
         return;
     uint below = 0u;
-#ifdef BENEATH
-    uint entry = texelFetch(beneathPages, voxel >> 4, 0).r;
+#ifdef OVERWRITTEN
+    uint entry = texelFetch(overwrittenPages, voxel >> 4, 0).r;
     if (entry != 0u) {
-        below = imageLoad(beneath, atlasTexel(entry, voxel)).r;
-        imageStore(beneath, atlasTexel(entry, voxel), uvec4(0u));
+        below = imageLoad(overwritten, atlasTexel(entry, voxel)).r;
+        imageStore(overwritten, atlasTexel(entry, voxel), uvec4(0u));
     }
 #endif
     imageStore(labels, voxel, uvec4(below));
@@ -120,11 +120,11 @@ void giveBack(uint word, ivec3 voxel)
 void showLabel(uint word, ivec3 voxel)
 {
     uint label = labelOf(word);
-#ifdef BENEATH
+#ifdef OVERWRITTEN
     uint there = imageLoad(labels, voxel).r;
-    uint entry = texelFetch(beneathPages, voxel >> 4, 0).r;
+    uint entry = texelFetch(overwrittenPages, voxel >> 4, 0).r;
     if (entry != 0u && generationOf(word) > openGeneration && (there != label || !tellsHeld))
-        imageStore(beneath, atlasTexel(entry, voxel), uvec4(tellsHeld ? there : 0u));
+        imageStore(overwritten, atlasTexel(entry, voxel), uvec4(tellsHeld ? there : 0u));
 #endif
     imageStore(labels, voxel, uvec4(label));
 }
@@ -147,7 +147,7 @@ bool canProve(uint member, uint word)
 // Tested where a front begins; voxels that a front claims have its label.
 bool mayGrow(uint label)
 {
-    return (frozen[label >> 5] >> (label & 31u) & 1u) == 0u;
+    return (lockedLabels[label >> 5] >> (label & 31u) & 1u) == 0u;
 }
 
 // The queue slot of entry i of the front from which a ring of the batch (counted from 0) starts.

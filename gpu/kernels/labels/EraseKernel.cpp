@@ -76,11 +76,11 @@ ErasePrograms::ErasePrograms(const ShaderLibrary& library)
 {
 }
 
-Program& ErasePrograms::beneath()
+Program& ErasePrograms::overwritten()
 {
-    if (!m_beneath)
-        m_beneath = program(m_library, {{"BENEATH", 1}});
-    return m_beneath;
+    if (!m_overwritten)
+        m_overwritten = program(m_library, {{"OVERWRITTEN", 1}});
+    return m_overwritten;
 }
 
 std::vector<std::uint32_t> labelHolders(
@@ -102,8 +102,8 @@ std::vector<core::BrickKey> eraseLabel(ErasePrograms& programs, VoxelFields& fie
     std::vector<core::BrickKey> keys;
     eraseFrom(core::Field::Labels, programs.labels, fields, before, erase, keys);
     eraseFrom(core::Field::SeedWords, programs.seedWords, fields, before, erase, keys);
-    if (fields.anythingBeneath(erase.plane))
-        eraseFrom(core::Field::Beneath, programs.beneath(), fields, before, erase, keys);
+    if (fields.anyOverwritten(erase.plane))
+        eraseFrom(core::Field::Overwritten, programs.overwritten(), fields, before, erase, keys);
     return keys;
 }
 

@@ -17,11 +17,11 @@ struct ErasePrograms {
     Program labels;
     Program seedWords;
     /// Compiled when it is first needed.
-    [[nodiscard]] Program& beneath();
+    [[nodiscard]] Program& overwritten();
 
 private:
     const ShaderLibrary& m_library;
-    Program m_beneath;
+    Program m_overwritten;
 };
 
 /// The bricks in which a label plane holds a label. Waits for the GPU. Engine thread only.

@@ -1,20 +1,20 @@
-// Takes a label out of listed bricks (EraseLabel in core/engine/EngineCommands.h): of a label plane,
-// with SEED_WORDS of a seed map, with BENEATH of what lies beneath members. Tells which of them hold
-// it; writes only where it is told to.
+// Takes a label out of listed bricks (EraseLabel in core/engine/EngineCommands.h): of a label
+// plane, with SEED_WORDS of a seed map, with OVERWRITTEN of what members have overwritten. Tells
+// which of them hold it; writes only where it is told to.
 
 layout(local_size_x = 64) in;
 
 #include "fields/bricks/bricks.glsl"
 #include "fields/bricks/seedWord.glsl"
 
-#if defined(SEED_WORDS) || defined(BENEATH)
+#if defined(SEED_WORDS) || defined(OVERWRITTEN)
 #define PAGED
 layout(binding = 1) uniform usampler3D pageTable;
 #endif
 #ifdef SEED_WORDS
 layout(binding = 0, r32ui) uniform uimage3D voxels; // atlas
 #else
-layout(binding = 0, r8ui) uniform uimage3D voxels; // with BENEATH an atlas
+layout(binding = 0, r8ui) uniform uimage3D voxels; // with OVERWRITTEN an atlas
 #endif
 layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
 layout(binding = 1, std430) writeonly buffer Found { uint found[]; };

@@ -86,7 +86,7 @@ void PassageField::setGrowthUniforms(Program& each, const GrowCriterion& criteri
     each.set("volumeSize", m_fields.grid().volumeSize)
         .set("volumeBricks", m_fields.grid().bricks())
         .set("overwritable", m_burst.overwritable)
-        .set("frozen", m_burst.frozen);
+        .set("lockedLabels", m_burst.lockedLabels);
     criterion.setUniforms(each);
     BrickField& words = m_fields.seedWords(m_burst.plane);
     words.atlas().bindImage(0, GL_READ_WRITE);

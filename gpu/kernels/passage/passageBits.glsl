@@ -16,7 +16,7 @@ layout(binding = 4, std430) readonly buffer Jobs { PassageJob jobs[]; };
 layout(binding = 6, std430) coherent buffer Bits { uint bits[]; };
 layout(binding = 7, std430) readonly buffer BitPages { uint bitPages[]; }; // slot, brick: page + 1
 
-const uint shutSet = 0u; // voxels that are not free
+const uint blockedSet = 0u; // voxels that are not free
 const uint seedSet = 1u;
 const uint centreSet = 2u;
 const uint entrySet = 3u; // centres whose ball holds a seed

@@ -24,7 +24,7 @@ void main()
 {
     PassageJob job = jobs[gl_WorkGroupID.x];
     ivec3 origin = brickPosition(int(job.brick), volumeBricks) * brickSide;
-    lookAlongXy(job, shutSet, true);
+    lookAlongXy(job, blockedSet, true);
     uint centres[2];
     for (uint i = 0u; i < 2u; ++i)
         centres[i] = pairOf(gl_LocalInvocationID.x + 64u * i, origin, true);

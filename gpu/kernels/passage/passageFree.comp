@@ -30,7 +30,7 @@ void main()
     PassageJob job = jobs[gl_WorkGroupID.x];
     ivec3 origin = brickPosition(int(job.brick), volumeBricks) * brickSide;
     for (uint pair = gl_LocalInvocationID.x; pair < wordsPerSet; pair += 64u) {
-        uint shut = 0u;
+        uint blocked = 0u;
         uint seeds = 0u;
         for (int i = 0; i < 32; ++i) {
             ivec3 voxel = origin + voxelInBrick(int(pair) * 32 + i);
@@ -40,11 +40,11 @@ void main()
             uint there = imageLoad(labels, voxel).r;
             if (!isOpen(job.label, word, there)
                 || !allows(job.label, voxel, imageLoad(codes, voxel).r))
-                shut |= 1u << i;
+                blocked |= 1u << i;
             if (isSeedOf(word, job.label))
                 seeds |= 1u << i;
         }
-        bits[bitWord(job.page, shutSet, pair)] = shut;
+        bits[bitWord(job.page, blockedSet, pair)] = blocked;
         bits[bitWord(job.page, seedSet, pair)] = seeds;
     }
 }

@@ -2,7 +2,7 @@
 #include "gpu/kernels/sculpt/CapsuleKernel.h"
 
 #include "gpu/fields/bricks/HiddenBricks.h"
-#include "gpu/kernels/cut/SparedVoxels.h"
+#include "gpu/kernels/cut/ProtectedVoxels.h"
 
 #include <algorithm>
 #include <map>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t changedLabel = 1; // capsulePaint.comp
 constexpr std::uint32_t changedWord = 2;
-constexpr std::uint32_t changedBeneath = 4;
+constexpr std::uint32_t changedOverwritten = 4;
 constexpr std::size_t piecesAtOnce = 32;
 constexpr std::size_t bricksAtOnce = 1024; // storage blocks end at 128 MiB
 
@@ -68,7 +68,7 @@ Program& CapsulePrograms::givingBarrier()
 {
     if (!m_givingBarrier)
         m_givingBarrier =
-            program(m_library, "kernels/sculpt/capsuleBarrier.comp", {{"BENEATH", 1}});
+            program(m_library, "kernels/sculpt/capsuleBarrier.comp", {{"OVERWRITTEN", 1}});
     return m_givingBarrier;
 }
 
@@ -93,15 +93,15 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
 CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
     const core::PaintBarrier& barrier)
     : m_programs(programs)
-    , m_givesBack(!barrier.erase && fields.anythingBeneath(barrier.plane))
+    , m_givesBack(!barrier.erase && fields.anyOverwritten(barrier.plane))
     , m_fields(fields)
     , m_before(before)
     , m_edit(barrier)
     , m_frame(barrier.frame)
 {
-    Program& shut = m_givesBack ? m_programs.givingBarrier() : m_programs.barrier;
-    setFrame(shut);
-    shut.set("erase", barrier.erase).set("frozen", barrier.frozen);
+    Program& barrierProgram = m_givesBack ? m_programs.givingBarrier() : m_programs.barrier;
+    setFrame(barrierProgram);
+    barrierProgram.set("erase", barrier.erase).set("lockedLabels", barrier.lockedLabels);
 }
 
 CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
@@ -115,7 +115,7 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
     setFrame(m_programs.cut);
     m_programs.cut.set("rampHalfWidth", m_frame.rampHalfWidth).set("refill", cut.restore);
     setHidden(m_programs.cut, cut.hidden);
-    setSpared(m_programs.cut, cut.spared);
+    setProtected(m_programs.cut, cut.protectedLabels);
 }
 
 void CapsuleKernel::setFrame(Program& each) const
@@ -249,14 +249,14 @@ void CapsuleKernel::write(const core::PaintLabel& paint, const Candidates& candi
 void CapsuleKernel::write(const core::PaintBarrier& barrier, const Candidates& candidates,
     const std::vector<core::Capsule>& capsules)
 {
-    Program& shut = m_givesBack ? m_programs.givingBarrier() : m_programs.barrier;
+    Program& barrierProgram = m_givesBack ? m_programs.givingBarrier() : m_programs.barrier;
     if (m_givesBack) {
-        BrickField& beneath = m_fields.beneath(barrier.plane);
-        m_before.capture(core::Field::Beneath, barrier.plane, candidates.bricks);
-        beneath.pageTable().bindUnit(2);
-        beneath.atlas().bindImage(2, GL_READ_WRITE);
+        BrickField& overwritten = m_fields.overwritten(barrier.plane);
+        m_before.capture(core::Field::Overwritten, barrier.plane, candidates.bricks);
+        overwritten.pageTable().bindUnit(2);
+        overwritten.atlas().bindImage(2, GL_READ_WRITE);
     }
-    writeLabels(shut, barrier.plane, !barrier.erase, candidates, capsules);
+    writeLabels(barrierProgram, barrier.plane, !barrier.erase, candidates, capsules);
 }
 
 void CapsuleKernel::writeLabels(Program& program, std::uint8_t plane, bool newWords,
@@ -288,8 +288,8 @@ void CapsuleKernel::writeLabels(Program& program, std::uint8_t plane, bool newWo
             words.push_back(brick);
             m_touched.insert({core::Field::SeedWords, plane, brick});
         }
-        if ((found[i] & changedBeneath) != 0)
-            m_touched.insert({core::Field::Beneath, plane, brick});
+        if ((found[i] & changedOverwritten) != 0)
+            m_touched.insert({core::Field::Overwritten, plane, brick});
     }
     releaseUnused(seedWords, fresh, words);
     m_fields.noteChanged(core::Field::Labels, labels);
@@ -305,7 +305,7 @@ void CapsuleKernel::write(const core::CapsuleCut& cut, const Candidates& candida
     coverage.ensure(fresh);
     coverage.pageTable().bindUnit(1);
     coverage.atlas().bindImage(0, GL_READ_WRITE);
-    bindSpared(m_fields, cut.spared);
+    bindProtected(m_fields, cut.protectedLabels);
     const Buffer hidden = hiddenBases(cut.hidden, m_fields.grid(), candidates.bricks);
     hidden.bindBase(GL_SHADER_STORAGE_BUFFER, 6);
     const std::vector<std::uint32_t> found = run(m_programs.cut, candidates, capsules);

@@ -8,19 +8,20 @@ namespace gpu {
 
 namespace {
 
-constexpr int tileSide = MaskColumns::tileSide;
+constexpr int tileSide = CutColumns::tileSide;
 /// Samples are worked off together up to here; bounds what a long path takes.
 constexpr std::size_t touchesAtOnce = 1 << 20;
 
 } // namespace
 
 DrillKernel::DrillKernel(
-    MaskPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::DrillCut& cut)
+    CutPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::DrillCut& cut)
     : m_fields(fields)
     , m_cut(cut)
     , m_columns(cut.frame, fields.grid())
     , m_caster(programs.cast, fields, cut.frame)
-    , m_cutter(programs.cut, fields, before, cut.frame, {cut.layer, cut.laying, cut.frame.spared})
+    , m_cutter(programs.cut, fields, before, cut.frame,
+          {cut.layer, cut.laying, cut.frame.protectedLabels})
 {
 }
 

@@ -3,8 +3,8 @@
 
 #include "core/sculpt/DrillCut.h"
 #include "gpu/kernels/cut/ColumnCutter.h"
-#include "gpu/kernels/cut/MaskColumns.h"
-#include "gpu/kernels/cut/MaskPrograms.h"
+#include "gpu/kernels/cut/CutColumns.h"
+#include "gpu/kernels/cut/CutPrograms.h"
 #include "gpu/kernels/cut/SurfaceCaster.h"
 #include "gpu/kernels/work/EditWork.h"
 
@@ -20,7 +20,7 @@ namespace gpu {
 /// thread only.
 class DrillKernel final : public EditWork {
 public:
-    DrillKernel(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,
+    DrillKernel(CutPrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::DrillCut& cut);
 
     core::Result<void> extend(const core::EngineExtension& extension) override;
@@ -58,7 +58,7 @@ private:
 
     VoxelFields& m_fields;
     core::DrillCut m_cut;
-    MaskColumns m_columns;
+    CutColumns m_columns;
     SurfaceCaster m_caster;
     ColumnCutter m_cutter;
     std::map<std::pair<int, int>, std::vector<Element>> m_tiles; ///< of 16 × 16

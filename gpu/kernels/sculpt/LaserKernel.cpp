@@ -50,7 +50,7 @@ LaserKernel::LaserKernel(
     , m_fields(fields)
     , m_cut(cut)
     , m_caster(programs.cast, fields, cut.frame)
-    , m_writer(fields, before, {cut.layer, cut.laying, cut.frame.spared})
+    , m_writer(fields, before, {cut.layer, cut.laying, cut.frame.protectedLabels})
     , m_mask(bufferOf(
           "laser mask", std::vector<std::uint32_t>(cut.mask.values.begin(), cut.mask.values.end())))
 {
@@ -159,7 +159,7 @@ void LaserKernel::findGradients(std::vector<Beam>& fresh, const std::vector<std:
     for (std::size_t i = 0; i < fresh.size(); ++i) {
         feet.push_back(core::footPosition(m_cut.frame, fresh[i].element, surfaces[i]));
         rows.push_back({glm::ivec4(feet.back(), 0), glm::ivec4(0)});
-        for (const core::HiddenHalf& half : m_cut.frame.hidden)
+        for (const core::IntegerHalfSpace& half : m_cut.frame.hidden)
             hidden.push_back(core::hiddenAround(half, feet.back(), lattice));
     }
     const Buffer footBuffer = bufferOf("laser feet", rows);

@@ -4,14 +4,14 @@
 namespace gpu {
 
 PeelKernel::PeelKernel(
-    MaskPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::MaskPeel& peel)
+    CutPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::ShellPeel& peel)
     : m_fields(fields)
     , m_before(before)
     , m_peel(peel)
     , m_columns(peel.frame, fields.grid())
-    , m_cutter(
-          programs.cut, fields, before, peel.frame, {peel.layer, peel.laying, peel.frame.spared})
-    , m_cast(castMask(programs, fields, peel.frame, peel.mask, m_columns.room()))
+    , m_cutter(programs.cut, fields, before, peel.frame,
+          {peel.layer, peel.laying, peel.frame.protectedLabels})
+    , m_cast(castRaster(programs, fields, peel.frame, peel.mask, m_columns.room()))
     , m_sheet(core::peelSheet(peel, m_cast.hits))
 {
 }

@@ -5,15 +5,15 @@
 
 namespace gpu {
 
-ScissorsKernel::ScissorsKernel(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,
-    const core::MaskScissors& scissors)
+ScissorsKernel::ScissorsKernel(CutPrograms& programs, VoxelFields& fields, BeforeImages& before,
+    const core::OutlineCut& scissors)
 {
-    MaskColumns columns(scissors.frame, fields.grid());
+    CutColumns columns(scissors.frame, fields.grid());
     ColumnCutter cutter(programs.cut, fields, before, scissors.frame,
-        {scissors.layer, scissors.laying, scissors.frame.spared});
-    MaskHits cast;
+        {scissors.layer, scissors.laying, scissors.frame.protectedLabels});
+    RasterHits cast;
     if (scissors.fromSurface)
-        cast = castMask(programs, fields, scissors.frame, scissors.mask, columns.room());
+        cast = castRaster(programs, fields, scissors.frame, scissors.mask, columns.room());
     const core::ElementBox& room = columns.room();
     std::size_t i = 0;
     for (int b = 0; b < scissors.mask.size.y; ++b) {
@@ -22,7 +22,7 @@ ScissorsKernel::ScissorsKernel(MaskPrograms& programs, VoxelFields& fields, Befo
             if (glm::any(glm::lessThan(element, room.minimum))
                 || glm::any(glm::greaterThan(element, room.maximum)))
                 continue;
-            const core::MaskColumn column = core::scissorsColumn(scissors,
+            const core::CutColumn column = core::scissorsColumn(scissors,
                 cast.hits.empty() ? core::SurfaceHit{} : cast.hits[i], scissors.mask.values[i]);
             if (column.weight > 0)
                 columns.set(element, column);

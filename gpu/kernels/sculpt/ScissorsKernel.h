@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/sculpt/MaskScissors.h"
+#include "core/sculpt/OutlineCut.h"
 #include "gpu/fields/BeforeImages.h"
-#include "gpu/kernels/cut/MaskPrograms.h"
+#include "gpu/kernels/cut/CutPrograms.h"
 #include "gpu/kernels/work/EditWork.h"
 
 namespace gpu {
 
-/// Carries out core::MaskScissors, as one gather over the bricks below the mask; begun, it is done.
+/// Carries out core::OutlineCut, as one gather over the bricks below the mask; begun, it is done.
 /// Engine thread only.
 class ScissorsKernel final : public EditWork {
 public:
-    ScissorsKernel(MaskPrograms& programs, VoxelFields& fields, BeforeImages& before,
-        const core::MaskScissors& scissors);
+    ScissorsKernel(CutPrograms& programs, VoxelFields& fields, BeforeImages& before,
+        const core::OutlineCut& scissors);
 
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const override;
     void finish(core::EngineResult& result) override;

@@ -6,7 +6,7 @@ layout(local_size_x = 64) in;
 #include "fields/bricks/bricks.glsl"
 #include "kernels/sculpt/capsule.glsl"
 #include "fields/bricks/seedWord.glsl"
-#include "kernels/labels/shutVoxel.glsl"
+#include "kernels/labels/barrierVoxel.glsl"
 
 void main()
 {
@@ -22,7 +22,7 @@ void main()
         uint unitRadius = uint(radius >> shift);
         if (leastDistance(candidate, local) > unitRadius * unitRadius)
             continue;
-        found |= shutOrOpen(voxel, entry);
+        found |= setOrClearBarrier(voxel, entry);
     }
     if (found != 0u)
         atomicOr(changed[gl_WorkGroupID.x], found);

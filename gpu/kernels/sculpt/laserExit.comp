@@ -3,7 +3,7 @@
 
 layout(local_size_x = 64) in;
 
-#include "kernels/cut/asItBegan.glsl"
+#include "kernels/cut/snapshot.glsl"
 
 struct Beam {
     ivec4 foot; // index16; w: the first visible sample

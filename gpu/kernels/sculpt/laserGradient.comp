@@ -4,7 +4,7 @@
 
 layout(local_size_x = 64) in;
 
-#include "kernels/cut/asItBegan.glsl"
+#include "kernels/cut/snapshot.glsl"
 
 struct Foot {
     ivec4 position; // index16

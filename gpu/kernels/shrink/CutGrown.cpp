@@ -62,8 +62,8 @@ core::Result<CutOutcome> cutGrown(
 
     const std::vector<core::BrickImage> held =
         imagesOf(fields, cut, core::Field::Labels, command.plane);
-    const std::vector<core::BrickImage> beneath =
-        imagesOf(fields, cut, core::Field::Beneath, command.plane);
+    const std::vector<core::BrickImage> overwritten =
+        imagesOf(fields, cut, core::Field::Overwritten, command.plane);
     std::vector<core::BrickImage> images;
     for (std::size_t i = 0; i < cut.bricks.size(); ++i) {
         const core::CutBrick& brick = cut.bricks[i];
@@ -71,7 +71,7 @@ core::Result<CutOutcome> cutGrown(
             {.key = {.field = core::Field::SeedWords, .plane = command.plane, .brick = brick.brick},
                 .bytes = bytesOf(brick.words)});
         std::vector<std::uint8_t> kept = held[i].bytes.read();
-        std::vector<std::uint8_t> below = beneath[i].bytes.read();
+        std::vector<std::uint8_t> below = overwritten[i].bytes.read();
         for (std::size_t voxel = 0; voxel < kept.size(); ++voxel) {
             if (brick.leaving[voxel] == 0 || kept[voxel] != brick.leaving[voxel])
                 continue;
@@ -79,8 +79,8 @@ core::Result<CutOutcome> cutGrown(
         }
         if (kept != held[i].bytes.read())
             images.push_back({.key = held[i].key, .bytes = std::move(kept)});
-        if (below != beneath[i].bytes.read())
-            images.push_back({.key = beneath[i].key, .bytes = std::move(below)});
+        if (below != overwritten[i].bytes.read())
+            images.push_back({.key = overwritten[i].key, .bytes = std::move(below)});
     }
     std::map<core::Field, std::vector<std::uint32_t>> written;
     for (const core::BrickImage& image : images)

@@ -52,14 +52,14 @@ Program& ShrinkPrograms::giveBack()
 {
     if (!m_giveBack)
         m_giveBack = program(
-            m_library, "shrink and give back", "kernels/shrink/shrink.comp", {{"BENEATH", 1}});
+            m_library, "shrink and give back", "kernels/shrink/shrink.comp", {{"OVERWRITTEN", 1}});
     return m_giveBack;
 }
 
 ShrinkKernel::ShrinkKernel(ShrinkPrograms& programs, VoxelFields& fields, BeforeImages& before,
     const core::ShrinkGrowth& command)
     : m_programs(programs)
-    , m_givesBack(fields.anythingBeneath(command.plane))
+    , m_givesBack(fields.anyOverwritten(command.plane))
     , m_shrink(m_givesBack ? programs.giveBack() : programs.shrink)
     , m_fields(fields)
     , m_before(before)
@@ -67,7 +67,7 @@ ShrinkKernel::ShrinkKernel(ShrinkPrograms& programs, VoxelFields& fields, Before
     , m_keep(command.generation)
 {
     for (Program* each : {&programs.look, &m_shrink})
-        each->set("frozen", command.frozen);
+        each->set("lockedLabels", command.lockedLabels);
     look();
     shrinkTo(command.keep, command.keepSeeds);
 }
@@ -90,7 +90,7 @@ void ShrinkKernel::look()
     setGrid(m_programs.look, m_fields.grid(), held.size());
     dispatch(m_programs.look, held.size());
     found.read(std::span<std::uint32_t>(answer));
-    m_greatestFrozen = answer[0];
+    m_greatestLocked = answer[0];
     m_anySeeds = answer[1] != 0;
     for (std::size_t i = 0; i < held.size(); ++i) {
         if (const std::uint32_t greatest = answer[head + 2 * i + 1]; greatest != 0)
@@ -108,7 +108,8 @@ void ShrinkKernel::save()
     m_words = copier.packed(m_fields.textures(core::Field::SeedWords, m_command.plane), bricks);
     m_labels = copier.packed(m_fields.textures(core::Field::Labels, m_command.plane), bricks);
     if (m_givesBack)
-        m_beneath = copier.packed(m_fields.textures(core::Field::Beneath, m_command.plane), bricks);
+        m_overwritten =
+            copier.packed(m_fields.textures(core::Field::Overwritten, m_command.plane), bricks);
 }
 
 void ShrinkKernel::shrinkTo(std::uint32_t keep, bool keepSeeds)
@@ -136,7 +137,7 @@ void ShrinkKernel::shrinkTo(std::uint32_t keep, bool keepSeeds)
     m_before.capture(core::Field::SeedWords, m_command.plane, bricks);
     m_before.capture(core::Field::Labels, m_command.plane, bricks);
     if (m_givesBack)
-        m_before.capture(core::Field::Beneath, m_command.plane, bricks);
+        m_before.capture(core::Field::Overwritten, m_command.plane, bricks);
 
     BrickField& words = m_fields.seedWords(m_command.plane);
     const Buffer list = listOf("shrink bricks", bricks);
@@ -149,10 +150,10 @@ void ShrinkKernel::shrinkTo(std::uint32_t keep, bool keepSeeds)
     words.atlas().bindImage(0, GL_WRITE_ONLY);
     m_fields.labels(m_command.plane).bindImage(1, GL_WRITE_ONLY);
     if (m_givesBack) {
-        BrickField& beneath = m_fields.beneath(m_command.plane);
-        m_beneath.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
-        beneath.pageTable().bindUnit(2);
-        beneath.atlas().bindImage(2, GL_WRITE_ONLY);
+        BrickField& overwritten = m_fields.overwritten(m_command.plane);
+        m_overwritten.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
+        overwritten.pageTable().bindUnit(2);
+        overwritten.atlas().bindImage(2, GL_WRITE_ONLY);
     }
     setGrid(m_shrink, m_fields.grid(), bricks.size());
     m_shrink.set("keep", keep).set("keepSeeds", keepSeeds);
@@ -162,15 +163,15 @@ void ShrinkKernel::shrinkTo(std::uint32_t keep, bool keepSeeds)
 
 std::uint32_t ShrinkKernel::generation() const
 {
-    return std::max({m_keep, m_greatestFrozen, m_keepSeeds && m_anySeeds ? 1u : 0u});
+    return std::max({m_keep, m_greatestLocked, m_keepSeeds && m_anySeeds ? 1u : 0u});
 }
 
 std::vector<core::BrickKey> ShrinkKernel::touchedKeys() const
 {
     std::vector<core::BrickKey> keys;
     for (const core::Field field :
-        {core::Field::SeedWords, core::Field::Labels, core::Field::Beneath}) {
-        if (field == core::Field::Beneath && !m_givesBack)
+        {core::Field::SeedWords, core::Field::Labels, core::Field::Overwritten}) {
+        if (field == core::Field::Overwritten && !m_givesBack)
             continue;
         for (const Brick& each : m_bricks) {
             if (each.written)

@@ -63,10 +63,10 @@ private:
     std::vector<Brick> m_bricks;
     Buffer m_words; ///< as they were when the shrinking began
     Buffer m_labels;
-    Buffer m_beneath;
+    Buffer m_overwritten;
     std::uint32_t m_keep = 0;
     bool m_keepSeeds = false;
-    std::uint32_t m_greatestFrozen = 0;
+    std::uint32_t m_greatestLocked = 0;
     bool m_anySeeds = false;
 };
 

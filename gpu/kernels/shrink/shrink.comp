@@ -1,9 +1,9 @@
 // Takes back what a growth added after a generation, in listed bricks (ShrinkGrowth in
 // core/growth/GrowthCommands.h), or restores it.
 //
-// LOOK: only reports for each brick which generations it holds that may be removed. BENEATH: labels
-// that lie beneath members return to the plane. Otherwise the new content of a brick is computed
-// from its saved content, so it can be repeated for other generations.
+// LOOK: only reports for each brick which generations it holds that may be removed. OVERWRITTEN:
+// labels that lie beneath members return to the plane. Otherwise the new content of a brick is
+// computed from its saved content, so it can be repeated for other generations.
 
 layout(local_size_x = 64) in;
 
@@ -15,11 +15,11 @@ layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; };
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
 uniform uint brickCount;
-uniform uint frozen[8]; // one bit per label
+uniform uint lockedLabels[8]; // one bit per label
 
 bool mayGo(uint label)
 {
-    return (frozen[label >> 5] >> (label & 31u) & 1u) == 0u;
+    return (lockedLabels[label >> 5] >> (label & 31u) & 1u) == 0u;
 }
 
 #ifdef LOOK
@@ -27,7 +27,7 @@ bool mayGo(uint label)
 layout(binding = 0) uniform usampler3D words; // atlas
 layout(binding = 1) uniform usampler3D pageTable;
 layout(binding = 1, std430) buffer Found {
-    uint greatestFrozen; // greatest generation of a member that may not be removed
+    uint greatestLocked; // greatest generation of a member that may not be removed
     uint seeds; // 1: there are seeds that may be removed, apart from painted ones
     uint ranges[]; // two per brick, for what may be removed: ~least generation above 0, greatest
 } found;
@@ -39,7 +39,7 @@ void main()
         uint entry = texelFetch(pageTable, brick, 0).r;
         uint least = unvisited;
         uint greatest = 0u;
-        uint greatestFrozen = 0u;
+        uint greatestLocked = 0u;
         bool seeds = false;
         for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
             ivec3 voxel = brick * brickSide + voxelInBrick(offset);
@@ -50,15 +50,15 @@ void main()
             bool goes = mayGo(labelOf(word));
             least = goes ? min(least, generation) : least;
             greatest = goes ? max(greatest, generation) : greatest;
-            greatestFrozen = goes ? greatestFrozen : max(greatestFrozen, generation);
+            greatestLocked = goes ? greatestLocked : max(greatestLocked, generation);
             seeds = seeds || (goes && isSeed(word));
         }
         if (greatest != 0u) {
             atomicMax(found.ranges[2u * slot], ~least);
             atomicMax(found.ranges[2u * slot + 1u], greatest);
         }
-        if (greatestFrozen != 0u)
-            atomicMax(found.greatestFrozen, greatestFrozen);
+        if (greatestLocked != 0u)
+            atomicMax(found.greatestLocked, greatestLocked);
         if (seeds)
             atomicOr(found.seeds, 1u);
     }
@@ -73,10 +73,10 @@ layout(binding = 1, r8ui) uniform writeonly uimage3D labels;
 layout(binding = 1, std430) readonly buffer Places { uint places[]; };
 layout(binding = 2, std430) readonly buffer SavedWords { uint savedWords[]; };
 layout(binding = 3, std430) readonly buffer SavedLabels { uint savedLabels[]; }; // four to a word
-#ifdef BENEATH
-layout(binding = 4, std430) readonly buffer SavedBeneath { uint savedBeneath[]; }; // likewise
-layout(binding = 2) uniform usampler3D beneathPages;
-layout(binding = 2, r8ui) uniform writeonly uimage3D beneath; // atlas
+#ifdef OVERWRITTEN
+layout(binding = 4, std430) readonly buffer SavedOverwritten { uint savedOverwritten[]; }; // likewise
+layout(binding = 2) uniform usampler3D overwrittenPages;
+layout(binding = 2, r8ui) uniform writeonly uimage3D overwritten; // atlas
 #endif
 
 uniform uint keep;
@@ -88,8 +88,8 @@ void main()
         ivec3 brick = brickPosition(int(bricks[slot]), volumeBricks);
         uint entry = texelFetch(pageTable, brick, 0).r;
         uint place = places[slot];
-#ifdef BENEATH
-        uint beneathEntry = texelFetch(beneathPages, brick, 0).r;
+#ifdef OVERWRITTEN
+        uint overwrittenEntry = texelFetch(overwrittenPages, brick, 0).r;
 #endif
         for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
             ivec3 voxel = brick * brickSide + voxelInBrick(offset);
@@ -108,10 +108,10 @@ void main()
             bool loses = !stays && !seedStays && !wasHeld && held == label;
             imageStore(words, atlasTexel(entry, voxel), uvec4(stays ? word : after));
             uint below = 0u;
-#ifdef BENEATH
-            below = savedBeneath[place * 1024u + uint(offset >> 2)] >> (8 * (offset & 3)) & 255u;
-            if (beneathEntry != 0u)
-                imageStore(beneath, atlasTexel(beneathEntry, voxel), uvec4(loses ? 0u : below));
+#ifdef OVERWRITTEN
+            below = savedOverwritten[place * 1024u + uint(offset >> 2)] >> (8 * (offset & 3)) & 255u;
+            if (overwrittenEntry != 0u)
+                imageStore(overwritten, atlasTexel(overwrittenEntry, voxel), uvec4(loses ? 0u : below));
 #endif
             imageStore(labels, voxel, uvec4(loses ? below : held));
         }

@@ -53,7 +53,7 @@ uint atFirst(ivec3 voxel, uint entry)
 }
 
 // @param around bricks, one bit each
-void tell(ivec3 brick, uint around, bool doubt)
+void wake(ivec3 brick, uint around, bool doubt)
 {
     for (uint bit = 0u; bit < 27u; ++bit) {
         if ((around >> bit & 1u) == 0u)
@@ -119,7 +119,7 @@ void main()
             if (!update) {
                 imageStore(words, texel, uvec4(now));
                 if (isSeedNow)
-                    tell(place, bricksBeside(local), false);
+                    wake(place, bricksBeside(local), false);
                 continue;
             }
             uint before = imageLoad(words, texel).r;
@@ -132,11 +132,11 @@ void main()
             // offered, something.
             bool offersLess = now == wall ? before != unreached : before != wall && now > before;
             if (offersLess)
-                tell(place, around, true);
+                wake(place, around, true);
             if (isSeedNow)
-                tell(place, around, false);
+                wake(place, around, false);
             else if (now == unreached)
-                tell(place, itself, false);
+                wake(place, itself, false);
         }
     }
 }

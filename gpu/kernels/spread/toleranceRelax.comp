@@ -133,7 +133,7 @@ void takeFromBeyond(ivec3 origin, uint lane)
 }
 
 // Finds which bricks a voxel at the border may change, and with how low a tolerance.
-void tellBeyond(ivec3 origin, ivec3 local, uint now)
+void wakeBeyond(ivec3 origin, ivec3 local, uint now)
 {
     ivec3 field = volumeBricks * brickSide;
     uint bits = 0u;
@@ -190,7 +190,7 @@ void main()
             continue;
         imageStore(tolerances, origin + local, uvec4(now));
         if (any(equal(local, ivec3(0))) || any(equal(local, ivec3(15))))
-            tellBeyond(origin, local, now);
+            wakeBeyond(origin, local, now);
     }
     barrier();
     if (lane == 0u && again)

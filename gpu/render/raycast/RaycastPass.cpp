@@ -98,7 +98,7 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
                 .fragmentPath = "render/raycast/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
                     {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0},
-                    {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"FORESEEN", 0}, {"SHEETS", 0},
+                    {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"CUT_PREVIEW", 0}, {"SHEETS", 0},
                     {"CHUNKS", 0}}});
     }
 }
@@ -112,7 +112,7 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
     const bool segments = with.pieces || with.kind > RayBlocks::Kind::Carved;
     std::size_t variant = mode;
     for (const bool part : {clipped, home, sculpted, segments, with.pieces, with.seeds,
-             with.barriers, with.warned, with.foreseen, with.sheets, with.chunks})
+             with.barriers, with.warned, with.cutPreview, with.sheets, with.chunks})
         variant = 2 * variant + std::size_t(part);
     Program& program = m_seldomPrograms[variant];
     if (!program)
@@ -123,7 +123,7 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
                     {"SEGMENTS", int(segments)}, {"CLIPPED", int(clipped)}, {"HOME", int(home)},
                     {"PIECES", int(with.pieces)}, {"SEEDS", int(with.seeds)},
                     {"BARRIERS", int(with.barriers)}, {"WARNED", int(with.warned)},
-                    {"FORESEEN", int(with.foreseen)}, {"SHEETS", int(with.sheets)},
+                    {"CUT_PREVIEW", int(with.cutPreview)}, {"SHEETS", int(with.sheets)},
                     {"CHUNKS", int(with.chunks)}}});
     return program;
 }
@@ -139,12 +139,12 @@ std::size_t RaycastPass::variantOf(const VolumeScene& scene, RayBlocks::Kind kin
 
 Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene, const Seldom& with)
 {
-    const bool marked = with.warned || with.foreseen;
+    const bool marked = with.warned || with.cutPreview;
     if (kind == RayBlocks::Kind::Pieces || (kind == RayBlocks::Kind::Sculpted && marked))
         return seldomProgram(scene,
             {.pieces = kind == RayBlocks::Kind::Pieces,
                 .warned = with.warned,
-                .foreseen = with.foreseen,
+                .cutPreview = with.cutPreview,
                 .sheets = with.sheets});
     if (with.sheets)
         return seldomProgram(scene, {.sheets = true, .kind = kind});
@@ -175,7 +175,7 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
     const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry()));
     const bool seeds = m_seeds.set(volume, scene);
     BrickField* words = volume.seedWords();
-    BrickField* foreseen = volume.foreseen();
+    BrickField* cutPreview = volume.cutPreview();
     const BarrierBricks* barriers = words && palette.showsBarriers() ? volume.barriers() : nullptr;
     if (barriers && !barriers->any())
         barriers = nullptr;
@@ -183,7 +183,7 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
         .seeds = seeds,
         .barriers = barriers != nullptr,
         .warned = words && palette.warns(),
-        .foreseen = foreseen != nullptr,
+        .cutPreview = cutPreview != nullptr,
         .sheets = sheets.any(),
         .chunks = chunks != nullptr};
     Tile over;
@@ -230,9 +230,9 @@ void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const P
         }
         if (sheets.any())
             bindSheets(program, scene, sheets);
-        if (foreseen) {
-            foreseen->pageTable().bindUnit(16);
-            foreseen->atlas().bindUnit(17);
+        if (cutPreview) {
+            cutPreview->pageTable().bindUnit(16);
+            cutPreview->atlas().bindUnit(17);
         }
         for (const Tile& part : tiles) {
             glScissor(part.minimum.x, part.minimum.y, part.size.x, part.size.y);

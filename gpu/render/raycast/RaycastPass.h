@@ -72,7 +72,7 @@ private:
         bool seeds = false;
         bool barriers = false;
         bool warned = false; ///< some members are drawn in the warning colour
-        bool foreseen = false; ///< marks what a cut would remove
+        bool cutPreview = false; ///< marks what a cut would remove
         bool sheets = false; ///< the surface that is being refined, or the cutting plane
         bool chunks = false;
         RayBlocks::Kind kind = RayBlocks::Kind::Sculpted; ///< how sculpted the rest is

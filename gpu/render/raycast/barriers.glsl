@@ -14,7 +14,7 @@ const float barrierBehind = 0.2;
 const float barrierBrick = 16.0;
 
 /// 1 at the centre of a barrier voxel, interpolated to 0 at the centre of another.
-float shutAt(vec3 place)
+float barrierAt(vec3 place)
 {
     const ivec3 base = ivec3(floor(place));
     const vec3 part = place - vec3(base);
@@ -58,21 +58,21 @@ vec3 withBarriers(Ray ray, vec3 seen)
             = (inBricks + vec3(greaterThan(inverse, vec3(0.0)))) * barrierBrick - 0.5;
         const vec3 times = (border - origin) * inverse;
         const float leaving = min(min(times.x, times.y), times.z);
-        found = held && shutAt(place) >= 0.5;
+        found = held && barrierAt(place) >= 0.5;
         const float next = held ? t + step : max(t, leaving) + 0.01 * step;
         t = found ? t : next;
     }
     float before = t - step;
     for (int halving = 0; halving < 4; ++halving) {
         const float middle = 0.5 * (before + t);
-        const bool inside = shutAt(origin + direction * middle) >= 0.5;
+        const bool inside = barrierAt(origin + direction * middle) >= 0.5;
         before = inside ? before : middle;
         t = inside ? middle : t;
     }
     const vec3 place = origin + direction * t;
-    const vec3 rise = vec3(shutAt(place + vec3(1.2, 0, 0)) - shutAt(place - vec3(1.2, 0, 0)),
-        shutAt(place + vec3(0, 1.2, 0)) - shutAt(place - vec3(0, 1.2, 0)),
-        shutAt(place + vec3(0, 0, 1.2)) - shutAt(place - vec3(0, 0, 1.2)));
+    const vec3 rise = vec3(barrierAt(place + vec3(1.2, 0, 0)) - barrierAt(place - vec3(1.2, 0, 0)),
+        barrierAt(place + vec3(0, 1.2, 0)) - barrierAt(place - vec3(0, 1.2, 0)),
+        barrierAt(place + vec3(0, 0, 1.2)) - barrierAt(place - vec3(0, 0, 1.2)));
     const vec3 normal = normalize(gradientToWorld * -rise - 1e-9 * ray.world);
     const vec3 look = lit(barrierColour, lightOn(normal, -ray.world, 1.0, 0.15));
     const bool hidden = t > solidFrom + 2.0 * stepMm;

@@ -255,11 +255,11 @@ vec3 tetrahedronDifferences(sampler3D field, vec3 at)
             + c * texture(field, at + voxel * c).r + d * texture(field, at + voxel * d).r);
 }
 
-#if WARNED || FORESEEN || BARRIERS
+#if WARNED || CUT_PREVIEW || BARRIERS
 #include "kernels/labels/memberWords.glsl"
 #endif
-#if FORESEEN
-#include "render/raycast/foreseen.glsl"
+#if CUT_PREVIEW
+#include "render/raycast/cutPreview.glsl"
 #endif
 
 /// The colour of the shown segments around a point, weighted as by interpolation.
@@ -270,7 +270,7 @@ vec3 segmentColour(vec3 at)
     const vec3 part = place - vec3(base);
     const ivec3 last = textureSize(labels, 0) - 1;
     vec4 sum = vec4(0.0);
-#if FORESEEN
+#if CUT_PREVIEW
     float going = 0.0;
 #endif
     for (int corner = 0; corner < 8; ++corner) {
@@ -282,8 +282,8 @@ vec3 segmentColour(vec3 at)
         // Near a thin part no shown voxel may be in reach; then any weight will do.
         const float weight = entry.a * (share.x * share.y * share.z + 1e-4);
         sum += vec4(entry.rgb, 1.0) * weight;
-#if FORESEEN
-        going += isForeseen(there) ? weight : 0.0;
+#if CUT_PREVIEW
+        going += isInCutPreview(there) ? weight : 0.0;
 #endif
     }
     vec3 own = sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.8);
@@ -291,8 +291,8 @@ vec3 segmentColour(vec3 at)
     const ivec3 nearestVoxel = clamp(ivec3(floor(place + 0.5)), ivec3(0), last);
     own = warns(nearestVoxel) ? texelFetch(palette, ivec2(0), 0).rgb : own;
 #endif
-#if FORESEEN
-    own = going > 0.5 * sum.a ? foreseenAt(gl_FragCoord.xy * pixelScale) : own;
+#if CUT_PREVIEW
+    own = going > 0.5 * sum.a ? cutPreviewAt(gl_FragCoord.xy * pixelScale) : own;
 #endif
     return own;
 }

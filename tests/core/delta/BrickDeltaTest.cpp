@@ -27,7 +27,7 @@ std::vector<BrickChange> randomChanges(unsigned seed, int count, int palette)
 {
     std::mt19937 random(seed);
     std::vector<BrickChange> changes;
-    for (Field field : {Field::Coverage, Field::Labels, Field::SeedWords, Field::Beneath}) {
+    for (Field field : {Field::Coverage, Field::Labels, Field::SeedWords, Field::Overwritten}) {
         for (int i = 0; i < count; ++i) {
             BrickChange change;
             change.key = {.field = field,

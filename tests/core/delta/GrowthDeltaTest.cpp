@@ -172,7 +172,7 @@ private Q_SLOTS:
         QVERIFY(comesBack(words));
     }
 
-    /// Bits that no growth would set so: in whom nothing is foretold, and in those beside them.
+    /// Bits that no growth would set so: in whom nothing is predicted, and in those beside them.
     void wordsThatContradictComeBack_data()
     {
         QTest::addColumn<int>("oneOf");
@@ -302,7 +302,7 @@ private Q_SLOTS:
         QVERIFY(!expandDelta(packed(stream + '\0'), grid));
     }
 
-    /// All foretold, and nothing to foretell it from.
+    /// All predicted, and nothing to predict it from.
     void wordsThatFollowFromNothingAreRefused()
     {
         std::vector<std::uint32_t> words(BrickGrid::voxelsPerBrick, none);

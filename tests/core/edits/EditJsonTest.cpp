@@ -3,7 +3,7 @@
 #include "core/edits/EditDocumentation.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
@@ -162,14 +162,14 @@ private Q_SLOTS:
     {
         const Result<Edit> plain = editFromJson(parse("{'edit':'chunks','segment':2}"));
         QVERIFY(plain);
-        QCOMPARE(plain->get<Chunks>().marginMm, 10.0);
-        QVERIFY(!plain->get<Chunks>().owners);
+        QCOMPARE(plain->get<DivideSegment>().marginMm, 10.0);
+        QVERIFY(!plain->get<DivideSegment>().owners);
         const Result<Edit> named =
             editFromJson(parse("{'edit':'chunks','segment':2,'marginMm':3.0001,"
                                "'owners':[{'label':1,'voxels':'AAEC'},{'label':2,'voxels':''}]}"));
         QVERIFY(named);
-        QCOMPARE(quantised(*named).get<Chunks>().marginMm, 3.0);
-        QCOMPARE(named->get<Chunks>().owners->front().voxels, QByteArray("\0\1\2", 3));
+        QCOMPARE(quantised(*named).get<DivideSegment>().marginMm, 3.0);
+        QCOMPARE(named->get<DivideSegment>().owners->front().voxels, QByteArray("\0\1\2", 3));
         const Result<Edit> clicked =
             editFromJson(parse("{'edit':'chunkToggle','segment':2,'chunks':40,"
                                "'pointsLps':[[1,2,3],[4,5,6]]}"));

@@ -157,7 +157,7 @@ private Q_SLOTS:
         for (const double side : {0.02, 400.0}) {
             for (int kind = 0; kind < shapes.size(); ++kind) {
                 DrillStroke stroke = RandomEdits(5).drill();
-                stroke.mask = {.kind = MaskShape::Kind(kind),
+                stroke.mask = {.kind = ToolMask::Kind(kind),
                     .radiusMm = side / 2.0,
                     .widthMm = side,
                     .heightMm = side,

@@ -66,7 +66,8 @@ BrickBytes orNothing(test::Random& random, std::vector<std::uint8_t> bytes)
 std::vector<BrickChange> randomChanges(test::Random& random, int bricks)
 {
     std::vector<BrickChange> changes;
-    for (const Field field : {Field::Coverage, Field::Labels, Field::SeedWords, Field::Beneath}) {
+    for (const Field field :
+        {Field::Coverage, Field::Labels, Field::SeedWords, Field::Overwritten}) {
         for (int brick = 0; brick < bricks; ++brick) {
             if (test::randomInt(random, 0, 2) == 0)
                 continue;
@@ -114,7 +115,7 @@ struct Truth {
                 }
                 const int before = valueOf(change.before, voxel);
                 const int after = valueOf(change.after, voxel);
-                if (before == after || change.key.field == Field::Beneath)
+                if (before == after || change.key.field == Field::Overwritten)
                     continue;
                 ++voxelsChanged;
                 if (change.key.field != Field::Labels)
@@ -123,7 +124,8 @@ struct Truth {
                 ++flows[{change.key.plane, before}].second;
                 bool isGivenBack = false;
                 for (const BrickChange& other : changes) {
-                    if (other.key == BrickKey{Field::Beneath, change.key.plane, change.key.brick})
+                    if (other.key
+                        == BrickKey{Field::Overwritten, change.key.plane, change.key.brick})
                         isGivenBack = after == valueOf(other.before, voxel)
                             && valueOf(other.after, voxel) == 0;
                 }

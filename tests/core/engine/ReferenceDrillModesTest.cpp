@@ -273,7 +273,7 @@ private Q_SLOTS:
         // Seen along +z with +y up, right is −x.
         Bench bench({60, 60, 20}, glm::dvec3(1.0), 2);
         bench.open();
-        bench.stroke.mask.kind = MaskShape::Kind::Rectangle;
+        bench.stroke.mask.kind = ToolMask::Kind::Rectangle;
         bench.stroke.mask.widthMm = 30.0;
         bench.stroke.mask.heightMm = 6.0;
         (void)bench.drill();

@@ -462,7 +462,7 @@ void ReferenceGrowthTest::shrinkingIsTheInverse()
     submitWhole(*engine, ShrinkGrowth{.generation = 1});
     there = engine->fields();
     QVERIFY(there.labels(0).values == labels.values);
-    QVERIFY(there.beneath(0).values == std::vector<std::uint8_t>(labels.values.size(), 0));
+    QVERIFY(there.overwritten(0).values == std::vector<std::uint8_t>(labels.values.size(), 0));
     for (const std::uint32_t word : there.seedWords(0).values)
         QVERIFY(word == seedWord::unvisited || seedWord::isPendingSeed(word));
 }
@@ -487,7 +487,7 @@ void ReferenceGrowthTest::shrinkingLeavesWhatWasThere()
     // Locked: neither shrinks nor lets the generation fall below its own.
     submitWhole(engine, GrowBurst{.lowCode = 5, .highCode = 5, .generation = 1}, {GrowAdvance{4}});
     ShrinkGrowth locked{.generation = 5, .keep = 2};
-    locked.frozen.set(4);
+    locked.lockedLabels.set(4);
     submitWhole(engine, locked);
     const EngineResult result = lastResult(engine);
     QVERIFY(result.changes.empty());

@@ -280,10 +280,10 @@ void ReferenceIntervalTest::barriersLeaveWhatIsLockedOrPainted()
     const std::vector<std::uint32_t> grown = wordsOf(*engine);
     std::vector<Capsule> path;
     PaintBarrier barrier = barrierOn(2, 5, path);
-    barrier.frozen.set(4);
+    barrier.lockedLabels.set(4);
     submitWhole(*engine, barrier, {CapsulePath{path}});
     QVERIFY(wordsOf(*engine) == grown);
-    barrier.frozen.reset();
+    barrier.lockedLabels.reset();
     submitWhole(*engine, barrier, {CapsulePath{path}});
     QCOMPARE(labelsOf(*engine), (std::vector<std::uint8_t>{4, 4, 0, 0, 4, 0, 4, 4}));
     for (std::size_t at = 2; at <= 5; ++at)

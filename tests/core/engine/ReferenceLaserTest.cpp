@@ -2,7 +2,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/HiddenSides.h"
+#include "core/edits/engine/HalfSpaces.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -327,7 +327,7 @@ private Q_SLOTS:
         clip.box.on = true;
         clip.box.minimum.z = 14.5; // the first 15 slices are hidden
         clip.box.maximum.x = 20.5;
-        bench.stroke.hidden = hiddenSides(clip, bench.document.volumes.front().geometry);
+        bench.stroke.hidden = clipHalfSpaces(clip, bench.document.volumes.front().geometry);
         QCOMPARE(bench.stroke.hidden->size(), std::size_t(6));
         QVERIFY(!bench.laser().changes.empty());
         bench.forTissue([](const glm::dvec3& place, bool gone) {

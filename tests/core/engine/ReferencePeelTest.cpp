@@ -83,12 +83,12 @@ struct Bench {
     }
     EngineResult carryOut(const PeelCut& cut)
     {
-        submitWhole(engine, *maskPeel(cut, document), {peelDepth(cut)});
+        submitWhole(engine, *shellPeel(cut, document), {peelDepth(cut)});
         return test::lastResult(engine);
     }
     EngineResult carryOut(const ScissorsCut& cut)
     {
-        submitWhole(engine, *maskScissors(cut, document));
+        submitWhole(engine, *outlineCut(cut, document));
         return test::lastResult(engine);
     }
     Bytes coverage()
@@ -156,9 +156,9 @@ private Q_SLOTS:
         const auto after = [&](std::initializer_list<double> depths) {
             ReferenceEngine engine;
             (void)engine.openVolume(bench.size, bench.codes.values);
-            submitWhole(engine, *maskPeel(drilled, bench.document), {peelDepth(drilled)});
+            submitWhole(engine, *shellPeel(drilled, bench.document), {peelDepth(drilled)});
             const PeelCut peel = bench.peel(12.0, 1.0);
-            engine.submit(BeginEdit{*maskPeel(peel, bench.document)});
+            engine.submit(BeginEdit{*shellPeel(peel, bench.document)});
             for (const double depthMm : depths)
                 engine.submit(ExtendEdit{PeelDepth{int(depthMm * 65536)}});
             reference::DenseFields fields = engine.fields();
@@ -306,13 +306,13 @@ private Q_SLOTS:
         // Tiny, or without an area.
         Bench bench({20, 20, 20});
         for (const double half : {0.1, 0.0}) {
-            const auto tiny = maskPeel(bench.peel(half, 1.0), bench.document);
+            const auto tiny = shellPeel(bench.peel(half, 1.0), bench.document);
             QVERIFY(!tiny);
             QCOMPARE(tiny.error().arguments.value(0), QStringLiteral("peel.polygonMm"));
         }
         ScissorsCut senseless = bench.scissors(5.0);
         senseless.restore = senseless.firstLayerOnly = true;
-        QVERIFY(!maskScissors(senseless, bench.document));
+        QVERIFY(!outlineCut(senseless, bench.document));
         // Beside the volume there is nothing to cut.
         bench.fill([](const glm::dvec3&) { return 1.0; });
         PeelCut beside = bench.peel(5.0, 3.0);

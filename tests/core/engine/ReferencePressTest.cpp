@@ -119,9 +119,9 @@ private:
     }
     void submit(const PeelCut& peel)
     {
-        submitWhole(engine, *maskPeel(peel, document), {peelDepth(peel)});
+        submitWhole(engine, *shellPeel(peel, document), {peelDepth(peel)});
     }
-    void submit(const ScissorsCut& cut) { submitWhole(engine, *maskScissors(cut, document)); }
+    void submit(const ScissorsCut& cut) { submitWhole(engine, *outlineCut(cut, document)); }
     void submit(const BrushStroke& stroke)
     {
         submitWhole(engine, *capsuleCut(stroke, document),

@@ -50,7 +50,7 @@ private Q_SLOTS:
             for (const int code : codes)
                 variance += (code - mean) * (code - mean);
             variance /= double(codes.size());
-            const SeedSpread spread = seedSpread(sumsOf(codes));
+            const SeedMoments spread = seedMoments(sumsOf(codes));
             QVERIFY(std::abs(double(spread.mean256) / 256.0 - mean) <= 1.0 / 256.0 + 1e-9);
             // Of the variance 2⁻¹⁰ is lost at most.
             QVERIFY(std::abs(double(spread.deviation256) / 256.0 - std::sqrt(variance))
@@ -77,7 +77,7 @@ private Q_SLOTS:
         // 2³⁰ at either end of the range.
         const std::uint64_t half = std::uint64_t(1) << 30;
         const SeedSums sums{2 * half, half * 65535, half * 65535 * 65535};
-        const SeedSpread spread = seedSpread(sums);
+        const SeedMoments spread = seedMoments(sums);
         QCOMPARE(spread.mean256, std::int64_t(65535 * 128));
         QCOMPARE(spread.deviation256, std::int64_t(65535 * 128));
     }

@@ -33,8 +33,8 @@ std::vector<bool> grown(const test::ToleranceScene& scene, int low, int high)
         .opening = GrowOpening::Restart,
         .generation = 1000,
         .overwritable = scene.rule.overwritable};
-    burst.frozen.set();
-    burst.frozen.reset(scene.rule.label);
+    burst.lockedLabels.set();
+    burst.lockedLabels.reset(scene.rule.label);
     submitWhole(engine, burst, {GrowAdvance{}});
     reference::DenseFields fields = engine.fields();
     std::vector<bool> members;

@@ -49,7 +49,7 @@ std::vector<std::pair<QByteArray, Edit>> strokesAt(const VolumeGeometry& geometr
     drill.samples = {{-8, 0, 1, 0}, {8, 4, 0.7, 0.5}};
     DrillStroke rate = drill;
     rate.mode = DrillMode::Rate;
-    rate.mask.kind = MaskShape::Kind::Square;
+    rate.mask.kind = ToolMask::Kind::Square;
     LaserStroke laser;
     laser.view = view;
     laser.mask = drill.mask;
@@ -101,7 +101,7 @@ BrushPath* pathOf(Edit& edit)
     return paint ? &paint->path : nullptr;
 }
 
-MaskShape* maskOf(Edit& edit)
+ToolMask* maskOf(Edit& edit)
 {
     if (auto* drill = edit.as<DrillStroke>())
         return &drill->mask;
@@ -142,8 +142,8 @@ std::vector<Trouble> troubles()
             }},
         {"zero radius", End::Refused,
             [](Edit& edit) {
-                if (MaskShape* mask = maskOf(edit)) {
-                    mask->kind = MaskShape::Kind::Circle;
+                if (ToolMask* mask = maskOf(edit)) {
+                    mask->kind = ToolMask::Kind::Circle;
                     mask->radiusMm = 0.0;
                 } else if (std::vector<glm::dvec2>* outline = outlineOf(edit)) {
                     for (glm::dvec2& point : *outline)
@@ -186,7 +186,7 @@ std::vector<Trouble> troubles()
             }},
         {"all of it hidden", End::Nothing,
             [](Edit& edit) {
-                const HiddenSides all = {{{{0.0, 0.0, 1.0}, -1000.0}}};
+                const ClipHalfSpaces all = {{{{0.0, 0.0, 1.0}, -1000.0}}};
                 return visitEdit(
                     [&all](auto& known) {
                         if constexpr (requires { known.hidden; }) {

@@ -134,37 +134,40 @@ private Q_SLOTS:
         const Bench plain({vessel, paintIn(1), cut});
         const Bench kept({vessel, paintIn(1), protect(1), cut});
         const auto free = plain.coverage();
-        const auto spared = kept.coverage();
+        const auto protectedSegments = kept.coverage();
         const auto labels = kept.labels();
         int inside = 0;
         int outside = 0;
         for (std::size_t i = 0; i < labels.values.size(); ++i) {
-            QCOMPARE(int(spared.values[i]), labels.values[i] == 1 ? 0 : int(free.values[i]));
+            QCOMPARE(
+                int(protectedSegments.values[i]), labels.values[i] == 1 ? 0 : int(free.values[i]));
             inside += labels.values[i] == 1 && free.values[i] >= 128;
             outside += labels.values[i] != 1 && free.values[i] >= 128;
         }
         QVERIFY2(inside > 30 && outside > 100, qPrintable(QString::number(inside)));
     }
 
-    /// The edit itself says what it spared: it comes out the same where nothing is protected.
+    /// The edit itself says what it protected: it comes out the same where nothing is protected.
     void theEditNamesWhatItSpares()
     {
         Bench bench({vessel, paintIn(1), protect(1), deepDrill()});
         const Edit drill = bench.session->history().rows().back().edit;
-        QCOMPARE(*test::factsOfStroke(drill).spared, std::vector<int>{1});
+        QCOMPARE(*test::factsOfStroke(drill).protectedSegments, std::vector<int>{1});
         const Bench again({vessel, paintIn(1), drill});
         QVERIFY(again.coverage().values == bench.coverage().values);
         bench.run(protect(1, false));
         bench.run(deepDrill());
-        QVERIFY(!test::factsOfStroke(bench.session->history().rows().back().edit).spared);
+        QVERIFY(
+            !test::factsOfStroke(bench.session->history().rows().back().edit).protectedSegments);
         QVERIFY(bench.coverage().values != again.coverage().values);
-        const Edit unknown = test::drillWith({.spared = std::vector<int>{1, 7}}, deepDrill());
+        const Edit unknown =
+            test::drillWith({.protectedSegments = std::vector<int>{1, 7}}, deepDrill());
         QCOMPARE(bench.refusal(unknown), ErrorCode::UnknownSegment);
-        const Edit idle = test::drillWith({.spared = std::vector<int>{1}}, restoring());
+        const Edit idle = test::drillWith({.protectedSegments = std::vector<int>{1}}, restoring());
         QCOMPARE(bench.refusal(idle), ErrorCode::InvalidField);
     }
 
-    /// What was carved before it was protected comes back; what restores, spares nothing.
+    /// What was carved before it was protected comes back; what restores, protects nothing.
     void restoringFillsItToo()
     {
         const Edit restore = restoring();
@@ -185,7 +188,7 @@ private Q_SLOTS:
         bench.run(SegmentToLayer{.segment = 1, .layer = 1});
     }
 
-    /// A cut that spares segments has read their labels: paint before it cannot go alone.
+    /// A cut that protects segments has read their labels: paint before it cannot go alone.
     void aCutHoldsTheLabelsThatItRead()
     {
         Bench bench({vessel, paintIn(1), protect(1), deepDrill()});
@@ -209,7 +212,7 @@ private Q_SLOTS:
         const Bench drawnSo({vessel, paintIn(1), protect(1), deepDrill(9.0)});
         QVERIFY(bench.coverage().values == drawnSo.coverage().values);
         QVERIFY(bench.labels().values != drawnSo.labels().values);
-        // And a later cut, that is folded in, spares what it spared.
+        // And a later cut, that is folded in, protects what it protected.
         Bench two({vessel, paintIn(1), deepDrill(3.0), protect(1), deepDrill(9.0),
             protect(1, false), erase});
         const auto before = two.coverage();

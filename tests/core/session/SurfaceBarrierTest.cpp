@@ -165,10 +165,10 @@ void SurfaceBarrierTest::shellsAreOfTheirDefinition()
     QVERIFY(maskOf(found, extent) == shell);
 
     const BrickGrid grid{extent};
-    const std::vector<ShutListed::Brick> bricks = placesOf(found, extent);
-    QVERIFY(isSound(ShutListed{.bricks = bricks}, grid.brickCount()));
+    const std::vector<BarrierListed::Brick> bricks = placesOf(found, extent);
+    QVERIFY(isSound(BarrierListed{.bricks = bricks}, grid.brickCount()));
     std::size_t listed = 0;
-    for (const ShutListed::Brick& brick : bricks) {
+    for (const BarrierListed::Brick& brick : bricks) {
         QVERIFY(brick.places.any());
         listed += brick.places.count();
     }

@@ -2,7 +2,7 @@
 #include "core/brick/VoxelRuns.h"
 #include "core/chunks/ChunkMap.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionChunks.h"
@@ -74,7 +74,7 @@ void ChunkClickGlTest::manyClicks()
     QVERIFY(carryOut(mask));
     QElapsedTimer clock;
     clock.start();
-    QVERIFY(carryOut(Chunks{.segment = 1, .marginMm = 25.0}));
+    QVERIFY(carryOut(DivideSegment{.segment = 1, .marginMm = 25.0}));
     const qint64 divided = clock.restart();
     std::shared_ptr<const ChunkMap> map = (*session)->chunks().map();
     while (!map) {

@@ -72,15 +72,15 @@ const std::vector<EngineCase>& EngineConformanceGlTest::cases()
         std::vector<EngineCase> made = test::growthCases(all ? 400 : 20);
         for (auto more : {test::growLimitCases(all ? 400 : 16),
                  test::seedGroupCases(all ? 400 : 16), test::intervalCases(all ? 300 : 12),
-                 test::beneathCases(all ? 400 : 24), test::wideGrowthCases(all ? 300 : 24),
+                 test::overwrittenCases(all ? 400 : 24), test::wideGrowthCases(all ? 300 : 24),
                  test::passageCases(all ? 300 : 8), test::drillCases(all ? 400 : 20),
                  test::peelCases(all ? 640 : 20), test::scissorsCases(all ? 240 : 8),
                  test::laserCases(all ? 520 : 20), test::carveCases(all ? 240 : 8),
                  test::pickCases(all ? 150 : 8), test::eraseCases(all ? 300 : 12),
                  test::layerCases(all ? 300 : 12), test::capsuleCases(all ? 400 : 20),
                  test::layerWriteCases(all ? 400 : 20), test::relabelCases(all ? 400 : 20),
-                 test::mapCases(all ? 400 : 20), test::shutCases(all ? 400 : 20),
-                 test::sparedCases(all ? 200 : 20), test::spreadCases(all ? 400 : 20),
+                 test::mapCases(all ? 400 : 20), test::barrierCases(all ? 400 : 20),
+                 test::protectedCases(all ? 200 : 20), test::spreadCases(all ? 400 : 20),
                  test::toleranceCases(all ? 300 : 16), test::refusalCases()})
             made.insert(made.end(), more.begin(), more.end());
         return made;
@@ -105,9 +105,9 @@ void EngineConformanceGlTest::everyToolIsThere()
                 count("drill", drill->laying);
             else if (const auto* laser = std::get_if<LaserCut>(&begin->edit))
                 count("laser", laser->laying);
-            else if (const auto* peel = std::get_if<MaskPeel>(&begin->edit))
+            else if (const auto* peel = std::get_if<ShellPeel>(&begin->edit))
                 count("peel", peel->laying);
-            else if (const auto* scissors = std::get_if<MaskScissors>(&begin->edit))
+            else if (const auto* scissors = std::get_if<OutlineCut>(&begin->edit))
                 count("scissors", scissors->laying);
             else if (const auto* brush = std::get_if<CapsuleCut>(&begin->edit))
                 count("carve brush", brush->restore ? Laying::Refill : Laying::Carve);
@@ -159,7 +159,7 @@ void EngineConformanceGlTest::orderAndBatchesDoNotMatter()
         } else if (tool == "peel") {
             const PeelCut cut = test::randomPeel(document, random);
             path.push_back(peelDepth(cut));
-            edit = *maskPeel(cut, document);
+            edit = *shellPeel(cut, document);
         } else {
             const BrushStroke stroke = test::randomBrush(document, random);
             for (const Capsule& capsule : capsules(stroke.path, document.volumes.front().geometry))

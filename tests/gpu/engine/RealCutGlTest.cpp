@@ -90,13 +90,13 @@ std::optional<std::int64_t> RealCutGlTest::take(
     const test::Words& before, const core::CutGrowth& cut)
 {
     core::EditEngine& engine = m_fixture->engine();
-    engine.submit(core::ForeseeCut{cut});
+    engine.submit(core::PreviewCut{cut});
     const core::EngineResult asked = test::lastResult(engine);
     if (asked.error)
         return std::nullopt;
     const core::EngineResult done = apply(cut);
     m_broken = test::brokenPromise(before, test::seedWordsOf(engine, before.size), cut);
-    if (!asked.foreseen || asked.foreseen->voxels != done.statistics.voxelsChanged)
+    if (!asked.cutPreview || asked.cutPreview->voxels != done.statistics.voxelsChanged)
         m_broken = QStringLiteral("another number of voxels was foreseen");
     core::SwapBricks back;
     for (const core::BrickChange& change : done.changes)

@@ -95,7 +95,8 @@ private:
         take();
         const RefusingGl::Pause pause(m_refusing);
         ReadBricks read;
-        for (const Field field : {Field::Coverage, Field::Labels, Field::SeedWords, Field::Beneath})
+        for (const Field field :
+            {Field::Coverage, Field::Labels, Field::SeedWords, Field::Overwritten})
             for (std::uint8_t plane = 0; plane < 3; ++plane)
                 for (int brick = 0; brick < m_grid.brickCount(); ++brick)
                     read.keys.push_back({field, plane, std::uint32_t(brick)});
@@ -173,13 +174,13 @@ std::vector<EngineCase> cases()
     const int count = test::longRun() ? 12 : 1;
     std::vector<EngineCase> made;
     for (auto more : {test::growthCases(count), test::growLimitCases(count),
-             test::seedGroupCases(count), test::intervalCases(count), test::beneathCases(count),
+             test::seedGroupCases(count), test::intervalCases(count), test::overwrittenCases(count),
              test::wideGrowthCases(count), test::passageCases(count), test::drillCases(count),
              test::peelCases(count), test::scissorsCases(count), test::laserCases(count),
              test::carveCases(count), test::pickCases(count), test::eraseCases(count),
              test::layerCases(count), test::capsuleCases(count), test::layerWriteCases(count),
-             test::relabelCases(count), test::mapCases(count), test::shutCases(count),
-             test::sparedCases(count), test::spreadCases(count), test::toleranceCases(count)})
+             test::relabelCases(count), test::mapCases(count), test::barrierCases(count),
+             test::protectedCases(count), test::spreadCases(count), test::toleranceCases(count)})
         made.insert(made.end(), more.begin(), more.end());
     if (test::longRun())
         return made;

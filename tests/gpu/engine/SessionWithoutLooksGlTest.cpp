@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/ThreadWithoutVoxels.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/history/RevertRows.h"
@@ -108,7 +108,8 @@ private Q_SLOTS:
         step("to the beginning", [&] { return m_session->goTo(0); });
         step("to the end",
             [&] { return m_session->goTo(RowId(m_session->history().rows().size())); });
-        step("divide", [&] { return m_session->apply(Chunks{.segment = 1, .marginMm = 1.0}); });
+        step("divide",
+            [&] { return m_session->apply(DivideSegment{.segment = 1, .marginMm = 1.0}); });
         RowId touched = 0;
         step("who touched it last", [&] {
             m_session->questions().lastTouching({.segment = 1}, [&](RowId row) { touched = row; });

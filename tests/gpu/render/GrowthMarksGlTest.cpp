@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/SeedWord.h"
-#include "gpu/kernels/shrink/CutForesight.h"
+#include "gpu/kernels/shrink/CutPreviewer.h"
 #include "tests/support/fixtures/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
@@ -56,9 +56,9 @@ bool isGreen(const glm::ivec3& colour)
 }
 
 /// The voxels of the right half, one by one.
-core::ForeseeCut rightHalfGoes()
+core::PreviewCut rightHalfGoes()
 {
-    core::ForeseeCut question{.cut = {.how = core::CutGrowth::How::Here, .generation = late}};
+    core::PreviewCut question{.cut = {.how = core::CutGrowth::How::Here, .generation = late}};
     for (int z = 12; z < 36; ++z)
         for (int y = 12; y < 36; ++y)
             for (int x = 24; x < 36; ++x)
@@ -158,10 +158,10 @@ private Q_SLOTS:
         open();
         SegmentDisplay segments = greenSegment();
         const Frame plain = m_fixture->draw(axial(), {96, 96}, segments);
-        CutForesight foresight(m_fixture->volume);
-        const auto foreseen = foresight.ask(*m_fixture->edits.fields, rightHalfGoes());
-        QVERIFY(foreseen && *foreseen);
-        QCOMPARE((*foreseen)->voxels, std::int64_t(12 * 24 * 24));
+        CutPreviewer previewer(m_fixture->volume);
+        const auto cutPreview = previewer.ask(*m_fixture->edits.fields, rightHalfGoes());
+        QVERIFY(cutPreview && *cutPreview);
+        QCOMPARE((*cutPreview)->voxels, std::int64_t(12 * 24 * 24));
         const Frame frame = m_fixture->draw(axial(), {96, 96}, segments);
         int bright = 0;
         int dark = 0;
@@ -181,7 +181,7 @@ private Q_SLOTS:
         segments.visible[label] = false;
         QVERIFY(isMagenta(test::pixel(m_fixture->draw(axial(), {96, 96}, segments), 69, 48)));
         segments.visible[label] = true;
-        foresight.forget();
+        previewer.forget();
         QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *plain.rgba);
     }
 
@@ -201,8 +201,8 @@ private Q_SLOTS:
         SegmentDisplay segments = greenSegment();
         segments.showBarriers = false;
         const Frame plain = m_fixture->draw(scene, {96, 96}, segments);
-        CutForesight foresight(m_fixture->volume);
-        QVERIFY(foresight.ask(*m_fixture->edits.fields, rightHalfGoes()));
+        CutPreviewer previewer(m_fixture->volume);
+        QVERIFY(previewer.ask(*m_fixture->edits.fields, rightHalfGoes()));
         const Frame frame = m_fixture->draw(scene, {96, 96}, segments);
         for (int y = 32; y < 64; ++y) {
             for (int x = 28; x < 46; ++x)
@@ -210,7 +210,7 @@ private Q_SLOTS:
             for (int x = 51; x < 68; ++x)
                 QVERIFY(isMagenta(test::pixel(frame, x, y)));
         }
-        foresight.forget();
+        previewer.forget();
         QCOMPARE(*m_fixture->draw(scene, {96, 96}, segments).rgba, *plain.rgba);
     }
 };

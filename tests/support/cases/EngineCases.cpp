@@ -2,14 +2,14 @@
 #include "tests/support/cases/EngineCases.h"
 
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
-#include "core/edits/kinds/sculpt/MaskShape.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,11 +33,11 @@ glm::dvec3 randomDirection(Random& random)
     return glm::normalize(v);
 }
 
-core::MaskShape randomMask(double radiusMm, Random& random)
+core::ToolMask randomMask(double radiusMm, Random& random)
 {
-    core::MaskShape mask;
+    core::ToolMask mask;
     mask.radiusMm = radiusMm;
-    mask.kind = core::MaskShape::Kind(randomInt(random, 0, 4));
+    mask.kind = core::ToolMask::Kind(randomInt(random, 0, 4));
     mask.widthMm = 0.5 + 2.0 * radiusMm * randomUnit(random);
     mask.heightMm = 0.5 + 2.0 * radiusMm * randomUnit(random);
     mask.cornerMm = std::max(radiusMm * randomUnit(random), 0.02);
@@ -128,7 +128,7 @@ core::PeelCut randomPeel(const core::Document& document, Random& random)
     peel.jumpMm = random() % 3 ? 0.5 + 4.0 * randomUnit(random) : 0.0;
     peel.restore = random() % 3 == 0;
     peel.hidden = from.hidden;
-    if (!core::maskPeel(peel, document))
+    if (!core::shellPeel(peel, document))
         peel.polygonMm = largeOutline;
     return peel;
 }
@@ -146,23 +146,23 @@ core::ScissorsCut randomScissors(const core::Document& document, Random& random)
     cut.restore = random() % 3 == 0;
     cut.firstLayerOnly = !cut.restore && random() % 2;
     cut.hidden = from.hidden;
-    if (!core::maskScissors(cut, document))
+    if (!core::outlineCut(cut, document))
         cut.polygonMm = largeOutline;
     return cut;
 }
 
-core::HiddenSide beyond(const glm::dvec3& placeLps, const glm::dvec3& normalLps)
+core::ClipHalfSpace beyond(const glm::dvec3& placeLps, const glm::dvec3& normalLps)
 {
     const glm::dvec3 normal = glm::normalize(normalLps);
     return {normal, glm::dot(normal, placeLps)};
 }
 
-core::HiddenSides randomHidden(const core::Document& document, Random& random)
+core::ClipHalfSpaces randomHidden(const core::Document& document, Random& random)
 {
     if (random() % 4 != 0)
         return std::nullopt;
     const core::VolumeGeometry& geometry = document.volumes.front().geometry;
-    std::vector<core::HiddenSide> sides;
+    std::vector<core::ClipHalfSpace> sides;
     for (int i = randomInt(random, 1, 3); i > 0; --i) {
         const glm::dvec3 normal =
             random() % 2 ? randomDirection(random) : geometry.direction()[randomInt(random, 0, 2)];

@@ -4,7 +4,7 @@
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/parts/BrushPath.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "tests/support/cases/EngineConformance.h"
 
 #include <vector>
@@ -26,9 +26,9 @@ namespace test {
 [[nodiscard]] core::LaserStroke randomLaser(const core::Document& document, Random& random);
 
 /// The half space beyond a plane through a point, in the direction of its normal.
-[[nodiscard]] core::HiddenSide beyond(const glm::dvec3& placeLps, const glm::dvec3& normalLps);
+[[nodiscard]] core::ClipHalfSpace beyond(const glm::dvec3& placeLps, const glm::dvec3& normalLps);
 /// Half spaces of random planes through a document's volume, or, in most cases, none.
-[[nodiscard]] core::HiddenSides randomHidden(const core::Document& document, Random& random);
+[[nodiscard]] core::ClipHalfSpaces randomHidden(const core::Document& document, Random& random);
 
 /// Brush paths, on and off a document's volume; some rest, some go far beyond it.
 [[nodiscard]] core::BrushPath randomPath(const core::Document& document, Random& random);
@@ -61,7 +61,7 @@ void appendSeeds(std::vector<EngineStep>& steps, core::SeedPlacement seeds, int 
 [[nodiscard]] std::vector<EngineCase> wideGrowthCases(int randomCount); ///< of a single label
 [[nodiscard]] std::vector<EngineCase> intervalCases(int randomCount); ///< with barriers in between
 /// Voxels taken from other labels and given back.
-[[nodiscard]] std::vector<EngineCase> beneathCases(int randomCount);
+[[nodiscard]] std::vector<EngineCase> overwrittenCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> passageCases(int randomCount); ///< passage widths
 [[nodiscard]] std::vector<EngineCase> drillCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> laserCases(int randomCount);
@@ -78,9 +78,9 @@ void appendSeeds(std::vector<EngineStep>& steps, core::SeedPlacement seeds, int 
 /// Labels given and taken by voxel.
 [[nodiscard]] std::vector<EngineCase> relabelCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> mapCases(int randomCount); ///< whole labels for others
-[[nodiscard]] std::vector<EngineCase> shutCases(int randomCount); ///< voxels closed to growth
+[[nodiscard]] std::vector<EngineCase> barrierCases(int randomCount); ///< voxels closed to growth
 /// Protected labels, for every tool that carves.
-[[nodiscard]] std::vector<EngineCase> sparedCases(int randomCount);
+[[nodiscard]] std::vector<EngineCase> protectedCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> spreadCases(int randomCount); ///< growing from seeds
 [[nodiscard]] std::vector<EngineCase> toleranceCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> refusalCases();

@@ -31,9 +31,8 @@ QString differenceOfBricks(
         const core::BrickChange& b = actual[i];
         if (a.key != b.key)
             return QStringLiteral("expected %1, found %2").arg(describe(a.key), describe(b.key));
-        for (const auto& [which, x, y] :
-            {std::tuple{"before", &a.before.read(), &b.before.read()},
-                std::tuple{"after", &a.after.read(), &b.after.read()}}) {
+        for (const auto& [which, x, y] : {std::tuple{"before", &a.before.read(), &b.before.read()},
+                 std::tuple{"after", &a.after.read(), &b.after.read()}}) {
             if (x->size() != y->size())
                 return QStringLiteral("%1, %2: %3 bytes expected, %4 found")
                     .arg(describe(a.key), QLatin1String(which))
@@ -62,8 +61,7 @@ core::BrickImage differenceOf(const core::BrickChange& change)
     const std::size_t size =
         std::size_t(core::BrickGrid::voxelsPerBrick * core::bytesPerVoxel(field));
     const std::vector<std::uint8_t> empty(size, core::emptyByte(field));
-    const std::vector<std::uint8_t>& before =
-        change.before.empty() ? empty : change.before.read();
+    const std::vector<std::uint8_t>& before = change.before.empty() ? empty : change.before.read();
     const std::vector<std::uint8_t>& after = change.after.empty() ? empty : change.after.read();
     std::vector<std::uint8_t> difference(size);
     for (std::size_t i = 0; i < size; ++i)
@@ -223,7 +221,7 @@ private:
                 core::ExtendEdit{core::ShrinkTo{keep % (shrink.generation + 1)}}));
             submit(core::ReadBricks{
                 {{core::Field::Labels, shrink.plane, 0}, {core::Field::SeedWords, shrink.plane, 0},
-                    {core::Field::Beneath, shrink.plane, 0}}});
+                    {core::Field::Overwritten, shrink.plane, 0}}});
             submit(core::CountGenerations{shrink.plane});
         }
         carryOut(core::EngineCommand(core::EndEdit{step.ending}));
@@ -236,7 +234,7 @@ private:
         cut.generation = m_generations[cut.plane];
         const std::vector<core::BrickChange> before = bricksOfGrowth(cut.plane);
         const bool wasOpen = m_isOpen;
-        const std::size_t question = submit(core::ForeseeCut{cut});
+        const std::size_t question = submit(core::PreviewCut{cut});
         settle();
         // A look ahead changes nothing, and takes what the cut then takes.
         if (!differenceOfBricks(before, bricksOfGrowth(cut.plane)).isEmpty())
@@ -245,35 +243,35 @@ private:
         const std::size_t end = m_commands;
         carryOut(core::EngineCommand(core::EndEdit{step.ending}));
         settle();
-        const core::EngineResult foreseen = resultOf(question);
+        const core::EngineResult cutPreview = resultOf(question);
         const core::EngineResult done = resultOf(end);
-        if (foreseen.error.has_value() != (done.error.has_value() || wasOpen))
+        if (cutPreview.error.has_value() != (done.error.has_value() || wasOpen))
             complain(QStringLiteral("what is foreseen and what is done are not refused alike"));
-        else if (!foreseen.error && step.ending == core::Ending::Commit)
-            compareWithForeseen(foreseen, done);
+        else if (!cutPreview.error && step.ending == core::Ending::Commit)
+            compareWithForeseen(cutPreview, done);
     }
 
-    void compareWithForeseen(const core::EngineResult& foreseen, const core::EngineResult& done)
+    void compareWithForeseen(const core::EngineResult& cutPreview, const core::EngineResult& done)
     {
-        if (!foreseen.foreseen)
+        if (!cutPreview.cutPreview)
             return complain(QStringLiteral("a cut was not foreseen"));
-        std::vector<core::ForeseenCut::Brick> taken;
+        std::vector<core::CutPreview::Brick> taken;
         for (const core::BrickChange& change : done.changes) {
             if (change.key.field != core::Field::Labels)
                 continue;
-            core::ForeseenCut::Brick& brick = taken.emplace_back();
+            core::CutPreview::Brick& brick = taken.emplace_back();
             brick.brick = change.key.brick;
             for (std::size_t voxel = 0; voxel < change.before.size(); ++voxel) {
                 const int now = change.after.empty() ? 0 : change.after.read()[voxel];
                 brick.taken[voxel] = change.before.read()[voxel] != now;
             }
         }
-        if (taken != foreseen.foreseen->bricks
-            || done.statistics.voxelsChanged != foreseen.foreseen->voxels)
+        if (taken != cutPreview.cutPreview->bricks
+            || done.statistics.voxelsChanged != cutPreview.cutPreview->voxels)
             complain(QStringLiteral("a cut took %1 voxels where %2 were foreseen")
                          .arg(done.statistics.voxelsChanged)
-                         .arg(foreseen.foreseen->voxels));
-        if ((foreseen.foreseen->members == 0) != done.changes.empty())
+                         .arg(cutPreview.cutPreview->voxels));
+        if ((cutPreview.cutPreview->members == 0) != done.changes.empty())
             complain(QStringLiteral("whether a cut does anything was foreseen wrongly"));
     }
 
@@ -283,7 +281,7 @@ private:
         core::ReadBricks read;
         const core::BrickGrid grid{m_size};
         for (const auto field :
-            {core::Field::Labels, core::Field::SeedWords, core::Field::Beneath}) {
+            {core::Field::Labels, core::Field::SeedWords, core::Field::Overwritten}) {
             for (int brick = 0; brick < grid.brickCount(); ++brick)
                 read.keys.push_back({field, plane, std::uint32_t(brick)});
         }
@@ -348,7 +346,7 @@ private:
         core::ReadBricks read;
         const core::BrickGrid grid{m_size};
         for (const auto field : {core::Field::Coverage, core::Field::Labels, core::Field::SeedWords,
-                 core::Field::Beneath}) {
+                 core::Field::Overwritten}) {
             for (int plane = 0; plane <= highestPlane; ++plane) {
                 for (int brick = 0; brick < grid.brickCount(); ++brick)
                     read.keys.push_back({field, std::uint8_t(plane), std::uint32_t(brick)});
@@ -425,7 +423,7 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
         return QStringLiteral("members of generations differ");
     if (a.tolerance != b.tolerance)
         return QStringLiteral("another curve of tolerances");
-    if (a.foreseen != b.foreseen)
+    if (a.cutPreview != b.cutPreview)
         return QStringLiteral("another cut is foreseen");
     for (std::size_t i = 0; i < a.probes.size(); ++i) {
         if (a.probes[i].code != b.probes[i].code || a.probes[i].label != b.probes[i].label)

@@ -40,7 +40,7 @@
 #include "core/edits/sculpt/SculptVisit.h"
 #include "core/growth/SeedWord.h"
 #include "core/sessionfile/records/StateHash.h"
-#include "tests/reference/MaskPlane.h"
+#include "tests/reference/ElementPlane.h"
 #include "tests/reference/ReferenceEngine.h"
 
 #include <QJsonDocument>
@@ -69,7 +69,7 @@ std::map<BrickKey, std::vector<std::uint8_t>> everything(EditEngine& engine, con
         ask(Field::Coverage, layer);
     ask(Field::Labels, 0);
     ask(Field::SeedWords, 0);
-    ask(Field::Beneath, 0);
+    ask(Field::Overwritten, 0);
     const Ticket ticket = engine.submit(std::move(read));
     engine.finish();
     std::map<BrickKey, std::vector<std::uint8_t>> found;
@@ -87,7 +87,7 @@ std::map<BrickKey, std::vector<std::uint8_t>> withoutLabel(
     std::map<BrickKey, std::vector<std::uint8_t>> bricks, int label)
 {
     for (auto& [key, bytes] : bricks) {
-        if (key.field == Field::Labels || key.field == Field::Beneath)
+        if (key.field == Field::Labels || key.field == Field::Overwritten)
             std::replace(bytes.begin(), bytes.end(), std::uint8_t(label), std::uint8_t(0));
         for (std::size_t i = 0; key.field == Field::SeedWords && i < bytes.size(); i += 4) {
             // Bits 12 … 5 of a word; all ones is an empty voxel.
@@ -463,13 +463,13 @@ HistoryTruth::Cut HistoryTruth::cutOf(const Stroke& stroke)
         paths.push_back(DrillPath{laserPath(*laser, alone)});
         edit = alone;
     } else if (const auto* peel = stroke.form.as<PeelCut>()) {
-        MaskPeel alone = *maskPeel(*peel, before.document);
+        ShellPeel alone = *shellPeel(*peel, before.document);
         alone.layer = truthLayer;
         alone.laying = Laying::Carve;
         paths.push_back(peelDepth(*peel));
         edit = alone;
     } else {
-        MaskScissors alone = *maskScissors(stroke.form.get<ScissorsCut>(), before.document);
+        OutlineCut alone = *outlineCut(stroke.form.get<ScissorsCut>(), before.document);
         alone.layer = truthLayer;
         alone.laying = Laying::Carve;
         edit = alone;

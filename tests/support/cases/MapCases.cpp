@@ -65,7 +65,7 @@ void appendGrown(std::vector<EngineStep>& steps, const glm::ivec3& size)
     appendWhole(steps, core::SeedPlacement{.label = 3, .voxels = {size / 2 + 1}});
     whole.overwritable.set(1);
     appendGrowth(steps, whole, 2);
-    core::ShutListed shut;
+    core::BarrierListed shut;
     shut.bricks.push_back({.brick = 0});
     for (std::size_t place = 0; place < shut.bricks.back().places.size(); place += 7)
         shut.bricks.back().places.set(place);

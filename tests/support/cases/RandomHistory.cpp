@@ -21,7 +21,7 @@
 #include "core/edits/kinds/layers/RemoveLayer.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/parts/BrushPath.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
@@ -365,7 +365,7 @@ private:
         if (chance(30))
             seen.upper = between(0, 1200);
         seen.overwriteUnlocked = chance(40);
-        std::vector<HiddenSide> sides;
+        std::vector<ClipHalfSpace> sides;
         for (int i = between(0, 2); i > 0; --i)
             sides.push_back(beyond(randomDrill().view.targetLps,
                 glm::dvec3{between(-10, 10), between(1, 10), between(-10, 10)}));
@@ -529,7 +529,7 @@ private:
         stroke.throughGaps = chance(30);
         stroke.restore = chance(30);
         if (chance(40)) {
-            stroke.mask.kind = MaskShape::Kind(between(0, 4));
+            stroke.mask.kind = ToolMask::Kind(between(0, 4));
             stroke.mask.widthMm = between(10, 140) / 10.0;
             stroke.mask.heightMm = between(10, 140) / 10.0;
             stroke.mask.rotationDegrees = between(0, 90);

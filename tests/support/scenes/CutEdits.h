@@ -3,10 +3,10 @@
 
 #include "core/document/OrthographicView.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
-#include "core/edits/kinds/parts/SparedSegments.h"
-#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/ProtectedSegments.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/sculpt/DrillCut.h"
 
 #include <optional>
@@ -22,7 +22,7 @@ namespace test {
 struct CutWords {
     std::optional<int> layer{};
     std::optional<core::OrthographicView> view{};
-    std::optional<core::MaskShape> mask{};
+    std::optional<core::ToolMask> mask{};
     std::optional<double> radiusMm{}; ///< of that mask
     std::optional<core::DrillMode> mode{};
     std::optional<double> depthMm{};
@@ -30,8 +30,8 @@ struct CutWords {
     std::optional<bool> throughGaps{};
     std::optional<bool> restore{};
     std::optional<std::vector<core::PenSample>> samples{};
-    std::optional<core::HiddenSides> hidden{};
-    std::optional<core::SparedSegments> spared{};
+    std::optional<core::ClipHalfSpaces> hidden{};
+    std::optional<core::ProtectedSegments> spared{};
 };
 
 /// A new stroke of the drill.
@@ -48,14 +48,14 @@ struct CutWords {
 /// What a stroke of drill or laser says.
 struct StrokeFacts {
     core::OrthographicView view;
-    core::MaskShape mask;
+    core::ToolMask mask;
     double depthMm = 0.0;
     double surfaceThreshold = 0.0;
     bool restore = false;
     bool byTime = true;
     std::vector<core::PenSample> samples;
-    core::HiddenSides hidden;
-    core::SparedSegments spared;
+    core::ClipHalfSpaces hidden;
+    core::ProtectedSegments spared;
 };
 /// Throws std::bad_variant_access where it is another edit.
 [[nodiscard]] StrokeFacts factsOfStroke(const core::Edit& stroke);

@@ -199,7 +199,7 @@ private Q_SLOTS:
         QVERIFY(!said.join(u' ').contains(QStringLiteral("SECRET")));
         QCOMPARE(fingerprints(), before);
 
-        QSignalSpy asked(&offers, &ui::SessionOffers::openAsked);
+        QSignalSpy asked(&offers, &ui::SessionOffers::openRequested);
         buttons(offers, "Open").at(1)->click();
         QCOMPARE(asked.value(0).value(0).toString(), path(QStringLiteral("1.burin")));
     }

@@ -270,7 +270,7 @@ void PacsBrowserUiTest::wholeStudy()
     ui::setPacsSources({web()});
     ui::PacsBrowserDialog dialog;
     dialog.show();
-    QSignalSpy asked(&dialog, &ui::PacsBrowserDialog::openAsked);
+    QSignalSpy asked(&dialog, &ui::PacsBrowserDialog::openRequested);
     search(dialog);
     QTreeWidgetItem* study = jane(dialog);
     QVERIFY(study);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -8,8 +8,8 @@
 #include "tests/support/scenes/CutEdits.h"
 #include "ui/tools/sculpt/DrillOptions.h"
 #include "ui/tools/sculpt/LaserTool.h"
-#include "ui/tools/sculpt/MaskPresetMenu.h"
-#include "ui/tools/sculpt/MaskPresets.h"
+#include "ui/tools/sculpt/ToolMaskPresetMenu.h"
+#include "ui/tools/sculpt/ToolMaskPresets.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QComboBox>
@@ -25,7 +25,7 @@
 namespace {
 
 using Curve = std::vector<glm::dvec2>; ///< millimetres right of and above the view's middle
-using Kind = core::MaskShape::Kind;
+using Kind = core::ToolMask::Kind;
 
 /// An L: neither its middle nor its area is that of anything round or square around it.
 const Curve corner{{-8.0, 6.0}, {-8.0, -6.0}, {4.0, -6.0}, {4.0, -2.0}, {-4.0, -2.0}, {-4.0, 6.0}};
@@ -110,7 +110,7 @@ public:
         draw(curve, pen);
     }
     /// @return the mask that the press was recorded with
-    core::MaskShape press(test::Pen& pen)
+    core::ToolMask press(test::Pen& pen)
     {
         pen.press(at({0.0, 0.0}), 1.0, m_milliseconds += 8);
         pen.release(at({0.0, 0.0}), m_milliseconds += 8);
@@ -118,7 +118,7 @@ public:
             return {};
         return test::factsOfStroke(session().history().rows().back().edit).mask;
     }
-    core::MaskShape press()
+    core::ToolMask press()
     {
         test::Pen pen(view);
         return press(pen);
@@ -135,7 +135,7 @@ private:
 };
 
 /// Whether a mask is the corner, so many times as large.
-void compareWithCorner(const core::MaskShape& mask, double factor, double toleranceMm)
+void compareWithCorner(const core::ToolMask& mask, double factor, double toleranceMm)
 {
     QVERIFY(mask.polygonMm);
     Curve expected;
@@ -195,9 +195,9 @@ private Q_SLOTS:
         FreehandFixture fixture;
         fixture.choose(QStringLiteral("Freehand"));
         fixture.draw(corner);
-        const core::MaskShape before = fixture.press();
+        const core::ToolMask before = fixture.press();
         fixture.drill.turn(18); // by 5° each
-        const core::MaskShape after = fixture.press();
+        const core::ToolMask after = fixture.press();
         QVERIFY(before.polygonMm && after.polygonMm);
         QCOMPARE(after.polygonMm->size(), before.polygonMm->size());
         for (std::size_t i = 0; i < after.polygonMm->size(); ++i) {
@@ -222,7 +222,7 @@ private Q_SLOTS:
         test::Pen pen(fixture.view);
         pen.hold({25.0, 35.0});
         fixture.draw(corner, pen);
-        core::MaskShape mask = fixture.press(pen);
+        core::ToolMask mask = fixture.press(pen);
         QVERIFY(mask.polygonMm);
         // Its middle is that of the outline as a pen held upright would press it.
         glm::dvec2 low(1e9);
@@ -285,7 +285,7 @@ private Q_SLOTS:
         // There is one already: it stays.
         fixture.choose(QStringLiteral("Freehand"));
         fixture.draw(corner);
-        const ui::MaskOutline drawn = fixture.settings().outline;
+        const ui::ToolMaskOutline drawn = fixture.settings().outline;
         QTest::mouseClick(&fixture.button(), Qt::LeftButton);
         QVERIFY(fixture.drill.drawing().isWanted());
         QTest::keyClick(&fixture.view, Qt::Key_Escape);
@@ -303,21 +303,21 @@ private Q_SLOTS:
     void presetsKeepIt()
     {
         FreehandFixture fixture;
-        auto* masks = fixture.window.findChild<ui::MaskPresetMenu*>();
+        auto* masks = fixture.window.findChild<ui::ToolMaskPresetMenu*>();
         fixture.choose(QStringLiteral("Ellipse"));
         masks->save(QStringLiteral("Oval"));
         fixture.choose(QStringLiteral("Freehand"));
         fixture.draw(corner);
         masks->save(QStringLiteral("Corner"));
         const ui::Workspace::DrillSettings kept = fixture.settings();
-        QCOMPARE(ui::maskPresets().size(), std::size_t(2));
-        fixture.workspace.setDrillSettings(ui::withPreset(kept, ui::maskPresets()[1]));
+        QCOMPARE(ui::toolMaskPresets().size(), std::size_t(2));
+        fixture.workspace.setDrillSettings(ui::withPreset(kept, ui::toolMaskPresets()[1]));
         QVERIFY(!fixture.settings().freehand && fixture.settings().shape == Kind::Ellipse);
         QCOMPARE(fixture.shape().currentText(), QStringLiteral("Ellipse"));
         ui::Workspace::DrillSettings none = fixture.settings();
         none.outline.clear();
         fixture.workspace.setDrillSettings(none);
-        fixture.workspace.setDrillSettings(ui::withPreset(none, ui::maskPresets()[0]));
+        fixture.workspace.setDrillSettings(ui::withPreset(none, ui::toolMaskPresets()[0]));
         QVERIFY(fixture.settings().freehand && fixture.settings().outline == kept.outline);
         QCOMPARE(fixture.settings().radiusMm, kept.radiusMm);
         QVERIFY(!fixture.drill.drawing().isWanted());
@@ -325,7 +325,7 @@ private Q_SLOTS:
         QSettings().setValue(QStringLiteral("drill/masks"),
             QByteArray("[{\"name\":\"a\",\"shape\":0,\"radiusMm\":3,\"heightRatio\":1,"
                        "\"rotationDegrees\":0,\"outline\":[[0,0],[7,0],[0,7]]}]"));
-        QVERIFY(ui::maskPresets().empty());
+        QVERIFY(ui::toolMaskPresets().empty());
         fixture.workspace.setActiveTool(nullptr);
     }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export/DeidentifySessionDialog.h"
 
-#include "core/base/ToldHere.h"
+#include "core/base/OnMainThread.h"
 #include "core/export/common/MaskSelection.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"
@@ -124,15 +124,16 @@ void DeidentifySessionDialog::start()
     // The session's own file is open, and stays so.
     const auto folder = std::make_shared<QTemporaryDir>();
     session->storage().copyTo(copyIn(*folder),
-        core::toldHere(this, [this, target, replaces, folder](const core::Result<void>& copied) {
-            if (!m_waits)
-                return;
-            m_waits = false;
-            if (copied)
-                write(target, replaces, folder);
-            else
-                showFailure(copied.error());
-        }));
+        core::onMainThread(
+            this, [this, target, replaces, folder](const core::Result<void>& copied) {
+                if (!m_waits)
+                    return;
+                m_waits = false;
+                if (copied)
+                    write(target, replaces, folder);
+                else
+                    showFailure(copied.error());
+            }));
 }
 
 void DeidentifySessionDialog::write(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/session/SessionSaver.h"
 
-#include "core/base/ToldHere.h"
+#include "core/base/OnMainThread.h"
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionStudy.h"
 #include "core/sessionfile/records/SessionImages.h"
@@ -174,10 +174,10 @@ void SessionSaver::goOnIn(const Choice& choice, const std::shared_ptr<core::Stag
     const QString before = leavesFile ? session->file() : QString();
     m_workspace.say(tr("Saving the session …"));
     // It may outlive whoever asked.
-    const auto tell = [workspace = &m_workspace, before, target, done = std::move(done)](
-                          const core::Result<void>& saved) {
+    const auto finished = [workspace = &m_workspace, before, target, done = std::move(done)](
+                              const core::Result<void>& saved) {
         if (saved) {
-            workspace->tellSaved(before, target);
+            workspace->noteSaved(before, target);
             workspace->say(tr("The session is saved and goes on in %1").arg(target));
         } else {
             workspace->fail(saved.error());
@@ -186,7 +186,7 @@ void SessionSaver::goOnIn(const Choice& choice, const std::shared_ptr<core::Stag
         if (done)
             done(saved.has_value());
     };
-    session->storage().saveAs(target, true, core::toldHere(&m_workspace, tell),
+    session->storage().saveAs(target, true, core::onMainThread(&m_workspace, finished),
         {.kept = choice.images, .staged = staged});
 }
 

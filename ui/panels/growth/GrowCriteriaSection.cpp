@@ -6,7 +6,7 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/overlays/SeedBand.h"
-#include "ui/settings/SeedStatistics.h"
+#include "ui/settings/SeedValues.h"
 #include "ui/widgets/FoldButton.h"
 #include "ui/widgets/RangeSlider.h"
 #include "ui/workspace/Workspace.h"

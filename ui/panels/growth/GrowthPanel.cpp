@@ -17,7 +17,7 @@
 #include "ui/panels/growth/SeedInterval.h"
 #include "ui/panels/growth/SpreadBar.h"
 #include "ui/panels/growth/ToleranceSection.h"
-#include "ui/settings/SeedStatistics.h"
+#include "ui/settings/SeedValues.h"
 #include "ui/tasks/LiveInterval.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/widgets/HistogramRange.h"
@@ -179,7 +179,7 @@ void GrowthPanel::build()
     m_advice->setFont(theme::smallFont());
     m_advice->setWordWrap(true);
     m_leak = new LeakSection(m_workspace, this);
-    connect(m_leak, &LeakSection::goOnAsked, this, &GrowthPanel::playOrPause);
+    connect(m_leak, &LeakSection::goOnRequested, this, &GrowthPanel::playOrPause);
     m_progress = new FittingLabel(Qt::AlignLeft, this);
     m_progress->setObjectName(QStringLiteral("growProgress"));
     m_progress->setFont(theme::smallFont());

@@ -128,7 +128,7 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     connect(&workspace, &Workspace::viewOptionsChanged, this, &LeakSection::showBarriers);
     connect(&workspace, &Workspace::growSettingsChanged, this, &LeakSection::showSettings);
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
-        m_told = 0;
+        m_shownGrowth = 0;
         showAlarm({});
     });
     connect(&workspace, &Workspace::documentChanged, this, &LeakSection::follow);
@@ -190,7 +190,7 @@ void LeakSection::follow()
         return;
     const core::RowId row = session->history().position();
     const std::optional<core::LeakAlarm> alarm = session->findings().leakAlarm();
-    if (alarm && row != std::exchange(m_told, row) && alarm != m_alarm)
+    if (alarm && row != std::exchange(m_shownGrowth, row) && alarm != m_alarm)
         showAlarm(alarm);
     if (!m_alarm)
         return;
@@ -218,7 +218,7 @@ void LeakSection::showPlace()
 void LeakSection::accept()
 {
     showAlarm({});
-    Q_EMIT goOnAsked();
+    Q_EMIT goOnRequested();
 }
 
 void LeakSection::reject()
@@ -234,7 +234,7 @@ void LeakSection::plug()
     showAlarm({});
     apply(core::PlugLeak{
         .pointLps = m_workspace.volume()->geometry.toWorld(glm::dvec3(alarm.voxel))});
-    Q_EMIT goOnAsked();
+    Q_EMIT goOnRequested();
 }
 
 } // namespace ui

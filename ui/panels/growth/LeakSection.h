@@ -29,7 +29,7 @@ public:
     void showAlarm(const std::optional<core::LeakAlarm>& alarm);
 
 Q_SIGNALS:
-    void goOnAsked();
+    void goOnRequested();
     /// The alarm about which the user is to decide; none: no alarm any more.
     void alarmChanged(const std::optional<core::LeakAlarm>& alarm);
 
@@ -53,7 +53,7 @@ private:
     QLabel* m_text = nullptr;
     std::optional<core::LeakAlarm> m_alarm;
     bool m_stands = false; ///< the growth has reached the alarm's generation
-    core::RowId m_told = 0; ///< the last growth whose alarm was shown
+    core::RowId m_shownGrowth = 0; ///< the last growth whose alarm was shown
 };
 
 } // namespace ui

@@ -4,7 +4,7 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
-#include "ui/settings/SeedStatistics.h"
+#include "ui/settings/SeedValues.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QLocale>

@@ -167,7 +167,7 @@ void LayersPanel::add()
     if (const auto added = addLayer(m_workspace); !added)
         m_workspace.fail(added.error());
     else
-        Q_EMIT unfoldAsked();
+        Q_EMIT unfoldRequested();
 }
 
 void LayersPanel::move(const QModelIndex& index, int by)

@@ -177,7 +177,7 @@ void PiecesPanel::connectParts()
     connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
         refresh();
         if (m_model->rowCount() == 1) // the first one is to be seen
-            Q_EMIT unfoldAsked();
+            Q_EMIT unfoldRequested();
     });
     connect(&m_workspace, &Workspace::sessionChanged, this, &PiecesPanel::showMaps);
     for (int axis = 0; axis < 3; ++axis) {

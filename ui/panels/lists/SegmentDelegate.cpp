@@ -136,9 +136,9 @@ bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
                 model->setData(index, !index.data(SegmentListModel::ProtectedRole).toBool(),
                     SegmentListModel::ProtectedRole);
             } else if (release && colour) {
-                Q_EMIT colourAsked(index);
+                Q_EMIT colourRequested(index);
             } else if (release && code) {
-                Q_EMIT codeAsked(index);
+                Q_EMIT codeRequested(index);
             }
             return eye || colour || lock || shield || twice;
         }

@@ -33,8 +33,8 @@ public:
     [[nodiscard]] static QRect codeRect(const QRect& row);
 
 Q_SIGNALS:
-    void colourAsked(const QPersistentModelIndex& index);
-    void codeAsked(const QPersistentModelIndex& index);
+    void colourRequested(const QPersistentModelIndex& index);
+    void codeRequested(const QPersistentModelIndex& index);
 };
 
 } // namespace ui

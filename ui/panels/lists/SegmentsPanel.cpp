@@ -76,8 +76,8 @@ SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent)
                 m_workspace.setActiveSegment(current.data(SegmentListModel::LabelRole).toInt());
         });
     connect(m_view, &QListView::customContextMenuRequested, this, &SegmentsPanel::showMenu);
-    connect(delegate, &SegmentDelegate::colourAsked, this, &SegmentsPanel::chooseColour);
-    connect(delegate, &SegmentDelegate::codeAsked, this, &SegmentsPanel::chooseCode);
+    connect(delegate, &SegmentDelegate::colourRequested, this, &SegmentsPanel::chooseColour);
+    connect(delegate, &SegmentDelegate::codeRequested, this, &SegmentsPanel::chooseCode);
     connect(m_model, &QAbstractItemModel::dataChanged, this, &SegmentsPanel::refresh);
     connect(m_model, &QAbstractItemModel::rowsRemoved, this, &SegmentsPanel::refresh);
     connect(m_model, &QAbstractItemModel::modelReset, this, &SegmentsPanel::refresh);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/ChunksPanel.h"
 
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Chunks.h"
@@ -81,7 +81,7 @@ void ChunksPanel::buildDividing()
     m_margin->setSingleStep(5.0);
     m_margin->setPrefix(tr("and "));
     m_margin->setSuffix(tr(" mm around"));
-    m_margin->setValue(core::Chunks().marginMm);
+    m_margin->setValue(core::DivideSegment().marginMm);
     m_margin->setToolTip(tr("How far beyond the segment chunks are looked for, on all sides"));
     m_divide = new QPushButton(tr("Divide"), this);
     m_divide->setObjectName(QStringLiteral("divide"));

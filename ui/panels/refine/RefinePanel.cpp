@@ -119,14 +119,14 @@ QWidget* RefinePanel::buildRefining()
     m_follow = button(tr("Follow mask"), "followMask",
         tr("What is yellow goes to the boundary of what the segment holds now"));
     m_drop = button(tr("Remove"), "dropSurface", tr("Do without the surface; undo brings it back"));
-    auto* shut = button(tr("Make barrier"), "surfaceBarrier",
+    auto* barrierButton = button(tr("Make barrier"), "surfaceBarrier",
         tr("No growth passes through the surface: the voxels just outside of it are shut"));
     auto* open = button(tr("Open barrier"), "openSurfaceBarrier",
         tr("Growth passes again: barriers just outside of the surface are taken away"));
     buttons->addWidget(m_write, 0, 0, 1, 2);
     buttons->addWidget(m_follow, 1, 0);
     buttons->addWidget(m_drop, 1, 1);
-    buttons->addWidget(shut, 2, 0);
+    buttons->addWidget(barrierButton, 2, 0);
     buttons->addWidget(open, 2, 1);
     layout->addLayout(buttons);
 
@@ -185,8 +185,8 @@ QWidget* RefinePanel::buildRefining()
         m_doubts->doubts().look();
     });
     connect(m_drop, &QPushButton::clicked, &refinement, &Refinement::drop);
-    connect(
-        shut, &QPushButton::clicked, &refinement, [&refinement] { refinement.makeBarrier(false); });
+    connect(barrierButton, &QPushButton::clicked, &refinement,
+        [&refinement] { refinement.makeBarrier(false); });
     connect(
         open, &QPushButton::clicked, &refinement, [&refinement] { refinement.makeBarrier(true); });
     connect(m_style, &QComboBox::activated, this, &RefinePanel::takeLook);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/aim/DrillMask.h"
 
-#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "ui/tools/aim/CursorLabel.h"
 
@@ -67,13 +67,13 @@ void turn(std::vector<glm::dvec2>& points, double degrees)
         point = {cosine * point.x - sine * point.y, sine * point.x + cosine * point.y};
 }
 
-void foreshorten(core::MaskShape& mask, const glm::dvec2& lean)
+void foreshorten(core::ToolMask& mask, const glm::dvec2& lean)
 {
     const double share = shareOf(lean);
     if (share > wholeShare)
         return;
     if (core::isRound(mask)) {
-        mask.kind = core::MaskShape::Kind::Ellipse;
+        mask.kind = core::ToolMask::Kind::Ellipse;
         mask.widthMm = 2.0 * mask.radiusMm * share;
         mask.heightMm = 2.0 * mask.radiusMm;
         mask.rotationDegrees = azimuth(lean);
@@ -93,9 +93,9 @@ double turnOf(const Workspace::DrillSettings& settings, const PointerSample& pen
 
 } // namespace
 
-core::MaskShape drillMask(const Workspace::DrillSettings& settings, const PointerSample& pen)
+core::ToolMask drillMask(const Workspace::DrillSettings& settings, const PointerSample& pen)
 {
-    core::MaskShape mask;
+    core::ToolMask mask;
     mask.kind = settings.shape;
     mask.radiusMm = settings.radiusMm;
     mask.widthMm = 2.0 * settings.radiusMm;
@@ -148,7 +148,7 @@ void paintPatch(QPainter& painter, const SurfacePatch& surface, const ViewContex
         painter.drawPolygon(square);
 }
 
-QPolygonF maskOutline(const core::MaskShape& mask, const QPointF& centre, double mmPerPixel)
+QPolygonF maskOutline(const core::ToolMask& mask, const QPointF& centre, double mmPerPixel)
 {
     QPolygonF outline;
     for (const glm::dvec2& point : core::outlineMm(mask, mmPerPixel))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "ui/input/Tool.h"
 #include "ui/tools/aim/SurfacePatch.h"
 #include "ui/workspace/Workspace.h"
@@ -16,7 +16,7 @@ namespace ui {
 /// the pen (by the direction of its tilt if it does not report its rotation) and, if the settings
 /// say so, foreshortened like a disc perpendicular to the tilted pen. The result contains
 /// everything that an edit needs to know.
-[[nodiscard]] core::MaskShape drillMask(
+[[nodiscard]] core::ToolMask drillMask(
     const Workspace::DrillSettings& settings, const PointerSample& pen = {});
 
 /// The inverse of drillMask() for an outline: what must be stored of a curve that was drawn with a
@@ -33,6 +33,6 @@ void paintPatch(QPainter& painter, const SurfacePatch& surface, const ViewContex
 
 /// The outline of a mask around a point of the picture, in pixels.
 [[nodiscard]] QPolygonF maskOutline(
-    const core::MaskShape& mask, const QPointF& centre, double mmPerPixel);
+    const core::ToolMask& mask, const QPointF& centre, double mmPerPixel);
 
 } // namespace ui

@@ -29,7 +29,7 @@ public:
 
     /// Drops points that lie more than this behind the median of all depths.
     void dropBehind(double mm);
-    /// Drops all points outside the largest part without jumps in depth (core/sculpt/MaskPeel.h,
+    /// Drops all points outside the largest part without jumps in depth (core/sculpt/ShellPeel.h,
     /// rule 2).
     void keepLargest(double jumpMm);
 

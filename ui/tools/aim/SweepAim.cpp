@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/aim/SweepAim.h"
 
-#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ SweepAim::SweepAim(
     m_axes = axesOf(m_view);
 }
 
-core::HiddenSide SweepAim::before(double mm) const
+core::ClipHalfSpace SweepAim::before(double mm) const
 {
     const glm::dvec3 towardsEye = -m_axes[2];
     return {towardsEye, glm::dot(towardsEye, m_view.targetLps) + mm};

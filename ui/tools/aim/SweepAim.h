@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointF>
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] const core::OrthographicView& view() const { return m_view; }
     /// The half space that lies more than this far in front of the place: it is passed through,
     /// because it is not what the pen points at.
-    [[nodiscard]] core::HiddenSide before(double mm) const;
+    [[nodiscard]] core::ClipHalfSpace before(double mm) const;
     /// A point of the mask plane, given by its position relative to the plane's middle, in LPS.
     [[nodiscard]] glm::dvec3 toLps(const glm::dvec2& ownMm) const
     {

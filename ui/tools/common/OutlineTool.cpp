@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/common/OutlineTool.h"
 
-#include "core/edits/engine/HiddenSides.h"
+#include "core/edits/engine/HalfSpaces.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/DrillMask.h"
@@ -89,7 +89,7 @@ void OutlineTool::release(const PointerSample& sample, const ViewContext& view)
         Sketch sketch;
         const auto& scene = std::get<gpu::VolumeScene>(sketched.scene);
         sketch.view = orthographicView(scene);
-        sketch.hidden = core::hiddenSides(scene.clip, m_workspace.volume()->geometry);
+        sketch.hidden = core::clipHalfSpaces(scene.clip, m_workspace.volume()->geometry);
         sketch.restore = m_restores;
         sketch.polygonMm = std::move(curve);
         cut(sketch);

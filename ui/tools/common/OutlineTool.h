@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "ui/input/Tool.h"
 #include "ui/tools/aim/SurfacePreview.h"
 #include "ui/tools/common/CurveSketch.h"
@@ -36,7 +36,7 @@ protected:
         core::OrthographicView view;
         std::vector<glm::dvec2> polygonMm;
         bool restore = false;
-        core::HiddenSides hidden{}; ///< what the view's clip region hides
+        core::ClipHalfSpaces hidden{}; ///< what the view's clip region hides
     };
     /// Called when a curve was closed that is large enough to be intended.
     virtual void cut(const Sketch& sketch) = 0;

@@ -184,11 +184,11 @@ void SeedTool::apply(const core::SeedStroke& stroke, const QString& done)
     // Answered when the edit is carried out.
     session.questions().afterAll([tool = QPointer<SeedTool>(this), stroke, done] {
         if (tool)
-            tool->tellOf(stroke, done);
+            tool->reportSeeds(stroke, done);
     });
 }
 
-void SeedTool::tellOf(const core::SeedStroke& stroke, const QString& done)
+void SeedTool::reportSeeds(const core::SeedStroke& stroke, const QString& done)
 {
     const core::EditSession& session = *workspace().session();
     const std::optional<core::SketchedSeeds>& seeds = session.findings().sketchedSeeds();

@@ -35,7 +35,7 @@ private:
     void move(const glm::dvec2& from, const glm::dvec2& to, const ViewContext& view);
     void apply(const core::SeedStroke& stroke, const QString& done);
     /// Tells the user the result of a stroke.
-    void tellOf(const core::SeedStroke& stroke, const QString& done);
+    void reportSeeds(const core::SeedStroke& stroke, const QString& done);
     [[nodiscard]] QColor colour() const override;
     [[nodiscard]] QString outsideText() const override;
     [[nodiscard]] QString nothingSeenText() const override;

@@ -6,7 +6,7 @@
 #include "ui/base/RowTitleText.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/SketchedVoxels.h"
-#include "ui/tools/growth/ShrinkForesight.h"
+#include "ui/tools/growth/ShrinkPreview.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
@@ -16,11 +16,11 @@ namespace ui {
 ShrinkTool::ShrinkTool(Workspace& workspace, QObject* parent)
     : SketchTool(workspace, parent)
     , m_sketched(new SketchedVoxels(workspace, this))
-    , m_foresight(new ShrinkForesight(workspace, this))
+    , m_preview(new ShrinkPreview(workspace, this))
 {
     connect(m_sketched, &SketchedVoxels::grew, this,
-        [this] { m_foresight->follow(m_sketched->voxels()); });
-    connect(m_foresight, &ShrinkForesight::changed, this, &Tool::overlayChanged);
+        [this] { m_preview->follow(m_sketched->voxels()); });
+    connect(m_preview, &ShrinkPreview::changed, this, &Tool::overlayChanged);
 }
 
 QString ShrinkTool::name() const
@@ -51,9 +51,9 @@ QString ShrinkTool::keys() const
 
 void ShrinkTool::sketchBegan(const ViewContext& view)
 {
-    // What is foreseen is said of a growth that stands; the edit would end it anyway.
+    // The preview is said of a growth that stands; the edit would end it anyway.
     workspace().session()->closeGrowth();
-    m_foresight->begin(modifiers().testFlag(Qt::ControlModifier));
+    m_preview->begin(modifiers().testFlag(Qt::ControlModifier));
     m_sketched->begin(view);
 }
 
@@ -65,13 +65,13 @@ void ShrinkTool::sketchGrew(const std::vector<glm::dvec2>& pixels)
 void ShrinkTool::sketchOver()
 {
     m_sketched->end();
-    m_foresight->end();
+    m_preview->end();
 }
 
 QStringList ShrinkTool::cursorLines() const
 {
-    const QString foreseen = m_foresight->words();
-    return foreseen.isEmpty() ? QStringList{target()} : QStringList{foreseen};
+    const QString cutPreview = m_preview->words();
+    return cutPreview.isEmpty() ? QStringList{target()} : QStringList{cutPreview};
 }
 
 void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)

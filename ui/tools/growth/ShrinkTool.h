@@ -5,7 +5,7 @@
 
 namespace ui {
 
-class ShrinkForesight;
+class ShrinkPreview;
 class SketchedVoxels;
 
 /// Takes back the sketched voxels and what grew through them (core::ShrinkAt). The growth is cut at
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] QString target() const override;
     [[nodiscard]] QString keys() const override;
 
-    [[nodiscard]] const ShrinkForesight& foresight() const { return *m_foresight; }
+    [[nodiscard]] const ShrinkPreview& preview() const { return *m_preview; }
 
 private:
     void sketchBegan(const ViewContext& view) override;
@@ -36,7 +36,7 @@ private:
     [[nodiscard]] QString nothingSeenText() const override;
 
     SketchedVoxels* m_sketched;
-    ShrinkForesight* m_foresight;
+    ShrinkPreview* m_preview;
 };
 
 } // namespace ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/CarveBrushTool.h"
 
-#include "core/edits/engine/HiddenSides.h"
+#include "core/edits/engine/HalfSpaces.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "ui/tools/aim/CursorLabel.h"
@@ -60,7 +60,7 @@ core::Result<core::Edit> CarveBrushTool::strokeAlong(
     stroke.path = path;
     stroke.restore = inverted;
     if (const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene))
-        stroke.hidden = core::hiddenSides(scene->clip, workspace().volume()->geometry);
+        stroke.hidden = core::clipHalfSpaces(scene->clip, workspace().volume()->geometry);
     return core::Edit(stroke);
 }
 

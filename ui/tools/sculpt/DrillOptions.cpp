@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/DrillOptions.h"
 
-#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/DrillMask.h"
 #include "ui/tools/aim/DrillSurface.h"
 #include "ui/tools/common/PenMenu.h"
-#include "ui/tools/sculpt/MaskPresetMenu.h"
+#include "ui/tools/sculpt/ToolMaskPresetMenu.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/workspace/Workspace.h"
 
@@ -38,7 +38,7 @@ QDoubleSpinBox* millimetreBox(QWidget* parent, double minimum, double maximum, c
 }
 
 /// Behind the shapes that core knows.
-constexpr int freehandIndex = int(core::MaskShape::Kind::Rounded) + 1;
+constexpr int freehandIndex = int(core::ToolMask::Kind::Rounded) + 1;
 constexpr int iconPixels = 18;
 
 /// The outline as it would be pressed, however large, small.
@@ -51,7 +51,7 @@ QIcon outlineIcon(const Workspace::DrillSettings& settings, double devicePixelRa
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
-    const core::MaskShape mask = drillMask(settings);
+    const core::ToolMask mask = drillMask(settings);
     const double half = 0.5 * iconPixels;
     painter.setPen(QPen(theme::text, 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(theme::selected);
@@ -135,7 +135,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(m_shape);
     layout->addWidget(m_outline);
-    layout->addWidget(new MaskPresetMenu(workspace, this));
+    layout->addWidget(new ToolMaskPresetMenu(workspace, this));
     layout->addWidget(m_radiusLabel);
     layout->addWidget(m_radius);
     layout->addWidget(m_height);
@@ -178,7 +178,7 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     for (const QComboBox* box : {m_mode, m_sweep})
         connect(box, &QComboBox::currentIndexChanged, this, &DrillOptions::takeSettings);
     connect(m_shape, &QComboBox::currentIndexChanged, this, &DrillOptions::takeShape);
-    connect(m_outline, &QToolButton::clicked, this, &DrillOptions::outlineAsked);
+    connect(m_outline, &QToolButton::clicked, this, &DrillOptions::outlineRequested);
     connect(m_throughGaps, &QCheckBox::toggled, this, &DrillOptions::takeSettings);
 }
 
@@ -233,7 +233,7 @@ void DrillOptions::showSettings()
 /// What there is to set of the shape.
 void DrillOptions::showSize()
 {
-    using Kind = core::MaskShape::Kind;
+    using Kind = core::ToolMask::Kind;
     const Workspace::DrillSettings& settings = m_workspace.drillSettings();
     // Of all shapes that are not round the radius is half the width.
     const bool round = settings.shape == Kind::Circle && !settings.freehand;
@@ -258,10 +258,10 @@ void DrillOptions::takeShape(int index)
     Workspace::DrillSettings settings = m_workspace.drillSettings();
     settings.freehand = index == freehandIndex;
     if (!settings.freehand)
-        settings.shape = core::MaskShape::Kind(index);
+        settings.shape = core::ToolMask::Kind(index);
     m_workspace.setDrillSettings(settings);
     if (settings.freehand && settings.outline.empty())
-        Q_EMIT outlineAsked(true);
+        Q_EMIT outlineRequested(true);
 }
 
 void DrillOptions::takeSettings()

@@ -35,7 +35,7 @@ public:
     void showDrawing(bool drawing);
 
 Q_SIGNALS:
-    void outlineAsked(bool wanted); ///< the user wants to draw the outline
+    void outlineRequested(bool wanted); ///< the user wants to draw the outline
 
 private:
     void showSettings();

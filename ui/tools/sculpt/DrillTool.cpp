@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/DrillTool.h"
 
-#include "core/edits/engine/HiddenSides.h"
+#include "core/edits/engine/HalfSpaces.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -42,7 +42,7 @@ double stepped(double value, int steps, double minimum, double maximum)
 
 QString sizeText(const Workspace::DrillSettings& settings)
 {
-    const bool round = settings.shape == core::MaskShape::Kind::Circle && !settings.freehand;
+    const bool round = settings.shape == core::ToolMask::Kind::Circle && !settings.freehand;
     const QString mm =
         QLocale().toString(round ? settings.radiusMm : 2.0 * settings.radiusMm, 'f', 1);
     if (round)
@@ -61,7 +61,7 @@ DrillTool::DrillTool(Workspace& workspace, QObject* parent)
 {
     connect(&workspace, &Workspace::drillSettingsChanged, this, &Tool::overlayChanged);
     connect(&workspace, &Workspace::activeLayerChanged, this, &Tool::overlayChanged);
-    connect(&m_drawing, &MaskDrawing::changed, this, [this] {
+    connect(&m_drawing, &ToolMaskDrawing::changed, this, [this] {
         m_preview.forget();
         Q_EMIT overlayChanged();
     });
@@ -114,8 +114,8 @@ QWidget* DrillTool::connected(DrillOptions* options)
 {
     const auto show = [this, options] { options->showDrawing(m_drawing.isWanted()); };
     show();
-    connect(&m_drawing, &MaskDrawing::changed, options, show);
-    connect(options, &DrillOptions::outlineAsked, &m_drawing, &MaskDrawing::want);
+    connect(&m_drawing, &ToolMaskDrawing::changed, options, show);
+    connect(options, &DrillOptions::outlineRequested, &m_drawing, &ToolMaskDrawing::want);
     return options;
 }
 
@@ -142,7 +142,7 @@ core::DrillStroke DrillTool::strokeIn(const ViewContext& view, bool restore) con
     stroke.guardMm = guardMm;
     stroke.byTime = true;
     stroke.surfaceThreshold = drillThreshold(m_workspace.volumeDisplay(), *m_workspace.volume());
-    stroke.hidden = core::hiddenSides(scene.clip, m_workspace.volume()->geometry);
+    stroke.hidden = core::clipHalfSpaces(scene.clip, m_workspace.volume()->geometry);
     return stroke;
 }
 
@@ -189,7 +189,7 @@ void DrillTool::press(const PointerSample& sample, const ViewContext& view)
     if (aims()) {
         aim(sample, view);
     } else if (begin(editIn(view, m_restores))) {
-        tell(sample);
+        extend(sample);
     }
     showCursor(sample, view.view);
 }
@@ -252,7 +252,7 @@ void DrillTool::takeAim(const SurfacePatch& surface)
     if (!begin(stroke))
         return;
     for (const PointerSample& sample : waited->samples)
-        tell(sample);
+        extend(sample);
     if (!waited->released)
         return;
     m_strokeView.reset();
@@ -272,15 +272,15 @@ std::vector<glm::dvec2> DrillTool::footprint(
     return outline;
 }
 
-void DrillTool::tell(const PointerSample& sample)
+void DrillTool::extend(const PointerSample& sample)
 {
     if (m_aiming) {
         m_aiming->samples.push_back(sample);
         return;
     }
-    m_told = penSample(sample);
-    m_sinceTold.start();
-    m_workspace.session()->extendDrill({m_told});
+    m_lastSample = penSample(sample);
+    m_sinceLastSample.start();
+    m_workspace.session()->extendDrill({m_lastSample});
 }
 
 /// A pen that does not move reports nothing, yet it goes on pressing.
@@ -288,8 +288,8 @@ void DrillTool::rest()
 {
     if (m_aiming)
         return;
-    core::PenSample now = m_told;
-    now.tSeconds += double(m_sinceTold.elapsed()) / 1000.0;
+    core::PenSample now = m_lastSample;
+    now.tSeconds += double(m_sinceLastSample.elapsed()) / 1000.0;
     if (core::EditSession* session = m_workspace.session(); session && m_strokeView)
         session->extendDrill({now});
 }
@@ -303,7 +303,7 @@ void DrillTool::drag(const PointerSample& sample, const ViewContext& view)
     }
     if (!m_strokeView || view.view != m_strokeView->view)
         return;
-    tell(sample);
+    extend(sample);
     showCursor(sample, view.view);
 }
 

@@ -6,7 +6,7 @@
 #include "ui/input/Tool.h"
 #include "ui/tools/aim/SurfacePreview.h"
 #include "ui/tools/aim/SweepAim.h"
-#include "ui/tools/sculpt/MaskDrawing.h"
+#include "ui/tools/sculpt/ToolMaskDrawing.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QElapsedTimer>
@@ -51,7 +51,7 @@ public:
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
     /// The outline of a freehand mask: while it is wanted, a drag draws it and cuts nothing.
-    [[nodiscard]] const MaskDrawing& drawing() const { return m_drawing; }
+    [[nodiscard]] const ToolMaskDrawing& drawing() const { return m_drawing; }
 
     /// The edit that a stroke begun in this view stands for, without samples.
     [[nodiscard]] core::DrillStroke strokeIn(const ViewContext& view, bool restore = false) const;
@@ -83,11 +83,11 @@ private:
     [[nodiscard]] bool paintFootprint(QPainter& painter, const ViewContext& view) const;
     [[nodiscard]] core::PenSample penSample(const PointerSample& sample) const;
     void showCursor(const PointerSample& sample, gpu::ViewId view);
-    void tell(const PointerSample& sample);
+    void extend(const PointerSample& sample);
     void rest();
 
     Workspace& m_workspace;
-    MaskDrawing m_drawing;
+    ToolMaskDrawing m_drawing;
     std::optional<ViewContext> m_strokeView; ///< set while the pen is down
     std::shared_ptr<Aiming> m_aiming;
     std::optional<SweepAim> m_aim; ///< of the stroke
@@ -98,8 +98,8 @@ private:
     double m_pressure = 0.0;
     PointerSample m_held; ///< how the pen is held: when it went down, or as it hovers
     bool m_restores = false; ///< the stroke, or what a press would do now
-    core::PenSample m_told; ///< last
-    QElapsedTimer m_sinceTold;
+    core::PenSample m_lastSample; ///< last
+    QElapsedTimer m_sinceLastSample;
     QTimer m_resting; ///< mode Rate: tells that time goes on
 };
 

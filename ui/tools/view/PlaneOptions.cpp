@@ -2,7 +2,7 @@
 #include "ui/tools/view/PlaneOptions.h"
 
 #include "ui/base/Theme.h"
-#include "ui/tools/view/PlaneTool.h"
+#include "ui/tools/view/CuttingPlaneTool.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/Workspace.h"
 
@@ -17,7 +17,7 @@
 
 namespace ui {
 
-PlaneOptions::PlaneOptions(Workspace& workspace, PlaneTool& tool, QWidget* parent)
+PlaneOptions::PlaneOptions(Workspace& workspace, CuttingPlaneTool& tool, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
     , m_tool(tool)
@@ -53,10 +53,11 @@ PlaneOptions::PlaneOptions(Workspace& workspace, PlaneTool& tool, QWidget* paren
     for (QToolButton* button : {m_threePoints, m_across})
         button->setCheckable(true);
     connect(m_threePoints, &QToolButton::clicked, &tool, [&tool](bool on) {
-        tool.setAim(on ? PlaneTool::Aim::ThreePoints : PlaneTool::Aim::Handles);
+        tool.setAim(on ? CuttingPlaneTool::Aim::ThreePoints : CuttingPlaneTool::Aim::Handles);
     });
-    connect(m_across, &QToolButton::clicked, &tool,
-        [&tool](bool on) { tool.setAim(on ? PlaneTool::Aim::Across : PlaneTool::Aim::Handles); });
+    connect(m_across, &QToolButton::clicked, &tool, [&tool](bool on) {
+        tool.setAim(on ? CuttingPlaneTool::Aim::Across : CuttingPlaneTool::Aim::Handles);
+    });
     m_clips->setObjectName(QStringLiteral("planeClips"));
     m_clips->setToolTip(
         tr("Hide in 3D what lies above the plane: on the side it is looked at from"));
@@ -71,7 +72,7 @@ PlaneOptions::PlaneOptions(Workspace& workspace, PlaneTool& tool, QWidget* paren
     showPlane();
     showAim();
     connect(&plane, &CuttingPlane::changed, this, &PlaneOptions::showPlane);
-    connect(&tool, &PlaneTool::aimChanged, this, &PlaneOptions::showAim);
+    connect(&tool, &CuttingPlaneTool::aimChanged, this, &PlaneOptions::showAim);
     connect(m_clips, &QCheckBox::toggled, this, &PlaneOptions::takeLook);
     connect(m_opacity, &QSlider::valueChanged, this, &PlaneOptions::takeLook);
 }
@@ -87,8 +88,8 @@ void PlaneOptions::showPlane()
 
 void PlaneOptions::showAim()
 {
-    m_threePoints->setChecked(m_tool.aim() == PlaneTool::Aim::ThreePoints);
-    m_across->setChecked(m_tool.aim() == PlaneTool::Aim::Across);
+    m_threePoints->setChecked(m_tool.aim() == CuttingPlaneTool::Aim::ThreePoints);
+    m_across->setChecked(m_tool.aim() == CuttingPlaneTool::Aim::Across);
 }
 
 void PlaneOptions::takeLook()

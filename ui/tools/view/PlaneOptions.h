@@ -9,7 +9,7 @@ class QToolButton;
 
 namespace ui {
 
-class PlaneTool;
+class CuttingPlaneTool;
 class Workspace;
 
 /// The options of the cutting plane in the option bar; always in step with it.
@@ -17,7 +17,7 @@ class PlaneOptions : public QWidget {
     Q_OBJECT
 
 public:
-    PlaneOptions(Workspace& workspace, PlaneTool& tool, QWidget* parent = nullptr);
+    PlaneOptions(Workspace& workspace, CuttingPlaneTool& tool, QWidget* parent = nullptr);
 
 private:
     void showPlane();
@@ -25,7 +25,7 @@ private:
     void takeLook();
 
     Workspace& m_workspace;
-    PlaneTool& m_tool;
+    CuttingPlaneTool& m_tool;
     QToolButton* m_threePoints = nullptr;
     QToolButton* m_across = nullptr;
     QCheckBox* m_clips = nullptr;

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/chunks/ChunkVoxels.h"
 
@@ -42,9 +42,9 @@ RowTitle rowTitle(const ChunkToggle& edit, const RowFacts& row)
 }
 
 /// The labels and seed words of the bricks that the chunks lie in.
-EditReach reach(const ChunkToggle& edit, const ReachFacts& row)
+EditDependencies dependencies(const ChunkToggle& edit, const DependencyFacts& row)
 {
-    editReach::Bricks bricks;
+    dependsOn::Bricks bricks;
     const std::uint8_t plane = row.planeOf(edit.segment);
     for (const std::int64_t brick : edit.bricks.value_or(std::vector<std::int64_t>())) {
         bricks.keys.insert({Field::Labels, plane, std::uint32_t(brick)});

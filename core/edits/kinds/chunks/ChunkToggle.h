@@ -24,7 +24,7 @@ struct ChunkToggle {
     std::vector<glm::dvec3> pointsLps{}; ///< each selects the chunk in which it lies
     bool overwriteUnlocked = false;
     /// The bricks in which the chunks lie, ascending. They are added when it is carried out, for
-    /// reach().
+    /// dependencies().
     std::optional<std::vector<std::int64_t>> bricks{};
 };
 
@@ -32,6 +32,6 @@ struct ChunkToggle {
 Result<bool> apply(const ChunkToggle& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChunkToggle& edit);
 [[nodiscard]] RowTitle rowTitle(const ChunkToggle& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ChunkToggle& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ChunkToggle& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -2,7 +2,7 @@
 #include "core/edits/kinds/chunks/ChunkVoxels.h"
 
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 
 #include <algorithm>
@@ -83,7 +83,7 @@ VoxelBox boxAround(const VoxelRuns& voxels, const VolumeGeometry& geometry, doub
 } // namespace
 
 Result<std::vector<ChunkOwner>> chunkOwners(
-    const Chunks& edit, const VolumeGeometry& geometry, std::span<const std::uint8_t> labels)
+    const DivideSegment& edit, const VolumeGeometry& geometry, std::span<const std::uint8_t> labels)
 {
     const std::optional<VoxelBox> box =
         ChunkMap::boxAround(labels, std::uint8_t(edit.segment), geometry, edit.marginMm);
@@ -119,7 +119,7 @@ Result<std::vector<ChunkOwner>> chunkOwners(
     return owners;
 }
 
-Result<OwnedBox> ownedBox(const Chunks& edit, const VolumeGeometry& geometry)
+Result<OwnedBox> ownedBox(const DivideSegment& edit, const VolumeGeometry& geometry)
 {
     std::vector<VoxelRuns> runs;
     OwnedBox owned;

@@ -11,7 +11,7 @@
 
 namespace core {
 
-struct Chunks;
+struct DivideSegment;
 struct ChunkOwner;
 
 // Converts divisions into chunks, and clicks on them, to the input of core/chunks and of an engine.
@@ -27,14 +27,14 @@ struct OwnedBox {
 /// @param labels of the whole volume in the segment's plane, x fastest Cost: several passes over
 /// the volume. Errors: InvalidField (the segment has no voxels, or the box is larger than
 /// mostChunkVoxels).
-[[nodiscard]] Result<std::vector<ChunkOwner>> chunkOwners(
-    const Chunks& edit, const VolumeGeometry& geometry, std::span<const std::uint8_t> labels);
+[[nodiscard]] Result<std::vector<ChunkOwner>> chunkOwners(const DivideSegment& edit,
+    const VolumeGeometry& geometry, std::span<const std::uint8_t> labels);
 constexpr std::int64_t mostChunkVoxels = std::int64_t(1) << 26;
 
 /// For an edit that stores its owners. ChunkSource::outside is not a valid owner, so a label of
 /// that value is replaced by a free number. Errors: InvalidField (voxels that cannot be unpacked,
 /// or of another volume; the segment is not among them; the box is too large).
-[[nodiscard]] Result<OwnedBox> ownedBox(const Chunks& edit, const VolumeGeometry& geometry);
+[[nodiscard]] Result<OwnedBox> ownedBox(const DivideSegment& edit, const VolumeGeometry& geometry);
 
 /// The segment that gains or loses chunks, and the voxels that were clicked. Errors:
 /// UnknownSegment, SegmentLocked, InvalidField (nothing is divided, a point outside the volume).

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/growth/BarrierStroke.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 
@@ -35,7 +35,7 @@ Result<PaintBarrier> paintBarrier(const BarrierStroke& stroke, const Document& d
     PaintBarrier barrier;
     barrier.erase = stroke.erase;
     barrier.frame = *frame;
-    barrier.frozen = document.lockedLabels(barrier.plane);
+    barrier.lockedLabels = document.lockedLabels(barrier.plane);
     return barrier;
 }
 
@@ -51,7 +51,7 @@ RowTitle rowTitle(const BarrierStroke& edit, const RowFacts& row)
         .then = {figure(RowTitleCode::Voxels, row.facts.seedWordsChanged)}};
 }
 
-EditReach reach(const BarrierStroke& edit, const ReachFacts& row)
+EditDependencies dependencies(const BarrierStroke& edit, const DependencyFacts& row)
 {
     return row.labelled(edit.path, row.growthPlane());
 }

@@ -18,7 +18,7 @@ struct BarrierStroke {
 Result<bool> apply(const BarrierStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const BarrierStroke& edit);
 [[nodiscard]] RowTitle rowTitle(const BarrierStroke& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const BarrierStroke& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const BarrierStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const BarrierStroke& edit, const Document& document);
 
 /// The command without the path. Errors: InvalidField.

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/growth/ChangeInterval.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
@@ -67,9 +67,9 @@ RowTitle rowTitle(const ChangeInterval& change, const RowFacts& row)
                 : figure(RowTitleCode::SeedVoxels, row.facts.seedWordsChanged)}};
 }
 
-EditReach reach(const ChangeInterval& edit, const ReachFacts& row)
+EditDependencies dependencies(const ChangeInterval& edit, const DependencyFacts& row)
 {
-    return reachOfGrowth(edit.criteria, row);
+    return growthDependencies(edit.criteria, row);
 }
 
 } // namespace core

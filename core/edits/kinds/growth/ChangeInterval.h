@@ -30,7 +30,7 @@ struct ChangeInterval {
 Result<bool> apply(const ChangeInterval& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChangeInterval& edit);
 [[nodiscard]] RowTitle rowTitle(const ChangeInterval& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ChangeInterval& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ChangeInterval& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ChangeInterval& edit, const Document& document);
 
 /// For an edit that states everything it reads (RecentGrowth.h). Errors: those of Edit.

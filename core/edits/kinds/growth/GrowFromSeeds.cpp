@@ -2,8 +2,8 @@
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
@@ -127,7 +127,7 @@ RowTitle rowTitle(const GrowFromSeeds&, const RowFacts& row)
     return title;
 }
 
-EditReach reach(const GrowFromSeeds&, const ReachFacts& row)
+EditDependencies dependencies(const GrowFromSeeds&, const DependencyFacts& row)
 {
     return row.wholeGrowth();
 }

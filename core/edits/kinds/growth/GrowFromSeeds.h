@@ -27,7 +27,7 @@ struct GrowFromSeeds {
 Result<bool> apply(const GrowFromSeeds& edit, Document& document);
 [[nodiscard]] EditEffects effects(const GrowFromSeeds& edit);
 [[nodiscard]] RowTitle rowTitle(const GrowFromSeeds& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const GrowFromSeeds& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const GrowFromSeeds& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const GrowFromSeeds& edit, const Document& document);
 
 /// Errors: UnknownSegment, SegmentLocked, InvalidField (fewer than two segments, a box outside).

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/growth/GrowSteps.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
@@ -75,9 +75,9 @@ RowTitle rowTitle(const GrowSteps& grow, const RowFacts& row)
     return title;
 }
 
-EditReach reach(const GrowSteps& edit, const ReachFacts& row)
+EditDependencies dependencies(const GrowSteps& edit, const DependencyFacts& row)
 {
-    return reachOfGrowth(edit.criteria, row);
+    return growthDependencies(edit.criteria, row);
 }
 
 } // namespace core

@@ -28,7 +28,7 @@ struct GrowSteps {
 Result<bool> apply(const GrowSteps& edit, Document& document);
 [[nodiscard]] EditEffects effects(const GrowSteps& edit);
 [[nodiscard]] RowTitle rowTitle(const GrowSteps& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const GrowSteps& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const GrowSteps& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const GrowSteps& edit, const Document& document);
 
 /// Errors: InvalidField (connectivity other than 6, 18 and 26, lower > upper, a box outside the

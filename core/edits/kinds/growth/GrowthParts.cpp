@@ -59,7 +59,7 @@ Result<GrowBurst> burstOf(
         burst.generation = growth->generation;
     if (criteria.overwriteUnlocked)
         burst.overwritable = document.unlockedLabels(plane);
-    burst.frozen = document.lockedLabels(plane);
+    burst.lockedLabels = document.lockedLabels(plane);
     if (nothingMayChange(document, plane))
         return failure(ErrorCode::SegmentLocked, QString());
     return burst;
@@ -98,7 +98,7 @@ Result<CutGrowth> cutAt(const std::vector<glm::dvec3>& pointsLps, CutGrowth::How
     }
     if (const Growth* growth = document.growth(plane))
         command.generation = growth->generation;
-    command.frozen = document.lockedLabels(plane);
+    command.lockedLabels = document.lockedLabels(plane);
     if (nothingMayChange(document, plane))
         return failure(ErrorCode::SegmentLocked, QString());
     return command;
@@ -132,15 +132,15 @@ RowTitle intervalTitle(const GrowCriteria& criteria, const Document& document)
     return title;
 }
 
-EditReach reachOfGrowth(const GrowCriteria& criteria, const ReachFacts& row)
+EditDependencies growthDependencies(const GrowCriteria& criteria, const DependencyFacts& row)
 {
     if (row.trace.grownBeside)
-        return editReach::Growth{.plane = row.growthPlane(),
+        return dependsOn::Growth{.plane = row.growthPlane(),
             .coverage = criteria.onlyVisible,
             .beside = *row.trace.grownBeside};
     if (!criteria.onlyVisible)
         return row.wholeGrowth();
-    editReach::Fields fields{.plane = row.growthPlane(), .layers = {}};
+    dependsOn::Fields fields{.plane = row.growthPlane(), .layers = {}};
     fields.layers.set();
     return fields;
 }

@@ -3,7 +3,7 @@
 
 #include "core/document/Document.h"
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/answers/EditReach.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/growth/GrowthCommands.h"
 #include "core/titles/RowTitle.h"
 
@@ -50,6 +50,7 @@ struct GrownSegments {
 /// all members; and the labels (with "only visible" also the coverage) of the voxels that it
 /// examined, which are members and their neighbours (RowTrace::grownBeside). Its other limits read
 /// only grey values.
-[[nodiscard]] EditReach reachOfGrowth(const GrowCriteria& criteria, const ReachFacts& row);
+[[nodiscard]] EditDependencies growthDependencies(
+    const GrowCriteria& criteria, const DependencyFacts& row);
 
 } // namespace core

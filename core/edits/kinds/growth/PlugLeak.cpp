@@ -2,8 +2,8 @@
 #include "core/edits/kinds/growth/PlugLeak.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
@@ -43,7 +43,7 @@ RowTitle rowTitle(const PlugLeak&, const RowFacts& row)
         .then = {figure(RowTitleCode::VoxelsLost, row.statistics.voxelsChanged)}};
 }
 
-EditReach reach(const PlugLeak&, const ReachFacts& row)
+EditDependencies dependencies(const PlugLeak&, const DependencyFacts& row)
 {
     return row.wholeGrowth();
 }

@@ -18,7 +18,7 @@ struct PlugLeak {
 Result<bool> apply(const PlugLeak& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PlugLeak& edit);
 [[nodiscard]] RowTitle rowTitle(const PlugLeak& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const PlugLeak& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const PlugLeak& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const PlugLeak& edit, const Document& document);
 
 /// Errors: InvalidField (a point outside the volume), SegmentLocked (no segment may change).

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
@@ -38,7 +38,7 @@ RowTitle rowTitle(const ResumeGrowth& edit, const RowFacts& row)
     return rowTitle(GrowSteps{.steps = edit.steps}, row);
 }
 
-EditReach reach(const ResumeGrowth&, const ReachFacts& row)
+EditDependencies dependencies(const ResumeGrowth&, const DependencyFacts& row)
 {
     return row.wholeGrowth();
 }

@@ -17,7 +17,7 @@ struct ResumeGrowth {
 Result<bool> apply(const ResumeGrowth& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ResumeGrowth& edit);
 [[nodiscard]] RowTitle rowTitle(const ResumeGrowth& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ResumeGrowth& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ResumeGrowth& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ResumeGrowth& edit, const Document& document);
 
 } // namespace core

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/growth/SeedStroke.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 
@@ -81,12 +81,12 @@ RowTitle rowTitle(const SeedStroke& stroke, const RowFacts& row)
 }
 
 /// The seed words of the bricks that its points lie in.
-EditReach reach(const SeedStroke& edit, const ReachFacts& row)
+EditDependencies dependencies(const SeedStroke& edit, const DependencyFacts& row)
 {
     std::vector<glm::dvec3> points = edit.pointsLps;
     if (edit.takenLps)
         points.insert(points.end(), edit.takenLps->begin(), edit.takenLps->end());
-    editReach::Bricks bricks;
+    dependsOn::Bricks bricks;
     if (const auto voxels = seedVoxels(points, row.geometry())) {
         for (const glm::ivec3& voxel : *voxels)
             bricks.keys.insert({Field::SeedWords, row.planeOf(edit.segment),

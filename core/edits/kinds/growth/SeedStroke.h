@@ -25,7 +25,7 @@ struct SeedStroke {
 Result<bool> apply(const SeedStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SeedStroke& edit);
 [[nodiscard]] RowTitle rowTitle(const SeedStroke& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const SeedStroke& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const SeedStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const SeedStroke& edit, const Document& document);
 
 /// Errors: UnknownSegment, SegmentLocked, SeedOutsideVolume, InvalidField (no point at all).

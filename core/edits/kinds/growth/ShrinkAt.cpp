@@ -2,8 +2,8 @@
 #include "core/edits/kinds/growth/ShrinkAt.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
@@ -48,7 +48,7 @@ RowTitle rowTitle(const ShrinkAt& edit, const RowFacts& row)
         .then = {figure(RowTitleCode::VoxelsLost, row.statistics.voxelsChanged)}};
 }
 
-EditReach reach(const ShrinkAt&, const ReachFacts& row)
+EditDependencies dependencies(const ShrinkAt&, const DependencyFacts& row)
 {
     return row.wholeGrowth();
 }

@@ -23,7 +23,7 @@ struct ShrinkAt {
 Result<bool> apply(const ShrinkAt& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ShrinkAt& edit);
 [[nodiscard]] RowTitle rowTitle(const ShrinkAt& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ShrinkAt& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ShrinkAt& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ShrinkAt& edit, const Document& document);
 
 /// Errors: InvalidField (no point, a point outside the volume), SegmentLocked (no segment may

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
@@ -38,7 +38,7 @@ Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& doc
     const std::uint32_t steps = std::uint32_t(shrink.steps.value_or(int(seedWord::maxGeneration)));
     command.keepSeeds = steps >= command.generation;
     command.keep = command.keepSeeds ? 0 : command.generation - steps;
-    command.frozen = document.lockedLabels(plane);
+    command.lockedLabels = document.lockedLabels(plane);
     if (nothingMayChange(document, plane))
         return failure(ErrorCode::SegmentLocked, QString());
     return command;
@@ -57,7 +57,7 @@ RowTitle rowTitle(const ShrinkSteps& edit, const RowFacts& row)
     return title;
 }
 
-EditReach reach(const ShrinkSteps&, const ReachFacts& row)
+EditDependencies dependencies(const ShrinkSteps&, const DependencyFacts& row)
 {
     return row.wholeGrowth();
 }

@@ -19,7 +19,7 @@ struct ShrinkSteps {
 Result<bool> apply(const ShrinkSteps& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ShrinkSteps& edit);
 [[nodiscard]] RowTitle rowTitle(const ShrinkSteps& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ShrinkSteps& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ShrinkSteps& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ShrinkSteps& edit, const Document& document);
 
 /// Errors: SegmentLocked (no segment may change).

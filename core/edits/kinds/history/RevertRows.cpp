@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/history/RevertRows.h"
 
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 
 namespace core {
@@ -38,7 +38,7 @@ RowTitle rowTitle(const RevertRows& edit, const RowFacts& row)
 }
 
 /// The bricks of the rows that it took back.
-EditReach reach(const RevertRows&, const ReachFacts& row)
+EditDependencies dependencies(const RevertRows&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -9,7 +9,7 @@
 namespace core {
 
 /// "Undo only here": takes older rows of the history back and keeps what came after them. Their
-/// bricks must not have been written or read since (session/past/RowReach.h).
+/// bricks must not have been written or read since (session/past/RowDependencies.h).
 struct RevertRows {
     std::vector<std::int64_t> rows{}; ///< RowId, ascending
 };
@@ -18,6 +18,6 @@ struct RevertRows {
 Result<bool> apply(const RevertRows& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RevertRows& edit);
 [[nodiscard]] RowTitle rowTitle(const RevertRows& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const RevertRows& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const RevertRows& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/history/ReviseStroke.h"
 
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 
 namespace core {
@@ -80,7 +80,7 @@ RowTitle rowTitle(const ReviseStroke& edit, const RowFacts& row)
 
 /// The bricks that it wrote. It also folds in what lay hidden there, which RevertOperation looks
 /// after.
-EditReach reach(const ReviseStroke&, const ReachFacts& row)
+EditDependencies dependencies(const ReviseStroke&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

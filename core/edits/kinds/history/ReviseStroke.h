@@ -29,6 +29,6 @@ struct ReviseStroke {
 Result<bool> apply(const ReviseStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ReviseStroke& edit);
 [[nodiscard]] RowTitle rowTitle(const ReviseStroke& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ReviseStroke& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ReviseStroke& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/layers/AddLayer.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 
 namespace core {
@@ -40,7 +40,7 @@ RowTitle rowTitle(const AddLayer& edit, const RowFacts&)
     return {.code = RowTitleCode::AddLayer, .arguments = {edit.name}};
 }
 
-EditReach reach(const AddLayer&, const ReachFacts& row)
+EditDependencies dependencies(const AddLayer&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -16,6 +16,6 @@ struct AddLayer {
 Result<bool> apply(const AddLayer& edit, Document& document);
 [[nodiscard]] EditEffects effects(const AddLayer& edit);
 [[nodiscard]] RowTitle rowTitle(const AddLayer& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const AddLayer& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const AddLayer& edit, const DependencyFacts& row);
 
 } // namespace core

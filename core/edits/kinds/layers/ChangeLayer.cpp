@@ -2,8 +2,8 @@
 #include "core/edits/kinds/layers/ChangeLayer.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowDeeds.h"
 #include "core/edits/answers/RowFacts.h"
@@ -60,7 +60,7 @@ RowTitle rowTitle(const ChangeLayer& edit, const RowFacts& row)
     return deeds.title();
 }
 
-EditReach reach(const ChangeLayer&, const ReachFacts& row)
+EditDependencies dependencies(const ChangeLayer&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

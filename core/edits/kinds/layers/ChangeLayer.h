@@ -21,6 +21,6 @@ struct ChangeLayer {
 Result<bool> apply(const ChangeLayer& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChangeLayer& edit);
 [[nodiscard]] RowTitle rowTitle(const ChangeLayer& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ChangeLayer& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ChangeLayer& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/layers/MergeLayers.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
@@ -65,9 +65,9 @@ RowTitle rowTitle(const MergeLayers& edit, const RowFacts& row)
 }
 
 /// All of their coverage.
-EditReach reach(const MergeLayers& edit, const ReachFacts&)
+EditDependencies dependencies(const MergeLayers& edit, const DependencyFacts&)
 {
-    editReach::Fields fields;
+    dependsOn::Fields fields;
     fields.layers.set(std::size_t(edit.from)).set(std::size_t(edit.into));
     return fields;
 }

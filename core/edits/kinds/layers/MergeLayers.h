@@ -18,7 +18,7 @@ struct MergeLayers {
 Result<bool> apply(const MergeLayers& edit, Document& document);
 [[nodiscard]] EditEffects effects(const MergeLayers& edit);
 [[nodiscard]] RowTitle rowTitle(const MergeLayers& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const MergeLayers& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const MergeLayers& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const MergeLayers& edit, const Document& document);
 
 /// Expects layers that exist.

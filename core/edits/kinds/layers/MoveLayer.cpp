@@ -2,8 +2,8 @@
 #include "core/edits/kinds/layers/MoveLayer.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
 
@@ -36,7 +36,7 @@ RowTitle rowTitle(const MoveLayer& edit, const RowFacts& row)
         .arguments = {layerName(edit.layer, row.document), TitleNumber{edit.place}}};
 }
 
-EditReach reach(const MoveLayer&, const ReachFacts& row)
+EditDependencies dependencies(const MoveLayer&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -15,6 +15,6 @@ struct MoveLayer {
 Result<bool> apply(const MoveLayer& edit, Document& document);
 [[nodiscard]] EditEffects effects(const MoveLayer& edit);
 [[nodiscard]] RowTitle rowTitle(const MoveLayer& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const MoveLayer& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const MoveLayer& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/layers/RemoveLayer.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
@@ -55,9 +55,9 @@ RowTitle rowTitle(const RemoveLayer& edit, const RowFacts& row)
 }
 
 /// All of its coverage.
-EditReach reach(const RemoveLayer& edit, const ReachFacts&)
+EditDependencies dependencies(const RemoveLayer& edit, const DependencyFacts&)
 {
-    editReach::Fields fields;
+    dependsOn::Fields fields;
     fields.layers.set(std::size_t(edit.layer));
     return fields;
 }

@@ -17,7 +17,7 @@ struct RemoveLayer {
 Result<bool> apply(const RemoveLayer& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RemoveLayer& edit);
 [[nodiscard]] RowTitle rowTitle(const RemoveLayer& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const RemoveLayer& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const RemoveLayer& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const RemoveLayer& edit, const Document& document);
 
 /// Expects a layer that exists.

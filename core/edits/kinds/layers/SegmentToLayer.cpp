@@ -2,8 +2,8 @@
 #include "core/edits/kinds/layers/SegmentToLayer.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 
@@ -54,9 +54,9 @@ RowTitle rowTitle(const SegmentToLayer& edit, const RowFacts& row)
 }
 
 /// The labels and seed words of the segment's plane, and the layer's coverage.
-EditReach reach(const SegmentToLayer& edit, const ReachFacts& row)
+EditDependencies dependencies(const SegmentToLayer& edit, const DependencyFacts& row)
 {
-    editReach::Fields fields{.plane = row.planeOf(edit.segment), .layers = {}};
+    dependsOn::Fields fields{.plane = row.planeOf(edit.segment), .layers = {}};
     fields.layers.set(std::size_t(edit.layer));
     return fields;
 }

@@ -17,7 +17,7 @@ struct SegmentToLayer {
 Result<bool> apply(const SegmentToLayer& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SegmentToLayer& edit);
 [[nodiscard]] RowTitle rowTitle(const SegmentToLayer& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const SegmentToLayer& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const SegmentToLayer& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const SegmentToLayer& edit, const Document& document);
 
 /// Errors: UnknownSegment, SegmentProtected.

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/pieces/ChangePiece.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowDeeds.h"
 #include "core/edits/answers/RowFacts.h"
@@ -74,7 +74,7 @@ RowTitle rowTitle(const ChangePiece& edit, const RowFacts& row)
     return deeds.title();
 }
 
-EditReach reach(const ChangePiece&, const ReachFacts& row)
+EditDependencies dependencies(const ChangePiece&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -24,6 +24,6 @@ struct ChangePiece {
 Result<bool> apply(const ChangePiece& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChangePiece& edit);
 [[nodiscard]] RowTitle rowTitle(const ChangePiece& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ChangePiece& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ChangePiece& edit, const DependencyFacts& row);
 
 } // namespace core

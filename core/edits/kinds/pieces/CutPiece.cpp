@@ -2,8 +2,8 @@
 #include "core/edits/kinds/pieces/CutPiece.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/pieces/AppendPiece.h"
@@ -41,7 +41,7 @@ RowTitle rowTitle(const CutPiece& edit, const RowFacts& row)
         .arguments = {edit.name, layerName(edit.layer, row.document)}};
 }
 
-EditReach reach(const CutPiece&, const ReachFacts& row)
+EditDependencies dependencies(const CutPiece&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

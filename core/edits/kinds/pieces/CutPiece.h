@@ -22,6 +22,6 @@ struct CutPiece {
 Result<bool> apply(const CutPiece& edit, Document& document);
 [[nodiscard]] EditEffects effects(const CutPiece& edit);
 [[nodiscard]] RowTitle rowTitle(const CutPiece& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const CutPiece& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const CutPiece& edit, const DependencyFacts& row);
 
 } // namespace core

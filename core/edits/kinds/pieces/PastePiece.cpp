@@ -2,8 +2,8 @@
 #include "core/edits/kinds/pieces/PastePiece.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/pieces/AppendPiece.h"
@@ -37,7 +37,7 @@ RowTitle rowTitle(const PastePiece& edit, const RowFacts& row)
         .arguments = {segmentName(edit.segment, row.document), edit.name}};
 }
 
-EditReach reach(const PastePiece&, const ReachFacts& row)
+EditDependencies dependencies(const PastePiece&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -24,6 +24,6 @@ struct PastePiece {
 Result<bool> apply(const PastePiece& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PastePiece& edit);
 [[nodiscard]] RowTitle rowTitle(const PastePiece& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const PastePiece& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const PastePiece& edit, const DependencyFacts& row);
 
 } // namespace core

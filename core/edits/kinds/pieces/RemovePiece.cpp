@@ -2,8 +2,8 @@
 #include "core/edits/kinds/pieces/RemovePiece.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
 
@@ -34,7 +34,7 @@ RowTitle rowTitle(const RemovePiece& edit, const RowFacts& row)
     return {.code = RowTitleCode::RemovePiece, .arguments = {pieceName(edit.piece, row.document)}};
 }
 
-EditReach reach(const RemovePiece&, const ReachFacts& row)
+EditDependencies dependencies(const RemovePiece&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

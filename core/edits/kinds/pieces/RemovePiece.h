@@ -14,6 +14,6 @@ struct RemovePiece {
 Result<bool> apply(const RemovePiece& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RemovePiece& edit);
 [[nodiscard]] RowTitle rowTitle(const RemovePiece& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const RemovePiece& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const RemovePiece& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/pieces/SendPiecesHome.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 
 namespace core {
@@ -33,7 +33,7 @@ RowTitle rowTitle(const SendPiecesHome&, const RowFacts&)
     return {.code = RowTitleCode::SendPiecesHome};
 }
 
-EditReach reach(const SendPiecesHome&, const ReachFacts& row)
+EditDependencies dependencies(const SendPiecesHome&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

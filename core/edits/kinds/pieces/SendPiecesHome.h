@@ -12,6 +12,6 @@ struct SendPiecesHome { };
 Result<bool> apply(const SendPiecesHome& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SendPiecesHome& edit);
 [[nodiscard]] RowTitle rowTitle(const SendPiecesHome& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const SendPiecesHome& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const SendPiecesHome& edit, const DependencyFacts& row);
 
 } // namespace core

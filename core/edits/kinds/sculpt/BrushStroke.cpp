@@ -2,11 +2,11 @@
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/HiddenSides.h"
+#include "core/edits/engine/HalfSpaces.h"
 #include "core/edits/kinds/sculpt/CutParts.h"
 
 namespace core {
@@ -35,15 +35,15 @@ Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& documen
     if (!frame)
         return tl::unexpected(frame.error());
     if (const Result<void> checked =
-            checkSpared(stroke.spared, stroke.restore, QStringLiteral("brush"));
+            checkProtected(stroke.protectedSegments, stroke.restore, QStringLiteral("brush"));
         !checked)
         return tl::unexpected(checked.error());
     CapsuleCut cut;
     cut.layer = std::uint8_t(stroke.layer);
     cut.restore = stroke.restore;
     cut.frame = *frame;
-    cut.hidden = hiddenHalves(stroke.hidden, document.volumes.front().geometry);
-    cut.spared = sparedLabels(stroke.spared, document);
+    cut.hidden = integerHalfSpaces(stroke.hidden, document.volumes.front().geometry);
+    cut.protectedLabels = protectedLabelsIn(stroke.protectedSegments, document);
     return cut;
 }
 
@@ -59,11 +59,11 @@ RowTitle rowTitle(const BrushStroke& edit, const RowFacts& row)
         .then = {figure(RowTitleCode::Voxels, row.statistics.voxelsChanged)}};
 }
 
-/// The coverage of its own layer in the bricks under the brush, and what it spares there.
-EditReach reach(const BrushStroke& edit, const ReachFacts& row)
+/// The coverage of its own layer in the bricks under the brush, and what it protects there.
+EditDependencies dependencies(const BrushStroke& edit, const DependencyFacts& row)
 {
     const std::optional<std::uint8_t> labelsRead = labelsReadBy(edit, row.document);
-    editReach::Bricks bricks;
+    dependsOn::Bricks bricks;
     for (const std::uint32_t brick : row.under(edit.path)) {
         bricks.keys.insert({Field::Coverage, std::uint8_t(edit.layer), brick});
         if (labelsRead)

@@ -3,8 +3,8 @@
 
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/BrushPath.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
-#include "core/edits/kinds/parts/SparedSegments.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/ProtectedSegments.h"
 
 namespace core {
 
@@ -15,15 +15,15 @@ struct BrushStroke {
     int layer = 1;
     BrushPath path{};
     bool restore = false;
-    HiddenSides hidden{};
-    SparedSegments spared{};
+    ClipHalfSpaces hidden{};
+    ProtectedSegments protectedSegments{};
 };
 
 [[nodiscard]] Result<void> check(const BrushStroke& edit, const Document& document);
 Result<bool> apply(const BrushStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const BrushStroke& edit);
 [[nodiscard]] RowTitle rowTitle(const BrushStroke& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const BrushStroke& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const BrushStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const BrushStroke& edit, const Document& document);
 
 /// The command without the path. Errors: InvalidField.

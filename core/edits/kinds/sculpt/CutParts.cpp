@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/sculpt/CutParts.h"
 
-#include "core/sculpt/MaskFrame.h"
+#include "core/sculpt/CutFrame.h"
 
 #include <limits>
 #include <utility>
@@ -15,10 +15,10 @@ glm::dvec3 millimetres(const Fixed3& fixed30)
     return glm::dvec3(double(fixed30[0]), double(fixed30[1]), double(fixed30[2])) / 1073741824.0;
 }
 
-editReach::SweptMask sweptMask(const MaskFrame& frame, const BrickGrid& grid,
+dependsOn::SweptMask sweptMask(const CutFrame& frame, const BrickGrid& grid,
     std::vector<glm::dvec2> path, double maskReachMm, const RowTrace& trace)
 {
-    editReach::SweptMask mask;
+    dependsOn::SweptMask mask;
     mask.grid = grid;
     mask.origin = millimetres(frame.planeOrigin);
     mask.perVoxel = glm::dmat3(
@@ -41,22 +41,22 @@ editReach::SweptMask sweptMask(const MaskFrame& frame, const BrickGrid& grid,
 
 } // namespace
 
-EditReach reachesNothing()
+EditDependencies reachesNothing()
 {
-    return editReach::Bricks();
+    return dependsOn::Bricks();
 }
 
-EditReach swept(const MaskFrame& frame, std::vector<glm::dvec2> path, double maskReachMm,
-    std::optional<std::uint8_t> labels, const ReachFacts& row)
+EditDependencies swept(const CutFrame& frame, std::vector<glm::dvec2> path, double maskReachMm,
+    std::optional<std::uint8_t> labels, const DependencyFacts& row)
 {
-    editReach::SweptMask mask =
+    dependsOn::SweptMask mask =
         sweptMask(frame, row.grid(), std::move(path), maskReachMm, row.trace);
     mask.labels = labels;
     return mask;
 }
 
-EditReach sweptOutline(const MaskFrame& frame, const std::vector<glm::dvec2>& outline,
-    std::optional<std::uint8_t> labels, const ReachFacts& row)
+EditDependencies sweptOutline(const CutFrame& frame, const std::vector<glm::dvec2>& outline,
+    std::optional<std::uint8_t> labels, const DependencyFacts& row)
 {
     glm::dvec2 low = outline.front();
     glm::dvec2 high = low;

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
-#include "core/edits/engine/SparedSegments.h"
+#include "core/edits/engine/SegmentProtection.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
-#include "core/sculpt/MaskFrame.h"
+#include "core/sculpt/CutFrame.h"
 
 #include <glm/glm.hpp>
 
@@ -25,7 +25,8 @@ template <class Cut, class Command>
 [[nodiscard]] Result<void> checkCut(
     const Cut& cut, const char* field, const Result<Command>& command, const Document& document)
 {
-    if (const Result<void> checked = checkSparedAreThere(cut.spared, cut.restore, document);
+    if (const Result<void> checked =
+            checkProtectedAreThere(cut.protectedSegments, cut.restore, document);
         !checked)
         return checked;
     if (const Result<void> checked = checkLayer(field, cut.layer, document); !checked)
@@ -37,24 +38,25 @@ template <class Cut, class Command>
 template <class Cut>
 [[nodiscard]] std::optional<std::uint8_t> labelsReadBy(const Cut& cut, const Document& document)
 {
-    if (cut.restore || !cut.spared)
+    if (cut.restore || !cut.protectedSegments)
         return std::nullopt;
-    return sparedLabels(cut.spared, document).plane;
+    return protectedLabelsIn(cut.protectedSegments, document).plane;
 }
 
 /// For a cut that cannot be computed.
-[[nodiscard]] EditReach reachesNothing();
+[[nodiscard]] EditDependencies reachesNothing();
 
 /// The dependencies of a mask that moves along a path: the coverage that its rays can meet,
 /// including what the blur brings there (seed A §4.2), of all layers, muted or not. It extends from
 /// the front of the volume to where the deepest cut could end that begins on the deepest surface
 /// met (RowTrace::searchedTo).
 /// @param labels labelsReadBy()
-[[nodiscard]] EditReach swept(const MaskFrame& frame, std::vector<glm::dvec2> path,
-    double maskReachMm, std::optional<std::uint8_t> labels, const ReachFacts& row);
+[[nodiscard]] EditDependencies swept(const CutFrame& frame, std::vector<glm::dvec2> path,
+    double maskReachMm, std::optional<std::uint8_t> labels, const DependencyFacts& row);
 /// The same under the disc around a closed curve.
-[[nodiscard]] EditReach sweptOutline(const MaskFrame& frame, const std::vector<glm::dvec2>& outline,
-    std::optional<std::uint8_t> labels, const ReachFacts& row);
+[[nodiscard]] EditDependencies sweptOutline(const CutFrame& frame,
+    const std::vector<glm::dvec2>& outline, std::optional<std::uint8_t> labels,
+    const DependencyFacts& row);
 [[nodiscard]] std::vector<glm::dvec2> pathOf(const std::vector<PenSample>& samples);
 
 } // namespace core

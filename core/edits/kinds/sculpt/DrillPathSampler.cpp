@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
 
-#include "core/edits/engine/MaskFrames.h"
+#include "core/edits/engine/CutFrames.h"
 #include "core/edits/fields/Quantum.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
-#include "core/edits/kinds/sculpt/MaskShape.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 
 #include <algorithm>
@@ -38,14 +38,14 @@ std::int64_t between(std::int64_t a, std::int64_t b, std::int64_t part, std::int
     return a + (scaled >= 0 ? (scaled + whole / 2) / whole : -((-scaled + whole / 2) / whole));
 }
 
-std::int64_t pointSpacing(const MaskShape& mask, std::int64_t pitch)
+std::int64_t pointSpacing(const ToolMask& mask, std::int64_t pitch)
 {
     if (isRound(mask))
         return std::max<std::int64_t>(mm16(mask.radiusMm) / 4, pitch / 2);
     if (mask.polygonMm)
         return 2 * pitch; // it may have thin parts anywhere
     const double thinnest =
-        mask.kind == MaskShape::Kind::Square ? mask.widthMm : std::min(mask.widthMm, mask.heightMm);
+        mask.kind == ToolMask::Kind::Square ? mask.widthMm : std::min(mask.widthMm, mask.heightMm);
     return std::max<std::int64_t>(mm16(thinnest / 8.0), pitch / 2);
 }
 

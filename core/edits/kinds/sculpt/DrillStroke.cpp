@@ -2,11 +2,11 @@
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/CutFrames.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/MaskFrames.h"
 #include "core/edits/kinds/sculpt/CutParts.h"
 #include "core/edits/kinds/sculpt/PressedTitle.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
@@ -65,15 +65,15 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
         if (!check)
             return tl::unexpected(check.error());
     }
-    const Result<MaskFrame> frame =
-        maskFrame({.view = stroke.view,
-                      .surfaceThreshold = stroke.surfaceThreshold,
-                      .maskReachMm = reachMm(stroke.mask),
-                      .maxDepthMm = rate ? stroke.floorMm : stroke.depthMm,
-                      .throughGaps = stroke.throughGaps,
-                      .restore = stroke.restore,
-                      .hidden = stroke.hidden,
-                      .spared = stroke.spared},
+    const Result<CutFrame> frame =
+        cutFrame({.view = stroke.view,
+                     .surfaceThreshold = stroke.surfaceThreshold,
+                     .maskReachMm = reachMm(stroke.mask),
+                     .maxDepthMm = rate ? stroke.floorMm : stroke.depthMm,
+                     .throughGaps = stroke.throughGaps,
+                     .restore = stroke.restore,
+                     .hidden = stroke.hidden,
+                     .protectedSegments = stroke.protectedSegments},
             document, QStringLiteral("drill"));
     if (!frame)
         return tl::unexpected(frame.error());
@@ -86,7 +86,7 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
         cut.maskRadius = mm16(stroke.mask.radiusMm);
         return cut;
     }
-    Result<MaskRaster> mask =
+    Result<OutlineRaster> mask =
         maskUnderSample(stroke.mask, frame->pitch, QStringLiteral("drill.mask"));
     if (!mask)
         return tl::unexpected(mask.error());
@@ -109,7 +109,7 @@ RowTitle rowTitle(const DrillStroke& edit, const RowFacts& row)
         row.statistics);
 }
 
-EditReach reach(const DrillStroke& edit, const ReachFacts& row)
+EditDependencies dependencies(const DrillStroke& edit, const DependencyFacts& row)
 {
     const Result<DrillCut> cut = drillCut(edit, row.document);
     if (!cut)

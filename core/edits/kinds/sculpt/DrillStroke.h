@@ -3,10 +3,10 @@
 
 #include "core/document/OrthographicView.h"
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
-#include "core/edits/kinds/parts/SparedSegments.h"
-#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/ProtectedSegments.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/sculpt/DrillCut.h"
 
 #include <vector>
@@ -18,7 +18,7 @@ namespace core {
 struct DrillStroke {
     int layer = 1;
     OrthographicView view{};
-    MaskShape mask{};
+    ToolMask mask{};
     DrillMode mode = DrillMode::Limit;
     double depthMm = 8.0; ///< at full pressure; in mode Rate per second
     double floorMm = 30.0; ///< mode Rate: the greatest depth
@@ -32,15 +32,15 @@ struct DrillStroke {
     /// Resample by time, so that the device's report rate does not matter. Mode Rate always does.
     bool byTime = true;
     std::vector<PenSample> samples{};
-    HiddenSides hidden{};
-    SparedSegments spared{};
+    ClipHalfSpaces hidden{};
+    ProtectedSegments protectedSegments{};
 };
 
 [[nodiscard]] Result<void> check(const DrillStroke& edit, const Document& document);
 Result<bool> apply(const DrillStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const DrillStroke& edit);
 [[nodiscard]] RowTitle rowTitle(const DrillStroke& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const DrillStroke& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const DrillStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const DrillStroke& edit, const Document& document);
 
 /// A stroke without its path (DrillPathSampler.h); its samples are not used. Errors: InvalidField

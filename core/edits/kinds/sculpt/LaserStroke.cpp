@@ -2,11 +2,11 @@
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/CutFrames.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/MaskFrames.h"
 #include "core/edits/kinds/sculpt/CutParts.h"
 #include "core/edits/kinds/sculpt/PressedTitle.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
@@ -70,23 +70,23 @@ Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document)
             return tl::unexpected(check.error());
     }
     const double maskReachMm = reachMm(stroke.mask);
-    const Result<MaskFrame> frame = maskFrame(
-        {.view = stroke.view,
-            .surfaceThreshold = stroke.surfaceThreshold,
-            .maskReachMm = maskReachMm,
-            .maxDepthMm = stroke.mode == DrillMode::Rate ? stroke.floorMm : stroke.depthMm,
-            .throughGaps = stroke.throughGaps,
-            .restore = stroke.restore,
-            .hidden = stroke.hidden,
-            .spared = stroke.spared},
-        document, QStringLiteral("laser"));
+    const Result<CutFrame> frame =
+        cutFrame({.view = stroke.view,
+                     .surfaceThreshold = stroke.surfaceThreshold,
+                     .maskReachMm = maskReachMm,
+                     .maxDepthMm = stroke.mode == DrillMode::Rate ? stroke.floorMm : stroke.depthMm,
+                     .throughGaps = stroke.throughGaps,
+                     .restore = stroke.restore,
+                     .hidden = stroke.hidden,
+                     .protectedSegments = stroke.protectedSegments},
+            document, QStringLiteral("laser"));
     if (!frame)
         return tl::unexpected(frame.error());
     const VolumeGeometry& geometry = document.volumes.front().geometry;
     if (glm::length(geometry.cornersLps().back() - geometry.cornersLps().front()) > largestVolumeMm)
         return failure(ErrorCode::InvalidField, QStringLiteral("laser"),
             QStringLiteral("the volume is larger than 8 m"));
-    Result<MaskRaster> mask =
+    Result<OutlineRaster> mask =
         maskUnderSample(stroke.mask, frame->pitch, QStringLiteral("laser.mask"));
     if (!mask)
         return tl::unexpected(mask.error());
@@ -129,7 +129,7 @@ RowTitle rowTitle(const LaserStroke& edit, const RowFacts& row)
 }
 
 /// As of a drill, and as far as its beams reach sideways.
-EditReach reach(const LaserStroke& edit, const ReachFacts& row)
+EditDependencies dependencies(const LaserStroke& edit, const DependencyFacts& row)
 {
     const Result<LaserCut> cut = laserCut(edit, row.document);
     if (!cut)

@@ -3,10 +3,10 @@
 
 #include "core/document/OrthographicView.h"
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
-#include "core/edits/kinds/parts/SparedSegments.h"
-#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/ProtectedSegments.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/sculpt/DrillCut.h"
 
 #include <vector>
@@ -20,7 +20,7 @@ struct LaserCut;
 struct LaserStroke {
     int layer = 1;
     OrthographicView view{};
-    MaskShape mask{};
+    ToolMask mask{};
     DrillMode mode = DrillMode::Limit;
     double depthMm = 15.0; ///< at full pressure; in mode Rate per second
     double floorMm = 30.0; ///< mode Rate: the greatest depth
@@ -30,15 +30,15 @@ struct LaserStroke {
     bool restore = false;
     bool byTime = true; ///< as in Edit
     std::vector<PenSample> samples{};
-    HiddenSides hidden{};
-    SparedSegments spared{};
+    ClipHalfSpaces hidden{};
+    ProtectedSegments protectedSegments{};
 };
 
 [[nodiscard]] Result<void> check(const LaserStroke& edit, const Document& document);
 Result<bool> apply(const LaserStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const LaserStroke& edit);
 [[nodiscard]] RowTitle rowTitle(const LaserStroke& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const LaserStroke& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const LaserStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const LaserStroke& edit, const Document& document);
 
 /// A stroke without its path (DrillPathSampler.h). Errors: InvalidField (also for a mask that is

@@ -26,14 +26,14 @@ double halfSpanMm(const std::vector<glm::dvec2>& outline)
 
 } // namespace
 
-Result<OutlinedPlane> outlinedPlane(const std::vector<glm::dvec2>& outline,
-    MaskFrameOptions options, const Document& document, const QString& edit)
+Result<OutlinedPlane> outlinedPlane(const std::vector<glm::dvec2>& outline, CutFrameOptions options,
+    const Document& document, const QString& edit)
 {
     options.maskReachMm = halfSpanMm(outline);
-    const Result<MaskFrame> frame = maskFrame(options, document, edit);
+    const Result<CutFrame> frame = cutFrame(options, document, edit);
     if (!frame)
         return tl::unexpected(frame.error());
-    Result<MaskRaster> mask =
+    Result<OutlineRaster> mask =
         maskOf(outline, frame->pitch, glm::dvec2(0.0), edit + QStringLiteral(".polygonMm"));
     if (!mask)
         return tl::unexpected(mask.error());

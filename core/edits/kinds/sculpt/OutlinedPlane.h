@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/edits/engine/MaskFrames.h"
-#include "core/sculpt/MaskRaster.h"
+#include "core/edits/engine/CutFrames.h"
+#include "core/sculpt/OutlineRaster.h"
 
 #include <glm/glm.hpp>
 
@@ -13,14 +13,14 @@ namespace core {
 
 /// A mask plane with the area of a closed curve on it.
 struct OutlinedPlane {
-    MaskFrame frame;
-    MaskRaster mask;
+    CutFrame frame;
+    OutlineRaster mask;
 };
 
-/// Makes them. Errors: those of maskFrame(), InvalidField (a curve that is too small).
+/// Makes them. Errors: those of cutFrame(), InvalidField (a curve that is too small).
 /// @param options their maskReachMm is that of the curve
 /// @param edit name of the edit, for errors
 [[nodiscard]] Result<OutlinedPlane> outlinedPlane(const std::vector<glm::dvec2>& outline,
-    MaskFrameOptions options, const Document& document, const QString& edit);
+    CutFrameOptions options, const Document& document, const QString& edit);
 
 } // namespace core

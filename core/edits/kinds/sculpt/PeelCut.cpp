@@ -2,11 +2,11 @@
 #include "core/edits/kinds/sculpt/PeelCut.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/CutFrames.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/MaskFrames.h"
 #include "core/edits/kinds/sculpt/CutParts.h"
 #include "core/edits/kinds/sculpt/OutlinedPlane.h"
 
@@ -25,7 +25,7 @@ constexpr double farthestPeelMm = 64.0;
 
 Result<void> check(const PeelCut& edit, const Document& document)
 {
-    return checkCut(edit, "peel.layer", maskPeel(edit, document), document);
+    return checkCut(edit, "peel.layer", shellPeel(edit, document), document);
 }
 
 Result<bool> apply(const PeelCut&, Document&)
@@ -38,7 +38,7 @@ EditEffects effects(const PeelCut&)
     return {.task = engineTask<PeelCut>(), .standsOpen = true, .boundToStudy = true};
 }
 
-Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document)
+Result<ShellPeel> shellPeel(const PeelCut& peel, const Document& document)
 {
     Result<OutlinedPlane> plane = outlinedPlane(peel.polygonMm,
         {.view = peel.view,
@@ -47,11 +47,11 @@ Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document)
             .throughGaps = peel.throughGaps,
             .restore = peel.restore,
             .hidden = peel.hidden,
-            .spared = peel.spared},
+            .protectedSegments = peel.protectedSegments},
         document, QStringLiteral("peel"));
     if (!plane)
         return tl::unexpected(plane.error());
-    MaskPeel made{.layer = std::uint8_t(peel.layer), .frame = plane->frame};
+    ShellPeel made{.layer = std::uint8_t(peel.layer), .frame = plane->frame};
     made.mask = std::move(plane->mask);
     if (peel.jumpMm > 0.0)
         made.jump = mm16(peel.jumpMm);
@@ -66,7 +66,7 @@ PeelDepth peelDepth(const PeelCut& peel)
 
 Result<EngineEdit> engineEdit(const PeelCut& edit, const Document& document)
 {
-    return engineEditFrom(maskPeel(edit, document));
+    return engineEditFrom(shellPeel(edit, document));
 }
 
 /// "Peel 4.0 mm, 214 bricks".
@@ -77,9 +77,9 @@ RowTitle rowTitle(const PeelCut& peel, const RowFacts& row)
         .then = {figure(RowTitleCode::Bricks, row.statistics.bricks)}};
 }
 
-EditReach reach(const PeelCut& edit, const ReachFacts& row)
+EditDependencies dependencies(const PeelCut& edit, const DependencyFacts& row)
 {
-    const Result<MaskPeel> cut = maskPeel(edit, row.document);
+    const Result<ShellPeel> cut = shellPeel(edit, row.document);
     if (!cut)
         return reachesNothing();
     return sweptOutline(cut->frame, edit.polygonMm, labelsReadBy(edit, row.document), row);

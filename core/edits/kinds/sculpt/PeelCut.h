@@ -3,8 +3,8 @@
 
 #include "core/document/OrthographicView.h"
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
-#include "core/edits/kinds/parts/SparedSegments.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/ProtectedSegments.h"
 
 #include <glm/glm.hpp>
 
@@ -12,8 +12,8 @@
 
 namespace core {
 
-struct MaskPeel;
 struct PeelDepth;
+struct ShellPeel;
 
 /// Remove a shell of even thickness from the part of the surface inside a closed curve (seed A
 /// §4.4).
@@ -29,20 +29,20 @@ struct PeelCut {
     /// only the largest is peeled; 0: all are.
     double jumpMm = 4.0;
     bool restore = false;
-    HiddenSides hidden{};
-    SparedSegments spared{};
+    ClipHalfSpaces hidden{};
+    ProtectedSegments protectedSegments{};
 };
 
 [[nodiscard]] Result<void> check(const PeelCut& edit, const Document& document);
 Result<bool> apply(const PeelCut& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PeelCut& edit);
 [[nodiscard]] RowTitle rowTitle(const PeelCut& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const PeelCut& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const PeelCut& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const PeelCut& edit, const Document& document);
 
 /// A peel without its depth, and its depth. Errors: InvalidField (also for a curve that is too
 /// small).
-[[nodiscard]] Result<MaskPeel> maskPeel(const PeelCut& peel, const Document& document);
+[[nodiscard]] Result<ShellPeel> shellPeel(const PeelCut& peel, const Document& document);
 [[nodiscard]] PeelDepth peelDepth(const PeelCut& peel);
 
 } // namespace core

@@ -2,11 +2,11 @@
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/CutFrames.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/MaskFrames.h"
 #include "core/edits/kinds/sculpt/CutParts.h"
 #include "core/edits/kinds/sculpt/OutlinedPlane.h"
 
@@ -25,7 +25,7 @@ constexpr double wholeVolumeMm = 10000.0;
 
 Result<void> check(const ScissorsCut& edit, const Document& document)
 {
-    return checkCut(edit, "scissors.layer", maskScissors(edit, document), document);
+    return checkCut(edit, "scissors.layer", outlineCut(edit, document), document);
 }
 
 Result<bool> apply(const ScissorsCut&, Document&)
@@ -38,7 +38,7 @@ EditEffects effects(const ScissorsCut&)
     return {.task = engineTask<ScissorsCut>(), .standsOpen = false, .boundToStudy = true};
 }
 
-Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& document)
+Result<OutlineCut> outlineCut(const ScissorsCut& cut, const Document& document)
 {
     if (cut.restore && cut.firstLayerOnly)
         return failure(ErrorCode::InvalidField, QStringLiteral("scissors.firstLayerOnly"),
@@ -50,11 +50,11 @@ Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& docume
             .throughGaps = !cut.firstLayerOnly,
             .restore = cut.restore,
             .hidden = cut.hidden,
-            .spared = cut.spared},
+            .protectedSegments = cut.protectedSegments},
         document, QStringLiteral("scissors"));
     if (!plane)
         return tl::unexpected(plane.error());
-    MaskScissors made{.layer = std::uint8_t(cut.layer), .frame = plane->frame};
+    OutlineCut made{.layer = std::uint8_t(cut.layer), .frame = plane->frame};
     made.mask = std::move(plane->mask);
     made.fromSurface = cut.depthMm || cut.firstLayerOnly;
     made.laying = cut.restore ? Laying::Refill : Laying::Carve;
@@ -63,7 +63,7 @@ Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& docume
 
 Result<EngineEdit> engineEdit(const ScissorsCut& edit, const Document& document)
 {
-    return engineEditFrom(maskScissors(edit, document));
+    return engineEditFrom(outlineCut(edit, document));
 }
 
 namespace {
@@ -94,9 +94,9 @@ RowTitle rowTitle(const ScissorsCut& cut, const RowFacts& row)
     return title;
 }
 
-EditReach reach(const ScissorsCut& edit, const ReachFacts& row)
+EditDependencies dependencies(const ScissorsCut& edit, const DependencyFacts& row)
 {
-    const Result<MaskScissors> cut = maskScissors(edit, row.document);
+    const Result<OutlineCut> cut = outlineCut(edit, row.document);
     if (!cut)
         return reachesNothing();
     return sweptOutline(cut->frame, edit.polygonMm, labelsReadBy(edit, row.document), row);

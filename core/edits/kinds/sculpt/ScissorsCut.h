@@ -3,8 +3,8 @@
 
 #include "core/document/OrthographicView.h"
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
-#include "core/edits/kinds/parts/SparedSegments.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/ProtectedSegments.h"
 
 #include <glm/glm.hpp>
 
@@ -13,7 +13,7 @@
 
 namespace core {
 
-struct MaskScissors;
+struct OutlineCut;
 
 /// Cut out what lies under a closed curve, along the view direction.
 struct ScissorsCut {
@@ -25,18 +25,18 @@ struct ScissorsCut {
     bool firstLayerOnly = false; ///< only to the first gap in the material
     double surfaceThreshold = 0.0; ///< modality units; values from this one on are visible
     bool restore = false;
-    HiddenSides hidden{};
-    SparedSegments spared{};
+    ClipHalfSpaces hidden{};
+    ProtectedSegments protectedSegments{};
 };
 
 [[nodiscard]] Result<void> check(const ScissorsCut& edit, const Document& document);
 Result<bool> apply(const ScissorsCut& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ScissorsCut& edit);
 [[nodiscard]] RowTitle rowTitle(const ScissorsCut& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ScissorsCut& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ScissorsCut& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ScissorsCut& edit, const Document& document);
 
 /// Errors: InvalidField (also for a curve that is too small).
-[[nodiscard]] Result<MaskScissors> maskScissors(const ScissorsCut& cut, const Document& document);
+[[nodiscard]] Result<OutlineCut> outlineCut(const ScissorsCut& cut, const Document& document);
 
 } // namespace core

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 
-#include "core/edits/engine/MaskFrames.h"
-#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/engine/CutFrames.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,12 +41,12 @@ void addArc(std::vector<glm::dvec2>& outline, const glm::dvec2& middle, const gl
 
 } // namespace
 
-bool isRound(const MaskShape& shape)
+bool isRound(const ToolMask& shape)
 {
-    return !shape.polygonMm && shape.kind == MaskShape::Kind::Circle;
+    return !shape.polygonMm && shape.kind == ToolMask::Kind::Circle;
 }
 
-double reachMm(const MaskShape& shape)
+double reachMm(const ToolMask& shape)
 {
     if (shape.polygonMm) {
         double reach = 0.0;
@@ -55,39 +55,39 @@ double reachMm(const MaskShape& shape)
         return reach;
     }
     switch (shape.kind) {
-    case MaskShape::Kind::Circle:
+    case ToolMask::Kind::Circle:
         return shape.radiusMm;
-    case MaskShape::Kind::Ellipse:
+    case ToolMask::Kind::Ellipse:
         return std::max(shape.widthMm, shape.heightMm) / 2.0;
-    case MaskShape::Kind::Square:
+    case ToolMask::Kind::Square:
         return shape.widthMm * std::sqrt(0.5);
-    case MaskShape::Kind::Rectangle:
-    case MaskShape::Kind::Rounded:
+    case ToolMask::Kind::Rectangle:
+    case ToolMask::Kind::Rounded:
         break;
     }
     return std::sqrt(shape.widthMm * shape.widthMm + shape.heightMm * shape.heightMm) / 2.0;
 }
 
-std::vector<glm::dvec2> outlineMm(const MaskShape& shape, double elementMm)
+std::vector<glm::dvec2> outlineMm(const ToolMask& shape, double elementMm)
 {
     if (shape.polygonMm)
         return *shape.polygonMm;
     const double sag = elementMm / 64.0;
     const glm::dvec2 half(shape.widthMm / 2.0,
-        (shape.kind == MaskShape::Kind::Square ? shape.widthMm : shape.heightMm) / 2.0);
+        (shape.kind == ToolMask::Kind::Square ? shape.widthMm : shape.heightMm) / 2.0);
     std::vector<glm::dvec2> outline;
     switch (shape.kind) {
-    case MaskShape::Kind::Circle:
+    case ToolMask::Kind::Circle:
         addArc(outline, {0.0, 0.0}, glm::dvec2(shape.radiusMm), 0.0, 360.0, sag);
         break;
-    case MaskShape::Kind::Ellipse:
+    case ToolMask::Kind::Ellipse:
         addArc(outline, {0.0, 0.0}, half, 0.0, 360.0, sag);
         break;
-    case MaskShape::Kind::Square:
-    case MaskShape::Kind::Rectangle:
+    case ToolMask::Kind::Square:
+    case ToolMask::Kind::Rectangle:
         outline = {half, {-half.x, half.y}, -half, {half.x, -half.y}};
         break;
-    case MaskShape::Kind::Rounded: {
+    case ToolMask::Kind::Rounded: {
         const double corner = std::min({shape.cornerMm, half.x, half.y});
         const glm::dvec2 middle = half - corner;
         for (int quarter = 0; quarter < 4; ++quarter) {
@@ -100,24 +100,24 @@ std::vector<glm::dvec2> outlineMm(const MaskShape& shape, double elementMm)
     }
     }
     const glm::dvec2 turn = directionAt(shape.rotationDegrees);
-    if (shape.kind != MaskShape::Kind::Circle) {
+    if (shape.kind != ToolMask::Kind::Circle) {
         for (glm::dvec2& point : outline)
             point = {turn.x * point.x - turn.y * point.y, turn.y * point.x + turn.x * point.y};
     }
     return outline;
 }
 
-Result<MaskRaster> maskOf(const std::vector<glm::dvec2>& outlineMm, std::int32_t pitch,
+Result<OutlineRaster> maskOf(const std::vector<glm::dvec2>& outlineMm, std::int32_t pitch,
     const glm::dvec2& origin, const QString& field)
 {
     const double perMm = fixed16 / pitch;
-    std::vector<MaskVertex> vertices;
+    std::vector<OutlineVertex> vertices;
     vertices.reserve(outlineMm.size());
     for (const glm::dvec2& point : outlineMm) {
-        const glm::dvec2 place = (point * perMm + origin) * double(maskSubdivision);
+        const glm::dvec2 place = (point * perMm + origin) * double(outlineSubdivision);
         vertices.emplace_back(int(std::llround(place.x)), int(std::llround(place.y)));
     }
-    const MaskRaster filled = filledExactly(vertices);
+    const OutlineRaster filled = filledExactly(vertices);
     if (filled.area() < 256)
         return failure(ErrorCode::InvalidField, field,
             QStringLiteral("is too small: it covers less than the %1 mm that a cut resolves")
@@ -125,9 +125,10 @@ Result<MaskRaster> maskOf(const std::vector<glm::dvec2>& outlineMm, std::int32_t
     return smoothed(filled);
 }
 
-Result<MaskRaster> maskUnderSample(const MaskShape& shape, std::int32_t pitch, const QString& field)
+Result<OutlineRaster> maskUnderSample(
+    const ToolMask& shape, std::int32_t pitch, const QString& field)
 {
-    Result<MaskRaster> mask =
+    Result<OutlineRaster> mask =
         maskOf(outlineMm(shape, pitch / fixed16), pitch, glm::dvec2(0.5), field);
     if (mask)
         *mask = softened(*mask, (std::int64_t(mm16(shape.softnessMm)) << 8) / pitch);

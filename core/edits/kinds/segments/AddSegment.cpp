@@ -2,8 +2,8 @@
 #include "core/edits/kinds/segments/AddSegment.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 
@@ -49,7 +49,7 @@ RowTitle rowTitle(const AddSegment& edit, const RowFacts&)
     return {.code = RowTitleCode::AddSegment, .arguments = {edit.name}};
 }
 
-EditReach reach(const AddSegment&, const ReachFacts& row)
+EditDependencies dependencies(const AddSegment&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

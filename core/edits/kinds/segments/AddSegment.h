@@ -22,7 +22,7 @@ struct AddSegment {
 Result<bool> apply(const AddSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const AddSegment& edit);
 [[nodiscard]] RowTitle rowTitle(const AddSegment& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const AddSegment& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const AddSegment& edit, const DependencyFacts& row);
 
 /// Adds the segment that receives voxels if it is a new one; returns whether it is. Edits with a
 /// SegmentChoice are carried out only if they take voxels (EditEffects::takesVoxelsOrNothing), so a

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/segments/ChangeSegment.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowDeeds.h"
 #include "core/edits/answers/RowFacts.h"
@@ -76,7 +76,7 @@ RowTitle rowTitle(const ChangeSegment& edit, const RowFacts& row)
     return deeds.title();
 }
 
-EditReach reach(const ChangeSegment&, const ReachFacts& row)
+EditDependencies dependencies(const ChangeSegment&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

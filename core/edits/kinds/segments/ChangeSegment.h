@@ -26,6 +26,6 @@ struct ChangeSegment {
 Result<bool> apply(const ChangeSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChangeSegment& edit);
 [[nodiscard]] RowTitle rowTitle(const ChangeSegment& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ChangeSegment& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ChangeSegment& edit, const DependencyFacts& row);
 
 } // namespace core

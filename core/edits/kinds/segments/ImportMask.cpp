@@ -4,8 +4,8 @@
 #include "core/brick/BrickGrid.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
@@ -230,9 +230,9 @@ RowTitle rowTitle(const ImportMask& mask, const RowFacts& row)
 }
 
 /// The labels and seed words of the bricks that it has voxels in.
-EditReach reach(const ImportMask& edit, const ReachFacts& row)
+EditDependencies dependencies(const ImportMask& edit, const DependencyFacts& row)
 {
-    editReach::Bricks bricks;
+    dependsOn::Bricks bricks;
     if (const Result<LabelListed> listed = labelListed(edit, row.document)) {
         for (const LabelListed::Brick& brick : listed->bricks) {
             bricks.keys.insert({Field::Labels, listed->plane, brick.brick});

@@ -46,7 +46,7 @@ struct ImportMask {
 Result<bool> apply(const ImportMask& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ImportMask& edit);
 [[nodiscard]] RowTitle rowTitle(const ImportMask& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ImportMask& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ImportMask& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ImportMask& edit, const Document& document);
 
 /// Errors: those of importTargets(), InvalidField (voxels that cannot be unpacked, or of another

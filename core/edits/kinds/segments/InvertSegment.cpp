@@ -2,8 +2,8 @@
 #include "core/edits/kinds/segments/InvertSegment.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 
@@ -58,9 +58,9 @@ RowTitle rowTitle(const InvertSegment& edit, const RowFacts& row)
 }
 
 /// What other segments hold decides, too, and whose seeds lie where.
-EditReach reach(const InvertSegment& edit, const ReachFacts& row)
+EditDependencies dependencies(const InvertSegment& edit, const DependencyFacts& row)
 {
-    return editReach::Plane{.plane = row.planeOf(edit.segment)};
+    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
 }
 
 } // namespace core

@@ -17,7 +17,7 @@ struct InvertSegment {
 Result<bool> apply(const InvertSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const InvertSegment& edit);
 [[nodiscard]] RowTitle rowTitle(const InvertSegment& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const InvertSegment& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const InvertSegment& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const InvertSegment& edit, const Document& document);
 
 /// Errors: UnknownSegment, SegmentLocked.

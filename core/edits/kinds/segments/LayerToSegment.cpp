@@ -2,8 +2,8 @@
 #include "core/edits/kinds/segments/LayerToSegment.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/segments/AddSegment.h"
@@ -62,9 +62,9 @@ RowTitle rowTitle(const LayerToSegment& edit, const RowFacts& row)
 
 /// The coverage of the layer, and the labels and seed words of the segment's plane, since what
 /// other segments held decided too.
-EditReach reach(const LayerToSegment& edit, const ReachFacts& row)
+EditDependencies dependencies(const LayerToSegment& edit, const DependencyFacts& row)
 {
-    editReach::Fields fields{.plane = row.planeOf(edit.target.segment.value_or(0)), .layers = {}};
+    dependsOn::Fields fields{.plane = row.planeOf(edit.target.segment.value_or(0)), .layers = {}};
     fields.layers.set(std::size_t(edit.layer));
     return fields;
 }

@@ -19,7 +19,7 @@ struct LayerToSegment {
 Result<bool> apply(const LayerToSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const LayerToSegment& edit);
 [[nodiscard]] RowTitle rowTitle(const LayerToSegment& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const LayerToSegment& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const LayerToSegment& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const LayerToSegment& edit, const Document& document);
 
 /// Errors: those of labelTarget() (EngineEdits.h), InvalidField (no such layer).

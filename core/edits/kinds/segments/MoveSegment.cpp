@@ -2,8 +2,8 @@
 #include "core/edits/kinds/segments/MoveSegment.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
 
@@ -34,7 +34,7 @@ RowTitle rowTitle(const MoveSegment& edit, const RowFacts& row)
         .arguments = {rowWords::segmentName(edit.segment, row.document), TitleNumber{edit.place}}};
 }
 
-EditReach reach(const MoveSegment&, const ReachFacts& row)
+EditDependencies dependencies(const MoveSegment&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -15,6 +15,6 @@ struct MoveSegment {
 Result<bool> apply(const MoveSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const MoveSegment& edit);
 [[nodiscard]] RowTitle rowTitle(const MoveSegment& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const MoveSegment& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const MoveSegment& edit, const DependencyFacts& row);
 
 } // namespace core

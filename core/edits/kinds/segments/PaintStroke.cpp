@@ -2,8 +2,8 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 
@@ -80,7 +80,7 @@ RowTitle rowTitle(const PaintStroke& stroke, const RowFacts& row)
 }
 
 /// The labels and seed words of the bricks under the brush.
-EditReach reach(const PaintStroke& edit, const ReachFacts& row)
+EditDependencies dependencies(const PaintStroke& edit, const DependencyFacts& row)
 {
     return row.labelled(edit.path, row.planeOf(edit.segment));
 }

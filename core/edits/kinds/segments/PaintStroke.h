@@ -25,7 +25,7 @@ struct PaintStroke {
 Result<bool> apply(const PaintStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PaintStroke& edit);
 [[nodiscard]] RowTitle rowTitle(const PaintStroke& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const PaintStroke& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const PaintStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const PaintStroke& edit, const Document& document);
 
 /// The command without the path. Errors: UnknownSegment, SegmentLocked, InvalidField.

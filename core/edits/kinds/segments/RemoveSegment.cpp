@@ -2,8 +2,8 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
@@ -73,7 +73,7 @@ RowTitle rowTitle(const RemoveSegment& edit, const RowFacts& row)
 }
 
 /// As of a growth, since its label must not come back without it.
-EditReach reach(const RemoveSegment&, const ReachFacts& row)
+EditDependencies dependencies(const RemoveSegment&, const DependencyFacts& row)
 {
     return row.wholeGrowth();
 }

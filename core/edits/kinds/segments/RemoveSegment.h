@@ -16,7 +16,7 @@ struct RemoveSegment {
 Result<bool> apply(const RemoveSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RemoveSegment& edit);
 [[nodiscard]] RowTitle rowTitle(const RemoveSegment& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const RemoveSegment& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const RemoveSegment& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const RemoveSegment& edit, const Document& document);
 
 /// Errors: UnknownSegment, SegmentLocked.

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/segments/SegmentSeen.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/segments/AddSegment.h"
@@ -19,7 +19,7 @@ namespace {
 
 /// A plane's side as whole numbers, as finely as sums in 32 bits allow: the plane is off by less
 /// than 2⁻¹⁸ of the volume's size, and not at all where it lies along the volume's slices.
-VoxelBound voxelBound(const HiddenSide& side, const VolumeGeometry& geometry)
+VoxelBound voxelBound(const ClipHalfSpace& side, const VolumeGeometry& geometry)
 {
     const glm::dvec3 normal = glm::transpose(glm::dmat3(geometry.indexToWorld)) * side.normalLps;
     const double offset = side.offsetMm - glm::dot(side.normalLps, geometry.originLps());
@@ -82,7 +82,7 @@ Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document)
     seen.lowCode = edit.lower ? volume.encoding.lowestCodeAtLeast(*edit.lower) : 0;
     seen.highCode =
         edit.upper ? volume.encoding.highestCodeAtMost(*edit.upper) : VoxelEncoding::codeCount - 1;
-    for (const HiddenSide& side : edit.hidden.value_or(std::vector<HiddenSide>()))
+    for (const ClipHalfSpace& side : edit.hidden.value_or(std::vector<ClipHalfSpace>()))
         seen.bounds.push_back(voxelBound(side, volume.geometry));
     return seen;
 }
@@ -101,9 +101,9 @@ RowTitle rowTitle(const SegmentSeen& edit, const RowFacts& row)
 
 /// The coverage of every layer, and the labels and seed words of the segment's plane, since what
 /// other segments held decided too.
-EditReach reach(const SegmentSeen& edit, const ReachFacts& row)
+EditDependencies dependencies(const SegmentSeen& edit, const DependencyFacts& row)
 {
-    editReach::Fields fields{.plane = row.planeOf(edit.target.segment.value_or(0)), .layers = {}};
+    dependsOn::Fields fields{.plane = row.planeOf(edit.target.segment.value_or(0)), .layers = {}};
     fields.layers.set();
     return fields;
 }

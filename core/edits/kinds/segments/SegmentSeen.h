@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 
 #include <optional>
@@ -17,7 +17,7 @@ struct SegmentSeen {
     SegmentChoice target{};
     std::optional<double> lower{}; ///< modality units, inclusive; none: any
     std::optional<double> upper{};
-    HiddenSides hidden{};
+    ClipHalfSpaces hidden{};
     bool overwriteUnlocked = false;
 };
 
@@ -25,7 +25,7 @@ struct SegmentSeen {
 Result<bool> apply(const SegmentSeen& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SegmentSeen& edit);
 [[nodiscard]] RowTitle rowTitle(const SegmentSeen& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const SegmentSeen& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const SegmentSeen& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const SegmentSeen& edit, const Document& document);
 
 /// Errors: those of labelTarget() (EngineEdits.h), InvalidField (lower > upper).

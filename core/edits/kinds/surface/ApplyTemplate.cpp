@@ -2,8 +2,8 @@
 #include "core/edits/kinds/surface/ApplyTemplate.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
 
@@ -33,7 +33,7 @@ RowTitle rowTitle(const ApplyTemplate& shape, const RowFacts& row)
     return title;
 }
 
-EditReach reach(const ApplyTemplate&, const ReachFacts& row)
+EditDependencies dependencies(const ApplyTemplate&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -18,6 +18,6 @@ struct ApplyTemplate {
 Result<bool> apply(const ApplyTemplate& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ApplyTemplate& edit);
 [[nodiscard]] RowTitle rowTitle(const ApplyTemplate& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ApplyTemplate& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ApplyTemplate& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -15,6 +15,6 @@ struct AttractSurface {
 Result<bool> apply(const AttractSurface& edit, Document& document);
 [[nodiscard]] EditEffects effects(const AttractSurface& edit);
 [[nodiscard]] RowTitle rowTitle(const AttractSurface& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const AttractSurface& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const AttractSurface& edit, const DependencyFacts& row);
 
 } // namespace core

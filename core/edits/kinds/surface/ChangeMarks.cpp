@@ -2,8 +2,8 @@
 #include "core/edits/kinds/surface/ChangeMarks.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
 
@@ -64,7 +64,7 @@ RowTitle rowTitle(const ChangeMarks& change, const RowFacts& row)
         .then = {figure(RowTitleCode::Vertices, row.statistics.verticesChanged)}};
 }
 
-EditReach reach(const ChangeMarks&, const ReachFacts& row)
+EditDependencies dependencies(const ChangeMarks&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

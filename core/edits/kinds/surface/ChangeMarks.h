@@ -29,6 +29,6 @@ struct ChangeMarks {
 Result<bool> apply(const ChangeMarks& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ChangeMarks& edit);
 [[nodiscard]] RowTitle rowTitle(const ChangeMarks& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const ChangeMarks& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const ChangeMarks& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/surface/DropSurface.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
 
@@ -31,7 +31,7 @@ RowTitle rowTitle(const DropSurface&, const RowFacts&)
     return {.code = RowTitleCode::RemoveSurface};
 }
 
-EditReach reach(const DropSurface&, const ReachFacts& row)
+EditDependencies dependencies(const DropSurface&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -12,6 +12,6 @@ struct DropSurface { };
 Result<bool> apply(const DropSurface& edit, Document& document);
 [[nodiscard]] EditEffects effects(const DropSurface& edit);
 [[nodiscard]] RowTitle rowTitle(const DropSurface& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const DropSurface& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const DropSurface& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/surface/FollowMask.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
 
@@ -32,7 +32,7 @@ RowTitle rowTitle(const FollowMask&, const RowFacts& row)
         .then = {figure(RowTitleCode::Vertices, row.statistics.verticesChanged)}};
 }
 
-EditReach reach(const FollowMask&, const ReachFacts& row)
+EditDependencies dependencies(const FollowMask&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -13,6 +13,6 @@ struct FollowMask { };
 Result<bool> apply(const FollowMask& edit, Document& document);
 [[nodiscard]] EditEffects effects(const FollowMask& edit);
 [[nodiscard]] RowTitle rowTitle(const FollowMask& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const FollowMask& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const FollowMask& edit, const DependencyFacts& row);
 
 } // namespace core

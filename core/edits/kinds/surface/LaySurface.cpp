@@ -2,8 +2,8 @@
 #include "core/edits/kinds/surface/LaySurface.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
@@ -43,7 +43,7 @@ RowTitle rowTitle(const LaySurface& lay, const RowFacts& row)
         .then = {figure(RowTitleCode::Vertices, row.statistics.verticesChanged)}};
 }
 
-EditReach reach(const LaySurface&, const ReachFacts& row)
+EditDependencies dependencies(const LaySurface&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -20,6 +20,6 @@ struct LaySurface {
 Result<bool> apply(const LaySurface& edit, Document& document);
 [[nodiscard]] EditEffects effects(const LaySurface& edit);
 [[nodiscard]] RowTitle rowTitle(const LaySurface& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const LaySurface& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const LaySurface& edit, const DependencyFacts& row);
 
 } // namespace core

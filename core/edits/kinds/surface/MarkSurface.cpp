@@ -2,8 +2,8 @@
 #include "core/edits/kinds/surface/MarkSurface.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
 
@@ -34,7 +34,7 @@ RowTitle rowTitle(const MarkSurface& mark, const RowFacts& row)
             figure(RowTitleCode::Vertices, row.statistics.verticesChanged)}};
 }
 
-EditReach reach(const MarkSurface&, const ReachFacts& row)
+EditDependencies dependencies(const MarkSurface&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -17,6 +17,6 @@ struct MarkSurface {
 Result<bool> apply(const MarkSurface& edit, Document& document);
 [[nodiscard]] EditEffects effects(const MarkSurface& edit);
 [[nodiscard]] RowTitle rowTitle(const MarkSurface& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const MarkSurface& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const MarkSurface& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/surface/PlaneScrape.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
 
@@ -32,7 +32,7 @@ RowTitle rowTitle(const PlaneScrape& scrape, const RowFacts& row)
     return strokeTitle(RowTitleCode::Scrape, scrape.path, row.statistics);
 }
 
-EditReach reach(const PlaneScrape&, const ReachFacts& row)
+EditDependencies dependencies(const PlaneScrape&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

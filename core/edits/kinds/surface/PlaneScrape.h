@@ -18,6 +18,6 @@ struct PlaneScrape {
 Result<bool> apply(const PlaneScrape& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PlaneScrape& edit);
 [[nodiscard]] RowTitle rowTitle(const PlaneScrape& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const PlaneScrape& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const PlaneScrape& edit, const DependencyFacts& row);
 
 } // namespace core

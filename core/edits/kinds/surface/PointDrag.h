@@ -15,6 +15,6 @@ struct PointDrag {
 Result<bool> apply(const PointDrag& edit, Document& document);
 [[nodiscard]] EditEffects effects(const PointDrag& edit);
 [[nodiscard]] RowTitle rowTitle(const PointDrag& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const PointDrag& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const PointDrag& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -15,6 +15,6 @@ struct SmoothSurface {
 Result<bool> apply(const SmoothSurface& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SmoothSurface& edit);
 [[nodiscard]] RowTitle rowTitle(const SmoothSurface& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const SmoothSurface& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const SmoothSurface& edit, const DependencyFacts& row);
 
 } // namespace core

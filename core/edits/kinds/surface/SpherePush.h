@@ -15,6 +15,6 @@ struct SpherePush {
 Result<bool> apply(const SpherePush& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SpherePush& edit);
 [[nodiscard]] RowTitle rowTitle(const SpherePush& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const SpherePush& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const SpherePush& edit, const DependencyFacts& row);
 
 } // namespace core

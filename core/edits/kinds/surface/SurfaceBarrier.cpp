@@ -2,8 +2,8 @@
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
 
@@ -34,7 +34,7 @@ RowTitle rowTitle(const SurfaceBarrier& edit, const RowFacts& row)
         .then = {figure(RowTitleCode::Voxels, row.facts.seedWordsChanged)}};
 }
 
-EditReach reach(const SurfaceBarrier&, const ReachFacts& row)
+EditDependencies dependencies(const SurfaceBarrier&, const DependencyFacts& row)
 {
     return row.wholeGrowth();
 }

@@ -17,6 +17,6 @@ struct SurfaceBarrier {
 Result<bool> apply(const SurfaceBarrier& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SurfaceBarrier& edit);
 [[nodiscard]] RowTitle rowTitle(const SurfaceBarrier& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const SurfaceBarrier& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const SurfaceBarrier& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/surface/SpherePush.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/surface/AttractSurface.h"
 #include "core/edits/kinds/surface/PointDrag.h"
@@ -32,7 +32,7 @@ RowTitle rowTitle(const SpherePush& push, const RowFacts& row)
     return strokeTitle(RowTitleCode::SpherePush, push.path, row.statistics);
 }
 
-EditReach reach(const SpherePush&, const ReachFacts& row)
+EditDependencies dependencies(const SpherePush&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }
@@ -57,7 +57,7 @@ RowTitle rowTitle(const PointDrag& drag, const RowFacts& row)
     return strokeTitle(RowTitleCode::DragPoint, drag.path, row.statistics);
 }
 
-EditReach reach(const PointDrag&, const ReachFacts& row)
+EditDependencies dependencies(const PointDrag&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }
@@ -82,7 +82,7 @@ RowTitle rowTitle(const SmoothSurface& smooth, const RowFacts& row)
     return strokeTitle(RowTitleCode::SmoothSurface, smooth.path, row.statistics);
 }
 
-EditReach reach(const SmoothSurface&, const ReachFacts& row)
+EditDependencies dependencies(const SmoothSurface&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }
@@ -107,7 +107,7 @@ RowTitle rowTitle(const AttractSurface& attract, const RowFacts& row)
     return strokeTitle(RowTitleCode::AttractToEdge, attract.path, row.statistics);
 }
 
-EditReach reach(const AttractSurface&, const ReachFacts& row)
+EditDependencies dependencies(const AttractSurface&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/surface/WriteBack.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
 
@@ -43,7 +43,7 @@ RowTitle rowTitle(const WriteBack&, const RowFacts& row)
         .then = {figure(RowTitleCode::Voxels, row.statistics.voxelsChanged)}};
 }
 
-EditReach reach(const WriteBack&, const ReachFacts& row)
+EditDependencies dependencies(const WriteBack&, const DependencyFacts& row)
 {
     return row.wholeGrowth();
 }

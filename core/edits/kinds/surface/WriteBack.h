@@ -18,6 +18,6 @@ struct WriteBack {
 Result<bool> apply(const WriteBack& edit, Document& document);
 [[nodiscard]] EditEffects effects(const WriteBack& edit);
 [[nodiscard]] RowTitle rowTitle(const WriteBack& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const WriteBack& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const WriteBack& edit, const DependencyFacts& row);
 
 } // namespace core

@@ -2,8 +2,8 @@
 #include "core/edits/kinds/views/Bookmarks.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 
@@ -38,7 +38,7 @@ RowTitle rowTitle(const AddBookmark& edit, const RowFacts&)
     return {.code = RowTitleCode::Bookmark, .arguments = {edit.name}};
 }
 
-EditReach reach(const AddBookmark&, const ReachFacts& row)
+EditDependencies dependencies(const AddBookmark&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }
@@ -71,7 +71,7 @@ RowTitle rowTitle(const RemoveBookmark& edit, const RowFacts& row)
         .arguments = {bookmark ? bookmark->name : QString::number(edit.bookmark)}};
 }
 
-EditReach reach(const RemoveBookmark&, const ReachFacts& row)
+EditDependencies dependencies(const RemoveBookmark&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

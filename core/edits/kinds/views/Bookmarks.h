@@ -25,12 +25,12 @@ struct RemoveBookmark {
 Result<bool> apply(const AddBookmark& edit, Document& document);
 [[nodiscard]] EditEffects effects(const AddBookmark& edit);
 [[nodiscard]] RowTitle rowTitle(const AddBookmark& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const AddBookmark& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const AddBookmark& edit, const DependencyFacts& row);
 
 [[nodiscard]] Result<void> check(const RemoveBookmark& edit, const Document& document);
 Result<bool> apply(const RemoveBookmark& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RemoveBookmark& edit);
 [[nodiscard]] RowTitle rowTitle(const RemoveBookmark& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const RemoveBookmark& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const RemoveBookmark& edit, const DependencyFacts& row);
 
 } // namespace core

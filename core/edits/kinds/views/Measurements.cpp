@@ -2,8 +2,8 @@
 #include "core/edits/kinds/views/Measurements.h"
 
 #include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
-#include "core/edits/answers/EditReach.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
 
@@ -41,7 +41,7 @@ RowTitle rowTitle(const AddMeasurement& edit, const RowFacts&)
         .arguments = {inMm(glm::distance(edit.fromLps, edit.toLps))}};
 }
 
-EditReach reach(const AddMeasurement&, const ReachFacts& row)
+EditDependencies dependencies(const AddMeasurement&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }
@@ -78,7 +78,7 @@ RowTitle rowTitle(const RemoveMeasurement& edit, const RowFacts& row)
     return {.code = RowTitleCode::RemoveMeasurement, .arguments = {inMm(measurement->lengthMm())}};
 }
 
-EditReach reach(const RemoveMeasurement&, const ReachFacts& row)
+EditDependencies dependencies(const RemoveMeasurement&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

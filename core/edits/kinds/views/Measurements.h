@@ -24,12 +24,13 @@ struct RemoveMeasurement {
 Result<bool> apply(const AddMeasurement& edit, Document& document);
 [[nodiscard]] EditEffects effects(const AddMeasurement& edit);
 [[nodiscard]] RowTitle rowTitle(const AddMeasurement& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const AddMeasurement& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(const AddMeasurement& edit, const DependencyFacts& row);
 
 [[nodiscard]] Result<void> check(const RemoveMeasurement& edit, const Document& document);
 Result<bool> apply(const RemoveMeasurement& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RemoveMeasurement& edit);
 [[nodiscard]] RowTitle rowTitle(const RemoveMeasurement& edit, const RowFacts& row);
-[[nodiscard]] EditReach reach(const RemoveMeasurement& edit, const ReachFacts& row);
+[[nodiscard]] EditDependencies dependencies(
+    const RemoveMeasurement& edit, const DependencyFacts& row);
 
 } // namespace core

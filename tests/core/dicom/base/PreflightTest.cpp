@@ -4,7 +4,7 @@
 #include "core/dicom/codecs/FrameDecoder.h"
 #include "core/dicom/header/ImageHeaderReader.h"
 #include "core/dicom/objects/SegReader.h"
-#include "core/dicom/source/SourceFiles.h"
+#include "core/dicom/source/VisitSourceFiles.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"

@@ -19,7 +19,7 @@ private Q_SLOTS:
     void masksOfAnyShapeAreResized()
     {
         DrillStroke stroke;
-        stroke.mask = {.kind = MaskShape::Kind::Square, .widthMm = 10.0, .heightMm = 4.0};
+        stroke.mask = {.kind = ToolMask::Kind::Square, .widthMm = 10.0, .heightMm = 4.0};
         QCOMPARE(parametersOf(stroke).sideMm, std::optional<double>(10.0));
         QVERIFY(!parametersOf(stroke).radiusMm);
         Result<SculptEdit> now = revised(stroke, {.row = 1, .sideMm = 6.0});
@@ -28,8 +28,8 @@ private Q_SLOTS:
         QVERIFY(!revised(stroke, {.row = 1, .widthMm = 6.0}));
         QVERIFY(!revised(stroke, {.row = 1, .factor = 2.0}));
 
-        for (const MaskShape::Kind kind :
-            {MaskShape::Kind::Ellipse, MaskShape::Kind::Rectangle, MaskShape::Kind::Rounded}) {
+        for (const ToolMask::Kind kind :
+            {ToolMask::Kind::Ellipse, ToolMask::Kind::Rectangle, ToolMask::Kind::Rounded}) {
             stroke.mask.kind = kind;
             now = revised(stroke, {.row = 1, .widthMm = 7.0, .heightMm = 5.0});
             QVERIFY(now);

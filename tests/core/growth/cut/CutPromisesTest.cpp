@@ -157,7 +157,7 @@ CutGrowth randomCut(RandomGrowth& growth, const Words& words, CutGrowth::How how
     if (random() % 4 == 0)
         cut.voxels.push_back(test::randomVoxel(random, words.size));
     if (random() % 6 == 0)
-        cut.frozen.set(std::size_t(randomInt(random, 1, 3)));
+        cut.lockedLabels.set(std::size_t(randomInt(random, 1, 3)));
     return cut;
 }
 

@@ -109,7 +109,7 @@ private Q_SLOTS:
             cut.voxels = {{7, 0, 0}}; // beside the corridor
             QCOMPARE(cutGrowth(words, cut).error().code, ErrorCode::NothingGrown);
             cut.voxels = {{0, 0, 0}, {15, 6, 6}};
-            cut.frozen.set(5);
+            cut.lockedLabels.set(5);
             QCOMPARE(cutGrowth(words, cut).error().code, ErrorCode::NothingGrown);
         }
     }

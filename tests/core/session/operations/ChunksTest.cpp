@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/chunks/Chunks.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/chunks/ChunkMap.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/session/EditSession.h"
@@ -160,20 +160,20 @@ private Q_SLOTS:
         bench.session->setListener([&told](const DocumentChange& change) {
             told += change.what == DocumentChange::What::Chunks ? 1 : 0;
         });
-        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 12.0}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 12.0}), QString());
         QCOMPARE(
             bench.rows().back().name, QStringLiteral("Divide around 'S1' into chunks, 12.0 mm"));
         QCOMPARE(bench.session->document().chunks->segment, 1);
         QVERIFY(bench.session->stateHash() != before);
         QCOMPARE(told, 1);
-        const auto& divided = bench.rows().back().edit.get<Chunks>();
+        const auto& divided = bench.rows().back().edit.get<DivideSegment>();
         QCOMPARE(divided.owners->size(), std::size_t(2));
         QCOMPARE(divided.owners->back().label, 2);
 
         // The same again is nothing; once something is different it is a division of its own.
-        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 12.0}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 12.0}), QString());
         QCOMPARE(bench.rows().size(), std::size_t(2));
-        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 11.0}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 11.0}), QString());
         QCOMPARE(bench.session->document().chunks->id, 2);
 
         // Its chunks are those of codes and labels in the box.
@@ -209,12 +209,12 @@ private Q_SLOTS:
     {
         Bench bench;
         QCOMPARE(bench.tried(bench.lobes.mask({{1}, {3}})), QString());
-        QVERIFY(bench.tried(Chunks{.segment = 7}).contains(QLatin1Char('7')));
+        QVERIFY(bench.tried(DivideSegment{.segment = 7}).contains(QLatin1Char('7')));
         QVERIFY(bench.tried(click({inFirst}, 10)).contains(QStringLiteral("nothing is divided")));
         QCOMPARE(bench.tried(test::newSegment(QStringLiteral("Empty"), 1)), QString());
-        QVERIFY(bench.tried(Chunks{.segment = 3}).contains(QStringLiteral("no voxels")));
-        QVERIFY(!bench.tried(Chunks{.segment = 1, .marginMm = -1.0}).isEmpty());
-        Chunks damaged{.segment = 1};
+        QVERIFY(bench.tried(DivideSegment{.segment = 3}).contains(QStringLiteral("no voxels")));
+        QVERIFY(!bench.tried(DivideSegment{.segment = 1, .marginMm = -1.0}).isEmpty());
+        DivideSegment damaged{.segment = 1};
         damaged.owners = {{.label = 1, .voxels = "rubbish"}};
         QVERIFY(bench.tried(damaged).contains(QStringLiteral("damaged")));
         VoxelRuns other;
@@ -223,7 +223,7 @@ private Q_SLOTS:
         QVERIFY(bench.tried(damaged).contains(QStringLiteral("not among them")));
         QCOMPARE(bench.rows().size(), std::size_t(2));
 
-        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 4.0}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 4.0}), QString());
         QVERIFY(bench.tried(click({{-20, 0, 0}}, 10)).contains(QStringLiteral("outside")));
         QVERIFY(!bench.tried(click({}, 10)).isEmpty());
         QVERIFY(!bench.tried(click({inFirst}, 0)).isEmpty());
@@ -239,7 +239,7 @@ private Q_SLOTS:
         ChunkToggle toTheOther = click({inFirst}, 10);
         toTheOther.segment = 2;
         QVERIFY(bench.tried(toTheOther).contains(QStringLiteral("nothing is divided")));
-        QCOMPARE(bench.tried(Chunks{.segment = 2}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 2}), QString());
         QCOMPARE(bench.session->document().chunks->id, 2);
     }
 
@@ -253,7 +253,7 @@ private Q_SLOTS:
         session->setErrorListener(
             [&told](const Error& error) { told += error.arguments.join(QLatin1Char(' ')); });
         QVERIFY(session->apply(lobes.mask({{1}, {3}})) && session->settle());
-        QVERIFY(session->apply(Chunks{.segment = 1, .marginMm = 9.0}) && session->settle());
+        QVERIFY(session->apply(DivideSegment{.segment = 1, .marginMm = 9.0}) && session->settle());
         SessionChunks& chunks = session->chunks();
         QVERIFY(!chunks.stage() && !chunks.whyNot());
         QVERIFY(!chunks.map());
@@ -280,7 +280,7 @@ private Q_SLOTS:
     {
         const Bench bench;
         QCOMPARE(bench.tried(bench.lobes.mask({{1}, {3}})), QString());
-        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 9.0}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 9.0}), QString());
         SessionChunks& chunks = bench.session->chunks();
         QVERIFY(!chunks.map() && chunks.stage());
         chunks.cancel();
@@ -291,7 +291,7 @@ private Q_SLOTS:
         QVERIFY(bench.map());
         // Who waits for it is told.
         chunks.forgetFailure();
-        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 10.0}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 10.0}), QString());
         QVERIFY(bench.session->apply(click({inOrgan}, 8)));
         chunks.cancel();
         const Result<void> clicked = bench.session->settle();
@@ -303,7 +303,7 @@ private Q_SLOTS:
     {
         Bench bench;
         QCOMPARE(bench.tried(bench.lobes.mask({{1, 3}})), QString());
-        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 20.0}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 20.0}), QString());
         const int few = 8;
         QCOMPARE(bench.tried(click({inSecond}, few)), QString());
         qInfo("the lobe comes: %d %%", bench.shareOf(2, 1));
@@ -330,7 +330,7 @@ private Q_SLOTS:
         test::Random random(12);
         Bench bench;
         QCOMPARE(bench.tried(bench.lobes.mask({{1}, {3}})), QString());
-        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 9.0}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 9.0}), QString());
         const auto map = bench.map();
         for (int round = 0; round < 40; ++round) {
             ChunkToggle edit = click({}, test::randomInt(random, 1, 400));
@@ -372,9 +372,9 @@ private Q_SLOTS:
     {
         Bench bench;
         QCOMPARE(bench.tried(bench.lobes.mask({{1}, {3}})), QString());
-        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 3.0}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 3.0}), QString());
         const VoxelBox narrow = bench.map()->box();
-        QCOMPARE(bench.tried(Chunks{.segment = 2, .marginMm = 6.0}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 2, .marginMm = 6.0}), QString());
         QVERIFY(bench.map()->box().minimum != narrow.minimum);
         QVERIFY(bench.session->undo());
         QVERIFY(bench.session->settle());
@@ -407,7 +407,7 @@ private Q_SLOTS:
         {
             Bench bench(file);
             QCOMPARE(bench.tried(bench.lobes.mask({{1, 3}})), QString());
-            QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 20.0}), QString());
+            QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 20.0}), QString());
             QCOMPARE(bench.tried(click({inSecond}, 8)), QString());
             hash = bench.session->stateHash();
             QCOMPARE(bench.tried(click({inOrgan}, 8)), QString());
@@ -438,7 +438,7 @@ private Q_SLOTS:
     {
         Bench bench;
         QCOMPARE(bench.tried(bench.lobes.mask({{1, 3}})), QString());
-        QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 20.0}), QString());
+        QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 20.0}), QString());
         const std::vector<std::uint8_t> before = bench.labels();
         QCOMPARE(bench.tried(click({inOrgan}, 8)), QString());
         // In bricks above the organ's.
@@ -466,7 +466,7 @@ private Q_SLOTS:
         {
             Bench bench(file);
             QCOMPARE(bench.tried(bench.lobes.mask({{1, 3}})), QString());
-            QCOMPARE(bench.tried(Chunks{.segment = 1, .marginMm = 20.0}), QString());
+            QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 20.0}), QString());
             QCOMPARE(bench.tried(click({inSecond}, 8, Mode::Add)), QString());
             hash = bench.session->stateHash();
         }

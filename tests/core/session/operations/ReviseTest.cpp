@@ -284,7 +284,7 @@ private Q_SLOTS:
         BrushStroke brush;
         brush.path.pointsLps = {test::frontView().targetLps};
         DrillStroke square = drill(0);
-        square.mask.kind = MaskShape::Kind::Square;
+        square.mask.kind = ToolMask::Kind::Square;
         PeelCut peel;
         peel.view = square.view;
         peel.polygonMm = {{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}};

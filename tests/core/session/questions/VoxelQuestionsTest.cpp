@@ -191,19 +191,19 @@ private Q_SLOTS:
     {
         const Bench bench({test::addSegment("Brain")});
         bool answered = false;
-        const Result<void> asked = bench.questions().foreseeCut(ShrinkAt{},
-            [&answered](const Result<std::optional<ForeseenCut>>&) { answered = true; });
+        const Result<void> asked = bench.questions().previewCut(
+            ShrinkAt{}, [&answered](const Result<std::optional<CutPreview>>&) { answered = true; });
         QVERIFY(!asked && asked.error().code == ErrorCode::InvalidField);
         QVERIFY(bench.session->settle());
         QVERIFY(!answered);
         const ShrinkAt shrink{
             .pointsLps = {bench.study.volume.geometry.toWorld(glm::dvec3(inBrain))}};
-        const auto foreseen = bench.answerTo<std::optional<ForeseenCut>>([&](auto take) {
-            const Result<void> question = bench.questions().foreseeCut(shrink, take);
+        const auto foreseen = bench.answerTo<std::optional<CutPreview>>([&](auto take) {
+            const Result<void> question = bench.questions().previewCut(shrink, take);
             QVERIFY(question);
         });
         QVERIFY(!foreseen && foreseen.error().code == ErrorCode::NothingGrown);
-        bench.questions().dropForesight();
+        bench.questions().dropCutPreview();
         QVERIFY(bench.session->settle());
     }
 

@@ -102,10 +102,10 @@ private Q_SLOTS:
         hash.update({BrickImage{{Field::SeedWords, 0, 0x123456}, filled(Field::SeedWords, 0)}});
         QCOMPARE(hash.root("{}"), written(3));
         QCOMPARE(hash.root("{\"segments\":[]}"), written(4));
-        hash.update({BrickImage{{Field::Beneath, 0, 0}, filled(Field::Beneath, 2)}});
+        hash.update({BrickImage{{Field::Overwritten, 0, 0}, filled(Field::Overwritten, 2)}});
         QCOMPARE(hash.root("{}"), written(5));
         // What growth gave back leaves no trace.
-        hash.update({BrickImage{{Field::Beneath, 0, 0}, filled(Field::Beneath, 0)}});
+        hash.update({BrickImage{{Field::Overwritten, 0, 0}, filled(Field::Overwritten, 0)}});
         QCOMPARE(hash.root("{}"), written(3));
     }
 

@@ -188,7 +188,7 @@ QString brokenPromise(const Words& before, const Words& after, const core::CutGr
     std::array<std::set<std::size_t>, 256> sketches;
     for (const glm::ivec3& place : command.voxels) {
         const std::uint32_t word = before.at(place);
-        if (seedWord::isMember(word) && !command.frozen[seedWord::label(word)])
+        if (seedWord::isMember(word) && !command.lockedLabels[seedWord::label(word)])
             sketches[seedWord::label(word)].insert(before.offset(place));
     }
     for (std::uint32_t label = 1; label < 256; ++label) {
@@ -244,7 +244,7 @@ Sketched sketchedMembers(const Words& words, const core::CutGrowth& command)
     std::set<std::size_t> roots;
     for (const glm::ivec3& place : command.voxels) {
         const std::uint32_t word = words.at(place);
-        if (!seedWord::isMember(word) || command.frozen[seedWord::label(word)])
+        if (!seedWord::isMember(word) || command.lockedLabels[seedWord::label(word)])
             continue;
         members.insert(words.offset(place));
         if (isRoot(word))

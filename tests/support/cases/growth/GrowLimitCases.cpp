@@ -125,7 +125,7 @@ EngineCase randomCase(int number)
             grow.highCode = 65535;
         }
         if (random() % 4 == 0)
-            grow.frozen.set(std::size_t(randomInt(random, 1, 4)));
+            grow.lockedLabels.set(std::size_t(randomInt(random, 1, 4)));
         grow.opening = std::array<GrowOpening, 4>{GrowOpening::GoOn, GrowOpening::Narrow,
             GrowOpening::Narrow, GrowOpening::Restart}[openings() % 4];
         made.steps.push_back(command(core::ProbeSeeds{0, grow.lowCode, grow.highCode}));

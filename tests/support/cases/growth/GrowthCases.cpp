@@ -28,7 +28,7 @@ void appendGrowth(std::vector<EngineStep>& steps, const GrowBurst& burst,
             steps.push_back(command(core::ProbeVoxels{{{0, 0, 0}}, burst.plane}));
             steps.push_back(command(core::ReadBricks{
                 {{core::Field::Labels, burst.plane, 0}, {core::Field::SeedWords, burst.plane, 0},
-                    {core::Field::Beneath, burst.plane, 0}}}));
+                    {core::Field::Overwritten, burst.plane, 0}}}));
         }
     }
     steps.push_back(command(core::EndEdit{ending}));
@@ -119,7 +119,7 @@ core::CutGrowth randomCut(Random& random, const glm::ivec3& size)
     for (int i = random() % 3 ? 1 : randomInt(random, 0, 30); i > 0; --i)
         cut.voxels.push_back(randomVoxel(random, size));
     if (random() % 6 == 0)
-        cut.frozen.set(std::size_t(randomInt(random, 1, 4)));
+        cut.lockedLabels.set(std::size_t(randomInt(random, 1, 4)));
     return cut;
 }
 
@@ -172,7 +172,7 @@ EngineCase randomGrowth(int number)
             for (int label = 1; label <= 4; ++label)
                 burst.overwritable[std::size_t(label)] = random() % 3 == 0;
             if (locks() % 4 == 0)
-                burst.frozen.set(std::size_t(randomInt(locks, 1, 4)));
+                burst.lockedLabels.set(std::size_t(randomInt(locks, 1, 4)));
             burst.connectivity = std::array<int, 4>{6, 6, 18, 26}[newer() % 4];
             if (cuts() % 3 == 0)
                 burst.guard = core::GuardRule{.factor256 = randomInt(cuts, 256, 700),
@@ -191,7 +191,7 @@ EngineCase randomGrowth(int number)
                 if (newer() % 4)
                     shrink.generations = std::uint32_t(randomInt(newer, 0, 8));
                 if (newer() % 4 == 0)
-                    shrink.shrink.frozen.set(std::size_t(randomInt(newer, 1, 4)));
+                    shrink.shrink.lockedLabels.set(std::size_t(randomInt(newer, 1, 4)));
                 if (newer() % 5 == 0)
                     shrink.ending = core::Ending::Rollback;
                 if (newer() % 2) {
@@ -269,13 +269,13 @@ std::vector<EngineCase> growthCases(int randomCount)
     appendWhole(thawed.steps, SeedPlacement{.label = 1, .voxels = corners(size)});
     appendWhole(thawed.steps, SeedPlacement{.label = 200, .voxels = {size / 2}});
     GrowBurst frozen = wholeRange;
-    frozen.frozen.set(200);
+    frozen.lockedLabels.set(200);
     appendGrowth(thawed.steps, frozen, {3});
     frozen.generation = 4;
-    frozen.frozen.reset().set(1);
+    frozen.lockedLabels.reset().set(1);
     appendGrowth(thawed.steps, frozen, {2});
     frozen.generation = 7;
-    frozen.frozen.reset();
+    frozen.lockedLabels.reset();
     appendGrowth(thawed.steps, frozen, {closure});
     cases.push_back(thawed);
 
@@ -318,7 +318,7 @@ std::vector<EngineCase> growthCases(int randomCount)
     appendWhole(lockedShrink.steps, SeedPlacement{.label = 200, .voxels = {size / 2}});
     appendGrowth(lockedShrink.steps, wholeRange, {4});
     Shrink keeping{.shrink = {}, .generations = 2};
-    keeping.shrink.frozen.set(200);
+    keeping.shrink.lockedLabels.set(200);
     lockedShrink.steps.push_back(keeping);
     appendGrowth(lockedShrink.steps, wholeRange, {3});
     cases.push_back(lockedShrink);

@@ -47,7 +47,7 @@ EngineCase randomMoves(int number)
                 GrowOpening::Narrow, GrowOpening::Narrow, GrowOpening::Restart,
                 GrowOpening::GoOn}[random() % 6]};
         burst.overwritable[4] = random() % 4 == 0;
-        burst.frozen[3] = random() % 6 == 0;
+        burst.lockedLabels[3] = random() % 6 == 0;
         return burst;
     };
     for (int move = 0; move < 50; ++move) {
@@ -58,7 +58,7 @@ EngineCase randomMoves(int number)
             stroke.erase = random() % 3 == 0;
             if (const auto barrier = core::paintBarrier(stroke, document)) {
                 core::PaintBarrier shut = *barrier;
-                shut.frozen[2] = random() % 5 == 0;
+                shut.lockedLabels[2] = random() % 5 == 0;
                 appendWhole(made.steps, shut,
                     {core::CapsulePath{
                         core::capsules(stroke.path, document.volumes.front().geometry)}});

@@ -96,7 +96,7 @@ EngineCase randomCase(int number)
             burst.guard = core::GuardRule{.factor256 = 300, .excess = 20, .window = 10};
         burst.overwritable[4] = random() % 3 == 0;
         burst.overwritable[1] = random() % 4 == 0;
-        burst.frozen[3] = random() % 5 == 0;
+        burst.lockedLabels[3] = random() % 5 == 0;
         return burst;
     };
     for (int move = randomInt(random, 3, 8); move > 0; --move) {

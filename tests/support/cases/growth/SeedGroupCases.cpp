@@ -138,7 +138,7 @@ EngineCase randomCase(int number)
         if (random() % 6 == 0)
             grow.limits.passage = {.spacing = glm::ivec3(64), .reach = 64 * 64};
         if (random() % 4 == 0)
-            grow.frozen.set(std::size_t(randomInt(random, 1, 3)));
+            grow.lockedLabels.set(std::size_t(randomInt(random, 1, 3)));
         grow.opening = core::isAsked(grow.limits.passage)
             ? GrowOpening::Restart
             : std::array<GrowOpening, 3>{

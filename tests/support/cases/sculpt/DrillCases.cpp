@@ -75,7 +75,7 @@ Codes randomCodes(const glm::ivec3& size, Random& random)
 /// Integers that a stroke would not have, within what the rules allow.
 void disturb(DrillCut& cut, Random& random)
 {
-    core::MaskFrame& frame = cut.frame;
+    core::CutFrame& frame = cut.frame;
     switch (random() % 9) {
     case 0:
         frame.gapSamples = randomInt(random, 1, 8);

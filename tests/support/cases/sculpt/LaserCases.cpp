@@ -63,7 +63,7 @@ void append(EngineCase& made, const LaserStroke& stroke, const core::Document& d
 /// Integers that a stroke would not have, within what the rules allow.
 void disturb(LaserCut& cut, Random& random)
 {
-    core::MaskFrame& frame = cut.frame;
+    core::CutFrame& frame = cut.frame;
     switch (random() % 12) {
     case 0:
         frame.gapSamples = randomInt(random, 1, 8);
@@ -243,9 +243,9 @@ std::vector<EngineCase> laserCases(int randomCount)
             const core::DrillCut cut = drillCutOf(drill, scene);
             appendWhole(made.steps, cut, {DrillPath{drillSamplesOf(drill, cut)}});
         } else if (name == "peel") {
-            appendWhole(made.steps, *core::maskPeel(peel, scene), {core::peelDepth(peel)});
+            appendWhole(made.steps, *core::shellPeel(peel, scene), {core::peelDepth(peel)});
         } else if (name == "scissors") {
-            appendWhole(made.steps, *core::maskScissors(scissors, scene));
+            appendWhole(made.steps, *core::outlineCut(scissors, scene));
         } else {
             appendWhole(made.steps, *core::capsuleCut(brush, scene),
                 {core::CapsulePath{core::capsules(brush.path, geometry)}});

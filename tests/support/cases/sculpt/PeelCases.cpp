@@ -34,7 +34,7 @@ Codes codesFor(const glm::ivec3& size, Random& random)
 }
 
 /// Depths told one after the other, up and down; what is cut so far is read in between.
-void appendPeel(std::vector<EngineStep>& steps, const core::MaskPeel& peel, std::int32_t depth,
+void appendPeel(std::vector<EngineStep>& steps, const core::ShellPeel& peel, std::int32_t depth,
     Random& random, core::Ending ending)
 {
     steps.push_back(command(core::BeginEdit{peel}));
@@ -64,7 +64,7 @@ EngineCase randomPeeling(int number)
         switch (random() % 5) {
         case 0: {
             core::PeelCut edited = randomPeel(scene, random);
-            core::MaskPeel peel = *core::maskPeel(edited, scene);
+            core::ShellPeel peel = *core::shellPeel(edited, scene);
             if (random() % 6 == 0)
                 peel.laying = core::Laying::Carve;
             if (random() % 6 == 0)
@@ -74,7 +74,7 @@ EngineCase randomPeeling(int number)
         }
         case 1: {
             const core::PeelCut edited = randomPeel(scene, random);
-            appendWhole(made.steps, *core::maskPeel(edited, scene), {core::peelDepth(edited)});
+            appendWhole(made.steps, *core::shellPeel(edited, scene), {core::peelDepth(edited)});
             break;
         }
         case 2:
@@ -88,7 +88,7 @@ EngineCase randomPeeling(int number)
         }
         default:
             appendWhole(
-                made.steps, *core::maskScissors(randomScissors(scene, random), scene), {}, ending);
+                made.steps, *core::outlineCut(randomScissors(scene, random), scene), {}, ending);
         }
     }
     return made;
@@ -110,7 +110,7 @@ std::vector<EngineCase> peelCases(int randomCount)
             peel.layer = 1 + i % 2;
             peel.depthMm = 3.0 + i;
             peel.restore = i == 3;
-            appendPeel(made.steps, *core::maskPeel(peel, scene), core::peelDepth(peel).depth,
+            appendPeel(made.steps, *core::shellPeel(peel, scene), core::peelDepth(peel).depth,
                 random, core::Ending::Commit);
         }
         made.steps.push_back(Undo{});
@@ -123,9 +123,9 @@ std::vector<EngineCase> peelCases(int randomCount)
         const glm::ivec3 size(20, 20, 20);
         const core::Document scene = document(size, random, glm::dvec3(1.0));
         const core::PeelCut edited = randomPeel(scene, random);
-        core::MaskPeel peel = *core::maskPeel(edited, scene);
-        core::MaskScissors scissors = *core::maskScissors(randomScissors(scene, random), scene);
-        core::MaskPeel unsound = peel;
+        core::ShellPeel peel = *core::shellPeel(edited, scene);
+        core::OutlineCut scissors = *core::outlineCut(randomScissors(scene, random), scene);
+        core::ShellPeel unsound = peel;
         unsound.frame.pitch = 0;
         scissors.frame.gapSamples = 0;
         EngineCase made{"peels that are refused", balls(size, 4, random), {}};
@@ -159,7 +159,7 @@ std::vector<EngineCase> scissorsCases(int randomCount)
             core::ScissorsCut cut = randomScissors(scene, random);
             cut.restore = restore;
             cut.firstLayerOnly = cut.firstLayerOnly && !restore;
-            appendWhole(made.steps, *core::maskScissors(cut, scene), {},
+            appendWhole(made.steps, *core::outlineCut(cut, scene), {},
                 random() % 8 ? core::Ending::Commit : core::Ending::Rollback);
         }
         if (random() % 2)

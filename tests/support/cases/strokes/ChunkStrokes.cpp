@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
@@ -28,8 +28,8 @@ void addChunkStrokes(std::vector<StrokeCase>& cases, const core::LoadedVolume& v
             edit.pointsLps.push_back(geometry.toWorld(voxel));
         return edit;
     };
-    const core::Chunks near{.segment = 1, .marginMm = 3.0};
-    const core::Chunks wide{.segment = 2, .marginMm = 500.0};
+    const core::DivideSegment near{.segment = 1, .marginMm = 3.0};
+    const core::DivideSegment wide{.segment = 2, .marginMm = 500.0};
     core::ChunkToggle one = toggle(40, {{20, 16, 10}});
     core::ChunkToggle many = toggle(300, {{4, 9, 9}, {20, 16, 12}, {30, 30, 12}, {36, 3, 18}});
     core::ChunkToggle added = many;

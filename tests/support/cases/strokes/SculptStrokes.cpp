@@ -2,7 +2,7 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
@@ -87,7 +87,7 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"remove a drill below a peel", volume, {drill, peel, peelBack, drill},
         core::ReviseStroke{.row = 1, .removed = true}});
 
-    core::MaskShape soft = said.mask;
+    core::ToolMask soft = said.mask;
     soft.softnessMm = 0.6 * soft.radiusMm;
     cases.push_back({"drill with a soft edge", volume, {}, drillWith({.mask = soft}, drill)});
     cases.push_back({"soften a drill below others", volume, {drill, peel, brush, drill},
@@ -118,7 +118,7 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     laserBack.depthMm = 2.0;
     core::LaserStroke laserClipped = laser;
     laserClipped.hidden = {{{said.view.targetLps - said.view.eyeLps, 0.0}}};
-    core::HiddenSide& side = laserClipped.hidden->front();
+    core::ClipHalfSpace& side = laserClipped.hidden->front();
     side.normalLps = -glm::normalize(side.normalLps); // what lies before the target
     side.offsetMm = glm::dot(side.normalLps, said.view.targetLps);
     const core::Edit drillClipped = drillWith({.hidden = laserClipped.hidden}, drill);

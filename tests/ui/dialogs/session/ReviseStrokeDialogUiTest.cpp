@@ -2,8 +2,8 @@
 #include "ui/dialogs/session/ReviseStrokeDialog.h"
 
 #include "core/edits/kinds/history/ReviseStroke.h"
-#include "core/edits/kinds/sculpt/MaskShape.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -22,11 +22,11 @@
 #include <algorithm>
 #include <cmath>
 
-using Kind = core::MaskShape::Kind;
+using Kind = core::ToolMask::Kind;
 
 namespace {
 
-core::Edit drillWith(const core::MaskShape& mask)
+core::Edit drillWith(const core::ToolMask& mask)
 {
     return test::drillWith({.mask = mask}, test::drillAt(0));
 }
@@ -44,7 +44,7 @@ core::Edit laser()
     const test::StrokeFacts drill = test::factsOfStroke(test::drillAt(0));
     const std::vector<glm::dvec2> outline{{-3.0, -2.0}, {3.0, -2.0}, {0.0, 2.0}};
     return test::laserWith({.view = drill.view,
-        .mask = core::MaskShape{.polygonMm = outline},
+        .mask = core::ToolMask{.polygonMm = outline},
         .surfaceThreshold = drill.surfaceThreshold,
         .samples = drill.samples});
 }

@@ -10,7 +10,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/models/SegmentListModel.h"
-#include "ui/tools/growth/ShrinkForesight.h"
+#include "ui/tools/growth/ShrinkPreview.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QtTest>
@@ -228,8 +228,8 @@ private Q_SLOTS:
         const QPoint at =
             fixture.slice.context().toPixel(fixture.placeOf(phantom().seed)).toPoint();
         QTest::mousePress(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
-        QTRY_VERIFY((fixture.session().poll(), fixture.tool.foresight().upToDate()));
-        QCOMPARE(fixture.tool.foresight().words(),
+        QTRY_VERIFY((fixture.session().poll(), fixture.tool.preview().upToDate()));
+        QCOMPARE(fixture.tool.preview().words(),
             QStringLiteral("takes nothing: there are seeds under the sketch"));
         QTest::mouseRelease(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
         fixture.session().poll();
@@ -256,7 +256,7 @@ private Q_SLOTS:
         QFETCH(bool, onlyHere);
         ShrinkFixture fixture;
         ui::ImageView& where = inVolume ? static_cast<ui::ImageView&>(fixture.view) : fixture.slice;
-        const ui::ShrinkForesight& foresight = fixture.tool.foresight();
+        const ui::ShrinkPreview& preview = fixture.tool.preview();
         const std::size_t rows = fixture.rows();
         const QByteArray leaked = fixture.session().stateHash();
         const auto before = fixture.labels();
@@ -268,17 +268,17 @@ private Q_SLOTS:
             QTest::mouseMove(&where, at + QPoint(6, 2));
             const auto answered = [&] {
                 fixture.session().poll();
-                return foresight.upToDate();
+                return preview.upToDate();
             };
             return QTest::qWaitFor(answered, 60000);
         };
-        QVERIFY(foresight.words().isEmpty());
+        QVERIFY(preview.words().isEmpty());
         QVERIFY(sketch());
-        const std::int64_t voxels = foresight.voxels().value_or(0);
+        const std::int64_t voxels = preview.voxels().value_or(0);
         QVERIFY(onlyHere ? voxels > 0 && voxels < 100 : voxels > 10000);
         const QString volume =
             ui::millilitreText(voxels, fixture.workspace.volume()->geometry.voxelVolumeMm3());
-        QCOMPARE(foresight.words(),
+        QCOMPARE(preview.words(),
             onlyHere ? QStringLiteral("takes only this: %1").arg(volume)
                      : QStringLiteral("takes %1").arg(volume));
         QCOMPARE(fixture.rows(), rows);
@@ -288,18 +288,18 @@ private Q_SLOTS:
         QTest::keyClick(&where, Qt::Key_Escape);
         QTest::mouseRelease(&where, Qt::LeftButton, keys, at + QPoint(6, 2));
         fixture.answered();
-        QVERIFY(foresight.words().isEmpty() && !foresight.voxels());
+        QVERIFY(preview.words().isEmpty() && !preview.voxels());
         QCOMPARE(fixture.rows(), rows);
         QCOMPARE(fixture.session().stateHash(), leaked);
 
         QVERIFY(sketch());
-        QCOMPARE(foresight.voxels().value_or(0), voxels);
+        QCOMPARE(preview.voxels().value_or(0), voxels);
         QTest::mouseRelease(&where, Qt::LeftButton, keys, at + QPoint(6, 2));
         fixture.answered();
         QCOMPARE(fixture.rows(), rows + 1);
         QVERIFY(fixture.lastShrink() && fixture.lastShrink()->onlyHere == onlyHere);
         QCOMPARE(fixture.session().history().rows().back().statistics.voxelsChanged, voxels);
-        QVERIFY(foresight.words().isEmpty());
+        QVERIFY(preview.words().isEmpty());
     }
 
     void whereNothingGrewTheCursorSaysSo()
@@ -308,8 +308,8 @@ private Q_SLOTS:
         fixture.workspace.setCrosshairLps(fixture.placeOf({2, 93, 2}));
         const QPoint at = fixture.slice.context().toPixel(fixture.placeOf({2, 93, 2})).toPoint();
         QTest::mousePress(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
-        QTRY_VERIFY((fixture.session().poll(), fixture.tool.foresight().upToDate()));
-        QCOMPARE(fixture.tool.foresight().words(), QStringLiteral("nothing grown here"));
+        QTRY_VERIFY((fixture.session().poll(), fixture.tool.preview().upToDate()));
+        QCOMPARE(fixture.tool.preview().words(), QStringLiteral("nothing grown here"));
         QTest::keyClick(&fixture.slice, Qt::Key_Escape);
         QTest::mouseRelease(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
     }

@@ -2,7 +2,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/Chunks.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "tests/reference/RefusingEngine.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/faults/FailingLog.h"
@@ -167,7 +167,7 @@ private Q_SLOTS:
         fixture.settle();
         fixture.await();
         const core::RowId divided = fixture.position();
-        const auto* edit = fixture.session().history().row(divided).edit.as<core::Chunks>();
+        const auto* edit = fixture.session().history().row(divided).edit.as<core::DivideSegment>();
         QVERIFY(edit && edit->segment == 1);
         QCOMPARE(edit->marginMm, marginMm);
         QVERIFY(fixture.find<QCheckBox>("chunksShown")->isChecked());
@@ -272,7 +272,7 @@ private Q_SLOTS:
         QCOMPARE(failed.size(), 1);
         // What a recipe, say, divided stays, though it is not shown.
         fixture.chunks().setLook({});
-        fixture.apply(core::Chunks{.segment = 1, .marginMm = 4.0});
+        fixture.apply(core::DivideSegment{.segment = 1, .marginMm = 4.0});
         engine.refuses = true;
         fixture.find<QCheckBox>("chunksShown")->setChecked(true);
         QVERIFY(!fixture.session().settle());
@@ -340,7 +340,7 @@ private Q_SLOTS:
         // The same edits without a window.
         test::WorkspaceFixture other;
         for (const core::Edit& edit : std::vector<core::Edit>{
-                 ball(), core::Chunks{.segment = 1, .marginMm = marginMm}, expected})
+                 ball(), core::DivideSegment{.segment = 1, .marginMm = marginMm}, expected})
             other.apply(edit);
         QCOMPARE(other.session().stateHash(), fixture.session().stateHash());
 

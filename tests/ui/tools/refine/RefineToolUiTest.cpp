@@ -288,19 +288,21 @@ private Q_SLOTS:
             actions.refresh();
             QVERIFY(!actions[QLatin1String(id)].isEnabled());
         }
-        auto* shut = fixture.panel.findChild<QPushButton*>(QStringLiteral("surfaceBarrier"));
+        auto* barrierButton =
+            fixture.panel.findChild<QPushButton*>(QStringLiteral("surfaceBarrier"));
         auto* open = fixture.panel.findChild<QPushButton*>(QStringLiteral("openSurfaceBarrier"));
-        QVERIFY(!shut->isVisibleTo(&fixture.panel));
+        QVERIFY(!barrierButton->isVisibleTo(&fixture.panel));
         fixture.lay();
-        QVERIFY(shut->isVisibleTo(&fixture.panel) && shut->isEnabled() && open->isEnabled());
-        QVERIFY(!shut->toolTip().isEmpty() && !open->toolTip().isEmpty());
+        QVERIFY(barrierButton->isVisibleTo(&fixture.panel) && barrierButton->isEnabled()
+            && open->isEnabled());
+        QVERIFY(!barrierButton->toolTip().isEmpty() && !open->toolTip().isEmpty());
         QVERIFY2(fixture.panel.minimumSizeHint().width() <= 280,
             qPrintable(QString::number(fixture.panel.minimumSizeHint().width())));
         fixture.apply(test::newSegment(QStringLiteral("Within"), 1));
         fixture.apply(test::seedAt(2, {glm::dvec3(0.0)}));
         const std::int64_t held = fixture.voxels();
 
-        shut->click();
+        barrierButton->click();
         fixture.settle();
         QVERIFY(fixture.lastRow().edit.is<core::SurfaceBarrier>());
         QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Barrier around surface, ")));

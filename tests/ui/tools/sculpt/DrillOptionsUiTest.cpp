@@ -11,8 +11,8 @@
 #include "ui/tools/common/PenMenu.h"
 #include "ui/tools/sculpt/DrillTool.h"
 #include "ui/tools/sculpt/LaserTool.h"
-#include "ui/tools/sculpt/MaskPresetMenu.h"
-#include "ui/tools/sculpt/MaskPresets.h"
+#include "ui/tools/sculpt/ToolMaskPresetMenu.h"
+#include "ui/tools/sculpt/ToolMaskPresets.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/widgets/PressureCurve.h"
 #include "ui/window/OptionBar.h"
@@ -26,8 +26,8 @@
 #include <QToolButton>
 #include <QtTest>
 
-using ui::MaskPreset;
-using Kind = core::MaskShape::Kind;
+using ui::ToolMaskPreset;
+using Kind = core::ToolMask::Kind;
 
 /// What the option bar of the drill offers beside shape, size and depth.
 class DrillOptionsUiTest : public QObject {
@@ -64,7 +64,7 @@ private Q_SLOTS:
     {
         test::WindowFixture fixture(test::smallStudy());
         ui::DrillOptions options(fixture.workspace, ui::DrillOptions::Of::Drill);
-        auto* masks = options.findChild<ui::MaskPresetMenu*>();
+        auto* masks = options.findChild<ui::ToolMaskPresetMenu*>();
         QVERIFY(masks);
         ui::Workspace::DrillSettings settings = fixture.workspace.drillSettings();
         settings.shape = Kind::Rectangle;
@@ -81,7 +81,7 @@ private Q_SLOTS:
         settings.depthMm = 21.0;
         fixture.workspace.setDrillSettings(settings);
         masks->save(QStringLiteral("Burr"));
-        const std::vector<MaskPreset> kept = ui::maskPresets();
+        const std::vector<ToolMaskPreset> kept = ui::toolMaskPresets();
         QCOMPARE(kept.size(), std::size_t(2));
         QCOMPARE(kept[0].name, QStringLiteral("Burr"));
         QCOMPARE(kept[1].name, QStringLiteral("Saw cut"));
@@ -100,10 +100,10 @@ private Q_SLOTS:
         QCOMPARE(now.depthMm, 21.0); // a mask says nothing of the depth
 
         masks->save(QStringLiteral("Burr")); // another mask under that name
-        QCOMPARE(ui::maskPresets().size(), std::size_t(2));
-        QVERIFY(ui::maskPresets()[0].shape == Kind::Rectangle);
-        ui::removeMaskPreset(QStringLiteral("Saw cut"));
-        QCOMPARE(ui::maskPresets().size(), std::size_t(1));
+        QCOMPARE(ui::toolMaskPresets().size(), std::size_t(2));
+        QVERIFY(ui::toolMaskPresets()[0].shape == Kind::Rectangle);
+        ui::removeToolMaskPreset(QStringLiteral("Saw cut"));
+        QCOMPARE(ui::toolMaskPresets().size(), std::size_t(1));
     }
 
     void damagedSettingsAreNoMasks()
@@ -117,14 +117,14 @@ private Q_SLOTS:
                  "\"rotationDegrees\":0,\"softnessMm\":-1}]",
                  "[{\"name\":\"a\",\"shape\":0,\"radiusMm\":3}]"}) {
             QSettings().setValue(QStringLiteral("drill/masks"), QByteArray(text));
-            QVERIFY2(ui::maskPresets().empty(), text);
+            QVERIFY2(ui::toolMaskPresets().empty(), text);
         }
         // Of a Burin that knew no soft edge.
         QSettings().setValue(QStringLiteral("drill/masks"),
             QByteArray("[{\"name\":\"a\",\"shape\":0,\"radiusMm\":3,\"heightRatio\":1,"
                        "\"rotationDegrees\":0}]"));
-        QCOMPARE(ui::maskPresets().size(), std::size_t(1));
-        QCOMPARE(ui::maskPresets()[0].softnessMm, 0.0);
+        QCOMPARE(ui::toolMaskPresets().size(), std::size_t(1));
+        QCOMPARE(ui::toolMaskPresets()[0].softnessMm, 0.0);
     }
 
     void pressureAndFloorReachTheStroke()

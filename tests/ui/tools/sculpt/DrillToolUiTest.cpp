@@ -182,7 +182,7 @@ private Q_SLOTS:
         auto* shape = options.findChild<QComboBox*>(QStringLiteral("drillShape"));
         auto* turn = options.findChild<QDoubleSpinBox*>(QStringLiteral("drillTurn"));
         QVERIFY(turn->isHidden());
-        shape->setCurrentIndex(int(core::MaskShape::Kind::Rectangle));
+        shape->setCurrentIndex(int(core::ToolMask::Kind::Rectangle));
         QVERIFY(!turn->isHidden());
         turn->setValue(30.0);
         options.findChild<QDoubleSpinBox*>(QStringLiteral("drillHeight"))->setValue(40.0);
@@ -197,7 +197,7 @@ private Q_SLOTS:
     /// The mask is the stroke's as the pen was held when it went down; replay needs no pen.
     void theMaskFollowsThePen_data()
     {
-        using Kind = core::MaskShape::Kind;
+        using Kind = core::ToolMask::Kind;
         QTest::addColumn<bool>("tellsRotation");
         QTest::addColumn<QPointF>("tilt");
         QTest::addColumn<bool>("follows");
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QFETCH(QSizeF, size);
         DrillFixture fixture;
         ui::Workspace::DrillSettings settings = fixture.workspace.drillSettings();
-        settings.shape = core::MaskShape::Kind(shape);
+        settings.shape = core::ToolMask::Kind(shape);
         settings.heightRatio = 0.5;
         settings.rotationDegrees = 10.0;
         settings.turnsWithPen = follows;

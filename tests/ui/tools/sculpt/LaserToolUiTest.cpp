@@ -3,8 +3,8 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
-#include "core/edits/engine/HiddenSides.h"
-#include "core/edits/kinds/parts/HiddenSides.h"
+#include "core/edits/engine/HalfSpaces.h"
+#include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
@@ -284,8 +284,8 @@ private Q_SLOTS:
             tool->putAway();
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.rows(), std::size_t(1));
-        const core::HiddenSides expected =
-            core::hiddenSides(clip, fixture.workspace.volume()->geometry);
+        const core::ClipHalfSpaces expected =
+            core::clipHalfSpaces(clip, fixture.workspace.volume()->geometry);
         const QJsonObject edit = core::editToJson(fixture.session().history().rows().back().edit);
         const auto sides = std::size_t(edit[QStringLiteral("hidden")].toArray().size());
         QCOMPARE(sides, expected->size());

@@ -10,7 +10,7 @@
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/session/past/RecentGrowth.h"
-#include "core/session/past/RowReach.h"
+#include "core/session/past/RowDependencies.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
@@ -268,11 +268,11 @@ private Q_SLOTS:
         const Document document = initialDocument(smallVolume());
         GrowSteps grow{.criteria = everything()};
         const BrickKey coverage{Field::Coverage, 3, 0};
-        QVERIFY(RowReach(grow, document, {}).covers(coverage));
-        QVERIFY(RowReach(grow, document, {}).covers({Field::Labels, 0, 0}));
+        QVERIFY(RowDependencies(grow, document, {}).covers(coverage));
+        QVERIFY(RowDependencies(grow, document, {}).covers({Field::Labels, 0, 0}));
         grow.criteria.onlyVisible = false;
-        QVERIFY(!RowReach(grow, document, {}).covers(coverage));
-        QVERIFY(RowReach(grow, document, {}).covers({Field::Labels, 0, 0}));
+        QVERIFY(!RowDependencies(grow, document, {}).covers(coverage));
+        QVERIFY(RowDependencies(grow, document, {}).covers({Field::Labels, 0, 0}));
     }
 };
 

@@ -35,7 +35,7 @@ private Q_SLOTS:
         QVERIFY(cut->how == CutGrowth::How::Subtree && cut->barrier);
         QCOMPARE(cut->voxels.size(), std::size_t(1));
         QVERIFY(cut->voxels.front() == glm::ivec3(3, 4, 5));
-        QVERIFY(cut->frozen.count() == 1 && cut->frozen[document.segments[1].label]);
+        QVERIFY(cut->lockedLabels.count() == 1 && cut->lockedLabels[document.segments[1].label]);
         shrink.onlyHere = true;
         shrink.barrier = false;
         cut = cutGrowth(shrink, document);

@@ -4,7 +4,7 @@
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/sculpt/MaskShape.h"
+#include "core/edits/kinds/sculpt/ToolMask.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/CutEdits.h"
@@ -16,15 +16,15 @@
 #include <cmath>
 
 using namespace core;
-using Kind = MaskShape::Kind;
+using Kind = ToolMask::Kind;
 
 namespace {
 
 constexpr int pitch = 65536 / 4; ///< a quarter of a millimetre
 
-MaskShape shape(Kind kind, double widthMm, double heightMm, double degrees = 0.0)
+ToolMask shape(Kind kind, double widthMm, double heightMm, double degrees = 0.0)
 {
-    MaskShape made;
+    ToolMask made;
     made.kind = kind;
     made.widthMm = widthMm;
     made.heightMm = heightMm;
@@ -32,13 +32,13 @@ MaskShape shape(Kind kind, double widthMm, double heightMm, double degrees = 0.0
     return made;
 }
 
-MaskRaster raster(const MaskShape& made)
+OutlineRaster raster(const ToolMask& made)
 {
     const auto mask = maskOf(outlineMm(made, 0.25), pitch, glm::dvec2(0.5), QStringLiteral("mask"));
-    return mask ? *mask : MaskRaster{};
+    return mask ? *mask : OutlineRaster{};
 }
 
-double areaMm2(const MaskShape& made)
+double areaMm2(const ToolMask& made)
 {
     return double(raster(made).area()) / 256.0 / 16.0;
 }
@@ -68,7 +68,7 @@ private Q_SLOTS:
             QVERIFY(std::abs(areaMm2(shape(Kind::Square, 12, 0, degrees)) - 144.0) < 0.3);
             QVERIFY(std::abs(areaMm2(shape(Kind::Rectangle, 20, 7, degrees)) - 140.0) < 0.3);
             QVERIFY(std::abs(areaMm2(shape(Kind::Ellipse, 20, 8, degrees)) - M_PI * 40.0) < 0.3);
-            MaskShape rounded = shape(Kind::Rounded, 20, 8, degrees);
+            ToolMask rounded = shape(Kind::Rounded, 20, 8, degrees);
             rounded.cornerMm = 3.0;
             QVERIFY(std::abs(areaMm2(rounded) - (160.0 - (4.0 - M_PI) * 9.0)) < 0.3);
             rounded.cornerMm = 100.0; // no more than fits: a slot
@@ -79,12 +79,12 @@ private Q_SLOTS:
     void turnsCounterClockwise()
     {
         // A long bar turned by 30° reaches up on the right.
-        const MaskRaster bar = raster(shape(Kind::Rectangle, 40, 2, 30));
+        const OutlineRaster bar = raster(shape(Kind::Rectangle, 40, 2, 30));
         QCOMPARE(bar.at({int(std::round(15 * std::cos(M_PI / 6) * 4)), 15 * 2}), 256);
         QCOMPARE(bar.at({int(std::round(15 * std::cos(M_PI / 6) * 4)), -15 * 2}), 0);
         // A quarter turn is exact.
-        const MaskRaster upright = raster(shape(Kind::Ellipse, 9, 5, 90));
-        const MaskRaster lying = raster(shape(Kind::Ellipse, 9, 5));
+        const OutlineRaster upright = raster(shape(Kind::Ellipse, 9, 5, 90));
+        const OutlineRaster lying = raster(shape(Kind::Ellipse, 9, 5));
         for (int b = -25; b <= 25; ++b) {
             for (int a = -25; a <= 25; ++a)
                 QVERIFY(std::abs(upright.at({a, b}) - lying.at({b, a})) <= 1);
@@ -100,7 +100,7 @@ private Q_SLOTS:
     {
         QCOMPARE(reachMm(shape(Kind::Rectangle, 6, 8, 12)), 5.0);
         QCOMPARE(reachMm(shape(Kind::Ellipse, 6, 8)), 4.0);
-        MaskShape polygon;
+        ToolMask polygon;
         polygon.polygonMm = {{{0, 0}, {3, -4}, {1, 1}}};
         QCOMPARE(reachMm(polygon), 5.0);
     }
@@ -163,7 +163,7 @@ private Q_SLOTS:
         const Document document = initialDocument(test::smallStudy().volume);
         const auto cutWith = [&document](const std::vector<glm::dvec2>& polygonMm) {
             return engineEditOf(
-                test::drillWith({.mask = MaskShape{.polygonMm = polygonMm}}, test::drillAt(0)),
+                test::drillWith({.mask = ToolMask{.polygonMm = polygonMm}}, test::drillAt(0)),
                 document);
         };
         const Result<EngineEdit> cut = cutWith({{0, 0}, {0.2, 0}, {0.1, 0.1}});

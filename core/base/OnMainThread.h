@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QCoreApplication>
+#include <QPointer>
+
+#include <utility>
+
+namespace core {
+
+/// Wraps a function so that it can be called on any thread: the event loop of the program's first
+/// thread then calls @p callback with copies of the arguments. Nothing is called after @p context
+/// was destroyed. The context lives in the first thread, where this function must be called too.
+template <class Callback> [[nodiscard]] auto onMainThread(QObject* context, Callback callback)
+{
+    return
+        [guard = QPointer<QObject>(context), callback = std::move(callback)](const auto&... what) {
+            QMetaObject::invokeMethod(
+                QCoreApplication::instance(),
+                [guard, callback, what...] {
+                    if (guard)
+                        callback(what...);
+                },
+                Qt::QueuedConnection);
+        };
+}
+
+} // namespace core

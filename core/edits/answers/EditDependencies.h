@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "core/document/Document.h"
+#include "core/edits/answers/EditAnswers.h"
+
+#include <glm/glm.hpp>
+
+#include <bitset>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <variant>
+#include <vector>
+
+namespace core {
+
+struct BrushPath;
+
+/// What is known of how a row was carried out, in addition to its edit.
+struct RowTrace {
+    /// EditStatistics::searchedTo; none: a cut may have read the whole volume.
+    std::optional<std::int32_t> searchedTo{};
+    /// For a growth: the bricks in which it may have read labels, which is where seed words were or
+    /// came, and next to them. None: anywhere.
+    std::optional<std::set<std::uint32_t>> grownBeside{};
+};
+
+/// The forms that a set of dependencies can have.
+namespace dependsOn {
+
+struct Bricks {
+    std::set<BrickKey> keys;
+};
+/// All seed words and labels of a plane.
+struct Plane {
+    std::uint8_t plane = 0;
+};
+/// All seed words of a plane, and labels (with `coverage` that too) in some bricks.
+struct Growth {
+    std::uint8_t plane = 0;
+    bool coverage = false;
+    std::set<std::uint32_t> beside;
+};
+/// Whole fields.
+struct Fields {
+    std::optional<std::uint8_t> plane; ///< labels and seed words
+    std::bitset<256> layers; ///< coverage
+};
+/// The volume in front of the path of a mask, in the plane of a cut's view.
+struct SweptMask {
+    glm::dvec3 origin{0.0}; ///< of voxel (0, 0, 0), mm
+    glm::dmat3 perVoxel{0.0}; ///< mm
+    BrickGrid grid;
+    std::optional<std::uint8_t> labels; ///< the plane whose labels are read; none: no labels are
+    std::vector<glm::dvec2> path; ///< mm
+    double reachMm = 0.0; ///< from the path to the farthest place that is read
+    double endMm = 0.0; ///< nothing behind this is read
+};
+
+using Any = std::variant<Bricks, Plane, Growth, SweptMask, Fields>;
+
+} // namespace dependsOn
+
+/// The bricks on which the result of a row depends, including those that it wrote
+/// (core/session/past/RowDependencies.h).
+struct EditDependencies : dependsOn::Any {
+    using dependsOn::Any::variant;
+};
+
+/// What such a set is computed from, in addition to the edit.
+struct DependencyFacts {
+    const Document& document; ///< as it was when the row was carried out
+    const std::vector<BrickKey>& written; ///< bricks that the row changed
+    const RowTrace& trace;
+
+    [[nodiscard]] const VolumeGeometry& geometry() const;
+    [[nodiscard]] BrickGrid grid() const;
+    /// The plane of a label; the first plane if there is no such segment.
+    [[nodiscard]] std::uint8_t planeOf(int label) const;
+    [[nodiscard]] std::uint8_t growthPlane() const;
+
+    /// For an edit that writes no voxel, or only those that it takes back or combines anew.
+    [[nodiscard]] EditDependencies whatWasWritten() const;
+    /// For growths that first remove, plug or show something: all seed words and labels of the
+    /// plane.
+    [[nodiscard]] EditDependencies wholeGrowth() const;
+    /// The bricks under a brush; none if they cannot be computed.
+    [[nodiscard]] std::set<std::uint32_t> under(const BrushPath& path) const;
+    /// Everything that is stored for labels under a brush.
+    [[nodiscard]] EditDependencies labelled(const BrushPath& path, std::uint8_t plane) const;
+};
+
+} // namespace core

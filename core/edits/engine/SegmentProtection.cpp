@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/engine/SegmentProtection.h"
+
+#include <set>
+
+namespace core {
+
+void addProtected(ProtectedSegments& protectedSegments, const Document& document)
+{
+    std::set<int> all;
+    if (protectedSegments)
+        all.insert(protectedSegments->begin(), protectedSegments->end());
+    for (const Segment& segment : document.segments) {
+        if (segment.uncarvable)
+            all.insert(segment.label);
+    }
+    if (!all.empty())
+        protectedSegments.emplace(all.begin(), all.end());
+}
+
+ProtectedLabels protectedLabelsIn(
+    const ProtectedSegments& protectedSegments, const Document& document)
+{
+    ProtectedLabels labels;
+    labels.plane = document.growths.empty() ? std::uint8_t(0) : document.growths.front().plane;
+    if (!protectedSegments)
+        return labels;
+    for (const int label : *protectedSegments)
+        labels.labels.set(std::size_t(label));
+    return labels;
+}
+
+Result<void> checkProtected(
+    const ProtectedSegments& protectedSegments, bool restore, const QString& edit)
+{
+    if (protectedSegments && restore)
+        return failure(ErrorCode::InvalidField, edit + QStringLiteral(".spared"),
+            QStringLiteral("has no meaning while restoring"));
+    return {};
+}
+
+Result<void> checkProtectedAreThere(
+    const ProtectedSegments& protectedSegments, bool restore, const Document& document)
+{
+    if (restore || !protectedSegments)
+        return {};
+    for (const int label : *protectedSegments) {
+        if (!document.segment(label))
+            return failure(ErrorCode::UnknownSegment, QString::number(label),
+                QStringLiteral("in field 'spared'"));
+    }
+    return {};
+}
+
+} // namespace core

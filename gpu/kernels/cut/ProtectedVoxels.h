@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sculpt/ProtectedLabels.h"
+#include "gpu/fields/VoxelFields.h"
+#include "gpu/gl/Program.h"
+
+namespace gpu {
+
+/// Sets the uniforms of a program that includes protected.glsl: the labels that are protected from
+/// carving.
+void setProtected(Program& program, const core::ProtectedLabels& protectedLabels);
+
+/// Binds the label plane that protected.glsl reads (unit 2); call it before each dispatch.
+void bindProtected(VoxelFields& fields, const core::ProtectedLabels& protectedLabels);
+
+} // namespace gpu

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/settings/SeedValues.h"
+
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/session/EditSession.h"
+
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+glm::ivec3 voxelAt(const glm::dvec3& lps, const core::VolumeGeometry& geometry)
+{
+    return glm::ivec3(glm::round(geometry.toIndex(lps)));
+}
+
+} // namespace
+
+std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label)
+{
+    std::vector<glm::ivec3> voxels;
+    const core::VolumeGeometry& geometry = session.document().volumes.front().geometry;
+    const core::History& history = session.history();
+    for (const core::RowId id : history.standing()) {
+        const auto* stroke = history.row(id).edit.as<core::SeedStroke>();
+        if (!stroke || stroke->segment != label)
+            continue;
+        if (stroke->takenLps) {
+            for (const glm::dvec3& point : *stroke->takenLps)
+                std::erase(voxels, voxelAt(point, geometry));
+        }
+        for (const glm::dvec3& point : stroke->pointsLps) {
+            const glm::ivec3 voxel = voxelAt(point, geometry);
+            if (geometry.contains(voxel))
+                voxels.push_back(voxel);
+        }
+    }
+    return voxels;
+}
+
+int sketchedSeeds(const core::EditSession& session)
+{
+    // Those of a segment that was deleted went with it.
+    std::size_t count = 0;
+    for (const core::Segment& segment : session.document().segments)
+        count += seedVoxels(session, segment.label).size();
+    return int(count);
+}
+
+SeedStatistics seedStatistics(const std::vector<double>& values)
+{
+    SeedStatistics result;
+    if (values.empty())
+        return result;
+    for (const double value : values)
+        result.mean += value;
+    result.mean /= double(values.size());
+    if (values.size() < 2)
+        return result;
+    double squares = 0.0;
+    for (const double value : values)
+        squares += (value - result.mean) * (value - result.mean);
+    result.deviation = std::sqrt(squares / double(values.size() - 1));
+    return result;
+}
+
+} // namespace ui
