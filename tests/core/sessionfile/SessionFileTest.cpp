@@ -9,6 +9,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/faults/FileSizeLimit.h"
+#include "tests/support/program/Signal.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/series/SessionFiles.h"
@@ -17,7 +18,6 @@
 #include <QFile>
 #include <QJsonArray>
 #include <QScopeGuard>
-#include <QSemaphore>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -329,7 +329,7 @@ private Q_SLOTS:
         makeSession(m_path);
         const auto pictureAt = [](EditSession& session, RowId row) {
             QByteArray png;
-            QSemaphore done;
+            test::Signal done;
             session.keyframes().fetch(row, [&](const QByteArray& fetched) {
                 png = fetched;
                 done.release();
