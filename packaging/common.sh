@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What run.sh, test.sh and bench.sh share. Sourced, never run.
+# What run.sh, test.sh, tsan.sh and bench.sh share. Sourced, never run.
 
 burinRoot=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 burinPreset=release
@@ -130,6 +130,16 @@ build() {
 }
 
 runBuild() { cmake --build "$burinBuild" --parallel "$(buildJobs)" --target "$@"; }
+
+# Tests see neither the user's settings nor leave anything in the home folder; what they cache
+# (Mesa's compiled shaders) is shared by all of them, and stays for the next run.
+useTestHome() {
+    local home=$burinBuild/test-home
+    mkdir -p "$home"/{config,data,state,cache,runtime}
+    chmod 700 "$home/runtime"
+    export XDG_CONFIG_HOME=$home/config XDG_DATA_HOME=$home/data XDG_STATE_HOME=$home/state \
+        XDG_CACHE_HOME=$home/cache XDG_RUNTIME_DIR=$home/runtime
+}
 
 # A private X server for programs that need a window; ends with the script.
 # Without -noreset it begins anew whenever its last client leaves, and turns away who comes meanwhile.

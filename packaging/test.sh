@@ -2,7 +2,7 @@
 # Installs what is missing, builds, and runs every test; says what each part took and which tests
 # were the slowest, and ends with ctest's summary. build/check/tests.xml holds the results (JUnit).
 #   packaging/test.sh            the counts of every day
-#   packaging/test.sh --long     the counts that the issues name, and the figures (hours)
+#   packaging/test.sh --long     the counts that the issues name, the figures, and packaging/tsan.sh (hours)
 #   packaging/test.sh --figures  the figures and re-enactments alone
 # CXX=g++ packaging/test.sh      the same, built by another compiler, in build/check-g++
 set -euo pipefail
@@ -40,6 +40,7 @@ summarize() {
     printf '%s' "$times"
 }
 
+compiler=${CXX-}
 burinPreset=check
 useBuildFolder
 timed "packages" installPackages build run test
@@ -47,13 +48,7 @@ timed "product" build burin
 timed "tests" build all
 timed "second compiler" build second_compiler
 
-# Tests see neither the user's settings nor leave anything in the home folder; what they cache
-# (Mesa's compiled shaders) is shared by all of them, and stays for the next run.
-home=$burinBuild/test-home
-mkdir -p "$home"/{config,data,state,cache,runtime}
-chmod 700 "$home/runtime"
-export XDG_CONFIG_HOME=$home/config XDG_DATA_HOME=$home/data XDG_STATE_HOME=$home/state \
-    XDG_CACHE_HOME=$home/cache XDG_RUNTIME_DIR=$home/runtime
+useTestHome
 # Those that need a display start one of their own.
 unset QT_SCALE_FACTOR QT_STYLE_OVERRIDE DISPLAY WAYLAND_DISPLAY XAUTHORITY
 
@@ -64,7 +59,14 @@ timed "running" ctest --test-dir "$burinBuild" --label-regex "$labels" --output-
     --no-tests=error --parallel $(($(buildJobs) + 1)) --output-junit "$burinBuild/tests.xml" \
     > >(tee "$burinBuild/tests.log") 2>&1 || status=$?
 wait $! 2> /dev/null || true
+threads=
+if [ "${1-}" = --long ]; then
+    threads="the threads of core are in order"
+    timed "threads" env CXX="$compiler" "$burinRoot/packaging/tsan.sh" \
+        || { status=1; threads="packaging/tsan.sh found fault with the threads of core"; }
+fi
 summarize "$burinBuild/tests.log"
 # Once more at the end, where whoever looks for the result looks first.
 sed -n '/tests passed,/p' "$burinBuild/tests.log"
+[ -z "$threads" ] || say "$threads"
 exit $status

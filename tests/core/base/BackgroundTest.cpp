@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/Background.h"
+#include "tests/support/program/Signal.h"
 #include "tests/support/program/TestProgram.h"
 
-#include <QSemaphore>
 #include <QTest>
 
 #include <atomic>
@@ -20,13 +20,13 @@ void ignore(const Result<void>&) { }
 
 /// A task that does not look whether it is wanted: it goes on until the gate is opened.
 struct Gate {
-    QSemaphore begun;
-    QSemaphore open;
+    test::Signal begun;
+    test::Signal open;
 
     void pass()
     {
         begun.release();
-        open.tryAcquire(1, 60'000); // a test that has failed ends
+        open.acquire();
     }
 };
 

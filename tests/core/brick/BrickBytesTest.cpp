@@ -7,6 +7,7 @@
 
 #include <QtTest>
 
+#include <atomic>
 #include <thread>
 
 using namespace core;
@@ -32,6 +33,25 @@ private Q_SLOTS:
         QVERIFY(second == BrickBytes(std::vector<std::uint8_t>()));
         second.write().push_back(4);
         QCOMPARE(second.size(), std::size_t(1));
+    }
+
+    void whatAnotherThreadLetGoOfIsWritten()
+    {
+        BrickBytes bytes(std::vector<std::uint8_t>{1, 2, 3});
+        // Orders nothing: write() alone does, which the thread sanitizer must see.
+        std::atomic<int> seen = 0;
+        std::thread other([copy = bytes, &seen]() mutable {
+            const int last = copy.read()[2];
+            copy.clear();
+            seen.store(last, std::memory_order_relaxed);
+        });
+        while (seen.load(std::memory_order_relaxed) == 0)
+            std::this_thread::yield();
+        const std::uint8_t* before = bytes.read().data();
+        bytes.write()[2] = 4;
+        QCOMPARE(bytes.read().data(), before);
+        other.join();
+        QCOMPARE(int(seen), 3);
     }
 
     void looksAreCountedWhereTheyMustNotBe()

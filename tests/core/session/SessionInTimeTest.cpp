@@ -122,5 +122,5 @@ void SessionInTimeTest::volumesWithoutTimeSayNothing()
     QVERIFY(!source.toJson().contains(QStringLiteral("time")));
 }
 
-BURIN_WINDOW_TEST(SessionInTimeTest)
+BURIN_TEST(SessionInTimeTest)
 #include "SessionInTimeTest.moc"

@@ -10,6 +10,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/program/FileBytes.h"
+#include "tests/support/program/Signal.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
@@ -19,7 +20,6 @@
 #include <QFile>
 #include <QJsonArray>
 #include <QScopeGuard>
-#include <QSemaphore>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -324,7 +324,7 @@ private Q_SLOTS:
         makeSession(m_path);
         const auto pictureAt = [](EditSession& session, RowId row) {
             QByteArray png;
-            QSemaphore done;
+            test::Signal done;
             session.keyframes().fetch(row, [&](const QByteArray& fetched) {
                 png = fetched;
                 done.release();
