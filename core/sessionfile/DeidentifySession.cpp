@@ -49,18 +49,49 @@ bool namesPatient(std::optional<RowTitle> title, const QStringList& words)
     return names;
 }
 
-/// Its file's name alone, of a mask that was imported: the folder may be named after the patient.
-HistoryRow neutral(HistoryRow row, const Deidentifier& by)
+/// A name of a file that is not kept, or of a row that had it.
+struct Renaming {
+    QString from;
+    QString to;
+};
+
+void renameIn(QString& text, const std::vector<Renaming>& renamings)
 {
-    if (auto* mask = row.edit.as<ImportMask>(); mask && !mask->file.isEmpty()) {
-        const QFileInfo named(mask->file);
+    for (const Renaming& renaming : renamings)
+        text.replace(renaming.from, renaming.to);
+}
+
+/// Puts other texts into a row's name and its title.
+template <class Use> void useTexts(HistoryRow& row, const Use& use)
+{
+    use(row.name);
+    if (row.title)
+        useTexts(*row.title, use);
+    if (row.title && canonicalName(*row.title) != row.name)
+        row.title.reset();
+}
+
+/// What rows quote of a row: its name without what it changed.
+QString quoted(const HistoryRow& row)
+{
+    const QString name = row.title ? canonicalName(headlineOf(*row.title))
+                                   : row.name.left(row.name.lastIndexOf(QLatin1String(", ")));
+    return name.isEmpty() ? row.name : name;
+}
+
+/// Of a mask that was imported only the suffix of its file stays: file and folder may be named
+/// after the patient. Later rows that quote such a row follow.
+/// @param quotes of the rows before; one more, if this is such a row
+HistoryRow neutral(HistoryRow row, const Deidentifier& by, std::vector<Renaming>& quotes)
+{
+    useTexts(row, [&quotes](QString& text) { renameIn(text, quotes); });
+    auto* mask = row.edit.as<ImportMask>();
+    const QFileInfo named(mask ? mask->file : QString());
+    if (!named.fileName().isEmpty()) {
         mask->file = QStringLiteral("mask.") + named.completeSuffix();
-        const auto rename = [&](QString& text) { text.replace(named.fileName(), mask->file); };
-        rename(row.name);
-        if (row.title)
-            useTexts(*row.title, rename);
-        if (row.title && canonicalName(*row.title) != row.name)
-            row.title.reset();
+        const QString before = quoted(row);
+        useTexts(row, [&](QString& text) { text.replace(named.fileName(), mask->file); });
+        quotes.push_back({.from = before, .to = quoted(row)});
     }
     row.origin.author.clear();
     switch (by.options().dates) {
@@ -79,8 +110,9 @@ HistoryRow neutral(HistoryRow row, const Deidentifier& by)
 Result<void> copySteps(SessionFile& from, const SessionContents& contents, SessionFile& to,
     const Deidentifier& by, const QString& file)
 {
+    std::vector<Renaming> quotes;
     for (const HistoryRow& row : contents.rows) {
-        const HistoryRow copied = neutral(row, by);
+        const HistoryRow copied = neutral(row, by, quotes);
         const RowText text = RowText::of(copied);
         if (namesPatient(text.name, by.words()) || namesPatient(text.edit, by.words())
             || namesPatient(copied.title, by.words()))

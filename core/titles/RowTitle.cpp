@@ -19,9 +19,10 @@ public:
         const TitleForm form = formOf(title.code);
         const QString text = QString::fromUtf8(form.one && isOfOne(title) ? form.one : form.text);
         // These two were put together argument by argument from the start: what looks like the
-        // place of an argument in a name is taken for it.
+        // place of an argument in a name is taken for it. The second one is a short number: a
+        // stranger's text there could make the name as long as it likes.
         if ((title.code == RowTitleCode::MoveSegment || title.code == RowTitleCode::MoveLayer)
-            && arguments.size() == 2)
+            && arguments.size() == 2 && std::holds_alternative<TitleNumber>(title.arguments[1]))
             return text.arg(arguments[0]).arg(arguments[1]);
         return filledIn(text, arguments);
     }

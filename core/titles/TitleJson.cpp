@@ -6,6 +6,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -135,6 +136,37 @@ std::optional<RowTitle> titleWithin(const QJsonObject& json, int depth)
     return title;
 }
 
+/// How many arguments the text of a title has places for.
+std::size_t placesOf(RowTitleCode code)
+{
+    const QLatin1String text(formOf(code).text);
+    std::size_t places = 0;
+    for (std::size_t number = 1; number <= TitleLimits::arguments; ++number) {
+        const char place[] = {'%', char('0' + number), '\0'};
+        if (text.contains(QLatin1String(place)))
+            places = number;
+    }
+    return places;
+}
+
+bool saysAllThatItHolds(const RowTitle& title);
+
+bool sayAllThatTheyHold(const std::vector<RowTitle>& titles)
+{
+    return std::all_of(titles.begin(), titles.end(), saysAllThatItHolds);
+}
+
+/// Whether each argument has a place in the text: what nobody sees is no part of a title.
+bool saysAllThatItHolds(const RowTitle& title)
+{
+    return title.arguments.size() == placesOf(title.code) && sayAllThatTheyHold(title.then)
+        && std::all_of(
+            title.arguments.begin(), title.arguments.end(), [](const TitleArgument& argument) {
+                const auto* titles = std::get_if<std::vector<RowTitle>>(&argument);
+                return !titles || sayAllThatTheyHold(*titles);
+            });
+}
+
 } // namespace
 
 QJsonObject titleToJson(const RowTitle& title)
@@ -168,7 +200,8 @@ std::optional<RowTitle> titleFromText(const QString& text, const QString& name)
     if (text.isEmpty() || text.size() > TitleLimits::letters)
         return std::nullopt;
     std::optional<RowTitle> title = titleFromJson(QJsonDocument::fromJson(text.toUtf8()).object());
-    return title && canonicalName(*title) == name ? title : std::nullopt;
+    return title && saysAllThatItHolds(*title) && canonicalName(*title) == name ? title
+                                                                                : std::nullopt;
 }
 
 } // namespace core

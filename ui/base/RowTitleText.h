@@ -9,7 +9,8 @@
 namespace ui {
 
 /// What a row of the history says, in the window's language; untranslated it is what
-/// core::canonicalName() gives.
+/// core::canonicalName() gives, except where a name contains "%1" and the segment or layer is
+/// moved.
 [[nodiscard]] QString textOf(const core::RowTitle& title);
 
 /// What a row says; the name that is stored of it where it has no title.

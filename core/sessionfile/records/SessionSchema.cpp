@@ -88,14 +88,16 @@ bool readSchemaDeviations(SqliteConnection& connection, int format, SchemaDeviat
         const QString text = QLatin1String(table);
         ours[nameOf(text)] = text;
     }
-    if (format >= SessionFormat::withTitles)
-        ours[nameOf(QLatin1String(titleTable))] = QLatin1String(titleTable);
+    // Of a file of before no table of this name is ours, and it would be read.
+    const bool hasTitles = format >= SessionFormat::withTitles;
+    ours[nameOf(QLatin1String(titleTable))] =
+        hasTitles ? QString::fromLatin1(titleTable) : QString();
     return connection.query(
         QStringLiteral("SELECT type, name, substr(sql, 1, 2000) FROM sqlite_master"), {},
         [&](const QSqlQuery& answer) {
             const QString type = answer.value(0).toString();
             const QString name = answer.value(1).toString();
-            const auto wanted = ours.find(name);
+            const auto wanted = ours.find(name.toLower()); // as SQLite looks for it
             if (wanted != ours.end()) {
                 if (type != QLatin1String("table") || answer.value(2).toString() != wanted->second)
                     deviations.table = name;

@@ -470,10 +470,15 @@ void SessionTables::readKeyframes(SessionContents& contents)
 /// Names are what counts: of a row whose title is not there, or not its own, the name is shown.
 void SessionTables::readTitles(SessionContents& contents)
 {
-    m_database->query(QStringLiteral("SELECT row, iif(length(json) > %1, NULL, json) FROM title")
+    m_database->query(QStringLiteral("SELECT row, iif(length(json) > %1, NULL, json) FROM title "
+                                     "ORDER BY row")
                           .arg(TitleLimits::letters),
-        {}, [&contents](const QSqlQuery& answer) {
+        {}, [&contents, last = RowId(0)](const QSqlQuery& answer) mutable {
             const RowId id = answer.value(0).toLongLong();
+            // A table that leads back into itself has no end.
+            if (id <= last)
+                return false;
+            last = id;
             if (id > 0 && id <= RowId(contents.rows.size())) {
                 HistoryRow& row = contents.rows[std::size_t(id - 1)];
                 row.title = titleFromText(answer.value(1).toString(), row.name);

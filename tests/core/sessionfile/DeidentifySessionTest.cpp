@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/DeidentifySession.h"
+#include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionKeyframes.h"
 #include "core/sessionfile/SessionSalvage.h"
@@ -56,6 +59,45 @@ class DeidentifySessionTest : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
+
+    /// A mask's file may be named after the patient: in the row that imported it, and in those that
+    /// quote that row.
+    void noNameOfAMasksFileIsKept()
+    {
+        QTemporaryDir folder;
+        const QString from = folder.filePath(QStringLiteral("from.burin"));
+        const QString to = folder.filePath(QStringLiteral("to.burin"));
+        {
+            VoxelRuns runs;
+            runs.append(5000, 12);
+            ImportMask mask{.file = QStringLiteral("smith_ct.nrrd")};
+            mask.size = test::smallStudy().volume.geometry.size;
+            mask.segments = {{.name = QStringLiteral("Liver"),
+                .rgb = 0x804020,
+                .code = {},
+                .voxels = packedRuns(runs)}};
+            reference::ReferenceEngine engine;
+            const auto session = *EditSession::create(engine, test::smallStudy(), {.file = from});
+            QVERIFY(session->apply(mask) && session->settle());
+            QVERIFY(session->apply(test::drillAt(-6)) && session->settle());
+            QVERIFY(session->apply(RevertRows{.rows = {1}}) && session->settle());
+            const std::vector<HistoryRow>& rows = session->history().rows();
+            QVERIFY(rows.front().name.contains(QStringLiteral("smith_ct.nrrd")));
+            QVERIFY(rows.back().name.contains(QStringLiteral("smith_ct.nrrd")));
+        }
+        QVERIFY(deidentifySession(from, to, false, Deidentifier({}, patient())));
+        const auto contents = checkSession(to);
+        QVERIFY(contents && contents->isWhole());
+        QCOMPARE(contents->rows.size(), std::size_t(3));
+        for (const HistoryRow& row : contents->rows) {
+            QVERIFY2(!row.name.contains(QStringLiteral("smith")), qPrintable(row.name));
+            QVERIFY(!row.title || canonicalName(*row.title) == row.name);
+        }
+        QVERIFY(contents->rows.back().name.contains(QStringLiteral("mask.nrrd")));
+        QFile written(to);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QVERIFY(!written.readAll().contains("smith"));
+    }
 
     void theSameStepsWithoutThePatient()
     {

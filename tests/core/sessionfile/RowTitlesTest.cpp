@@ -117,6 +117,26 @@ private Q_SLOTS:
     }
 
     /// A row that quotes one without a title has its name; else the title itself.
+    /// It is none of ours, whatever makes up its columns, and SQLite asks for no capitals.
+    void aTableOfTitlesInAFileOfBeforeIsRefused_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("title") << QStringLiteral("title");
+        QTest::newRow("Title") << QStringLiteral("Title");
+    }
+    void aTableOfTitlesInAFileOfBeforeIsRefused()
+    {
+        QFETCH(const QString, name);
+        makeOld(m_path);
+        test::runSql(m_path,
+            QStringLiteral("CREATE TABLE %1 (row INTEGER PRIMARY KEY, "
+                           "json TEXT AS (hex(zeroblob(100))))")
+                .arg(name));
+        const Result<SessionContents> contents = checkSession(m_path);
+        QVERIFY(!contents);
+        QCOMPARE(contents.error().code, ErrorCode::UnsupportedFormat);
+    }
+
     void quotedRowsKeepWhatTheySay_data()
     {
         QTest::addColumn<bool>("old");

@@ -165,10 +165,14 @@ private Q_SLOTS:
     void everyCodeComesBack()
     {
         for (int code = 0; formOf(RowTitleCode(code)).id; ++code) {
-            const RowTitle title{.code = RowTitleCode(code),
+            RowTitle title{.code = RowTitleCode(code),
                 .arguments = {TitleCount{2}, QStringLiteral("Jörg \"J\" ', %1"), inMm(0.1),
                     TitleDigits{1.0 / 3.0}, TitleNumber{-5}, asArgument(drilled())},
                 .then = {count(RowTitleCode::Voxels, std::int64_t(1) << 60)}};
+            const QString form = QString::fromUtf8(formOf(title.code).text);
+            while (!title.arguments.empty()
+                && !form.contains(QStringLiteral("%%1").arg(title.arguments.size())))
+                title.arguments.pop_back();
             QVERIFY(titleFromText(titleText(title), canonicalName(title)) == title);
         }
     }
@@ -233,6 +237,32 @@ private Q_SLOTS:
         QFETCH(const QByteArray, json);
         QVERIFY(!titleFromJson(object(json.constData())));
         QVERIFY(!titleFromText(QString::fromUtf8(json), QString()));
+    }
+
+    /// It would go into copies and de-identified files unseen.
+    void whatTheNameDoesNotShowIsNoTitle()
+    {
+        const RowTitle home{.code = RowTitleCode::SendPiecesHome};
+        RowTitle more = home;
+        more.arguments.emplace_back(QStringLiteral("Dr. Miller, ward 3"));
+        QCOMPARE(canonicalName(more), canonicalName(home));
+        QVERIFY(titleFromText(titleText(home), canonicalName(home)));
+        QVERIFY(!titleFromText(titleText(more), canonicalName(more)));
+        const RowTitle inside{
+            .code = RowTitleCode::UndoOnly, .arguments = {asArgument(more)}, .then = {}};
+        QVERIFY(!titleFromText(titleText(inside), canonicalName(inside)));
+        const RowTitle behind{.code = RowTitleCode::SendPiecesHome, .then = {more}};
+        QVERIFY(!titleFromText(titleText(behind), canonicalName(behind)));
+    }
+
+    /// "%1" 16 000 times, and as many letters for each of them: 256 million.
+    void textsDoNotMultiply()
+    {
+        const QString places = QStringLiteral("%1").repeated(16000);
+        const RowTitle title{.code = RowTitleCode::MoveSegment,
+            .arguments = {places, QString(16000, QLatin1Char('a'))}};
+        QVERIFY(!titleText(title).isEmpty());
+        QVERIFY(canonicalName(title).size() < 100000);
     }
 
     void aDeepOneIsNotFollowed()

@@ -7,11 +7,6 @@ namespace {
 
 using core::MapLabels;
 
-EngineStep command(core::EngineCommand known)
-{
-    return known;
-}
-
 MapLabels inverted(std::uint8_t label, std::uint8_t plane = 0)
 {
     MapLabels map{.plane = plane};

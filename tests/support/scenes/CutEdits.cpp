@@ -26,7 +26,7 @@ template <class Cut> void sayOfCut(const CutWords& words, Cut& cut)
     say(words.throughGaps, cut.throughGaps);
     say(words.restore, cut.restore);
     say(words.hidden, cut.hidden);
-    say(words.spared, cut.spared);
+    say(words.protectedSegments, cut.protectedSegments);
 }
 
 template <class Stroke> Stroke strokeWith(const CutWords& words, Stroke stroke)
@@ -49,7 +49,7 @@ template <class Stroke> StrokeFacts factsOf(const Stroke& stroke)
         .byTime = stroke.byTime,
         .samples = stroke.samples,
         .hidden = stroke.hidden,
-        .spared = stroke.spared};
+        .protectedSegments = stroke.protectedSegments};
 }
 
 } // namespace

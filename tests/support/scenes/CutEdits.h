@@ -31,7 +31,7 @@ struct CutWords {
     std::optional<bool> restore{};
     std::optional<std::vector<core::PenSample>> samples{};
     std::optional<core::ClipHalfSpaces> hidden{};
-    std::optional<core::ProtectedSegments> spared{};
+    std::optional<core::ProtectedSegments> protectedSegments{};
 };
 
 /// A new stroke of the drill.
@@ -55,7 +55,7 @@ struct StrokeFacts {
     bool byTime = true;
     std::vector<core::PenSample> samples;
     core::ClipHalfSpaces hidden;
-    core::ProtectedSegments spared;
+    core::ProtectedSegments protectedSegments;
 };
 /// Throws std::bad_variant_access where it is another edit.
 [[nodiscard]] StrokeFacts factsOfStroke(const core::Edit& stroke);
