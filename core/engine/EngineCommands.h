@@ -129,7 +129,7 @@ struct GrowAnew {
     GrowBurst burst;
 };
 
-/// Further pieces of the path of a PaintLabel, WholeEdits or CapsuleCut.
+/// Further pieces of the path of a PaintLabel, PaintBarrier or CapsuleCut.
 struct CapsulePath {
     std::vector<Capsule> capsules;
 };
@@ -159,7 +159,7 @@ using EngineExtension = std::variant<DrillPath, GrowAdvance, GrowPause, CapsuleP
 // transaction is open, or of a cut that could not begin; a box of codes that is empty or not within
 // the volume. ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels,
 // CountGenerations, DropTolerance and DropCutPreview are served while a transaction is open too. A
-// StrokeEdits over seeds yields ErrorCode::SeedsStay, one where nothing has grown NothingGrown
+// CutGrowth over seeds yields ErrorCode::SeedsStay, one where nothing has grown NothingGrown
 // (growth/cut/GrowthCut.h), and so does a PreviewCut of it.
 
 /// Opens a transaction. At most one is open; its ticket identifies it until EndEdit.
@@ -242,7 +242,7 @@ struct TraceTolerance {
 /// Discards the tolerance field. The result is empty.
 struct DropTolerance { };
 
-/// Computes what a StrokeEdits would remove if it began now. It changes nothing. The result
+/// Computes what a CutGrowth would remove if it began now. It changes nothing. The result
 /// contains it (`cutPreview`). From then on it can be shown, until BeginEdit, SwapBricks, XorBricks
 /// or DropCutPreview is carried out, another PreviewCut is answered, or a volume is opened.
 struct PreviewCut {

@@ -228,7 +228,7 @@ struct CutGrowth {
     bool operator==(const CutGrowth&) const = default;
 };
 
-/// What a StrokeEdits would remove, as it is shown before it is carried out.
+/// What a CutGrowth would remove, as it is shown before it is carried out.
 struct CutPreview {
     struct Brick {
         std::uint32_t brick = 0;
@@ -255,7 +255,7 @@ struct PaintBarrier {
     CapsuleFrame frame;
 };
 
-/// Set barriers at listed voxels, or remove them, as WholeEdits does along its path.
+/// Set barriers at listed voxels, or remove them, as PaintBarrier does along its path.
 struct BarrierListed {
     struct Brick {
         std::uint32_t brick = 0;

@@ -91,7 +91,8 @@ HistoryRow neutral(HistoryRow row, const Deidentifier& by, std::vector<Renaming>
         mask->file = QStringLiteral("mask.") + named.completeSuffix();
         const QString before = quoted(row);
         useTexts(row, [&](QString& text) { text.replace(named.fileName(), mask->file); });
-        quotes.push_back({.from = before, .to = quoted(row)});
+        if (!before.isEmpty())
+            quotes.push_back({.from = before, .to = quoted(row)});
     }
     row.origin.author.clear();
     switch (by.options().dates) {

@@ -24,7 +24,7 @@ enum class EditTask {
 struct FilledSegments {
     std::optional<int> label{};
     QString name{}; ///< those that are called so; empty: none
-    bool added = false; ///< the history: it takes older rows back or changes them
+    bool added = false; ///< also those that the edit itself adds
 };
 
 /// What is known of an edit before it is carried out. The first two members must be given for each

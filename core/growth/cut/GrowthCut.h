@@ -9,7 +9,7 @@
 
 namespace core {
 
-// The rules of StrokeEdits: what a cut removes from a growth. They are applied to each label that
+// The rules of CutGrowth: what a cut removes from a growth. They are applied to each label that
 // is not locked by itself, the lowest first. "Members" are those of the label, "neighbours" are all
 // 26 unless something else is said. All numbers are integers, and no result depends on an order.
 //

@@ -17,7 +17,7 @@ namespace core {
 /// @param facts of what it changed
 /// @param document as it is before the edit
 /// @param history as it is before the row; it provides the names of rows that the edit refers to
-/// @param sketched for a Edit; none: not determined
+/// @param sketched for a SeedStroke; none: not determined
 [[nodiscard]] RowTitle titleOfRow(const Edit& edit, const EditStatistics& statistics,
     const ChangeFacts& facts, const Document& document, const History& history,
     const std::optional<SketchedSeeds>& sketched);

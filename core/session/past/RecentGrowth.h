@@ -20,7 +20,7 @@ struct GrowCriteria;
 [[nodiscard]] bool bringsNewCriteria(const Edit& edit, const History& history);
 
 /// Writes into a growth what it would otherwise read in the history, so that the edit alone
-/// determines the result: ResumeGrowth becomes the Edit that it stands for; ChangeInterval
+/// determines the result: ResumeGrowth becomes the GrowSteps that it stands for; ChangeInterval
 /// receives all criteria and whether it begins at the seeds. Other edits are not changed. Errors:
 /// InvalidField (nothing has grown).
 [[nodiscard]] Result<void> nameWhatGrowthReads(

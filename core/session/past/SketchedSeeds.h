@@ -12,7 +12,7 @@
 
 namespace core {
 
-/// What became of the voxels that a Edit sketched. Not all of them become seeds: members of a
+/// What became of the voxels that a SeedStroke sketched. Not all of them become seeds: members of a
 /// growth are kept (SeedPlacement).
 struct SketchedSeeds {
     int segment = 0;

@@ -106,7 +106,7 @@ public:
     RecentSteps recent;
     Revision lastRevision;
     std::optional<Alarm> lastAlarm;
-    /// of the last Edit, whether or not it left a row
+    /// of the last SeedStroke, whether or not it left a row
     std::optional<SketchedSeeds> lastSketched;
     std::vector<DocumentChange> news; ///< not reported yet
     std::vector<Error> errors; ///< not reported yet

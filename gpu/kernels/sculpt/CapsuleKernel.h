@@ -31,7 +31,7 @@ private:
 };
 
 /// One stroke of a brush while the pen is down: it paints a label (PaintLabel), closes voxels to
-/// growth (WholeEdits) or carves (CapsuleCut). The rules are in core/sculpt/CapsuleSweep.h.
+/// growth (PaintBarrier) or carves (CapsuleCut). The rules are in core/sculpt/CapsuleSweep.h.
 /// extend() processes only the bricks near the new pieces of path, and in each brick only the
 /// pieces near it. Engine thread only.
 class CapsuleKernel final : public EditWork {

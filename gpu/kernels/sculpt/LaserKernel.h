@@ -33,8 +33,6 @@ public:
         const core::LaserCut& cut);
 
     core::Result<void> extend(const core::EngineExtension& extension) override;
-
-    /// How deep the rays looked for the surface, in 1/65536 mm; none before the first.
     [[nodiscard]] bool join(
         core::EngineExtension& earlier, core::EngineExtension& next) const override;
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const override;

@@ -6,7 +6,7 @@
 
 namespace ui {
 
-/// Sketches seeds of the active segment (seed A §5.1). Each sketch is one Edit; the first
+/// Sketches seeds of the active segment (seed A §5.1). Each sketch is one SeedStroke; the first
 /// sketch of a session makes a segment, as a step of its own. With Ctrl, or the pen's eraser end,
 /// it removes seeds under the path that no growth has accepted, of any segment; with Shift it moves
 /// the one under the pointer.

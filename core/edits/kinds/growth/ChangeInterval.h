@@ -33,7 +33,7 @@ Result<bool> apply(const ChangeInterval& edit, Document& document);
 [[nodiscard]] EditDependencies dependencies(const ChangeInterval& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ChangeInterval& edit, const Document& document);
 
-/// For an edit that states everything it reads (RecentGrowth.h). Errors: those of Edit.
+/// For an edit that states everything it reads (RecentGrowth.h). Errors: those of GrowSteps.
 [[nodiscard]] Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document);
 
 } // namespace core

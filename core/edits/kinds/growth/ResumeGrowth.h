@@ -7,8 +7,8 @@
 
 namespace core {
 
-/// Continue the last growth with its own criteria. It is stored as the Edit that it stands
-/// for.
+/// Continue the last growth with its own criteria. It is stored as the GrowSteps that it
+/// stands for.
 struct ResumeGrowth {
     std::optional<int> steps{}; ///< none: to closure
 };

@@ -15,7 +15,7 @@ struct PenSample;
 /// Makes the samples of a drill or laser stroke from the reports of the pen, piece by piece as they
 /// come; the division into pieces does not matter.
 ///
-/// By time (Edit::byTime, and always in mode Rate): the path is sampled 120 times a second,
+/// By time (DrillStroke::byTime, and always in mode Rate): the path is sampled 120 times a second,
 /// counted from its first sample, with straight lines in between. Places are rounded to quarters of
 /// an element and pressures to 1/1024, and everything else is computed from these. So devices that
 /// report the same path 30 or 250 times a second make the same cut. Two samples at the same time

@@ -28,7 +28,7 @@ struct LaserStroke {
     double surfaceThreshold = 0.0; ///< modality units; values from this one on are visible
     bool throughGaps = false;
     bool restore = false;
-    bool byTime = true; ///< as in Edit
+    bool byTime = true; ///< as in DrillStroke
     std::vector<PenSample> samples{};
     ClipHalfSpaces hidden{};
     ProtectedSegments protectedSegments{};

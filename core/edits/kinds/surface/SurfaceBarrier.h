@@ -7,7 +7,7 @@ namespace core {
 
 /// Set barriers along the surface, or remove them: at every voxel whose centre lies outside and
 /// that has a neighbour (26) whose centre lies inside. No growth passes such a shell, whatever its
-/// connectivity, except where the rules of WholeEdits leave a voxel open. The shell lies outside
+/// connectivity, except where the rules of PaintBarrier leave a voxel open. The shell lies outside
 /// so that a growth inside can fill everything that the surface encloses.
 struct SurfaceBarrier {
     bool erase = false; ///< remove the barriers there

@@ -340,7 +340,7 @@ private Q_SLOTS:
         button(dialog, "exportStart").click();
         QVERIFY(!fixture.workspace.session());
         QVERIFY(!dialog.running());
-        QCOMPARE(contents(path), QByteArray("mine"));
+        QCOMPARE(test::bytesOf(path), QByteArray("mine"));
     }
 
     /// While the engine does not answer the window goes on, and the export can be given up.
