@@ -2,6 +2,7 @@
 #include "core/base/Background.h"
 
 #include "core/base/Guarded.h"
+#include "core/base/HandedOver.h"
 
 #include <QCoreApplication>
 #include <QPointer>
@@ -40,7 +41,9 @@ struct Background::State : std::enable_shared_from_this<Background::State> {
     {
         QMetaObject::invokeMethod(
             &m_here,
-            [state = shared_from_this(), completion = std::move(completion)] {
+            [state = shared_from_this(), completion = std::move(completion),
+                handed = HandedOver()] {
+                handed.takeOver();
                 if (!state->isOver() && state->m_context)
                     completion();
             },
@@ -168,7 +171,12 @@ void Background::completeLater(const std::shared_ptr<State>& state, Completion c
     state->keep(std::move(completion));
     const auto queue = [this, &state] {
         QMetaObject::invokeMethod(
-            &m_here, [this, state] { settle(state); }, Qt::QueuedConnection);
+            &m_here,
+            [background = this, state, handed = HandedOver()] {
+                handed.takeOver();
+                background->settle(state);
+            },
+            Qt::QueuedConnection);
     };
     // One that is lost would leave whoever waits for it waiting for ever.
     while (!guarded(queue) && !state->isOver())

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/HandedOver.h"
+
 #include <QCoreApplication>
 #include <QPointer>
 
@@ -17,7 +19,8 @@ template <class Callback> [[nodiscard]] auto onMainThread(QObject* context, Call
         [guard = QPointer<QObject>(context), callback = std::move(callback)](const auto&... what) {
             QMetaObject::invokeMethod(
                 QCoreApplication::instance(),
-                [guard, callback, what...] {
+                [guard, callback, what..., handed = HandedOver()] {
+                    handed.takeOver();
                     if (guard)
                         callback(what...);
                 },
