@@ -8,6 +8,7 @@
 #include <QSqlQuery>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace core {
@@ -473,7 +474,7 @@ void SessionTables::readTitles(SessionContents& contents)
     m_database->query(QStringLiteral("SELECT row, iif(length(json) > %1, NULL, json) FROM title "
                                      "ORDER BY row")
                           .arg(TitleLimits::letters),
-        {}, [&contents, last = RowId(0)](const QSqlQuery& answer) mutable {
+        {}, [&contents, last = std::numeric_limits<RowId>::min()](const QSqlQuery& answer) mutable {
             const RowId id = answer.value(0).toLongLong();
             // A table that leads back into itself has no end.
             if (id <= last)

@@ -343,7 +343,7 @@ private:
     Edit randomPassage(const Document& document)
     {
         // Of the row's number, as in randomGrowth().
-        if (m_session->history().rows().size() % 5 == 0)
+        if (m_session->history().rows().size() % 32 == 0)
             return InvertSegment{.segment = document.segments.front().label};
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
