@@ -2,6 +2,7 @@
 #include "ui/workspace/Refinement.h"
 
 #include "core/edits/kinds/surface/ApplyTemplate.h"
+#include "core/edits/kinds/surface/ChangeMarks.h"
 #include "core/edits/kinds/surface/DropSurface.h"
 #include "core/edits/kinds/surface/FollowMask.h"
 #include "core/edits/kinds/surface/LaySurface.h"
@@ -218,11 +219,11 @@ void Refinement::drop()
     apply(core::DropSurface{});
 }
 
-void Refinement::changeMarks(core::ChangeMarks::Way way)
+void Refinement::changeMarks(core::ChangeMarks change)
 {
     const bool isYellow = m_settings.mark == core::SurfaceMark::Yellow;
-    apply(
-        core::ChangeMarks{.mark = isYellow ? core::SurfaceMark::Red : m_settings.mark, .way = way});
+    change.mark = isYellow ? core::SurfaceMark::Red : m_settings.mark;
+    apply(change);
 }
 
 void Refinement::signOff(int place)

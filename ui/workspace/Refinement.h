@@ -3,7 +3,7 @@
 
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/surface/ChangeMarks.h"
+#include "core/refine/mesh/SurfaceMark.h"
 #include "core/refine/mesh/SurfaceMirror.h"
 #include "gpu/scene/Scene.h"
 
@@ -11,6 +11,10 @@
 
 #include <optional>
 #include <vector>
+
+namespace core {
+struct ChangeMarks;
+}
 
 namespace ui {
 
@@ -85,7 +89,8 @@ public:
     /// Makes the surface a barrier for growth; with @p erase, opens it again.
     void makeBarrier(bool erase);
     void drop();
-    void changeMarks(core::ChangeMarks::Way way);
+    /// Changes all marks of the tool's colour (red where it is yellow) in this way.
+    void changeMarks(core::ChangeMarks change);
     /// Goes to the next error, or the previous one (@p by −1): moves the crosshair there.
     void goToError(int by);
     /// @param place in errors()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/RefineActions.h"
 
+#include "core/edits/kinds/surface/ChangeMarks.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "ui/base/Actions.h"
 #include "ui/workspace/Refinement.h"
@@ -23,7 +24,7 @@ QStringList addRefineActions(Actions& actions, Workspace& workspace)
     };
     const auto marks = [&](const char* id, const QString& text, core::ChangeMarks::Way way) {
         return add(
-            id, text, {}, [&refinement, way] { refinement.changeMarks(way); }, hasSurface);
+            id, text, {}, [&refinement, way] { refinement.changeMarks({.way = way}); }, hasSurface);
     };
     using Way = core::ChangeMarks::Way;
     return {add(

@@ -4,6 +4,7 @@
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/surface/ApplyTemplate.h"
+#include "core/edits/kinds/surface/ChangeMarks.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/MarkSurface.h"
 #include "core/edits/kinds/surface/SpherePush.h"
@@ -348,7 +349,7 @@ private Q_SLOTS:
         // The next error is where it was painted.
         fixture.refinement().goToError(1);
         QVERIFY(glm::distance(fixture.workspace.crosshairLps(), glm::mix(from, to, 0.5)) < 5.0);
-        fixture.refinement().changeMarks(core::ChangeMarks::Way::Clear);
+        fixture.refinement().changeMarks({.way = core::ChangeMarks::Way::Clear});
         fixture.settle();
         QCOMPARE(fixture.marked(SurfaceMark::Red), std::size_t(0));
         QCOMPARE(errors->count(), 0);
@@ -539,7 +540,7 @@ private Q_SLOTS:
         // To any other edit.
         fixture.refinement().previewTemplate();
         QVERIFY(fixture.refinement().isPreviewing());
-        fixture.refinement().changeMarks(core::ChangeMarks::Way::Grow);
+        fixture.refinement().changeMarks({.way = core::ChangeMarks::Way::Grow});
         fixture.settle();
         QVERIFY(!fixture.refinement().isPreviewing());
         QVERIFY(fixture.lastRow().edit.is<core::ChangeMarks>());
