@@ -49,6 +49,5 @@ status=0
 ctest --test-dir "$burinBuild" --label-regex '^core$' --exclude-regex '^(DicomWeb|RudeWeb)' \
     ${1:+--tests-regex "$1"} --output-on-failure --no-tests=error \
     --parallel "$(buildJobs)" --output-junit "$burinBuild/tests.xml" \
-    > >(tee "$burinBuild/tests.log") 2>&1 || status=$?
-wait $! 2> /dev/null || true
+    2>&1 | tee "$burinBuild/tests.log" || status=$?
 exit $status
