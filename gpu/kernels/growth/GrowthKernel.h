@@ -112,7 +112,7 @@ public:
     /// Frees the pages of bricks that were prepared and not reached, except those listed
     /// (ascending).
     void releaseUnused(std::span<const std::uint32_t> reachable = {});
-    /// Whether it may change which labels are kept beneath members (core::Field::Overwritten); if
+    /// Whether it may change which labels are kept as overwritten (core::Field::Overwritten); if
     /// so, in touchedKeys().
     [[nodiscard]] bool keepsOverwritten() const { return m_kind.overwritten; }
     /// Frees the pages of Field::Overwritten that were taken for this burst and in which these

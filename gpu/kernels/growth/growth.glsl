@@ -40,7 +40,7 @@ uniform uint openGeneration; // members of later generations belong to this burs
 uniform uint queueCapacity; // capacity of each queue
 uniform uint firstQueue; // 0 or 1: where the front of the batch's first ring lies
 
-// Labels that growth took from other segments are kept beneath its members
+// Labels that growth took from other segments are kept (core::Field::Overwritten)
 // (core/growth/GrowthCommands.h). Compiled only with its define, so that a growth that takes
 // nothing pays nothing for it.
 #ifdef OVERWRITTEN

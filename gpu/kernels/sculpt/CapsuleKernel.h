@@ -21,7 +21,7 @@ struct CapsulePrograms {
     Program paint;
     Program barrier;
     Program cut;
-    /// The kernel of barriers that also restores labels kept beneath members; compiled when it is
+    /// The kernel of barriers that also restores labels kept as overwritten; compiled when it is
     /// first needed.
     [[nodiscard]] Program& givingBarrier();
 
@@ -80,7 +80,7 @@ private:
         const Candidates& candidates, const std::vector<core::Capsule>& capsules);
 
     CapsulePrograms& m_programs;
-    bool m_givesBack = false; ///< it paints a barrier while labels are kept beneath members
+    bool m_givesBack = false; ///< it paints a barrier while labels are kept as overwritten
     VoxelFields& m_fields;
     BeforeImages& m_before;
     std::variant<core::PaintLabel, core::PaintBarrier, core::CapsuleCut> m_edit;

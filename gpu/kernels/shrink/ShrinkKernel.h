@@ -17,7 +17,7 @@ struct ShrinkPrograms {
     Program look;
     Program shrink;
     Program count;
-    /// The kernel that also restores labels kept beneath members; compiled when it is first needed.
+    /// The kernel that also restores labels kept as overwritten; compiled when it is first needed.
     [[nodiscard]] Program& giveBack();
 
 private:
@@ -54,7 +54,7 @@ private:
     void save();
 
     ShrinkPrograms& m_programs;
-    bool m_givesBack; ///< labels are kept beneath members
+    bool m_givesBack; ///< labels are kept as overwritten
     Program& m_shrink;
     VoxelFields& m_fields;
     BeforeImages& m_before;

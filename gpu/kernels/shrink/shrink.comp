@@ -2,7 +2,7 @@
 // core/growth/GrowthCommands.h), or restores it.
 //
 // LOOK: only reports for each brick which generations it holds that may be removed. OVERWRITTEN:
-// labels that lie beneath members return to the plane. Otherwise the new content of a brick is
+// labels that members overwrote return to the plane. Otherwise the new content of a brick is
 // computed from its saved content, so it can be repeated for other generations.
 
 layout(local_size_x = 64) in;

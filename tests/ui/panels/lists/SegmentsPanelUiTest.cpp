@@ -4,6 +4,7 @@
 #include "ui/workspace/LayerActions.h"
 
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -177,6 +178,7 @@ private Q_SLOTS:
         QTimer::singleShot(0, &fixture.window, [&] {
             auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
             QVERIFY(menu);
+            test::look(menu->grab(), locked ? "segment-menu-locked.png" : "segment-menu.png");
             for (QAction* each : menu->actions()) {
                 if (each->text() != QStringLiteral("Invert segment"))
                     continue;
