@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds core and its tests with clang's thread sanitizer and runs them, with the counts of every day
-# and the oracle for an engine (half an hour on two processors, besides the build): a race of two
+# and the oracle for an engine (more than an hour on two processors, besides the build): a race of two
 # threads, or locks taken in two orders, is a test that failed. packaging/test.sh --long ends with it.
 #   packaging/tsan.sh             all of them
 #   packaging/tsan.sh REGEX       those whose names match
