@@ -51,6 +51,12 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     m_rest.setSingleShot(true);
     m_rest.setInterval(restMilliseconds);
     connect(&m_rest, &QTimer::timeout, this, [this] { requestFrame(false); });
+    m_penRest.setSingleShot(true);
+    m_penRest.setInterval(restMilliseconds);
+    connect(&m_penRest, &QTimer::timeout, this, [this] {
+        m_penRests = true;
+        requestFrame();
+    });
 
     const auto refresh = [this] { requestFrame(); };
     connect(&m_workspace, &Workspace::crosshairChanged, this, refresh);
@@ -183,7 +189,7 @@ void ImageView::requestFrame(bool interacting)
     request.sizePixels = {sizeInDevicePixels().width(), sizeInDevicePixels().height()};
     request.scene = scaled(scene(), 1.0 / devicePixelRatioF());
     request.segments = m_workspace.segmentDisplay();
-    request.interacting = interacting || m_rest.isActive() || m_pointer.isAtWork();
+    request.interacting = interacting || m_rest.isActive() || (m_pointer.isAtWork() && !m_penRests);
     const bool same = m_requested && request.sizePixels == m_request.sizePixels
         && request.scene == m_request.scene && request.segments == m_request.segments
         && request.interacting == m_request.interacting;
@@ -228,7 +234,13 @@ bool ImageView::event(QEvent* event)
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
+        m_penRests = false;
         m_pointer.handle(*event);
+        // Whoever holds the pen still sees what it does in full quality.
+        if (m_pointer.isAtWork())
+            m_penRest.start();
+        else
+            m_penRest.stop();
         return true;
     case QEvent::WindowDeactivate:
         // Another window takes the pointer; whether the release will ever come is not known.

@@ -117,6 +117,8 @@ private:
     gpu::Scene m_pictureScene; ///< in device pixels, as it came
     std::optional<gpu::Frame::Quality> m_pictureQuality; ///< none if the engine did not draw it
     QTimer m_rest;
+    QTimer m_penRest; ///< begins anew with each move of a pen that is down
+    bool m_penRests = false; ///< the pen is down and has not moved for a moment
 };
 
 } // namespace ui

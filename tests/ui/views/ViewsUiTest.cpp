@@ -96,6 +96,7 @@ private Q_SLOTS:
     void keysWalkThroughSlices();
     void leftDragWithoutToolIsWindowLevel();
     void toolStrokeNeverTouchesWindowLevel();
+    void aPenThatIsHeldStillSeesFullQuality();
     void aStrokeThatLosesItsPointer();
     void middlePansAndRightZooms();
     void wheelWithModifiersServesTheTool();
@@ -266,6 +267,33 @@ void ViewsUiTest::toolStrokeNeverTouchesWindowLevel()
     SliceView& axial = fixture.window.views().axial();
     drag(axial, Qt::RightButton, axial.rect().center(), {60, 30});
     QVERIFY(fixture.workspace.windowLevel() != before);
+    fixture.workspace.setActiveTool(nullptr);
+}
+
+void ViewsUiTest::aPenThatIsHeldStillSeesFullQuality()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    NotingTool tool;
+    fixture.workspace.setActiveTool(&tool);
+    ui::ImageView& view = fixture.window.views().axial();
+    const auto hurries = [&] { return fixture.frames.lastRequest(view.viewId()).interacting; };
+    const auto show = [&] {
+        fixture.workspace.setCrosshairLps(
+            fixture.workspace.crosshairLps() + glm::dvec3(0.0, 0.0, 1.0));
+    };
+    const QPoint at(60, 60);
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    show();
+    QVERIFY(hurries());
+    QTRY_VERIFY(!hurries());
+    QTest::mouseMove(&view, at + QPoint(5, 0));
+    show();
+    QVERIFY(hurries());
+    QTRY_VERIFY(!hurries());
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at);
+    show();
+    QVERIFY(!hurries());
+    QCOMPARE(tool.heard, QByteArray("pdr"));
     fixture.workspace.setActiveTool(nullptr);
 }
 
