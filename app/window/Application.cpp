@@ -134,7 +134,8 @@ void Application::makeWindow()
         {QString(), QStringLiteral("layers.add"), QStringLiteral("layers.mute"),
             QStringLiteral("layers.solo"), QString(), QStringLiteral("layers.toSegment"),
             QStringLiteral("segments.seen"), QString(), QStringLiteral("pieces.lift"),
-            QStringLiteral("pieces.lid"), QStringLiteral("pieces.home")});
+            QStringLiteral("pieces.liftLayer"), QStringLiteral("pieces.lid"),
+            QStringLiteral("pieces.home")});
     window.addToolGroup();
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
     window.addTool(*shrink, window.growMenu(), QKeySequence(QStringLiteral("X")));

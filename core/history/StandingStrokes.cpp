@@ -57,4 +57,40 @@ std::vector<SculptEdit> formsOf(const History& history, RowId row)
     return forms;
 }
 
+bool canBeTaken(const History& history, RowId cut)
+{
+    int layer = 0;
+    for (const StandingStroke& stroke : standingStrokes(history, history.position())) {
+        if (stroke.row == cut) {
+            if (stroke.removed || restores(stroke.form))
+                return false;
+            layer = layerOf(stroke.form);
+        } else if (layer != 0 && !stroke.removed && layer == layerOf(stroke.form)
+            && restores(stroke.form)) {
+            return false;
+        }
+    }
+    const std::vector<RowId> rows = history.standing();
+    return layer != 0 && std::none_of(rows.begin(), rows.end(), [&](RowId row) {
+        return row > cut && writesLayer(history.row(row).edit, layer);
+    });
+}
+
+RowId lastPartialCut(const History& history, int layer)
+{
+    RowId last = 0;
+    bool others = false;
+    for (const StandingStroke& stroke : standingStrokes(history, history.position())) {
+        if (stroke.removed || layerOf(stroke.form) != layer || restores(stroke.form))
+            continue;
+        others = others || last != 0;
+        last = stroke.row;
+    }
+    const std::vector<RowId> rows = history.standing();
+    others = others || std::any_of(rows.begin(), rows.end(), [&](RowId row) {
+        return writesLayer(history.row(row).edit, layer);
+    });
+    return others && canBeTaken(history, last) ? last : 0;
+}
+
 } // namespace core

@@ -18,18 +18,24 @@ void addPieceActions(MainWindow& window)
         return workspace.session() ? workspace.session()->document().layer(workspace.activeLayer())
                                    : nullptr;
     };
+    const auto liftable = [&workspace, layer] {
+        return layer() && !workspace.session()->document().pieceOfLayer(layer()->id);
+    };
     actions.add({.id = QStringLiteral("pieces.lift"),
-        .text = QStringLiteral("Lift sculpt layer as a piece"),
+        .text = QStringLiteral("Lift last cut as a piece"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+L"))},
+        .run = [&workspace] { workspace.pieces().liftLast(workspace.activeLayer()); },
+        .possible = liftable});
+    actions.add({.id = QStringLiteral("pieces.liftLayer"),
+        .text = QStringLiteral("Lift whole layer as a piece"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+L"))},
         .run = [&workspace] { workspace.pieces().lift(workspace.activeLayer()); },
-        .possible =
-            [&workspace, layer] {
-                return layer() && !workspace.session()->document().pieceOfLayer(layer()->id);
-            },
+        .possible = liftable,
         .currentText =
             [layer] {
-                return layer() ? QStringLiteral("Lift layer '%1' as a piece").arg(layer()->name)
-                               : QStringLiteral("Lift sculpt layer as a piece");
+                return layer()
+                    ? QStringLiteral("Lift all of layer '%1' as a piece").arg(layer()->name)
+                    : QStringLiteral("Lift whole layer as a piece");
             }});
     actions.add({.id = QStringLiteral("pieces.lid"),
         .text = QStringLiteral("Open piece like a lid"),

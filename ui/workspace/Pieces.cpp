@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/Pieces.h"
 
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
 #include "core/edits/kinds/pieces/PastePiece.h"
 #include "core/edits/kinds/pieces/RemovePiece.h"
 #include "core/edits/kinds/pieces/SendPiecesHome.h"
+#include "core/history/StandingStrokes.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/workspace/LayerActions.h"
 #include "ui/workspace/OpeningView.h"
@@ -216,26 +220,102 @@ Pieces::Extent Pieces::extentOf(
     return extent;
 }
 
+void Pieces::cutPiece(int layer, const QString& name, std::function<void()> then)
+{
+    measure(layer, 0, [this, layer, name, then = std::move(then)](const Extent& extent) {
+        core::EditSession& open = *m_workspace.session();
+        core::CutPiece edit;
+        edit.layer = layer;
+        edit.name = name;
+        edit.pivotLps = extent.middleLps;
+        if (const auto lifted = open.apply(edit); !lifted)
+            return m_workspace.fail(lifted.error());
+        setActive(open.foreseenDocument().pieces.back().id);
+        then();
+    });
+}
+
 void Pieces::lift(int layer)
 {
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    measure(layer, 0, [this, layer](const Extent& extent) {
-        core::EditSession& open = *m_workspace.session();
-        core::CutPiece edit;
-        edit.layer = layer;
-        edit.name = freeName(open.foreseenDocument(), tr("Piece %1"));
-        edit.pivotLps = extent.middleLps;
-        if (const auto lifted = open.apply(edit); !lifted)
-            return m_workspace.fail(lifted.error());
-        setActive(open.foreseenDocument().pieces.back().id);
+    const QString name = freeName(session->foreseenDocument(), tr("Piece %1"));
+    cutPiece(layer, name, [this, layer, name] {
+        const core::SculptLayer* lifted = m_workspace.session()->document().layer(layer);
+        const QString layerName = lifted ? lifted->name : QString();
         // What is carved from now on is not to join the piece.
         if (m_workspace.activeLayer() == layer) {
             if (const auto added = addLayer(m_workspace); !added)
-                m_workspace.fail(added.error());
+                return m_workspace.fail(added.error());
         }
-        m_workspace.say(tr("%1 can be moved: tool Pieces, or the panel's numbers").arg(edit.name));
+        m_workspace.say(tr("%1 is all that '%2' has carved; it can be moved: tool Pieces, or the "
+                           "panel's numbers")
+                            .arg(name, layerName));
+    });
+}
+
+void Pieces::liftLast(int layer)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    session->closeGrowth();
+    // Which cut is the last one is known when everything that waits is done.
+    session->questions().bricks({}, [this, layer](const auto& answer) {
+        if (!answer)
+            return m_workspace.fail(answer.error());
+        const core::RowId cut = lastCut(layer);
+        if (cut != 0)
+            liftCut(cut);
+        else
+            lift(layer);
+    });
+}
+
+bool Pieces::canLift(core::RowId cut) const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || !core::canBeTaken(session->history(), cut))
+        return false;
+    const auto strokes = core::standingStrokes(session->history(), session->history().position());
+    const auto stroke = std::find_if(strokes.begin(), strokes.end(),
+        [cut](const core::StandingStroke& each) { return each.row == cut; });
+    return !session->document().pieceOfLayer(core::layerOf(stroke->form));
+}
+
+core::RowId Pieces::lastCut(int layer) const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || session->document().pieceOfLayer(layer))
+        return 0;
+    return core::lastPartialCut(session->history(), layer);
+}
+
+void Pieces::liftCut(core::RowId cut)
+{
+    if (!canLift(cut))
+        return m_workspace.say(tr("This cut cannot be told from the rest of its layer"));
+    core::EditSession& session = *m_workspace.session();
+    const core::History& history = session.history();
+    // It keeps what earlier revisions have made of it.
+    core::ReviseStroke revise{.row = cut};
+    for (const core::RowId row : history.standing()) {
+        const auto* earlier = history.row(row).edit.as<core::ReviseStroke>();
+        if (earlier && earlier->row == cut)
+            revise = *earlier;
+    }
+    const QString name = freeName(session.foreseenDocument(), tr("Piece %1"));
+    if (const auto added = session.apply(core::AddLayer{.name = name}); !added)
+        return m_workspace.fail(added.error());
+    const int layer = session.foreseenDocument().layers.back().id;
+    revise.layer = layer;
+    if (const auto revised = session.apply(revise); !revised)
+        return m_workspace.fail(revised.error());
+    cutPiece(layer, name, [this, name, cutName = nameOf(history.row(cut))] {
+        m_workspace.say(tr("%1 is what '%2' has cut; it can be moved: tool Pieces, or the panel's "
+                           "numbers")
+                            .arg(name, cutName));
     });
 }
 

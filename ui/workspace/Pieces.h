@@ -6,6 +6,7 @@
 #include "core/brick/BrickGrid.h"
 #include "core/document/Piece.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/history/History.h"
 #include "gpu/scene/Scene.h"
 
 #include <QObject>
@@ -64,6 +65,19 @@ public:
     /// Makes what a layer has carved a piece that turns about its middle, and a new layer the
     /// active one. The step is made when the engine has told the extent.
     void lift(int layer);
+    /// Lifts the last cut of a layer, or all of it if lastCut() is 0. A peel that stands open is
+    /// kept first, and counts.
+    void liftLast(int layer);
+    /// Makes what one cut has carved a piece, however much else its layer holds: the cut becomes
+    /// that of a new layer, which is the piece's. What is carved next goes where it went before.
+    /// @param cut a stroke that is part of the present state and carves
+    void liftCut(core::RowId cut);
+    /// The last cut of a layer, if it is not all that the layer holds and can be told from the
+    /// rest: since then nothing was restored in the layer, nor written otherwise than by strokes.
+    /// Else 0.
+    [[nodiscard]] core::RowId lastCut(int layer) const;
+    /// Whether liftCut() is possible.
+    [[nodiscard]] bool canLift(core::RowId cut) const;
     /// Shows a segment as a piece beside the volume, on the patient's left.
     void paste(int segment);
     void remove(int piece);
@@ -89,6 +103,9 @@ private:
     void measure(int layer, int segment, std::function<void(const Extent&)> then);
     [[nodiscard]] static Extent extentOf(const std::vector<core::BrickImage>& bricks,
         const core::VolumeGeometry& geometry, int segment);
+    /// Makes a layer a piece that turns about its middle.
+    /// @param then called when the step is made
+    void cutPiece(int layer, const QString& name, std::function<void()> then);
     void apply(const core::ChangePiece& edit);
     void follow();
 

@@ -28,6 +28,17 @@ core::Result<void> PeelKernel::extend(const core::EngineExtension& extension)
     return {};
 }
 
+bool PeelKernel::join(core::EngineExtension& earlier, core::EngineExtension& next) const
+{
+    const auto* first = std::get_if<core::PeelDepth>(&earlier);
+    const auto* second = std::get_if<core::PeelDepth>(&next);
+    // A depth that is refused is told by itself.
+    if (!first || !second || first->depth < 0 || second->depth < 0)
+        return false;
+    earlier = next;
+    return true;
+}
+
 /// Changed at any depth.
 std::vector<core::BrickKey> PeelKernel::touchedKeys() const
 {

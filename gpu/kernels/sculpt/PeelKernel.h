@@ -19,6 +19,9 @@ public:
         const core::ShellPeel& peel);
 
     core::Result<void> extend(const core::EngineExtension& extension) override;
+    /// Of depths that wait, the last one counts.
+    [[nodiscard]] bool join(
+        core::EngineExtension& earlier, core::EngineExtension& next) const override;
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const override;
     void finish(core::EngineResult& result) override;
 

@@ -7,6 +7,7 @@
 #include "ui/panels/history/HistoryDelegate.h"
 #include "ui/panels/history/HistoryTimeline.h"
 #include "ui/panels/history/StrokeRevision.h"
+#include "ui/workspace/Pieces.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QKeyEvent>
@@ -152,6 +153,8 @@ void HistoryPanel::addStrokeActions(QMenu& menu, core::RowId row)
         menu.addAction(tr("Bring stroke back"), this, [this, row] { m_revision->restore(row); });
     else
         menu.addAction(tr("Remove stroke"), this, [this, row] { m_revision->remove(row); });
+    menu.addAction(tr("Lift as a piece"), this, [this, row] { m_workspace.pieces().liftCut(row); })
+        ->setEnabled(m_workspace.pieces().canLift(row));
 }
 
 void HistoryPanel::showMenu(const QPoint& position)

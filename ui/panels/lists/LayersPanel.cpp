@@ -192,9 +192,13 @@ void LayersPanel::showMenu(const QPoint& position)
     const bool solo = index.data(LayerListModel::SoloRole).toBool();
     menu.addAction(solo ? tr("End solo") : tr("Solo"), this,
         [this, index, solo] { m_model->setData(index, !solo, LayerListModel::SoloRole); });
+    const bool isPiece = m_workspace.session()->document().pieceOfLayer(layer) != nullptr;
     QAction* lift = menu.addAction(
-        tr("Lift as a piece"), this, [this, layer] { m_workspace.pieces().lift(layer); });
-    lift->setEnabled(!m_workspace.session()->document().pieceOfLayer(layer));
+        tr("Lift all of it as a piece"), this, [this, layer] { m_workspace.pieces().lift(layer); });
+    lift->setEnabled(!isPiece);
+    QAction* liftLast = menu.addAction(tr("Lift its last cut as a piece"), this,
+        [this, layer] { m_workspace.pieces().liftLast(layer); });
+    liftLast->setEnabled(m_workspace.pieces().lastCut(layer) != 0);
     menu.addSeparator();
     addPassages(menu, layer);
     menu.addSeparator();

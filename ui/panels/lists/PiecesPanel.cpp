@@ -85,7 +85,7 @@ void PiecesPanel::build()
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_empty = new QLabel(
-        tr("None yet. Ctrl+L lifts what the active layer has carved; a segment's menu pastes it."),
+        tr("None yet. Ctrl+L lifts the last cut of the active layer; a segment's menu pastes it."),
         this);
     m_empty->setProperty("role", QStringLiteral("secondary"));
     m_empty->setContentsMargins(

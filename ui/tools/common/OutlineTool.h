@@ -51,10 +51,10 @@ protected:
 
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     [[nodiscard]] double surfaceThreshold() const;
-
-private:
+    /// Shows the cursor's text there.
     void showCursor(const PointerSample& sample, gpu::ViewId view);
 
+private:
     Workspace& m_workspace;
     SurfacePreview m_preview;
     CurveSketch m_sketch;

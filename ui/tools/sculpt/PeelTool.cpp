@@ -1,34 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/PeelTool.h"
 
-#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/session/EditSession.h"
 #include "ui/base/DisplayJson.h"
-#include "ui/base/Theme.h"
+#include "ui/tools/aim/CursorLabel.h"
+#include "ui/tools/sculpt/PeelOptions.h"
 #include "ui/workspace/Workspace.h"
 
-#include <QDoubleSpinBox>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QPushButton>
-#include <QSignalBlocker>
-#include <QSlider>
+#include <QPainter>
+#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ui {
-
-namespace {
-
-constexpr double stepsPerMm = 2.0;
-
-} // namespace
 
 PeelTool::PeelTool(Workspace& workspace, QObject* parent)
     : OutlineTool(workspace, parent)
 {
-    connect(&workspace, &Workspace::sessionChanged, this, &PeelTool::follow);
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_wasPutAway = false;
+        m_endedByOther = false;
+        m_depthDrag.reset();
+        follow();
+    });
     connect(&workspace, &Workspace::documentChanged, this, &PeelTool::follow);
+    connect(&workspace, &Workspace::activeToolChanged, this, &PeelTool::offerToTakeBack);
 }
 
 QString PeelTool::name() const
@@ -43,69 +41,36 @@ QString PeelTool::iconName() const
 
 QString PeelTool::hint() const
 {
-    return m_open ? tr("Peel: the slider or Alt+wheel sets the depth, Enter keeps it, Esc takes "
-                       "it back")
+    return m_open ? tr("Peel: drag down for deeper, up for shallower; letting go or Enter keeps "
+                       "it, Esc takes it back")
                   : tr("Peel: draw a curve on the 3D view; Ctrl or the eraser end restores");
 }
 
 QString PeelTool::keys() const
 {
-    return tr("Alt+wheel depth · Enter keeps · Esc takes back");
+    return tr("Second drag, Alt+wheel or [ ] depth · Enter keeps · Esc takes back");
 }
 
 QWidget* PeelTool::createOptions(QWidget* parent)
 {
-    auto* options = new QWidget(parent);
-    auto* slider = new QSlider(Qt::Horizontal, options);
-    slider->setObjectName(QStringLiteral("peelSlider"));
-    slider->setRange(int(minimumDepthMm * stepsPerMm), int(maximumDepthMm * stepsPerMm));
-    slider->setFixedWidth(220);
-    auto* depth = new QDoubleSpinBox(options);
-    depth->setObjectName(QStringLiteral("peelDepth"));
-    depth->setRange(minimumDepthMm, maximumDepthMm);
-    depth->setDecimals(1);
-    depth->setSingleStep(0.5);
-    depth->setSuffix(tr(" mm"));
-    depth->setFixedHeight(theme::controlHeight);
-    depth->setKeyboardTracking(false);
-    auto* keep = new QPushButton(tr("Keep"), options);
-    keep->setObjectName(QStringLiteral("peelKeep"));
-    keep->setShortcut(QKeySequence(Qt::Key_Return));
-    keep->setToolTip(tr("Keep this peel as a step (Enter)"));
-    auto* layout = new QHBoxLayout(options);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(theme::smallPadding);
-    layout->addWidget(new QLabel(tr("Depth"), options));
-    layout->addWidget(slider);
-    layout->addWidget(depth);
-    layout->addWidget(keep);
-
-    const auto show = [this, slider, depth, keep] {
-        const QSignalBlocker sliderBlocker(slider);
-        const QSignalBlocker depthBlocker(depth);
-        slider->setValue(int(std::lround(m_depthMm * stepsPerMm)));
-        depth->setValue(m_depthMm);
-        keep->setEnabled(m_open);
-    };
-    show();
-    connect(this, &PeelTool::changed, options, show);
-    connect(slider, &QSlider::valueChanged, this,
-        [this](int steps) { setDepthMm(steps / stepsPerMm); });
-    connect(depth, &QDoubleSpinBox::valueChanged, this, &PeelTool::setDepthMm);
-    connect(keep, &QPushButton::clicked, this, &PeelTool::confirm);
-    return options;
+    return new PeelOptions(*this, parent);
 }
 
 QJsonObject PeelTool::settingsJson() const
 {
-    return {{QStringLiteral("depthMm"), m_depthMm}};
+    return {{QStringLiteral("depthMm"), m_depthMm}, {QStringLiteral("throughGaps"), m_gaps.through},
+        {QStringLiteral("jumpMm"), m_gaps.jumpMm}};
 }
 
 void PeelTool::applySettings(const QJsonObject& settings)
 {
     double depthMm = m_depthMm;
+    Gaps gaps = m_gaps;
     displayJson::read(settings[QLatin1String("depthMm")], depthMm);
+    displayJson::read(settings[QLatin1String("throughGaps")], gaps.through);
+    displayJson::read(settings[QLatin1String("jumpMm")], gaps.jumpMm, 0.0, maximumJumpMm);
     setDepthMm(depthMm);
+    setGaps(gaps);
 }
 
 void PeelTool::setDepthMm(double depthMm)
@@ -126,42 +91,113 @@ void PeelTool::changeDepth(int steps)
     setDepthMm(std::round(m_depthMm / step + steps) * step);
 }
 
+void PeelTool::setGaps(const Gaps& gaps)
+{
+    if (gaps == m_gaps)
+        return;
+    m_gaps = gaps;
+    if (m_open) {
+        // Which surface is peeled is decided where a peel begins.
+        workspace().session()->end(core::Ending::Rollback);
+        m_open = open(m_peel);
+    }
+    Q_EMIT changed();
+    Q_EMIT overlayChanged();
+}
+
+bool PeelTool::open(const core::PeelCut& peel)
+{
+    m_peel = peel;
+    m_peel.depthMm = m_depthMm;
+    m_peel.throughGaps = m_gaps.through;
+    m_peel.jumpMm = m_gaps.jumpMm;
+    m_endedByOther = false;
+    m_rowsBefore = workspace().session()->history().rows().size();
+    const auto begun = workspace().session()->begin(m_peel);
+    if (!begun)
+        workspace().fail(begun.error());
+    return begun.has_value();
+}
+
 void PeelTool::cut(const Sketch& sketch)
 {
     core::PeelCut peel;
     peel.layer = workspace().activeLayer();
     peel.view = sketch.view;
     peel.polygonMm = sketch.polygonMm;
-    peel.depthMm = m_depthMm;
     peel.surfaceThreshold = surfaceThreshold();
     peel.restore = sketch.restore;
     peel.hidden = sketch.hidden;
-    if (const auto begun = workspace().session()->begin(peel); !begun) {
-        workspace().fail(begun.error());
+    m_open = open(peel);
+    if (!m_open)
         return;
-    }
-    m_open = true;
     workspace().say(hint());
     Q_EMIT changed();
+}
+
+void PeelTool::press(const PointerSample& sample, const ViewContext& view)
+{
+    if (!m_open)
+        return OutlineTool::press(sample, view);
+    if (m_depthDrag || !worksIn(view))
+        return;
+    m_depthDrag = DepthDrag{.from = sample.position,
+        .fromMm = m_depthMm,
+        .mmPerPixel = std::min(view.mmPerPixel(), mostMmPerPixel),
+        .view = view.view};
+    showCursor(sample, view.view);
+}
+
+void PeelTool::drag(const PointerSample& sample, const ViewContext& view)
+{
+    if (!m_depthDrag)
+        return OutlineTool::drag(sample, view);
+    if (view.view != m_depthDrag->view)
+        return;
+    const double down = sample.position.y() - m_depthDrag->from.y();
+    setDepthMm(std::round((m_depthDrag->fromMm + down * m_depthDrag->mmPerPixel) * 10.0) / 10.0);
+    showCursor(sample, view.view);
+}
+
+void PeelTool::release(const PointerSample& sample, const ViewContext& view)
+{
+    if (!m_depthDrag)
+        return OutlineTool::release(sample, view);
+    drag(sample, view);
+    m_depthDrag.reset();
+    confirm();
+}
+
+void PeelTool::close(core::Ending ending)
+{
+    m_open = false;
+    m_depthDrag.reset();
+    if (core::EditSession* session = workspace().session())
+        session->end(ending);
+    Q_EMIT changed();
+    Q_EMIT overlayChanged();
 }
 
 void PeelTool::confirm()
 {
     if (!m_open)
         return;
-    m_open = false;
-    if (core::EditSession* session = workspace().session())
-        session->end(core::Ending::Commit);
-    workspace().say(tr("Peeled off; Ctrl+L lifts the layer as a piece"));
-    Q_EMIT changed();
-    Q_EMIT overlayChanged();
+    close(core::Ending::Commit);
+    workspace().say(tr("Peeled off %1 mm; Ctrl+L lifts it as a piece")
+                        .arg(QLocale().toString(m_depthMm, 'f', 1)));
 }
 
-/// What was chosen stays chosen.
+/// What was chosen stays chosen, and the user hears of it.
 void PeelTool::putAway()
 {
     OutlineTool::cancel();
-    confirm();
+    if (!m_open)
+        return;
+    close(core::Ending::Commit);
+    workspace().say(keptText());
+    // Another tool is there at once; an undo that did this needs no offer.
+    m_wasPutAway = true;
+    QTimer::singleShot(0, this, [this] { m_wasPutAway = false; });
 }
 
 void PeelTool::cancel()
@@ -169,35 +205,101 @@ void PeelTool::cancel()
     OutlineTool::cancel();
     if (!m_open)
         return;
-    m_open = false;
-    if (core::EditSession* session = workspace().session())
-        session->end(core::Ending::Rollback);
+    close(core::Ending::Rollback);
     workspace().say(tr("The peel was taken back"));
-    Q_EMIT changed();
-    Q_EMIT overlayChanged();
 }
 
 /// Another step may have closed the peel.
 void PeelTool::follow()
 {
     const core::EditSession* session = workspace().session();
-    if (!m_open || (session && session->transactionOpen()))
+    if (m_open && !(session && session->transactionOpen())) {
+        m_open = false;
+        m_depthDrag.reset();
+        m_endedByOther = session != nullptr;
+        Q_EMIT changed();
+        Q_EMIT overlayChanged();
+    }
+    if (m_endedByOther && keptRow() != 0) {
+        m_endedByOther = false;
+        workspace().say(keptText());
+    }
+}
+
+core::RowId PeelTool::keptRow() const
+{
+    const core::EditSession* session = workspace().session();
+    if (!session)
+        return 0;
+    const std::vector<core::HistoryRow>& rows = session->history().rows();
+    // An earlier peel may have become a row since.
+    for (std::size_t i = rows.size(); i > m_rowsBefore; --i) {
+        if (rows[i - 1].edit.as<core::PeelCut>())
+            return rows[i - 1].id;
+    }
+    return 0;
+}
+
+QString PeelTool::keptText() const
+{
+    return tr("The open peel, %1 mm, was kept as a step")
+        .arg(QLocale().toString(m_depthMm, 'f', 1));
+}
+
+void PeelTool::offerToTakeBack()
+{
+    if (!std::exchange(m_wasPutAway, false) || !workspace().session())
         return;
-    m_open = false;
-    Q_EMIT changed();
+    workspace().offer({.sentence = keptText(), .button = tr("Take it back"), .run = [this] {
+                           core::EditSession* session = workspace().session();
+                           const core::RowId row = keptRow();
+                           if (!session || row == 0 || session->history().position() != row) {
+                               workspace().say(tr("The history has gone on since; Ctrl+Z takes "
+                                                  "back its last step"));
+                           } else if (const auto undone = session->undo(); !undone) {
+                               workspace().fail(undone.error());
+                           }
+                       }});
 }
 
 SurfacePatch PeelTool::taken(SurfacePatch surface) const
 {
-    surface.keepLargest(core::PeelCut().jumpMm);
+    if (m_gaps.jumpMm > 0.0)
+        surface.keepLargest(m_gaps.jumpMm);
     return surface;
 }
 
 QStringList PeelTool::lines() const
 {
     const QString depth = tr("%1 mm thick").arg(QLocale().toString(m_depthMm, 'f', 1));
-    return m_open ? QStringList{depth, tr("Enter keeps it, Esc takes it back")}
+    if (m_depthDrag)
+        return {depth, tr("letting go keeps it, Esc takes it back")};
+    return m_open ? QStringList{depth, tr("drag down for deeper, up for shallower")}
                   : QStringList{depth};
+}
+
+/// While a drag sets the depth, a scale stands at its beginning: from no depth to what is set.
+void PeelTool::paintOverlay(QPainter& painter, const ViewContext& view) const
+{
+    OutlineTool::paintOverlay(painter, view);
+    if (!m_depthDrag || m_depthDrag->view != view.view)
+        return;
+    constexpr double tickPixels = 6.0;
+    const QPointF& from = m_depthDrag->from;
+    const auto heightOf = [this, &from](double mm) {
+        return from.y() + (mm - m_depthDrag->fromMm) / m_depthDrag->mmPerPixel;
+    };
+    const QPointF none(from.x(), heightOf(0.0));
+    const QPointF now(from.x(), heightOf(m_depthMm));
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const QPen& pen : {QPen(QColor(0, 0, 0, 150), 4.0), QPen(toolColour(), 1.6)}) {
+        painter.setPen(pen);
+        painter.drawLine(none, now);
+        painter.drawLine(none - QPointF(tickPixels, 0.0), none + QPointF(tickPixels, 0.0));
+        painter.drawLine(
+            from - QPointF(tickPixels / 2.0, 0.0), from + QPointF(tickPixels / 2.0, 0.0));
+        painter.drawLine(now - QPointF(tickPixels, 0.0), now + QPointF(tickPixels, 0.0));
+    }
 }
 
 } // namespace ui

@@ -73,7 +73,7 @@ QString PieceTool::hint() const
 {
     const core::EditSession* session = m_workspace.session();
     return session && session->document().pieces.empty()
-        ? tr("Pieces: none yet; Ctrl+L lifts what the active layer has carved")
+        ? tr("Pieces: none yet; Ctrl+L lifts the last cut of the active layer")
         : tr("Pieces: drag a middle to move it, the ring to turn it, a knob to tip it over");
 }
 

@@ -18,7 +18,9 @@
 #include <QSlider>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -54,6 +56,28 @@ public:
         for (int i = 1; i < 38; ++i)
             pen.move(at(i), 0.5, m_milliseconds += 8);
         pen.release(at(38), m_milliseconds += 8);
+    }
+
+    /// A drag that is not ended.
+    void pull(test::Pen& pen, const std::vector<double>& down)
+    {
+        pen.press(middle(), 0.5, ++m_milliseconds);
+        for (const double pixels : down)
+            pen.move(middle() + QPointF(0.0, pixels), 0.5, m_milliseconds += 8);
+    }
+    void lift(test::Pen& pen, double down)
+    {
+        pen.release(middle() + QPointF(0.0, down), ++m_milliseconds);
+    }
+    void click()
+    {
+        test::Pen pen(view);
+        pull(pen, {});
+        lift(pen, 0.0);
+    }
+    [[nodiscard]] double mmPerPixel() const
+    {
+        return std::min(view.context().mmPerPixel(), ui::PeelTool::mostMmPerPixel);
     }
 
     ui::PeelTool peel;
@@ -99,6 +123,143 @@ private Q_SLOTS:
         QCOMPARE(fixture.carvedVoxels(), std::int64_t(0));
     }
 
+    /// Seed A §4.4: "adjusting a slider or dragging a pen on the tablet".
+    void aSecondDragSetsTheDepthBothWays()
+    {
+        OutlineFixture fixture;
+        fixture.draw(60.0);
+        const std::int64_t four = fixture.carvedVoxels();
+        const double pixels = 3.0 / fixture.mmPerPixel(); // of 3 mm
+        test::Pen pen(fixture.view);
+        fixture.pull(pen, {pixels / 2.0, pixels});
+        QCOMPARE(fixture.peel.depthMm(), 7.0);
+        const std::int64_t seven = fixture.carvedVoxels();
+        QVERIFY(seven > four);
+        QTest::mouseMove(&fixture.view); // nothing of the mouse disturbs the pen
+        pen.move(fixture.middle() - QPointF(0.0, pixels), 0.5, 99000);
+        QCOMPARE(fixture.peel.depthMm(), 1.0);
+        QVERIFY(fixture.carvedVoxels() < four);
+        pen.move(fixture.middle() - QPointF(0.0, 100.0 * pixels), 0.5, 99010);
+        QCOMPARE(fixture.peel.depthMm(), ui::PeelTool::minimumDepthMm);
+        pen.move(fixture.middle() + QPointF(0.0, pixels), 0.5, 99020);
+        QCOMPARE(fixture.carvedVoxels(), seven);
+        QVERIFY(fixture.peel.isOpen());
+        QCOMPARE(fixture.rows(), std::size_t(0));
+
+        fixture.lift(pen, pixels);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(!fixture.peel.isOpen());
+        QCOMPARE(fixture.rows(), std::size_t(1));
+        QCOMPARE(fixture.session().history().rows().back().edit.get<core::PeelCut>().depthMm, 7.0);
+        QCOMPARE(fixture.carvedVoxels(), seven);
+        fixture.draw(40.0); // the next drag is a curve again
+        QVERIFY(fixture.peel.isOpen());
+    }
+
+    void theMouseAndKeysSetItToo()
+    {
+        OutlineFixture fixture;
+        fixture.draw(60.0);
+        fixture.peel.changeRadius(2); // ]
+        QCOMPARE(fixture.peel.depthMm(), 5.0);
+        fixture.peel.changeRadius(-4); // [
+        QCOMPARE(fixture.peel.depthMm(), 3.0);
+        const QPoint middle = fixture.middle().toPoint();
+        const int pixels = int(std::lround(2.0 / fixture.mmPerPixel()));
+        QTest::mousePress(&fixture.view, Qt::LeftButton, {}, middle);
+        QTest::mouseMove(&fixture.view, middle + QPoint(0, pixels));
+        QVERIFY(std::abs(fixture.peel.depthMm() - 5.0) < 0.11);
+        QVERIFY(fixture.peel.isOpen());
+        QTest::mouseRelease(&fixture.view, Qt::LeftButton, {}, middle + QPoint(0, pixels));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(1));
+    }
+
+    void escapeTakesItBackDuringTheDrag()
+    {
+        OutlineFixture fixture;
+        fixture.draw(60.0);
+        test::Pen pen(fixture.view);
+        fixture.pull(pen, {10.0, 20.0});
+        QTest::keyClick(&fixture.view, Qt::Key_Escape);
+        QVERIFY(!fixture.peel.isOpen());
+        fixture.lift(pen, 25.0);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.carvedVoxels(), std::int64_t(0));
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        fixture.draw(60.0);
+        QVERIFY(fixture.peel.isOpen());
+    }
+
+    void anotherToolTellsThatItIsKept()
+    {
+        OutlineFixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        std::vector<ui::Workspace::Offer> offers;
+        connect(&fixture.workspace, &ui::Workspace::offered, this,
+            [&offers](const ui::Workspace::Offer& made) { offers.push_back(made); });
+        fixture.draw(60.0);
+        fixture.workspace.setActiveTool(&fixture.scissors);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(1));
+        QCOMPARE(offers.size(), std::size_t(1));
+        QVERIFY(offers.front().sentence.contains(QStringLiteral("kept")));
+        QVERIFY(said.back().front().toString().contains(QStringLiteral("kept")));
+        QVERIFY(fixture.carvedVoxels() > 0);
+        offers.front().run();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.carvedVoxels(), std::int64_t(0));
+        offers.front().run(); // it is not the last step any more
+        QVERIFY(fixture.session().settle());
+        QVERIFY(said.back().front().toString().contains(QStringLiteral("gone on")));
+
+        // What was kept on purpose, and what undo takes back, needs no word.
+        fixture.workspace.setActiveTool(&fixture.peel);
+        fixture.draw(60.0);
+        fixture.click();
+        fixture.draw(30.0);
+        fixture.window.actionTable()[QStringLiteral("edit.undo")].trigger();
+        QVERIFY(fixture.session().settle());
+        QVERIFY(!fixture.peel.isOpen());
+        QCoreApplication::processEvents();
+        fixture.workspace.setActiveTool(&fixture.scissors);
+        QCOMPARE(offers.size(), std::size_t(1));
+    }
+
+    void gapsCanBeSetWhileItIsOpen()
+    {
+        OutlineFixture fixture;
+        QWidget bar;
+        const std::unique_ptr<QWidget> options(fixture.peel.createOptions(&bar));
+        auto* through = options->findChild<QCheckBox*>(QStringLiteral("peelThroughGaps"));
+        auto* jump = options->findChild<QDoubleSpinBox*>(QStringLiteral("peelJump"));
+        QVERIFY(!through->isChecked());
+        QCOMPARE(jump->value(), core::PeelCut().jumpMm);
+        fixture.peel.setDepthMm(30.0); // to the back of the head
+        fixture.draw(30.0);
+        const std::int64_t shell = fixture.carvedVoxels();
+        through->click();
+        QVERIFY(fixture.peel.isOpen());
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        // It begins anew when the engine has taken the other one back.
+        QTRY_VERIFY(fixture.carvedVoxels() > shell);
+        through->click();
+        QTRY_COMPARE(fixture.carvedVoxels(), shell);
+        jump->setValue(0.0);
+        QCOMPARE(jump->text(), QStringLiteral("all surfaces"));
+        fixture.click();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(1));
+        const auto& edit = fixture.session().history().rows().back().edit.get<core::PeelCut>();
+        QCOMPARE(edit.jumpMm, 0.0);
+        QVERIFY(!edit.throughGaps);
+        QCOMPARE(edit.depthMm, 30.0);
+
+        ui::PeelTool other(fixture.workspace);
+        other.applySettings(fixture.peel.settingsJson());
+        QVERIFY(other.gaps() == fixture.peel.gaps());
+    }
+
     void optionsFollow()
     {
         OutlineFixture fixture;
@@ -138,7 +299,8 @@ private Q_SLOTS:
     {
         OutlineFixture fixture;
         fixture.draw(60.0);
-        fixture.draw(30.0); // the next curve
+        fixture.click();
+        fixture.draw(30.0);
         fixture.session().poll();
         QVERIFY(fixture.session().transactionOpen());
         QCOMPARE(fixture.rows(), std::size_t(1));

@@ -3,6 +3,7 @@
 #include "ui/tools/sculpt/PieceTool.h"
 
 #include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
@@ -23,10 +24,12 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QListView>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -57,7 +60,7 @@ public:
     void settle()
     {
         // What an answer asks for is asked after it came.
-        for (int i = 0; i < 3; ++i) {
+        for (int i = 0; i < 5; ++i) {
             const auto measured = [this] { return !workspace.pieces().isMeasuring(); };
             if (!workspace.session()->settle() || !QTest::qWaitFor(measured, 60000))
                 qFatal("not settled");
@@ -71,6 +74,18 @@ public:
         return *found;
     }
     [[nodiscard]] const core::Document& document() const { return workspace.session()->document(); }
+    [[nodiscard]] std::vector<std::uint8_t> coverage(int layer)
+    {
+        reference::DenseFields fields = engine.fields();
+        return fields.coverage(std::uint8_t(layer)).values;
+    }
+    /// How many voxels a layer carves.
+    [[nodiscard]] int carvedBy(int layer)
+    {
+        const std::vector<std::uint8_t> values = coverage(layer);
+        return int(std::count_if(
+            values.begin(), values.end(), [](std::uint8_t value) { return value >= 128; }));
+    }
     [[nodiscard]] std::size_t rows() const { return workspace.session()->history().rows().size(); }
     void lift()
     {
@@ -133,6 +148,68 @@ private Q_SLOTS:
         const std::vector<gpu::ScenePiece> scene = fixture.workspace.pieces().scene();
         QCOMPARE(scene.size(), std::size_t(1));
         QVERIFY(scene.front().shownFromTrue == glm::dmat4(1.0));
+    }
+
+    /// Not all that the layer has carved: what one cut has.
+    void oneCutIsLifted()
+    {
+        PieceFixture fixture;
+        core::EditSession& session = *fixture.workspace.session();
+        const QByteArray before = session.stateHash();
+        const std::vector<std::uint8_t> first = fixture.coverage(1);
+        QCOMPARE(fixture.workspace.pieces().lastCut(1), core::RowId(0)); // all of the layer
+        fixture.apply(test::carveAt({{-6, 0, -12}, {6, 0, -12}}, 5.0));
+        const QByteArray both = session.stateHash();
+        QCOMPARE(fixture.workspace.pieces().lastCut(1), core::RowId(2));
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.window.actionTable()[QStringLiteral("pieces.lift")].trigger();
+        fixture.settle();
+        const QString words = said.back().front().toString();
+        QVERIFY2(words.contains(session.history().row(2).name), qPrintable(words));
+        QCOMPARE(fixture.document().pieces.size(), std::size_t(1));
+        const core::Piece& piece = fixture.document().pieces.front();
+        QCOMPARE(piece.layer, 2);
+        QVERIFY(piece.pivotLps && std::abs(piece.pivotLps->z + 12.0) < 2.0);
+        QVERIFY(fixture.coverage(1) == first);
+        QVERIFY(fixture.carvedBy(2) > 50);
+        QCOMPARE(fixture.workspace.activeLayer(), 1); // carving goes on where it was
+
+        // The other one, which is all that the first layer still holds, from the history.
+        QVERIFY(fixture.workspace.pieces().canLift(1));
+        QVERIFY(!fixture.workspace.pieces().canLift(2)); // it is a piece
+        fixture.workspace.pieces().liftCut(1);
+        fixture.settle();
+        QCOMPARE(fixture.document().pieces.size(), std::size_t(2));
+        QCOMPARE(fixture.carvedBy(1), 0);
+        QVERIFY(fixture.coverage(fixture.document().pieces.back().layer) == first);
+
+        const auto undo = [&](int steps) {
+            for (int i = 0; i < steps; ++i)
+                QVERIFY(session.undo());
+            fixture.settle();
+        };
+        undo(6); // each lift is a layer, the cut that moves there, and the piece
+        QCOMPARE(session.stateHash(), both);
+        undo(1);
+        QCOMPARE(session.stateHash(), before);
+    }
+
+    /// What was filled again since would be open, if its cut were another layer's.
+    void whatWasRestoredIsNotLiftedAlone()
+    {
+        PieceFixture fixture;
+        fixture.apply(test::carveAt({{-6, 0, -12}, {6, 0, -12}}, 5.0));
+        core::BrushStroke back;
+        back.path = {.radiusMm = 3.0, .pointsLps = {{0, 0, -12}}};
+        back.restore = true;
+        fixture.apply(back);
+        QVERIFY(!fixture.workspace.pieces().canLift(1));
+        QVERIFY(!fixture.workspace.pieces().canLift(2));
+        QCOMPARE(fixture.workspace.pieces().lastCut(1), core::RowId(0));
+        fixture.workspace.pieces().liftLast(1); // all of it then
+        fixture.settle();
+        QCOMPARE(fixture.document().pieces.size(), std::size_t(1));
+        QCOMPARE(fixture.document().pieces.front().layer, 1);
     }
 
     void theMiddleMovesIt()
