@@ -153,6 +153,11 @@ void FrameScheduler::begin(ViewProgress& view, FrameRequest request)
     std::bitset<256> shown;
     for (std::size_t label = 1; label < 256; ++label)
         shown[label] = request.segments.visible[label];
+    // Slices draw no bodies: they leave it as the 3D view wants it.
+    if (const auto* volume = std::get_if<VolumeScene>(&request.scene))
+        m_bodiless = volume->bodiless;
+    if (m_bodiless > 0 && m_bodiless < 256)
+        shown[std::size_t(m_bodiless)] = false;
     if (shown != m_shown) {
         m_shown = shown;
         m_edits.showSegments(shown);

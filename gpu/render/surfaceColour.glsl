@@ -2,7 +2,7 @@
 
 /* Uniforms */
 uniform vec3 ownColour;
-uniform vec4 markColours[3]; // yellow, green, red
+uniform vec4 markColours[3]; // yellow, green, red; alpha: share of markOpacity
 uniform float markOpacity;
 
 /// The mark that prevails at a place; between two marks it is one of them, not a mixture.
@@ -15,5 +15,5 @@ int markOf(vec3 marks)
 
 vec3 marked(vec3 colour, int mark)
 {
-    return mix(colour, markColours[mark].rgb, markOpacity);
+    return mix(colour, markColours[mark].rgb, markColours[mark].a * markOpacity);
 }

@@ -52,6 +52,7 @@ struct SurfaceColours {
     std::uint32_t rgb = 0xD8DCE2; ///< 0xRRGGBB, of the segment
     std::array<std::uint32_t, 3> markRgb{0xF6D552, 0x3DA564, 0xC4302B}; ///< by core::SurfaceMark
     float markOpacity = 0.8f; ///< of the marks over the segment's colour; 0: none
+    float yellowShare = 1.0f; ///< of markOpacity for yellow, which is where nothing was judged
     bool operator==(const SurfaceColours&) const = default;
 };
 
@@ -128,6 +129,12 @@ struct TransferFunction {
     bool operator==(const TransferFunction&) const = default;
 };
 
+/// How the 3D view draws the context: all of the volume that is in no shown segment. Translucent:
+/// as one layer in front of segments and the surface that is refined, with VolumeScene's
+/// contextOpacity. CutAway: not in front of them, opaque beside them. Hidden: not at all; segments,
+/// pieces of segments, surface and plane are drawn shaded, whatever the mode.
+enum class Context : std::uint8_t { Opaque, Translucent, CutAway, Hidden };
+
 /// How the cut face of matter looks where something is carved away or clipped, or where the scan
 /// ends: in the transfer function's colours, or grey as in a slice.
 enum class CutFaces : std::uint8_t { Material, GreyValues };
@@ -195,12 +202,16 @@ struct VolumeScene {
     core::WindowLevel mipWindow;
     core::WindowLevel xrayWindow;
     core::ClipRegion clip; ///< what it hides is not drawn, in any mode
+    Context context = Context::Opaque;
+    float contextOpacity = 0.3f; ///< of a translucent context; 1 hides as an opaque one does
     CutFaces cutFaces = CutFaces::Material; ///< of surface and volume rendering
     core::WindowLevel faceWindow; ///< of grey cut faces
     std::vector<ScenePiece> pieces; ///< hidden ones too; their order decides nothing
     /// The seeds to draw, in any order; null or empty: none. A changed list must be a new pointer.
     std::shared_ptr<const std::vector<SceneSeed>> seeds;
     std::optional<SceneSurface> surface{}; ///< none: not drawn
+    /// The segment whose body is not drawn because its surface is (label); 0: none. Slices show it.
+    int bodiless = 0;
     std::optional<ScenePlane> plane{}; ///< none: not drawn
     /// Null: none. Changed chunks must be a new pointer.
     std::shared_ptr<const SceneChunks> chunks;

@@ -90,8 +90,9 @@ void WindowHeader::fillViewMenu(
     grey->addAction(&actions[QStringLiteral("view.inverted")]);
     QMenu* volume = view->addMenu(QStringLiteral("3D"));
     actions.fill(*volume,
-        ids({"view.surface", "view.dvr", "view.mip", "view.xray", "", "view.fromFront",
-            "view.fromBack", "view.fromLeft", "view.fromRight", "view.fromAbove",
+        ids({"view.surface", "view.dvr", "view.mip", "view.xray", "", "view.contextOpaque",
+            "view.contextTranslucent", "view.contextCutAway", "view.contextHidden", "",
+            "view.fromFront", "view.fromBack", "view.fromLeft", "view.fromRight", "view.fromAbove",
             "view.fromBelow"}));
     actions.fill(*view->addMenu(QStringLiteral("Stage")), stage);
     actions.fill(*view->addMenu(QStringLiteral("Cutting plane")), plane);

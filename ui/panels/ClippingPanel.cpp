@@ -157,7 +157,7 @@ void ClippingPanel::build()
     m_faces->setObjectName(QStringLiteral("cutFaces"));
     m_faces->addItems({tr("Material colour"), tr("Grey values")}); // in the order of gpu::CutFaces
     m_faces->setFixedHeight(theme::controlHeight);
-    m_faces->setToolTip(tr("How the surface and the volume rendering show what a cut lays open: in "
+    m_faces->setToolTip(tr("How isosurface and volume rendering show what a cut lays open: in "
                            "the colours of the transfer function, or grey as in the slices"));
     auto* faces = new QHBoxLayout;
     faces->addWidget(smallNote(tr("Cut faces"), this));

@@ -74,12 +74,12 @@ void VolumePanel::build()
     m_modes = new QButtonGroup(this);
     auto* modes = new QHBoxLayout;
     modes->setSpacing(4);
-    const std::pair<gpu::RenderMode, QString> names[] = {{gpu::RenderMode::Surface, tr("Surface")},
-        {gpu::RenderMode::Dvr, tr("DVR")}, {gpu::RenderMode::Mip, tr("MIP")},
-        {gpu::RenderMode::Xray, tr("X-ray")}};
+    const std::pair<gpu::RenderMode, QString> names[] = {
+        {gpu::RenderMode::Surface, tr("Isosurface")}, {gpu::RenderMode::Dvr, tr("DVR")},
+        {gpu::RenderMode::Mip, tr("MIP")}, {gpu::RenderMode::Xray, tr("X-ray")}};
     for (const auto& [mode, name] : names) {
         auto* button = new QPushButton(name, this);
-        button->setObjectName(QStringLiteral("renderMode") + name);
+        button->setObjectName(QStringLiteral("renderMode%1").arg(int(mode)));
         button->setCheckable(true);
         m_modes->addButton(button, int(mode));
         button->setProperty("role", QStringLiteral("narrow"));
@@ -92,7 +92,7 @@ void VolumePanel::build()
 
     m_slider = new QSlider(Qt::Horizontal, this);
     m_slider->setRange(0, sliderSteps);
-    m_slider->setAccessibleName(tr("Surface threshold"));
+    m_slider->setAccessibleName(tr("Isosurface threshold"));
     m_threshold = new QDoubleSpinBox(this);
     m_threshold->setObjectName(QStringLiteral("surfaceThreshold"));
     m_threshold->setKeyboardTracking(false);
@@ -103,7 +103,7 @@ void VolumePanel::build()
     thresholdLayout->setContentsMargins(0, 0, 0, 0);
     thresholdLayout->addWidget(m_slider, 1);
     thresholdLayout->addWidget(m_threshold);
-    m_surfaceRow = labelled(this, tr("Surface at"), threshold);
+    m_surfaceRow = labelled(this, tr("Threshold"), threshold);
     m_function = new TransferFunctionEditor(this);
     m_function->setObjectName(QStringLiteral("transferFunction"));
     m_preset = new QComboBox(this);

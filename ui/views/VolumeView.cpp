@@ -8,6 +8,7 @@
 #include "ui/overlays/ClipOutline.h"
 #include "ui/overlays/MeasurementLines.h"
 #include "ui/overlays/PieceBadges.h"
+#include "ui/views/ContextSwitch.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/LayerLooks.h"
@@ -19,6 +20,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ui {
@@ -49,8 +51,12 @@ Camera cameraOf(const gpu::VolumeScene& scene)
 VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     : ImageView(workspace, view, parent)
     , m_readout(workspace)
+    , m_switch(new ContextSwitch(workspace, this))
 {
     connect(&workspace, &Workspace::sessionChanged, this, &VolumeView::openVolume);
+    connect(&workspace, &Workspace::sessionChanged, this, &VolumeView::placeSwitch);
+    connect(&workspace, &Workspace::volumeDisplayChanged, this, &VolumeView::placeSwitch);
+    connect(&workspace, &Workspace::documentChanged, this, &VolumeView::placeSwitch);
     connect(&workspace, &Workspace::clipChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace, &Workspace::growSettingsChanged, this, qOverload<>(&VolumeView::update));
     connect(&workspace.pieces(), &Pieces::looksChanged, this, &VolumeView::requestMovingFrame);
@@ -149,6 +155,7 @@ gpu::Scene VolumeView::scene() const
     scene.pieces = workspace().pieces().scene();
     scene.seeds = workspace().seeds().scene();
     scene.surface = workspace().refinement().scene();
+    scene.bodiless = workspace().refinement().bodiless();
     scene.chunks = workspace().chunks().bodies();
     scene.plane = workspace().plane().scene();
     if (const std::optional<core::ClipPlane> above = workspace().plane().clip()) {
@@ -318,7 +325,19 @@ void VolumeView::resizeEvent(QResizeEvent* event)
 {
     if (m_fitted)
         fit();
+    placeSwitch();
     ImageView::resizeEvent(event);
+}
+
+/// Over the lines at the bottom left.
+void VolumeView::placeSwitch()
+{
+    constexpr int bottomMargin = 12;
+    constexpr int lineHeight = 17;
+    const int lines = workspace().volume() ? int(bottomTexts().size()) : 1;
+    m_switch->adjustSize();
+    m_switch->move(
+        theme::padding, height() - bottomMargin - lines * lineHeight - m_switch->height());
 }
 
 OrientationCube VolumeView::cube(const Camera& camera) const
@@ -331,10 +350,15 @@ QString VolumeView::modeText() const
     const core::Volume& volume = *workspace().volume();
     const double span = volume.maximum - volume.minimum;
     const Workspace::VolumeDisplay& display = workspace().volumeDisplay();
+    if (display.context == gpu::Context::Hidden) {
+        const std::array<bool, 256> visible = workspace().segmentDisplay().visible;
+        const bool any = std::find(visible.begin(), visible.end(), true) != visible.end();
+        return any || workspace().refinement().surface() ? tr("segments only")
+                                                         : tr("segments only: none is visible");
+    }
     switch (display.mode) {
     case gpu::RenderMode::Surface:
-        return QStringLiteral("surface at %1")
-            .arg(valueText(display.surfaceThreshold, volume.unit, span));
+        return tr("isosurface at %1").arg(valueText(display.surfaceThreshold, volume.unit, span));
     case gpu::RenderMode::Dvr:
         return QStringLiteral("volume rendering");
     case gpu::RenderMode::Mip:
@@ -347,6 +371,14 @@ QString VolumeView::modeText() const
     return QStringLiteral("%1 · W %2  L %3")
         .arg(what, valueText(window.width, QString(), span),
             valueText(window.centre, volume.unit, span));
+}
+
+QStringList VolumeView::bottomTexts() const
+{
+    QStringList texts{modeText()};
+    if (const QString caution = workspace().refinement().caution(); !caution.isEmpty())
+        texts.append(caution);
+    return texts;
 }
 
 QString VolumeView::qualityText() const
@@ -389,9 +421,7 @@ void VolumeView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         texts.topLeft = patientLines(volume.identity);
     texts.topRight = {
         qualityText(), studyText(volume.identity), seriesText(volume.identity), timeText(volume)};
-    texts.bottomLeft = {modeText()};
-    if (const QString caution = workspace().refinement().caution(); !caution.isEmpty())
-        texts.bottomLeft.append(caution);
+    texts.bottomLeft = bottomTexts();
     paintCorners(painter, rect(), texts);
     cube(camera).paint(painter);
 }

@@ -9,6 +9,8 @@
 
 namespace ui {
 
+class ContextSwitch;
+
 /// The 3D view: the sculpted volume and its segments, seen by an orthographic camera.
 class VolumeView : public ImageView {
     Q_OBJECT
@@ -61,6 +63,8 @@ protected:
 private:
     void openVolume();
     void fit();
+    void placeSwitch();
+    [[nodiscard]] QStringList bottomTexts() const;
     void changeWindow(const QPointF& moved);
     [[nodiscard]] OrientationCube cube(const Camera& camera) const;
     [[nodiscard]] QString modeText() const;
@@ -70,6 +74,7 @@ private:
     [[nodiscard]] double eyeShiftMm() const;
 
     SeenReadout m_readout;
+    ContextSwitch* m_switch;
     Stereo m_stereo;
     QImage m_otherEye; ///< the picture of the right eye
     Camera m_camera;

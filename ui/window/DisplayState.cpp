@@ -29,6 +29,8 @@ using displayJson::read;
 constexpr std::array<const char*, gpu::renderModes> modeNames{
     "surface", "dvr", "mip", "xray"}; ///< gpu::RenderMode
 constexpr std::array<const char*, 2> faceNames{"material", "grey"}; ///< gpu::CutFaces
+constexpr std::array<const char*, 4> contextNames{
+    "opaque", "translucent", "cutAway", "hidden"}; ///< gpu::Context
 
 // --- Plain values. Reading leaves the target alone where there is nothing sensible. --------------
 
@@ -95,7 +97,9 @@ QJsonObject toJson(const Workspace::VolumeDisplay& display)
         {QStringLiteral("transferFunction"), toJson(display.transferFunction)},
         {QStringLiteral("mipWindow"), toJson(display.mipWindow)},
         {QStringLiteral("xrayWindow"), toJson(display.xrayWindow)},
-        {QStringLiteral("cutFaces"), QLatin1String(faceNames[std::size_t(display.cutFaces)])}};
+        {QStringLiteral("cutFaces"), QLatin1String(faceNames[std::size_t(display.cutFaces)])},
+        {QStringLiteral("context"), QLatin1String(contextNames[std::size_t(display.context)])},
+        {QStringLiteral("contextOpacity"), display.contextOpacity}};
 }
 
 void read(const QJsonValue& json, Workspace::VolumeDisplay& display)
@@ -114,6 +118,13 @@ void read(const QJsonValue& json, Workspace::VolumeDisplay& display)
         if (faces == QLatin1String(faceNames[i]))
             display.cutFaces = gpu::CutFaces(i);
     }
+    const QString context = json[QLatin1String("context")].toString();
+    for (std::size_t i = 0; i < contextNames.size(); ++i) {
+        if (context == QLatin1String(contextNames[i]))
+            display.context = gpu::Context(i);
+    }
+    read(json[QLatin1String("contextOpacity")], display.contextOpacity);
+    display.contextOpacity = std::clamp(display.contextOpacity, 0.0, 1.0);
 }
 
 QJsonObject toJson(const core::ClipRegion& clip)

@@ -55,6 +55,24 @@ QString droppedPath(const QMimeData& data)
     return {};
 }
 
+/// The class of the panel that a tool works with, by the tool's icon name; null: none.
+const char* panelOf(const QString& tool)
+{
+    struct Pair {
+        const char* tool;
+        const char* panel;
+    };
+    constexpr Pair pairs[] = {{"clip", "ui::ClippingPanel"}, {"piece", "ui::PiecesPanel"},
+        {"seed", "ui::GrowthPanel"}, {"shrink-here", "ui::GrowthPanel"},
+        {"barrier", "ui::GrowthPanel"}, {"refine", "ui::RefinePanel"},
+        {"chunks", "ui::ChunksPanel"}, {"undo-here", "ui::HistoryPanel"}};
+    for (const Pair& pair : pairs) {
+        if (tool == QLatin1String(pair.tool))
+            return pair.panel;
+    }
+    return nullptr;
+}
+
 } // namespace
 
 MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
@@ -94,6 +112,14 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     connect(&workspace, &Workspace::activeSegmentChanged, this, refresh);
     connect(&workspace, &Workspace::activeLayerChanged, this, refresh);
     connect(&workspace, &Workspace::activeToolChanged, this, refresh);
+    connect(&workspace, &Workspace::activeToolChanged, this, [this] {
+        const Tool* tool = m_workspace.activeTool();
+        const char* wanted = tool && m_panelsWanted ? panelOf(tool->iconName()) : nullptr;
+        for (const Panel* panel : findChildren<Panel*>()) {
+            if (wanted && panel->metaObject()->className() == QLatin1String(wanted))
+                m_panels->bringUp(*panel);
+        }
+    });
     connect(&workspace, &Workspace::volumeDisplayChanged, this, refresh);
     connect(&workspace, &Workspace::viewOptionsChanged, this, refresh);
     connect(&workspace, &Workspace::windowLevelChanged, this, refresh);

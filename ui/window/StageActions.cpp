@@ -24,12 +24,47 @@ void addStereo(MainWindow& window, const char* id, const char* text, Stereo::Mod
         .checked = [&view, mode] { return view.stereo().mode == mode; }});
 }
 
+/// What the 3D view shows of the volume beside the segments.
+void addContext(MainWindow& window)
+{
+    Actions& actions = window.actionTable();
+    Workspace& workspace = window.workspace();
+    struct Choice {
+        const char* id;
+        QString text;
+        const char* key;
+        gpu::Context context;
+    };
+    for (const Choice& choice :
+        {Choice{"view.contextOpaque", Actions::tr("Volume"), "Alt+5", gpu::Context::Opaque},
+            Choice{"view.contextTranslucent", Actions::tr("Volume and segments"), "Alt+6",
+                gpu::Context::Translucent},
+            Choice{"view.contextCutAway", Actions::tr("Volume cut away before segments"), "Alt+7",
+                gpu::Context::CutAway},
+            Choice{
+                "view.contextHidden", Actions::tr("Segments only"), "Alt+8", gpu::Context::Hidden}})
+        actions.add({.id = QLatin1String(choice.id),
+            .text = choice.text,
+            .keys = {QKeySequence(QLatin1String(choice.key))},
+            .run =
+                [&workspace, context = choice.context] {
+                    Workspace::VolumeDisplay display = workspace.volumeDisplay();
+                    display.context = context;
+                    workspace.setVolumeDisplay(display);
+                },
+            .checked =
+                [&workspace, context = choice.context] {
+                    return workspace.volumeDisplay().context == context;
+                }});
+}
+
 } // namespace
 
 QStringList addStageActions(MainWindow& window)
 {
     constexpr double stepDegrees = 5.0;
     constexpr double eyesStep = 0.5;
+    addContext(window);
     Actions& actions = window.actionTable();
     VolumeView& view = window.views().volume();
     struct Turn {

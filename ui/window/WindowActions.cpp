@@ -344,7 +344,7 @@ void addViewActions(MainWindow& window)
         .keys = {QKeySequence(QStringLiteral("F11"))},
         .run = [&window] { window.setWindowState(window.windowState() ^ Qt::WindowFullScreen); },
         .checked = [&window] { return window.isFullScreen(); }});
-    addMode(window, "view.surface", "Surface", "Alt+1", gpu::RenderMode::Surface);
+    addMode(window, "view.surface", "Isosurface", "Alt+1", gpu::RenderMode::Surface);
     addMode(window, "view.dvr", "Volume rendering", "Alt+2", gpu::RenderMode::Dvr);
     addMode(window, "view.mip", "Maximum intensity", "Alt+3", gpu::RenderMode::Mip);
     addMode(window, "view.xray", "X-ray", "Alt+4", gpu::RenderMode::Xray);

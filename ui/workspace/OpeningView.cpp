@@ -43,6 +43,10 @@ gpu::VolumeScene volumeScene(const Camera& camera, const Workspace::VolumeDispla
     scene.mipWindow = display.mipWindow;
     scene.xrayWindow = display.xrayWindow;
     scene.cutFaces = display.cutFaces;
+    scene.context = display.context;
+    // Not where it does not show: another opacity is no other picture then.
+    if (display.context == gpu::Context::Translucent)
+        scene.contextOpacity = float(display.contextOpacity);
     return scene;
 }
 

@@ -96,11 +96,22 @@ std::optional<gpu::SceneSurface> Refinement::scene() const
 {
     if (!surface() || m_look.opacity <= 0.0f)
         return std::nullopt;
+    gpu::SurfaceColours own = colours();
+    // What follows the mask, which is all of it at first, is in the segment's colour; only what the
+    // user has judged stands out.
+    own.yellowShare = 0.0f;
     return gpu::SceneSurface{.style = m_look.style,
-        .colours = colours(),
+        .colours = own,
         .opacity = m_look.opacity,
         .window = m_workspace.windowLevel(),
         .clip = {}};
+}
+
+int Refinement::bodiless() const
+{
+    const bool shown = surface() && !m_mirror.empty() && m_look.opacity > 0.0f
+        && m_look.style != gpu::SurfaceStyle::Wireframe;
+    return shown ? surface()->segment : 0;
 }
 
 std::optional<gpu::SceneContour> Refinement::contour() const
@@ -238,7 +249,7 @@ void Refinement::signOff(int place)
 void Refinement::goToError(int by)
 {
     if (m_errors.empty())
-        return m_workspace.say(tr("Nothing is marked red"));
+        return m_workspace.say(tr("Nothing is red: nothing is left to check"));
     const int count = int(m_errors.size());
     showError(m_error < 0 ? (by > 0 ? 0 : count - 1) : (m_error + by + count) % count);
 }
@@ -250,7 +261,7 @@ void Refinement::showError(int place)
     m_error = place;
     const core::MarkedRegion& error = m_errors[std::size_t(m_error)];
     showRegion(error);
-    m_workspace.say(tr("Error %1 of %2, %3 mm²")
+    m_workspace.say(tr("To check: %1 of %2, %3 mm²")
                         .arg(m_error + 1)
                         .arg(m_errors.size())
                         .arg(QString::number(error.areaMm2, 'f', 0)));

@@ -61,6 +61,9 @@ public:
     /// What the 3D view and slices draw of it; none if nothing.
     [[nodiscard]] std::optional<gpu::SceneSurface> scene() const;
     [[nodiscard]] std::optional<gpu::SceneContour> contour() const;
+    /// The label whose body the 3D view leaves out because its surface is drawn; 0: none. Edges
+    /// alone hide nothing: behind them the body stays, to compare.
+    [[nodiscard]] int bodiless() const;
 
     /// Contours of a template that were drawn but not applied (seed B §4.4), LPS.
     [[nodiscard]] const std::vector<std::vector<glm::dvec3>>& contours() const

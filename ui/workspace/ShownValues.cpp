@@ -60,7 +60,7 @@ ShownValues shownValues(const Workspace::VolumeDisplay& display)
     }
     return {.lower = {},
         .upper = {},
-        .why = QObject::tr("Show a surface or volume rendering first: this one has no threshold")};
+        .why = QObject::tr("Show an isosurface or volume rendering first: this one has no threshold")};
 }
 
 } // namespace ui

@@ -79,6 +79,8 @@ public:
         core::WindowLevel mipWindow;
         core::WindowLevel xrayWindow; ///< the window of X-ray, whose means are lowered by air
         gpu::CutFaces cutFaces = gpu::CutFaces::Material;
+        gpu::Context context = gpu::Context::Opaque;
+        double contextOpacity = 0.25; ///< where the context is translucent
         bool operator==(const VolumeDisplay&) const = default;
     };
 

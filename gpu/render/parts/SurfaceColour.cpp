@@ -18,7 +18,8 @@ void setMarkColours(Program& program, const SurfaceColours& colours)
 {
     std::array<glm::vec4, 3> marks;
     for (std::size_t mark = 0; mark < marks.size(); ++mark)
-        marks[mark] = glm::vec4(colourOf(colours.markRgb[mark]), 1.0f);
+        marks[mark] =
+            glm::vec4(colourOf(colours.markRgb[mark]), mark == 0 ? colours.yellowShare : 1.0f);
     program.set("ownColour", colourOf(colours.rgb))
         .set("markColours", std::span<const glm::vec4>(marks))
         .set("markOpacity", colours.markOpacity);

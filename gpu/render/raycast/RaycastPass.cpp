@@ -46,6 +46,38 @@ TransferFunction materialColours(double from, double to)
     return {{{from, 0xB27059, 0.0}, {to, 0xF6E2C1, 1.0}}};
 }
 
+/// The scene in which segments alone are drawn: they look alike in all modes.
+VolumeScene segmentsAlone(const VolumeScene& scene)
+{
+    VolumeScene alone = scene;
+    alone.mode = RenderMode::Surface;
+    return alone;
+}
+
+/// What of the volume counts on rays that meet neither a segment nor the surface, and on others.
+glm::vec2 contextOpacity(const VolumeScene& scene)
+{
+    if (scene.context == Context::CutAway)
+        return {1.0f, 0.0f};
+    return glm::vec2(scene.context == Context::Translucent ? scene.contextOpacity : 1.0f);
+}
+
+/// CONTEXT of the shaders.
+int contextVariant(const VolumeScene& scene)
+{
+    switch (scene.context) {
+    case Context::Opaque:
+        return 0;
+    case Context::Translucent:
+        return scene.contextOpacity >= 1.0f ? 0 : 1;
+    case Context::CutAway:
+        return 1;
+    case Context::Hidden:
+        break;
+    }
+    return 2;
+}
+
 /// Of two rectangles; empty: none.
 Tile common(const Tile& a, const Tile& b)
 {
@@ -99,7 +131,7 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
                     {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0},
                     {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"CUT_PREVIEW", 0}, {"SHEETS", 0},
-                    {"CHUNKS", 0}}});
+                    {"CHUNKS", 0}, {"CONTEXT", 0}}});
     }
 }
 
@@ -110,7 +142,8 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
     const bool home = with.pieces && m_pieces.anyAtHome();
     const bool sculpted = with.pieces || with.kind != RayBlocks::Kind::Plain;
     const bool segments = with.pieces || with.kind > RayBlocks::Kind::Carved;
-    std::size_t variant = mode;
+    const int context = contextVariant(scene);
+    std::size_t variant = 3 * mode + std::size_t(context);
     for (const bool part : {clipped, home, sculpted, segments, with.pieces, with.seeds,
              with.barriers, with.warned, with.cutPreview, with.sheets, with.chunks})
         variant = 2 * variant + std::size_t(part);
@@ -124,7 +157,7 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
                     {"PIECES", int(with.pieces)}, {"SEEDS", int(with.seeds)},
                     {"BARRIERS", int(with.barriers)}, {"WARNED", int(with.warned)},
                     {"CUT_PREVIEW", int(with.cutPreview)}, {"SHEETS", int(with.sheets)},
-                    {"CHUNKS", int(with.chunks)}}});
+                    {"CHUNKS", int(with.chunks)}, {"CONTEXT", context}}});
     return program;
 }
 
@@ -146,8 +179,8 @@ Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene,
                 .warned = with.warned,
                 .cutPreview = with.cutPreview,
                 .sheets = with.sheets});
-    if (with.sheets)
-        return seldomProgram(scene, {.sheets = true, .kind = kind});
+    if (with.sheets || contextVariant(scene) != 0)
+        return seldomProgram(scene, {.sheets = with.sheets, .kind = kind});
     const std::size_t variant = variantOf(scene, kind);
     m_warm[variant] = true;
     return m_programs[variant];
@@ -169,6 +202,16 @@ const RayBlocks& RaycastPass::blocksOf(
 }
 
 void RaycastPass::draw(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
+    const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
+    const RaySheets& sheets, const ChunkTextures* chunks)
+{
+    if (scene.context == Context::Hidden)
+        drawMode(volume, segmentsAlone(scene), palette, target, tile, noVertices, sheets, chunks);
+    else
+        drawMode(volume, scene, palette, target, tile, noVertices, sheets, chunks);
+}
+
+void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
     const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
     const RaySheets& sheets, const ChunkTextures* chunks)
 {
@@ -293,6 +336,9 @@ void RaycastPass::bindSheets(Program& program, const VolumeScene& scene, const R
 void RaycastPass::warmUp(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
     const PassTarget& target, const VertexArray& noVertices)
 {
+    // With a context that is not opaque all are compiled when they are first needed.
+    if (contextVariant(scene) != 0)
+        return;
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, 1, 1);
     for (const RayBlocks::Kind kind : {RayBlocks::Kind::Carved, RayBlocks::Kind::Sculpted}) {
@@ -319,6 +365,10 @@ void RaycastPass::prepare(Program& active, VolumeTextures& volume, const VolumeS
     volume.cells().ranges().bindUnit(5);
     m_transfer.texture().bindUnit(6);
     palette.texture().bindUnit(7);
+    if (contextVariant(scene) == 1) {
+        m_segmentCells.distances(volume).bindUnit(28);
+        active.set("contextOpacity", contextOpacity(scene));
+    }
     volume.maximumCells().texture().bindUnit(8);
     active.use();
 }
@@ -431,6 +481,11 @@ VisibleCodes RaycastPass::setMode(
     const core::VoxelEncoding& encoding = volume.encoding();
     switch (scene.mode) {
     case RenderMode::Surface: {
+        if (scene.context == Context::Hidden) {
+            program.set("threshold", 2.0f).set("denseSpan", 1.0f).set("aoRadius", 14.0f);
+            setFaces(program, volume, scene);
+            return {}; // no code is
+        }
         const int code = encoding.lowestCodeAtLeast(scene.surfaceThreshold);
         const double solid = std::max((volume.cells().greatestCode() - code) * 0.35, 4.0);
         program.set("threshold", float(code / 65535.0))

@@ -9,6 +9,7 @@
 #include "gpu/render/parts/Palette.h"
 #include "gpu/render/parts/PieceSet.h"
 #include "gpu/render/parts/RayBlocks.h"
+#include "gpu/render/parts/SegmentCells.h"
 #include "gpu/render/parts/TransferLookup.h"
 #include "gpu/scene/PassTarget.h"
 #include "gpu/scene/Scene.h"
@@ -34,7 +35,8 @@ struct RaySheets {
 /// Draws the 3D view by casting one ray per pixel: shaded surface, volume rendering, maximum
 /// intensity or X-ray; orthographic or perspective; for any affine geometry. Voxels with radiation
 /// ≥ 0.5 are carved away and not seen. Shown segments are drawn whole; pieces in their poses; seeds
-/// as dots; barriers as translucent bodies. The background is black.
+/// as dots; barriers as translucent bodies. What is in no segment may be translucent, or not drawn
+/// (Context). The background is black.
 class RaycastPass {
 public:
     /// Throws ShaderError. @param library outlives the pass
@@ -56,6 +58,9 @@ public:
         const PassTarget& target, const VertexArray& noVertices);
 
 private:
+    void drawMode(VolumeTextures& volume, const VolumeScene& scene, const Palette& palette,
+        const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
+        const RaySheets& sheets, const ChunkTextures* chunks);
     void bindSheets(Program& program, const VolumeScene& scene, const RaySheets& sheets);
     void prepare(Program& program, VolumeTextures& volume, const VolumeScene& scene,
         const Palette& palette, const PassTarget& target);
@@ -94,6 +99,7 @@ private:
     PieceSet m_pieces;
     Texture2D m_noSheet; ///< one texel; made with the first sheet
     SeedDots m_seeds;
+    SegmentCells m_segmentCells;
     std::map<std::size_t, Program> m_seldomPrograms; ///< by all features that they are compiled for
     TransferLookup m_transfer;
     RayBlocks m_blocks;

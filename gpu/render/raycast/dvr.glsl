@@ -65,10 +65,57 @@ float sheetSample(float gridZero)
 /// Composites the sheets in front of a sample.
 void meetSheetsBefore(float n, float gridZero, inout vec3 seen, inout float through)
 {
+#if CONTEXT == 1
+    meetSheetsIn(gridZero + (n + 2.0) * stepMm, seen, through);
+#else
     for (int i = 0; i < 2; ++i) {
         if (sheetsMet < 2 && n >= sheetSample(gridZero))
             meetSheet(seen, through);
     }
+#endif
+}
+#endif
+
+#if CONTEXT == 1
+/// How much what a ray sees of the context counts.
+float shareOfContext()
+{
+    return context * besides;
+}
+
+float leftBehind(float through)
+{
+    return seenThrough(through);
+}
+
+/// Composites what is behind the context: the segment, and sheets.
+vec3 withSegment(Ray ray, float segmentAt, vec3 seen, float through)
+{
+#if SEGMENTS
+#if SHEETS
+    meetSheetsIn(segmentAt + 2.0 * stepMm, seen, through);
+#endif
+    const vec3 body = segmentLook(ray, segmentAt);
+    seen += segmentAt < nowhere ? seenThrough(through) * body : vec3(0.0);
+    besides = segmentAt < nowhere ? 0.0 : besides;
+#if SEEDS || BARRIERS || CHUNKS
+    solidFrom = min(solidFrom, segmentAt);
+#endif
+#endif
+#if SHEETS
+    meetSheetsIn(nowhere, seen, through);
+#endif
+    return seen;
+}
+#else
+float shareOfContext()
+{
+    return 1.0;
+}
+
+float leftBehind(float through)
+{
+    return through;
 }
 #endif
 
@@ -79,6 +126,11 @@ vec3 restAlong(Ray ray)
 #if SHEETS
     // Nothing is searched behind an opaque sheet.
     ray.last = min(ray.last, opaqueSheetAt() + 2.0 * stepMm);
+#endif
+#if CONTEXT == 1
+    const Ray whole = ray;
+    const float segmentAt = findSegment(ray);
+    ray.last = min(ray.last, segmentAt);
 #endif
     const Samples samples = samplesOf(ray, cellSide);
     const float enough = 0.02;
@@ -174,10 +226,10 @@ vec3 restAlong(Ray ray)
         const vec4 onSurface = mix(unlit, lightOn(front, toViewer, 1.0, 0.10),
             clamp(length(rise) / gradientFull, 0.0, 1.0));
         light = mix(light, onSurface, clamp(change / most, 0.0, 1.0));
-        seen += through * (glow * light.rgb + glowOpacity * light.a);
+        seen += through * shareOfContext() * (glow * light.rgb + glowOpacity * light.a);
         through *= groupThrough;
 #if SEEDS || BARRIERS || CHUNKS
-        const bool solid = solidFrom == nowhere && (through < 0.5 || segmentSeen);
+        const bool solid = solidFrom == nowhere && (leftBehind(through) < 0.5 || segmentSeen);
         solidFrom = solid ? ray.gridZero + stepMm * n : solidFrom;
 #endif
 #if SEGMENTS
@@ -189,6 +241,9 @@ vec3 restAlong(Ray ray)
         through = segmentSeen ? 0.0 : through;
 #endif
     } while (n < samples.last && through > enough);
+#if CONTEXT == 1
+    return withSegment(whole, segmentAt, seen, through > enough ? through : 0.0);
+#endif
 #if SHEETS
     through = through > enough ? through : 0.0;
     meetSheets(nowhere, seen, through);

@@ -216,6 +216,11 @@ vec3 seenAlong(Ray ray)
 #endif
         return nothing;
     }
+#if CONTEXT == 1
+    if (wayCount == 1 && ways[0].piece < 0)
+        return restAlong(ray);
+    const float segmentAt = findSegment(ray);
+#endif
     if (wayCount == 1 && ways[0].piece < 0)
         return restAlong(ray);
     float n = nowhere;
@@ -224,6 +229,9 @@ vec3 seenAlong(Ray ray)
         n = min(n, ways[i].first);
         last = max(last, ways[i].last);
     }
+#if CONTEXT == 1
+    last = min(last, (segmentAt - ray.gridZero) / stepMm);
+#endif
     vec3 seen = vec3(0.0);
     float through = 1.0;
     vec4 light = unlit;
@@ -279,25 +287,34 @@ vec3 seenAlong(Ray ray)
             const float changeN = change > 1e-6 ? changeAt / change : n;
             light = mix(
                 light, lightAt(ray, owner, changeN, change), clamp(change / most, 0.0, 1.0));
-            seen += through * (glow * light.rgb + glowOpacity * light.a);
+            seen += through * shareOfContext() * (glow * light.rgb + glowOpacity * light.a);
             through *= groupThrough;
 #if SEEDS || BARRIERS || CHUNKS
-            solidFrom = solidFrom == nowhere && through < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
+            solidFrom = solidFrom == nowhere && leftBehind(through) < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
 #endif
         } while (solid < 0 && n < last && through > enough);
         const int way = max(solid, 0);
         const int piece = ways[way].piece;
         const float opacity = solid < 0 ? 0.0 : piece < 0 ? 1.0 : pieces[piece].low.w;
-        seen += opacity > 0.0 ? through * opacity * solidAt(ray, way, n) : vec3(0.0);
+        const float left = leftBehind(through);
+        seen += opacity > 0.0 ? left * opacity * solidAt(ray, way, n) : vec3(0.0);
+#if CONTEXT == 1
+        besides *= 1.0 - opacity;
+#else
         through *= 1.0 - opacity;
+#endif
         if (solid >= 0) {
             ways[way].last = -nowhere; // only the front of a translucent one is seen
             n += 1.0;
         }
 #if SEEDS || BARRIERS || CHUNKS
-        solidFrom = solidFrom == nowhere && through < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
+        solidFrom
+            = solidFrom == nowhere && leftBehind(through) < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
 #endif
     } while (n < last && through > enough);
+#if CONTEXT == 1
+    return withSegment(ray, segmentAt, seen, through > enough ? through : 0.0);
+#endif
 #if SHEETS
     through = through > enough ? through : 0.0;
     meetSheets(nowhere, seen, through);

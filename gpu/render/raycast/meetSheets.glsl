@@ -31,6 +31,9 @@ Sheet nearSheet = Sheet(vec4(0.0), nowhere, 0.0, 1.0, 0.0);
 Sheet farSheet = Sheet(vec4(0.0), nowhere, 0.0, 1.0, 0.0);
 int sheetsMet = 0;
 float nextSheetAt = nowhere; // t of the next sheet
+#if CONTEXT == 1
+float surfaceMetAt = nowhere; // t
+#endif
 
 void findSheets()
 {
@@ -41,6 +44,9 @@ void findSheets()
         = surface.a > 0.0 ? texelFetch(surfaceWays, pixel * surfaceThere, 0).r : nowhere;
     const float planeAt = plane.a > 0.0 ? texelFetch(planeWays, pixel * planeThere, 0).r : nowhere;
     surface.a *= surfaceOpacity;
+#if CONTEXT == 1
+    surfaceMetAt = surfaceAt;
+#endif
     const bool planeFirst = planeAt <= surfaceAt + sheetTie;
     nearSheet.colour = planeFirst ? plane : surface;
     nearSheet.at = planeFirst ? planeAt : surfaceAt;

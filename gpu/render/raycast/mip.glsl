@@ -96,11 +96,17 @@ vec3 seenAlong(Ray ray)
         t = t == start ? gridAfter(ray, t, stretch.end) : t;
     }
     vec3 result = vec3(greatest < 0.0 ? 0.0 : clamp(greatest * window.x + window.y, 0.0, 1.0));
+    float over = 0.7;
+#if CONTEXT == 1
+    const float grey = segmentAt == nowhere ? contextOpacity.x : contextOpacity.y;
+    result *= grey;
+    over = mix(1.0, over, grey);
+#endif
     const vec3 at = ray.origin + ray.direction * segmentAt;
     const vec3 inward = centralDifferences(segmentation, at, 1.0);
     const vec3 normal = normalize(gradientToWorld * -inward - 1e-9 * ray.world);
     const vec3 segment = lit(segmentColour(at), lightOn(normal, -ray.world, 1.0, 0.15));
-    result = segmentAt != nowhere ? mix(result, segment, 0.7) : result;
+    result = segmentAt != nowhere ? mix(result, segment, over) : result;
 #if PIECES
     if (solid >= 0 && solidAt < segmentAt)
         result = overPieces(ray, result, solidAt, solid);
@@ -149,6 +155,10 @@ vec3 seenAlong(Ray ray)
         } while (n < end);
         last = greatest < saturated ? last : 0.0;
     } while (n < last);
-    return vec3(clamp(greatest * window.x + window.y, 0.0, 1.0));
+    const vec3 picture = vec3(clamp(greatest * window.x + window.y, 0.0, 1.0));
+#if CONTEXT == 1
+    return picture * contextOpacity.x;
+#endif
+    return picture;
 }
 #endif

@@ -7,6 +7,9 @@
 #if MODE <= 1
 #include "render/raycast/cutFace.glsl"
 #endif
+#if CONTEXT
+#include "render/raycast/context.glsl"
+#endif
 #if MODE == 0
 #include "render/raycast/surface.glsl"
 #elif MODE == 1

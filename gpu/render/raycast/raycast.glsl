@@ -7,7 +7,8 @@
 // llvmpipe executes both sides of an `if`, and every loop's body at least once, for all pixels of a
 // group, so what is not needed must not be compiled. Hence the variants by SCULPTED (something is
 // carved away or a segment is shown), SEGMENTS (a segment is shown; then SCULPTED, too) and CLIPPED
-// (a clip box or plane is on), and loops that put much work behind few tests.
+// (a clip box or plane is on) and CONTEXT (1: the volume is translucent or cut away in front of
+// segments, 2: only segments are drawn; then MODE is 0), and loops that put much work behind few tests.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity;    // code / 65535

@@ -146,6 +146,10 @@ Hit firstHit(Ray ray)
     return Hit(hit ? t : nowhere, segmentHit, onBox);
 }
 
+#if CONTEXT == 1
+vec3 lookNormal = vec3(0.0); // world, unit: of what lookOf() saw
+#endif
+
 /// The colour at a hit.
 vec3 lookOf(Ray ray, int piece, Hit hit)
 {
@@ -215,6 +219,9 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
     // A gradient that faces away is noise: it is bent into view instead of giving a black speck.
     const float away = min(dot(normal, toViewer), 0.0);
     normal = normalize(normal - (away - 0.02) * toViewer);
+#if CONTEXT == 1
+    lookNormal = asShown(piece, normal);
+#endif
 
     const float turn = fract(pixelNoise(gl_FragCoord.yx + 17.0) + jitterPhase) * 6.2831853;
     const vec3 side
@@ -223,7 +230,12 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
         normal + aoTilt * (cos(turn) * side + sin(turn) * cross(normal, side)));
     // There is nothing in front of a flat face, whatever the scan holds there. Grey values must be
     // readable, so they are shadowed less.
-    const float open = onBox ? 1.0 : mix(openness(piece, at, tilted), 1.0, 0.6 * grey);
+#if CONTEXT == 2
+    const float around = segmentOpenness(at, tilted);
+#else
+    const float around = openness(piece, at, tilted);
+#endif
+    const float open = onBox ? 1.0 : mix(around, 1.0, 0.6 * grey);
     const vec4 light = lightOnFace(
         lightOn(asShown(piece, normal), -ray.world, open, gloss), grey, flatFace);
     return lit(albedo, light);
@@ -235,6 +247,26 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
 void meetSheetsBefore(float t, inout vec3 seen, inout float through)
 {
     meetSheets(t + 2.0 * stepMm, seen, through);
+}
+#endif
+
+#if CONTEXT == 1
+/// The opacity of the context where a ray meets it: a thin layer, which is denser where it is seen
+/// aslant, so that its shape is drawn by its outlines.
+/// Call it after lookOf().
+float layerOpacity(Ray ray, Hit hit)
+{
+    const float facing = hit.onBox ? 1.0 : max(dot(lookNormal, -ray.world), 0.15);
+    return 1.0 - pow(max(1.0 - context, 0.0), 1.0 / facing);
+}
+
+/// What a ray meets first in front of a segment. If the surface of the tissue is that of the
+/// segment, the segment is seen.
+Hit contextHit(Ray ray, float segmentAt)
+{
+    Hit hit = firstHit(ray);
+    hit.t = hit.t + 2.0 * stepMm < segmentAt ? hit.t : nowhere;
+    return hit;
 }
 #endif
 
@@ -266,13 +298,26 @@ float pieceHit(Ray ray, int piece)
 }
 
 const int mostHits = 64; // core::DocumentEdits allows no more pieces
+#if CONTEXT == 1
+const int segmentOf = -2; // place in hits: the segment
+#endif
 
 vec3 seenAlong(Ray ray)
 {
     // Each piece is hit once: a translucent one shows its front.
     Hit rest = Hit(nowhere, false, false);
+#if CONTEXT == 1
+    const float segmentAt = findSegment(ray);
+    Ray front = ray;
+    front.last = min(ray.last, segmentAt);
+    if (front.first < front.last)
+        rest = contextHit(front, segmentAt);
+    float segmentLeft = segmentAt; // nowhere once it was composited
+#else
+    const Ray front = ray;
     if (ray.first < ray.last)
         rest = firstHit(ray);
+#endif
     int met[mostHits];
     float hits[mostHits];
     int metCount = 0;
@@ -290,14 +335,17 @@ vec3 seenAlong(Ray ray)
         next = hits[i] < nearest ? i : next;
         nearest = min(nearest, hits[i]);
     }
-#if SEEDS || BARRIERS || CHUNKS
+#if CONTEXT == 1
+    next = segmentLeft < nearest ? segmentOf : next;
+    nearest = min(nearest, segmentLeft);
+#elif SEEDS || BARRIERS || CHUNKS
     solidFrom = nearest;
 #endif
     // Opaque ones are evaluated once: drawing costs far more than finding the next.
     vec3 seen = vec3(0.0);
     float through = 1.0;
     do {
-        Ray own = ray;
+        Ray own = front;
         Hit hit = rest;
         float opacity = 1.0;
         int piece = restOf;
@@ -311,10 +359,24 @@ vec3 seenAlong(Ray ray)
 #if SHEETS
         meetSheetsBefore(nearest, seen, through);
 #endif
-        const vec3 look = lookOf(own, piece, hit);
+        vec3 look = lookOf(own, piece, hit);
+#if CONTEXT == 1 && SEGMENTS
+        look = next == segmentOf ? segmentLook(ray, segmentAt) : look;
+#endif
+#if CONTEXT == 1
+        if (next == restOf || (next >= 0 && !isSolid(piece)))
+            opacity *= layerOpacity(ray, hit);
+#endif
         opacity = nearest < nowhere ? opacity : 0.0;
         seen += opacity > 0.0 ? through * opacity * look : vec3(0.0);
         through *= 1.0 - opacity;
+#if CONTEXT == 1
+        rest.t = next == restOf ? nowhere : rest.t;
+        segmentLeft = next == segmentOf ? nowhere : segmentLeft;
+#if SEEDS || BARRIERS || CHUNKS
+        solidFrom = through < 0.5 ? min(solidFrom, nearest) : solidFrom;
+#endif
+#endif
         // The rest of the volume is opaque, so nothing is seen behind it.
         nearest = rest.t;
         next = restOf;
@@ -322,6 +384,10 @@ vec3 seenAlong(Ray ray)
             next = hits[i] < nearest ? i : next;
             nearest = min(nearest, hits[i]);
         }
+#if CONTEXT == 1
+        next = segmentLeft < nearest ? segmentOf : next;
+        nearest = min(nearest, segmentLeft);
+#endif
     } while (nearest < nowhere && through >= 0.02);
 #if SHEETS
     meetSheets(nowhere, seen, through);
@@ -329,11 +395,51 @@ vec3 seenAlong(Ray ray)
     return seen;
 }
 #else
+#if CONTEXT == 1
+vec3 seenInContext(Ray ray)
+{
+    const float segmentAt = findSegment(ray);
+    Ray front = ray;
+    front.last = min(ray.last, segmentAt);
+    const Hit hit = contextHit(front, segmentAt);
+    vec3 seen = vec3(0.0);
+    float through = 1.0;
+#if SHEETS
+    meetSheetsBefore(hit.t, seen, through);
+#endif
+    const vec3 look = lookOf(front, restOf, hit);
+    const float opacity = hit.t < nowhere ? layerOpacity(ray, hit) : 0.0;
+    seen += opacity > 0.0 ? through * opacity * look : vec3(0.0);
+    through *= 1.0 - opacity;
+#if SEEDS || BARRIERS || CHUNKS
+    solidFrom = through < 0.5 ? min(solidFrom, hit.t) : solidFrom;
+#endif
+#if SEGMENTS
+#if SHEETS
+    meetSheetsBefore(segmentAt, seen, through);
+#endif
+    const vec3 body = segmentLook(ray, segmentAt);
+    seen += segmentAt < nowhere ? through * body : vec3(0.0);
+    through = segmentAt < nowhere ? 0.0 : through;
+#if SEEDS || BARRIERS || CHUNKS
+    solidFrom = min(solidFrom, segmentAt);
+#endif
+#endif
+#if SHEETS
+    meetSheets(nowhere, seen, through);
+#endif
+    return seen;
+}
+#endif
+
 vec3 seenAlong(Ray ray)
 {
 #if SHEETS
     // Nothing is searched behind an opaque sheet.
     ray.last = min(ray.last, opaqueSheetAt() + 2.0 * stepMm);
+#endif
+#if CONTEXT == 1
+    return seenInContext(ray);
 #endif
     const Hit hit = firstHit(ray);
 #if SEEDS || BARRIERS || CHUNKS

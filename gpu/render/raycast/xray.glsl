@@ -82,7 +82,14 @@ vec3 seenAlong(Ray ray)
     const vec3 inward = centralDifferences(segmentation, at, 1.0);
     const vec3 normal = normalize(gradientToWorld * -inward - 1e-9 * ray.world);
     const vec3 segment = lit(segmentColour(at), lightOn(normal, -ray.world, 1.0, 0.15));
-    return mix(greyOf(sum, count), segment, segmentAt != nowhere ? 0.7 : 0.0);
+    vec3 picture = greyOf(sum, count);
+    float over = 0.7;
+#if CONTEXT == 1
+    const float grey = segmentAt == nowhere ? contextOpacity.x : contextOpacity.y;
+    picture *= grey;
+    over = mix(1.0, over, grey);
+#endif
+    return mix(picture, segment, segmentAt != nowhere ? over : 0.0);
 }
 #else
 vec3 seenAlong(Ray ray)
@@ -97,6 +104,10 @@ vec3 seenAlong(Ray ray)
         sum += n < last ? value : 0.0;
         n += 1.0;
     } while (n < last);
-    return greyOf(sum, ceil(last) - 1.0);
+    const vec3 picture = greyOf(sum, ceil(last) - 1.0);
+#if CONTEXT == 1
+    return picture * contextOpacity.x;
+#endif
+    return picture;
 }
 #endif

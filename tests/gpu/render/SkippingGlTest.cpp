@@ -157,20 +157,27 @@ class SkippingGlTest : public test::GlTest {
         return pieces;
     }
 
-private Q_SLOTS:
-    void leavesNothingOut_data()
+    static void addColumns()
     {
         QTest::addColumn<int>("mode");
         QTest::addColumn<bool>("sculpted");
         QTest::addColumn<bool>("clipped");
         QTest::addColumn<bool>("pieces");
+        QTest::addColumn<int>("context");
+    }
+
+private Q_SLOTS:
+    void leavesNothingOut_data()
+    {
+        addColumns();
         for (const bool clipped : {false, true}) {
             for (const bool sculpted : {false, true}) {
                 const char* how = clipped ? (sculpted ? ", sculpted, clipped" : ", clipped")
                     : sculpted            ? ", sculpted"
                                           : "";
                 const auto row = [&](const char* name, RenderMode mode) {
-                    QTest::addRow("%s%s", name, how) << int(mode) << sculpted << clipped << false;
+                    QTest::addRow("%s%s", name, how)
+                        << int(mode) << sculpted << clipped << false << int(Context::Opaque);
                 };
                 row("surface", RenderMode::Surface);
                 row("DVR", RenderMode::Dvr);
@@ -179,7 +186,8 @@ private Q_SLOTS:
             }
             const char* how = clipped ? ", pieces, clipped" : ", pieces";
             for (int mode = 0; mode < int(renderModes); ++mode)
-                QTest::addRow("mode %d%s", mode, how) << mode << false << clipped << true;
+                QTest::addRow("mode %d%s", mode, how)
+                    << mode << false << clipped << true << int(Context::Opaque);
         }
     }
 
@@ -189,6 +197,7 @@ private Q_SLOTS:
         QFETCH(bool, sculpted);
         QFETCH(bool, clipped);
         QFETCH(bool, pieces);
+        QFETCH(int, context);
         const QTemporaryDir folder;
         test::FrameFixture quick;
         test::FrameFixture thorough(everySample(folder));
@@ -197,7 +206,8 @@ private Q_SLOTS:
         segments.rgb[1] = 0x4AA3FF;
         segments.visible[1] = sculpted;
         std::mt19937 random(unsigned(mode) * 2 + (sculpted ? 1 : 0) + 5);
-        const int rounds = qEnvironmentVariableIsSet("BURIN_LONG") ? 40 : pieces ? 2 : 5;
+        const bool plain = !pieces && Context(context) == Context::Opaque;
+        const int rounds = qEnvironmentVariableIsSet("BURIN_LONG") ? 40 : plain ? 5 : 2;
         int lit = 0;
         for (int round = 0; round < rounds; ++round) {
             const RandomMatter matter(random);
@@ -214,6 +224,8 @@ private Q_SLOTS:
                 scene.clip = randomClip(random);
             if (pieces)
                 scene.pieces = randomPieces(random);
+            scene.context = Context(context);
+            scene.contextOpacity = 0.4f;
             const Frame a = quick.draw(scene, size, segments);
             const Frame b = thorough.draw(scene, size, segments);
             int off = 0;
@@ -235,9 +247,27 @@ private Q_SLOTS:
                                .arg(off)
                                .arg(most)));
         }
-        QVERIFY2(
-            lit > rounds * size.x * size.y / (pieces ? 60 : 20), qPrintable(QString::number(lit)));
+        const int share = Context(context) == Context::Hidden ? 600 : pieces ? 60 : 20;
+        QVERIFY2(lit > rounds * size.x * size.y / share, qPrintable(QString::number(lit)));
     }
+
+    /// The same where segments are drawn alone, or among a context that is not opaque.
+    void segmentsInContext_data()
+    {
+        addColumns();
+        const auto row = [](const char* name, RenderMode mode, bool clipped, bool pieces,
+                             Context context) {
+            QTest::newRow(name) << int(mode) << true << clipped << pieces << int(context);
+        };
+        row("alone", RenderMode::Surface, false, false, Context::Hidden);
+        row("alone, clipped", RenderMode::Surface, true, false, Context::Hidden);
+        row("alone, pieces", RenderMode::Surface, false, true, Context::Hidden);
+        row("surface, translucent", RenderMode::Surface, false, false, Context::Translucent);
+        row("surface, pieces", RenderMode::Surface, false, true, Context::Translucent);
+        row("DVR, cut away", RenderMode::Dvr, false, false, Context::CutAway);
+        row("DVR, pieces, clipped", RenderMode::Dvr, true, true, Context::Translucent);
+    }
+    void segmentsInContext() { leavesNothingOut(); }
 };
 
 BURIN_TEST(SkippingGlTest)

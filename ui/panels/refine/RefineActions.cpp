@@ -56,10 +56,11 @@ QStringList addRefineActions(Actions& actions, Workspace& workspace)
         marks("refine.invertMarks", Actions::tr("Invert marks"), Way::Invert),
         marks("refine.clearMarks", Actions::tr("Clear marks"), Way::Clear), QString(),
         add(
-            "refine.nextError", Actions::tr("Next error"), {QKeySequence(QStringLiteral("N"))},
-            [&refinement] { refinement.goToError(1); }, hasSurface),
+            "refine.nextError", Actions::tr("Next place to check"),
+            {QKeySequence(QStringLiteral("N"))}, [&refinement] { refinement.goToError(1); },
+            hasSurface),
         add(
-            "refine.previousError", Actions::tr("Previous error"),
+            "refine.previousError", Actions::tr("Previous place to check"),
             {QKeySequence(QStringLiteral("Shift+N"))}, [&refinement] { refinement.goToError(-1); },
             hasSurface)};
 }

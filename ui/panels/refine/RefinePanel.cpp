@@ -169,10 +169,10 @@ QWidget* RefinePanel::buildRefining()
     layout->addWidget(m_counts);
     m_errors = new QListWidget(page);
     m_errors->setObjectName(QStringLiteral("surfaceErrors"));
-    m_errors->setAccessibleName(tr("Errors"));
+    m_errors->setAccessibleName(tr("To check"));
     layout->addWidget(m_errors);
     m_signOff = button(tr("Sign off"), "signOffError",
-        tr("The chosen error is right as it is now: it turns green, and nothing moves it"));
+        tr("The chosen place is right as it is now: it turns green, and nothing moves it"));
     layout->addWidget(m_signOff, 0, Qt::AlignRight);
     m_doubts = new DoubtsSection(m_workspace, page);
     layout->addWidget(m_doubts);
@@ -206,7 +206,7 @@ QWidget* RefinePanel::buildRefining()
 
 QString RefinePanel::title() const
 {
-    return tr("Surface");
+    return tr("Refine");
 }
 
 QString RefinePanel::summary() const
@@ -288,7 +288,7 @@ void RefinePanel::showErrors()
     const QSignalBlocker blocker(m_errors);
     m_errors->clear();
     for (std::size_t i = 0; i < errors.size(); ++i)
-        m_errors->addItem(tr("Error %1 · %2").arg(i + 1).arg(areaText(errors[i].areaMm2)));
+        m_errors->addItem(tr("To check %1 · %2").arg(i + 1).arg(areaText(errors[i].areaMm2)));
     m_errors->setCurrentRow(std::min(current, m_errors->count() - 1));
     m_errors->setVisible(!errors.empty());
     m_signOff->setVisible(!errors.empty());

@@ -58,6 +58,10 @@ core::PickQuestion pickQuestion(const gpu::VolumeScene& scene,
         core::pickRays(orthographicView(scene), planeMm, volume.geometry, scene.clip);
     core::PickQuestion question;
     question.rays = std::move(picked.rays);
+    if (scene.context == gpu::Context::Hidden) {
+        question.thresholdCode = core::VoxelEncoding::codeCount; // nothing of it is seen
+        return question;
+    }
     switch (scene.mode) {
     case gpu::RenderMode::Surface:
         question.seenBy = core::SeenBy::Surface;

@@ -45,7 +45,7 @@ QString OutlineTool::target() const
 bool OutlineTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
-    return scene && scene->orthographic;
+    return scene && scene->orthographic && scene->context != gpu::Context::Hidden;
 }
 
 double OutlineTool::surfaceThreshold() const

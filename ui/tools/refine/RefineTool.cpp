@@ -67,7 +67,7 @@ QString RefineTool::target() const
 {
     const std::optional<core::RefinedSurface> surface = m_workspace.refinement().surface();
     if (!surface)
-        return tr("no surface yet: lay one in the panel Surface");
+        return tr("no surface yet: lay one in the panel Refine");
     const core::Segment* segment = m_workspace.session()->document().segment(surface->segment);
     const QString name = segment ? segment->name : QString();
     switch (m_workspace.refinement().settings().mode) {
@@ -191,7 +191,7 @@ void RefineTool::press(const PointerSample& sample, const ViewContext& view)
     Refinement& refinement = m_workspace.refinement();
     if (!refinement.surface() || refinement.mirror().empty())
         return m_workspace.say(
-            tr("There is no surface yet: lay one around a segment in the panel Surface"));
+            tr("There is no surface yet: lay one around a segment in the panel Refine"));
     if (refinement.settings().mode == Refinement::Mode::Template) {
         m_contour = Contour{.view = view, .pointsLps = {view.toLps(sample.position)}};
         return hover(sample, view);

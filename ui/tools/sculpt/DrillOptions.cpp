@@ -221,11 +221,11 @@ void DrillOptions::showSettings()
         break;
     case gpu::RenderMode::Mip:
         m_start->setToolTip(tr("Maximum intensity shows no surface: a cut starts at that of the "
-                               "surface mode"));
+                               "isosurface"));
         break;
     case gpu::RenderMode::Xray:
         m_start->setToolTip(
-            tr("An X-ray shows no surface: a cut starts at that of the surface mode"));
+            tr("An X-ray shows no surface: a cut starts at that of the isosurface"));
         break;
     }
 }
