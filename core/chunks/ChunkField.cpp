@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/chunks/ChunkField.h"
 
-#include "core/chunks/BoxWalk.h"
+#include "core/base/ParallelFor.h"
+#include "core/chunks/OwnerCosts.h"
+#include "core/chunks/OwnerDepths.h"
+#include "core/chunks/SharedProgress.h"
 
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cstdlib>
-#include <functional>
 
 namespace core {
 
@@ -16,182 +17,197 @@ namespace {
 using Owner = std::uint8_t;
 constexpr std::uint8_t outside = ChunkSource::outside;
 constexpr int most = ChunkField::most;
+constexpr std::size_t ownersAtOnce = 8; ///< each takes as much memory as half the codes
 
-/// Of the codes that an owner has.
-struct OwnerValues {
-    int mean = 0;
-    int spread = 1; ///< mean deviation from it, at least 1
-};
-
-OwnerValues valuesOf(const ChunkSource& source, Owner owner)
+/// A sum of whole numbers, slice by slice, on all cores.
+template <class Sum, class Add> Sum sumOfSlices(int slices, const Add& add)
 {
+    std::vector<Sum> sums(std::size_t(slices), Sum{});
+    parallelFor(slices, [&](int z) { add(z, sums[std::size_t(z)]); });
+    Sum all{};
+    for (const Sum& sum : sums)
+        all += sum;
+    return all;
+}
+
+struct Share {
     std::int64_t sum = 0;
     std::int64_t count = 0;
-    for (std::size_t voxel = 0; voxel < source.owners.size(); ++voxel) {
-        if (source.owners[voxel] == owner) {
-            sum += source.codes[voxel];
-            ++count;
-        }
+    Share& operator+=(const Share& other)
+    {
+        sum += other.sum;
+        count += other.count;
+        return *this;
     }
-    OwnerValues values{.mean = int(sum / count)};
-    std::int64_t apart = 0;
-    for (std::size_t voxel = 0; voxel < source.owners.size(); ++voxel) {
-        if (source.owners[voxel] == owner)
-            apart += std::abs(int(source.codes[voxel]) - values.mean);
+};
+
+struct OwnerShares {
+    std::array<Share, 256> of{};
+    OwnerShares& operator+=(const OwnerShares& other)
+    {
+        for (std::size_t owner = 0; owner < of.size(); ++owner)
+            of[owner] += other.of[owner];
+        return *this;
     }
-    values.spread = std::max(1, int(apart / count));
-    return values;
-}
+};
 
 /// How far apart neighbours of one owner are on average, at least 1.
-int noiseOf(const ChunkSource& source, const BoxWalk& box)
+int noiseOf(const ChunkSource& source)
 {
-    std::int64_t apart = 0;
-    std::int64_t pairs = 0;
-    box.forEachPair([&](std::size_t voxel, std::size_t neighbour) {
-        if (source.owners[voxel] == source.owners[neighbour] && source.owners[voxel] != outside) {
-            apart += std::abs(int(source.codes[voxel]) - int(source.codes[neighbour]));
-            ++pairs;
-        }
+    const auto columns = std::size_t(source.size.x);
+    const std::size_t slice = columns * std::size_t(source.size.y);
+    const Share apart = sumOfSlices<Share>(source.size.z, [&](int z, Share& sum) {
+        const auto addPairs = [&](std::size_t first, std::size_t count, std::size_t way) {
+            std::int64_t codes = 0;
+            std::int64_t pairs = 0;
+            for (std::size_t voxel = first; voxel < first + count; ++voxel) {
+                const bool counts = source.owners[voxel] == source.owners[voxel + way]
+                    && source.owners[voxel] != outside;
+                const int step =
+                    std::abs(int(source.codes[voxel]) - int(source.codes[voxel + way]));
+                codes += counts ? step : 0;
+                pairs += counts ? 1 : 0;
+            }
+            sum += Share{.sum = codes, .count = pairs};
+        };
+        const std::size_t begin = std::size_t(z) * slice;
+        for (std::size_t row = begin; row < begin + slice; row += columns)
+            addPairs(row, columns - 1, 1);
+        addPairs(begin, slice - columns, columns);
+        if (z + 1 < source.size.z)
+            addPairs(begin, slice, slice);
     });
-    return pairs == 0 ? 1 : std::max(1, int(apart / pairs));
+    return apart.count == 0 ? 1 : std::max(1, int(apart.sum / apart.count));
 }
 
-int inDeviations(int difference, int deviation)
+/// Of all owners that there are; the places of the others stay empty.
+std::vector<OwnerCosts> ownersOf(const ChunkSource& source, std::vector<Owner>& numbers)
 {
-    return std::min(most, difference * ChunkField::deviation / deviation);
+    const std::size_t slice = std::size_t(source.size.x) * std::size_t(source.size.y);
+    const auto forEachIn = [&](int z, const auto& visit) {
+        for (std::size_t voxel = std::size_t(z) * slice; voxel < std::size_t(z + 1) * slice;
+             ++voxel)
+            visit(source.owners[voxel], int(source.codes[voxel]));
+    };
+    const auto sums = sumOfSlices<OwnerShares>(source.size.z, [&](int z, OwnerShares& sum) {
+        forEachIn(z, [&](Owner owner, int code) {
+            sum.of[owner].sum += code;
+            ++sum.of[owner].count;
+        });
+    });
+    std::array<int, 256> means{};
+    for (std::size_t owner = 0; owner < means.size(); ++owner)
+        means[owner] =
+            sums.of[owner].count == 0 ? 0 : int(sums.of[owner].sum / sums.of[owner].count);
+    const auto spreads = sumOfSlices<OwnerShares>(source.size.z, [&](int z, OwnerShares& sum) {
+        forEachIn(
+            z, [&](Owner owner, int code) { sum.of[owner].sum += std::abs(code - means[owner]); });
+    });
+    std::vector<OwnerCosts> owners;
+    for (std::size_t owner = 0; owner < outside; ++owner) {
+        const std::int64_t count = sums.of[owner].count;
+        if (count == 0)
+            continue;
+        numbers.push_back(Owner(owner));
+        owners.push_back(
+            {.mean = means[owner], .spread = std::max(1, int(spreads.of[owner].sum / count))});
+    }
+    return owners;
 }
 
-/// Steps from each voxel to the nearest one of another owner, what lies outside included.
-std::vector<std::uint16_t> depths(const ChunkSource& source, const BoxWalk& box)
+/// Rule 2.
+void addCores(const ChunkSource& source, const BorderedBox& box, const std::vector<Owner>& numbers,
+    std::vector<OwnerCosts>& owners)
 {
-    std::vector<std::uint16_t> depth(source.owners.size(), 0);
-    std::vector<std::size_t> front;
-    box.forEachPair([&](std::size_t voxel, std::size_t neighbour) {
-        if (source.owners[voxel] == source.owners[neighbour])
-            return;
-        for (const std::size_t one : {voxel, neighbour}) {
-            if (depth[one] == 0) {
-                depth[one] = 1;
-                front.push_back(one);
+    const std::vector<std::uint16_t> depth = ownerDepths(source);
+    std::array<int, 256> deepest{};
+    for (std::size_t voxel = 0; voxel < depth.size(); ++voxel) {
+        int& its = deepest[source.owners[voxel]];
+        its = std::max(its, int(depth[voxel]));
+    }
+    std::array<std::size_t, 256> places{};
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        places[numbers[i]] = i;
+    std::size_t voxel = 0;
+    for (int z = 0; z < source.size.z; ++z) {
+        for (int y = 0; y < source.size.y; ++y) {
+            const std::size_t row = box.rowAt(y, z);
+            for (int x = 0; x < source.size.x; ++x, ++voxel) {
+                const Owner owner = source.owners[voxel];
+                if (owner != outside && 4 * int(depth[voxel]) >= 3 * deepest[owner])
+                    owners[places[owner]].cores.push_back(std::uint32_t(row + std::size_t(x)));
             }
         }
-    });
-    // The box is small enough that no way through it has more steps than 16 bits hold.
-    std::vector<std::size_t> next;
-    for (std::uint16_t steps = 2; !front.empty(); ++steps) {
-        for (const std::size_t voxel : front) {
-            box.forEachNeighbour(voxel, [&](std::size_t neighbour) {
-                if (depth[neighbour] == 0) {
-                    depth[neighbour] = steps;
-                    next.push_back(neighbour);
-                }
-            });
-        }
-        front.swap(next);
-        next.clear();
     }
-    return depth;
 }
 
-constexpr std::size_t voxelsBetweenReports = std::size_t(1) << 16;
-constexpr int ownerShare = 1000; ///< of an owner in what is reported
+/// Rule 4; the likelihoods hold the least of the others' costs until the own ones are known.
+struct Likelihoods {
+    std::vector<std::uint8_t> own;
+    std::vector<std::uint8_t> others;
 
-/// Rule 3: buckets of a whole number each, so no order of equals matters.
-/// @param goOn told now and then how many voxels have their cost; false: it is given up
-std::vector<std::uint8_t> costsFor(const ChunkSource& source, const BoxWalk& box, Owner owner,
-    const std::vector<std::uint16_t>& depth, int noise,
-    const std::function<bool(std::size_t)>& goOn)
-{
-    const OwnerValues values = valuesOf(source, owner);
-    std::vector<std::uint8_t> costs(source.owners.size(), std::uint8_t(most));
-    std::array<std::vector<std::size_t>, std::size_t(most) + 1> buckets;
-    std::uint16_t deepest = 0;
-    for (std::size_t voxel = 0; voxel < costs.size(); ++voxel) {
-        if (source.owners[voxel] == owner)
-            deepest = std::max(deepest, depth[voxel]);
+    explicit Likelihoods(std::size_t voxels)
+        : own(voxels, std::uint8_t(most))
+        , others(voxels, std::uint8_t(most))
+    {
     }
-    for (std::size_t voxel = 0; voxel < costs.size(); ++voxel) {
-        if (source.owners[voxel] == owner && 4 * int(depth[voxel]) >= 3 * int(deepest)) {
-            costs[voxel] = 0;
-            buckets[0].push_back(voxel);
-        }
-    }
-    std::size_t settled = 0;
-    for (int level = 0; level < most; ++level) {
-        auto& bucket = buckets[std::size_t(level)];
-        for (std::size_t i = 0; i < bucket.size(); ++i) {
-            const std::size_t voxel = bucket[i];
-            if (costs[voxel] != level)
-                continue;
-            if (++settled % voxelsBetweenReports == 0 && !goOn(settled))
-                return costs;
-            box.forEachNeighbour(voxel, [&](std::size_t neighbour) {
-                if (source.owners[neighbour] == outside)
-                    return;
-                const int here = source.codes[voxel];
-                const int there = source.codes[neighbour];
-                const int step = std::max(inDeviations(std::abs(here - there), noise),
-                    inDeviations(std::abs(here + there - 2 * values.mean), 2 * values.spread));
-                const int cost = std::max(level, step);
-                if (cost < costs[neighbour]) {
-                    costs[neighbour] = std::uint8_t(cost);
-                    buckets[std::size_t(cost)].push_back(neighbour);
+    void take(const ChunkSource& source, const BorderedBox& box, Owner owner,
+        const std::vector<std::uint8_t>& costs)
+    {
+        parallelFor(source.size.z, [&](int z) {
+            std::size_t voxel =
+                std::size_t(z) * std::size_t(source.size.x) * std::size_t(source.size.y);
+            for (int y = 0; y < source.size.y; ++y) {
+                std::size_t from = box.rowAt(y, z);
+                for (int x = 0; x < source.size.x; ++x, ++voxel, ++from) {
+                    if (source.owners[voxel] == owner)
+                        own[voxel] = costs[from];
+                    else
+                        others[voxel] = std::min(others[voxel], costs[from]);
                 }
-            });
-        }
-        bucket = {};
+            }
+        });
     }
-    return costs;
-}
+};
 
 } // namespace
 
 Result<ChunkField> ChunkField::of(const ChunkSource& source, const Progress& progress)
 {
-    const BoxWalk box(source.size);
     ChunkField field;
-    field.m_codes = source.codes;
-    field.m_noise = noiseOf(source, box);
-    std::bitset<256> owners;
-    for (const Owner owner : source.owners)
-        owners.set(owner);
-    owners.reset(outside);
-    const std::vector<std::uint16_t> depth = depths(source, box);
-    std::vector<std::uint8_t> own(source.owners.size(), std::uint8_t(most));
-    std::vector<std::uint8_t> others(source.owners.size(), std::uint8_t(most));
-    int done = 0;
-    for (int owner = 0; owner < outside; ++owner) {
-        if (!owners.test(std::size_t(owner)))
-            continue;
-        const auto goOn = [&](std::size_t settled) {
-            const auto share = int(std::size_t(ownerShare) * settled / source.owners.size());
-            progress.report(QStringLiteral("Finding likely parts"), done * ownerShare + share,
-                int(owners.count()) * ownerShare);
-            return !progress.cancelled();
-        };
-        if (!goOn(0))
+    field.m_noise = noiseOf(source);
+    std::vector<Owner> numbers;
+    std::vector<OwnerCosts> owners = ownersOf(source, numbers);
+    const BorderedBox box(source);
+    addCores(source, box, numbers, owners);
+    Likelihoods likelihoods(source.owners.size());
+    SharedProgress shared(progress, QStringLiteral("Finding likely parts"),
+        std::int64_t(owners.size()) * std::int64_t(source.owners.size()));
+    for (std::size_t first = 0; first < owners.size(); first += ownersAtOnce) {
+        const std::size_t count = std::min(ownersAtOnce, owners.size() - first);
+        std::vector<std::vector<std::uint8_t>> costs(count);
+        parallelFor(int(count), [&](int i) {
+            costs[std::size_t(i)] = owners[first + std::size_t(i)].of(box, field.m_noise,
+                [&shared](std::size_t more) { return shared.advance(std::int64_t(more)); });
+        });
+        if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        const auto costs = costsFor(source, box, Owner(owner), depth, field.m_noise, goOn);
-        ++done;
-        for (std::size_t voxel = 0; voxel < costs.size(); ++voxel) {
-            std::uint8_t& least = source.owners[voxel] == owner ? own[voxel] : others[voxel];
-            least = std::min(least, costs[voxel]);
-        }
+        for (std::size_t i = 0; i < count; ++i)
+            likelihoods.take(source, box, numbers[first + i], costs[i]);
     }
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
-    field.m_likelihood.resize(source.owners.size());
-    for (std::size_t voxel = 0; voxel < own.size(); ++voxel)
-        field.m_likelihood[voxel] = std::int16_t(int(others[voxel]) - int(own[voxel]));
+    field.m_likelihoods.resize(source.owners.size());
+    for (std::size_t voxel = 0; voxel < field.m_likelihoods.size(); ++voxel)
+        field.m_likelihoods[voxel] = source.owners[voxel] == outside
+            ? std::int16_t(0)
+            : std::int16_t(int(likelihoods.others[voxel]) - int(likelihoods.own[voxel]));
     return field;
 }
 
-int ChunkField::step(std::size_t voxel, std::size_t neighbour) const
+int ChunkField::codesWithin(int deviations) const
 {
-    const int values = std::abs(int(m_codes[voxel]) - int(m_codes[neighbour]));
-    const int likelihoods = std::abs(likelihood(voxel) - likelihood(neighbour));
-    return std::max(inDeviations(values, m_noise), std::min(most, likelihoods));
+    return ((deviations + 1) * m_noise - 1) / deviation;
 }
 
 } // namespace core

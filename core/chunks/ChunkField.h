@@ -42,20 +42,19 @@ public:
     static constexpr int deviation = 64;
     static constexpr int most = 255;
 
-    /// Computes it. Cost: one pass through the box for each owner. Errors: Cancelled.
+    /// Computes it, on all cores. Cost: one pass through the box for each owner. Errors: Cancelled.
     [[nodiscard]] static Result<ChunkField> of(const ChunkSource& source, const Progress& progress);
 
-    [[nodiscard]] int likelihood(std::size_t voxel) const { return m_likelihood[voxel]; }
-    /// The difference between two neighbours, 0 … most: of their codes in mean deviations, or of
-    /// their likelihoods.
-    [[nodiscard]] int step(std::size_t voxel, std::size_t neighbour) const;
+    /// By voxel of the box; 0 for those left out.
+    [[nodiscard]] std::span<const std::int16_t> likelihoods() const { return m_likelihoods; }
+    /// The greatest difference of two codes that is at most so much in units of mean deviations.
+    [[nodiscard]] int codesWithin(int deviations) const;
     /// The difference of codes that is one mean deviation between neighbours of one owner; at least
     /// 1.
     [[nodiscard]] int noise() const { return m_noise; }
 
 private:
-    std::span<const std::uint16_t> m_codes;
-    std::vector<std::int16_t> m_likelihood;
+    std::vector<std::int16_t> m_likelihoods;
     int m_noise = 1;
 };
 

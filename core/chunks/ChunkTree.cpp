@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/chunks/ChunkTree.h"
 
+#include "core/base/ParallelFor.h"
 #include "core/chunks/ChunkPieces.h"
 
 #include <algorithm>
@@ -80,11 +81,9 @@ Result<ChunkTree> ChunkTree::of(const ChunkSource& source, const Progress& progr
         return failure(ErrorCode::Cancelled);
     ChunkTree tree;
     std::vector<std::uint32_t> chunkOfPiece(std::size_t(pieces) * 2, none);
-    tree.m_leafOfVoxel.assign(voxels, none);
-    for (std::size_t voxel = 0; voxel < voxels; ++voxel) {
-        const std::uint32_t piece = cut.ofVoxel[voxel];
-        if (piece == ChunkPieces::none)
-            continue;
+    // Pieces are numbered by their first voxels, and so are leaves.
+    std::vector<std::uint32_t> leafOfPiece(pieces, none);
+    for (std::uint32_t piece = 0; piece < pieces; ++piece) {
         const std::uint32_t holder = holders.of(piece);
         std::uint32_t& leaf = chunkOfPiece[holder];
         if (leaf == none) {
@@ -92,9 +91,19 @@ Result<ChunkTree> ChunkTree::of(const ChunkSource& source, const Progress& progr
             tree.m_owners.push_back(cut.owners[piece]);
             const PieceJoining::Piece& sums = joining.piece(holder);
             tree.m_likelihoods.push_back(std::int16_t(sums.likelihoods / sums.voxels));
+            tree.m_spans.push_back({.begin = 0, .count = std::uint32_t(sums.voxels)});
         }
-        tree.m_leafOfVoxel[voxel] = leaf;
+        leafOfPiece[piece] = leaf;
     }
+    tree.m_leafOfVoxel = std::move(cut.ofVoxel);
+    const std::size_t slice = std::size_t(source.size.x) * std::size_t(source.size.y);
+    parallelFor(source.size.z, [&](int z) {
+        for (std::size_t voxel = std::size_t(z) * slice; voxel < std::size_t(z + 1) * slice;
+             ++voxel) {
+            std::uint32_t& its = tree.m_leafOfVoxel[voxel];
+            its = its == ChunkPieces::none ? none : leafOfPiece[its];
+        }
+    });
     tree.m_parents.assign(tree.m_leaves, none);
     while (const auto joined = joining.next()) {
         const auto chunk = std::uint32_t(tree.m_parents.size());
@@ -115,14 +124,10 @@ Result<ChunkTree> ChunkTree::of(const ChunkSource& source, const Progress& progr
 /// Lays the voxels so that those of every chunk stand beside each other.
 void ChunkTree::order()
 {
-    m_spans.assign(m_parents.size(), {});
     std::uint32_t all = 0;
-    for (const std::uint32_t leaf : m_leafOfVoxel) {
-        if (leaf != none) {
-            ++m_spans[leaf].count;
-            ++all;
-        }
-    }
+    for (const Span& leaf : m_spans)
+        all += leaf.count;
+    m_spans.resize(m_parents.size());
     for (std::size_t i = 0; i < m_joins.size(); ++i)
         m_spans[m_leaves + i].count =
             m_spans[m_joins[i].first].count + m_spans[m_joins[i].second].count;

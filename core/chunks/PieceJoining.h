@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/chunks/LeastFirst.h"
+
 #include <cstdint>
 #include <optional>
-#include <queue>
 #include <vector>
 
 namespace core {
@@ -40,31 +41,55 @@ public:
     [[nodiscard]] std::uint32_t left() const { return m_left; }
 
 private:
+    /// What is asked of a piece for each of its neighbours, side by side in memory.
+    struct Node {
+        std::uint32_t became = 0; ///< the piece that it was joined into, or itself
+        std::uint32_t place = 0; ///< in the list that is being put together; 0: none
+        std::int64_t voxels = 0;
+        std::int32_t code = 0; ///< mean
+        std::int32_t likelihood = 0; ///< mean
+    };
     struct Neighbour {
-        std::uint32_t piece = 0;
+        std::uint64_t price = 0;
+        std::uint32_t piece = 0; ///< may have been joined since
         std::uint32_t faces = 0;
+    };
+    /// The neighbours that a piece had when it came to be. A pair of pieces is offered by the one
+    /// that came later; at the beginning by both.
+    struct Neighbours {
+        static constexpr std::uint32_t unsorted = ~std::uint32_t(0);
+        std::vector<Neighbour> all;
+        /// So many at the beginning are a heap of those that were not offered yet; unsorted: only
+        /// the cheapest was offered.
+        std::uint32_t left = unsorted;
     };
     struct Offer {
         std::uint64_t price = 0;
-        std::uint32_t first = 0;
-        std::uint32_t second = 0;
-        [[nodiscard]] bool operator>(const Offer& other) const;
+        std::uint32_t by = 0;
+        std::uint32_t other = 0;
+        [[nodiscard]] bool operator>(const Offer& than) const;
     };
 
+    [[nodiscard]] static Node nodeOf(const Piece& piece, std::uint32_t number);
     [[nodiscard]] std::uint64_t priceOf(
-        const Piece& one, const Piece& other, std::uint32_t faces) const;
+        const Node& one, const Node& other, std::uint32_t faces) const;
     [[nodiscard]] std::uint32_t nowOf(std::uint32_t piece);
-    void offer(std::uint32_t piece, const Neighbour& neighbour);
+    [[nodiscard]] bool isLeft(std::uint32_t piece) const { return m_nodes[piece].became == piece; }
+    /// Has the memory of both brought near, for when they are joined.
+    void fetch(const Offer& offer) const;
+    /// Prices all neighbours of a new piece and offers the cheapest.
+    void offerFirst(std::uint32_t piece);
+    /// Offers the cheapest neighbour that is left, once the one before was joined with another.
+    void offerNext(std::uint32_t piece);
     [[nodiscard]] std::vector<Neighbour> neighboursOfBoth(
         std::uint32_t first, std::uint32_t second, std::uint32_t joined);
 
     std::vector<Piece> m_pieces;
-    std::vector<std::uint32_t> m_became; ///< by piece: the piece that it was joined into, or itself
-    /// by piece; may refer to pieces that were joined since
-    std::vector<std::vector<Neighbour>> m_neighbours;
-    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> m_offers;
+    std::vector<Node> m_nodes; ///< by piece
+    std::vector<Neighbours> m_neighbours; ///< by piece
+    LeastFirst<Offer> m_offers;
     std::uint32_t m_left = 0;
-    int m_noise;
+    std::vector<std::uint16_t> m_deviations; ///< by difference of codes; the last: and more
 };
 
 } // namespace core

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+
+#include <cstdint>
+#include <mutex>
+
+namespace core {
+
+/// The progress of one step that several threads do together. Its listener is called by one of them
+/// at a time, never with less than before, and not after it was cancelled.
+class SharedProgress {
+public:
+    /// Reports the beginning.
+    SharedProgress(const Progress& progress, QString step, std::int64_t total)
+        : m_progress(progress)
+        , m_step(std::move(step))
+        , m_total(total > 0 ? total : 1)
+    {
+        static_cast<void>(advance(0));
+    }
+    /// So much more is done; any thread.
+    /// @return false: it is given up
+    bool advance(std::int64_t more)
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_progress.cancelled())
+            return false;
+        m_done += more;
+        m_progress.report(m_step, int(shares * m_done / m_total), int(shares));
+        return !m_progress.cancelled();
+    }
+
+private:
+    static constexpr std::int64_t shares = 1000;
+
+    const Progress& m_progress;
+    QString m_step;
+    std::int64_t m_total;
+    std::mutex m_mutex;
+    std::int64_t m_done = 0; ///< under m_mutex
+};
+
+} // namespace core
