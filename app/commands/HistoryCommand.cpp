@@ -10,6 +10,7 @@
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"
 #include "ui/report/WriteAudit.h"
+#include "ui/texts/SessionTexts.h"
 
 #include <QJsonDocument>
 
@@ -95,7 +96,7 @@ int writeDeidentified(
     if (!done)
         return reportFailure(done.error());
     printJsonLine({{QStringLiteral("export"), target},
-        {QStringLiteral("written"), done->join(QLatin1Char(' '))}});
+        {QStringLiteral("written"), ui::deidentifiedTexts(*done).join(QLatin1Char(' '))}});
     return 0;
 }
 
