@@ -137,8 +137,8 @@ int runHistory(const Arguments& arguments)
         printTable(contents);
         return status;
     }
-    const QJsonObject object =
-        asJson ? core::historyListing(contents) : core::historyAsRecipe(contents);
+    const QJsonObject object = asJson ? core::historyListing(contents, ui::problemTexts(contents))
+                                      : core::historyAsRecipe(contents);
     std::fputs(QJsonDocument(object).toJson().constData(), stdout);
     return status;
 }

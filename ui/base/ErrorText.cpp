@@ -2,6 +2,7 @@
 #include "ui/base/ErrorText.h"
 
 #include "core/recipe/RecipeStep.h"
+#include "ui/texts/SessionTexts.h"
 
 #include <QFileInfo>
 
@@ -20,6 +21,12 @@ bool isStep(const QString& name)
         steps.begin(), steps.end(), [&name](const auto& step) { return step.name == name; });
 }
 
+/// A reason behind a colon; nothing without one.
+QString behind(const QString& reason)
+{
+    return reason.isEmpty() ? QString() : QStringLiteral(": ") + reason;
+}
+
 } // namespace
 
 QString errorText(const core::Error& error)
@@ -27,7 +34,7 @@ QString errorText(const core::Error& error)
     using core::ErrorCode;
     const QString first = error.arguments.value(0);
     const QString second = error.arguments.value(1);
-    const QString reason = second.isEmpty() ? QString() : QStringLiteral(": ") + second;
+    const QString reason = behind(second);
     switch (error.code) {
     case ErrorCode::FileNotFound:
         return QStringLiteral("%1: no such file or folder").arg(first);
@@ -88,7 +95,7 @@ QString errorText(const core::Error& error)
     case ErrorCode::NothingToExport:
         return QStringLiteral("%1: nothing to export%2").arg(first, reason);
     case ErrorCode::SessionDamaged:
-        return QStringLiteral("%1: the session is damaged%2").arg(first, reason);
+        return QStringLiteral("%1: the session is damaged%2").arg(first, behind(damageText(error)));
     case ErrorCode::SessionUnwritten:
         return QStringLiteral(
             "%1 cannot be written now%2. Work goes on and is kept in memory; it is "
