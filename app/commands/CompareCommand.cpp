@@ -6,6 +6,7 @@
 #include "core/metrics/MaskComparison.h"
 #include "core/metrics/SegmentPairs.h"
 #include "core/study/StudyLoader.h"
+#include "ui/texts/MaskTexts.h"
 
 #include <cstdio>
 
@@ -67,10 +68,11 @@ void print(const QString& segment, const QString& reference, const core::MaskCom
         qUtf8Printable(text(hausdorff, "mm")));
 }
 
-void reportNotes(const QString& path, const QStringList& notes)
+void reportNotes(const QString& path, const std::vector<core::MaskNote>& notes)
 {
-    for (const QString& note : notes)
-        std::fprintf(stderr, "%s: %s\n", qUtf8Printable(path), qUtf8Printable(note));
+    for (const core::MaskNote& note : notes)
+        std::fprintf(
+            stderr, "%s: %s\n", qUtf8Printable(path), qUtf8Printable(ui::maskNoteText(note)));
 }
 
 QString namesOf(const std::vector<core::MaskSegment>& segments)

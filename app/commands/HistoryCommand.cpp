@@ -10,6 +10,7 @@
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"
 #include "ui/report/WriteAudit.h"
+#include "ui/texts/SessionTexts.h"
 
 #include <QJsonDocument>
 
@@ -95,7 +96,7 @@ int writeDeidentified(
     if (!done)
         return reportFailure(done.error());
     printJsonLine({{QStringLiteral("export"), target},
-        {QStringLiteral("written"), done->join(QLatin1Char(' '))}});
+        {QStringLiteral("written"), ui::deidentifiedTexts(*done).join(QLatin1Char(' '))}});
     return 0;
 }
 
@@ -136,8 +137,8 @@ int runHistory(const Arguments& arguments)
         printTable(contents);
         return status;
     }
-    const QJsonObject object =
-        asJson ? core::historyListing(contents) : core::historyAsRecipe(contents);
+    const QJsonObject object = asJson ? core::historyListing(contents, ui::problemTexts(contents))
+                                      : core::historyAsRecipe(contents);
     std::fputs(QJsonDocument(object).toJson().constData(), stdout);
     return status;
 }

@@ -8,6 +8,7 @@
 #include "gpu/engine/GpuEngine.h"
 #include "gpu/engine/MemoryFormula.h"
 #include "ui/base/ErrorText.h"
+#include "ui/texts/RepairTexts.h"
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -80,8 +81,8 @@ QJsonArray json(const std::vector<core::TimeFacts>& times)
 QJsonObject json(const core::RepairOffer& offer)
 {
     const core::VolumeGeometry& grid = offer.result;
-    QJsonObject object{{QStringLiteral("title"), offer.title},
-        {QStringLiteral("effect"), offer.effect},
+    QJsonObject object{{QStringLiteral("title"), ui::repairTitle(offer)},
+        {QStringLiteral("effect"), ui::repairEffect(offer)},
         {QStringLiteral("size"), QJsonArray{grid.size.x, grid.size.y, grid.size.z}},
         {QStringLiteral("spacingMm"), array(grid.spacingMm())}};
     if (offer.repair.isEmpty())
@@ -224,7 +225,7 @@ void printOffer(const core::RepairOffer& offer)
                                                   : QStringLiteral("--repair %1").arg(offer.repair);
     print(stdout,
         QStringLiteral("    repair   %1: %2; %3 × %4 × %5, slices %6 mm apart")
-            .arg(option, offer.title)
+            .arg(option, ui::repairTitle(offer))
             .arg(grid.size.x)
             .arg(grid.size.y)
             .arg(grid.size.z)

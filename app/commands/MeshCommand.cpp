@@ -12,6 +12,7 @@
 #include "core/refine/repair/SelfIntersections.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/study/StudyLoader.h"
+#include "ui/texts/MaskTexts.h"
 
 #include <QFileInfo>
 
@@ -129,8 +130,9 @@ int runMesh(const Arguments& arguments)
     const auto mask = core::readMask(maskPath, loaded->volume, {});
     if (!mask)
         return reportFailure(mask.error());
-    for (const QString& note : mask->notes)
-        std::fprintf(stderr, "%s: %s\n", qUtf8Printable(maskPath), qUtf8Printable(note));
+    for (const core::MaskNote& note : mask->notes)
+        std::fprintf(
+            stderr, "%s: %s\n", qUtf8Printable(maskPath), qUtf8Printable(ui::maskNoteText(note)));
 
     const core::VolumeGeometry& geometry = loaded->volume.geometry;
     std::vector<core::MeshPart> parts;

@@ -11,6 +11,7 @@
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"
 #include "gpu/engine/GpuEngine.h"
+#include "ui/texts/SessionTexts.h"
 
 #include <QJsonObject>
 
@@ -186,12 +187,12 @@ Result<void> checkSound(const Arguments& arguments, const Recorded& recorded)
     const qlonglong to = arguments.value("to").toLongLong();
     if (damage && damage->row > 0 && arguments.has("to") && to >= damage->row
         && (damage->after < 0 || to <= damage->row + damage->after))
-        return core::failure(core::ErrorCode::SessionDamaged, recorded.path, damage->text());
+        return tl::unexpected(damage->error(recorded.path));
     // Another state than the one that is asked for is not to go under its name.
     if (recorded.contents.positionLost && arguments.has("export") && !arguments.has("to"))
         return core::failure(core::ErrorCode::SessionDamaged, recorded.path,
             QStringLiteral("%1; --to says which of the rows 0 to %2 is exported")
-                .arg(damage->text())
+                .arg(ui::damageText(*damage))
                 .arg(recorded.contents.rows.size()));
     return {};
 }

@@ -27,6 +27,7 @@
 #include "core/study/SourceFiles.h"
 #include "core/study/StudyLoader.h"
 #include "gpu/engine/GpuEngine.h"
+#include "ui/texts/MaskTexts.h"
 
 #include <QDir>
 #include <QFile>
@@ -235,11 +236,12 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         if (const Result<void> target = checkSessionTarget(file, force, false); !target)
             return reportFailure(target.error());
     }
-    const Result<QStringList> notes = core::readMasks(recipe, loaded->volume);
+    const auto notes = core::readMasks(recipe, loaded->volume);
     if (!notes)
         return reportFailure(notes.error());
-    for (const QString& note : *notes)
-        std::fprintf(stderr, "%s\n", qUtf8Printable(note));
+    for (const core::RecipeMaskNote& each : *notes)
+        std::fprintf(stderr, "%s: %s\n", qUtf8Printable(each.file),
+            qUtf8Printable(ui::maskNoteText(each.note)));
     std::optional<core::RecipeElsewhere> elsewhere;
     std::vector<core::RecipeElsewhere::LeftOut> leftOut;
     if (recipe.study && !recipe.study->differenceFrom(loaded->volume).isEmpty()) {

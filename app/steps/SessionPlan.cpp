@@ -6,6 +6,7 @@
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/records/SessionContents.h"
 #include "core/sessionfile/records/SessionUse.h"
+#include "ui/texts/SessionTexts.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -58,14 +59,14 @@ QString newsOf(const core::SessionContents& contents, const QString& target, boo
                 imagesLost ? QStringLiteral(", and the study's images, which are damaged too")
                            : QString());
     if (contents.damage && contents.damage->row > 0)
-        return left == 1
-            ? QStringLiteral("%1. The row before it is %2").arg(contents.damage->text(), where)
-            : QStringLiteral("%1. The %2 rows before it are %3")
-                  .arg(contents.damage->text())
-                  .arg(left)
-                  .arg(where);
+        return left == 1 ? QStringLiteral("%1. The row before it is %2")
+                               .arg(ui::damageText(*contents.damage), where)
+                         : QStringLiteral("%1. The %2 rows before it are %3")
+                               .arg(ui::damageText(*contents.damage))
+                               .arg(left)
+                               .arg(where);
     if (contents.damage)
-        return QStringLiteral("%1. All rows are %2").arg(contents.damage->text(), where);
+        return QStringLiteral("%1. All rows are %2").arg(ui::damageText(*contents.damage), where);
     if (contents.redo.empty())
         return QStringLiteral("%1. No row is lost; everything is %2").arg(contents.cutOff, where);
     const core::SessionDamage& first = contents.redo.front();
@@ -122,7 +123,8 @@ core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionC
         return planAround(file, contents, target, true);
     }
     if (core::isSessionInUse(file))
-        return core::failure(core::ErrorCode::SessionDamaged, file, contents.problems().front());
+        return core::failure(
+            core::ErrorCode::SessionDamaged, file, ui::problemTexts(contents).front());
     // The study finds its working session by name, so the damaged one gives that up.
     const QString aside = file + QStringLiteral(".damaged-")
         + QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
@@ -146,7 +148,7 @@ core::Result<SessionPlan> planFor(const QString& file, core::SessionContents con
         contents.cut(first);
     }
     if (contents.damage && contents.rows.empty())
-        return core::failure(core::ErrorCode::SessionDamaged, file, contents.damage->text());
+        return tl::unexpected(contents.damage->error(file));
     if (!contents.isWhole())
         return aroundDamage(file, contents);
     return SessionPlan{.file = file,

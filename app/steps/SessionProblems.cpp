@@ -3,6 +3,7 @@
 
 #include "app/steps/Arguments.h"
 #include "core/sessionfile/records/SessionContents.h"
+#include "ui/texts/SessionTexts.h"
 
 #include <QStringList>
 
@@ -10,10 +11,10 @@ namespace app {
 
 void reportProblems(const QString& file, const core::SessionContents& contents)
 {
-    const std::vector<QString> problems = contents.problems();
-    if (!problems.empty())
-        reportFailure({core::ErrorCode::SessionDamaged,
-            {file, QStringList(problems.begin(), problems.end()).join(QStringLiteral("; "))}});
+    const QStringList problems = ui::problemTexts(contents);
+    if (!problems.isEmpty())
+        reportFailure(
+            {core::ErrorCode::SessionDamaged, {file, problems.join(QStringLiteral("; "))}});
 }
 
 } // namespace app

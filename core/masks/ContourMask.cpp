@@ -212,9 +212,7 @@ Result<MaskOnVolume> readContourMask(
     mask.notes = notesOnOrigin(set->patient.id, frameOfReference, volume);
     const Reach reach = reachOf(*set, slices);
     if (!reach.onSlices)
-        mask.notes += QStringLiteral("Its contours lie between the study's slices: each slice has "
-                                     "what the nearest contours, at most %1 mm away, surround.")
-                          .arg(reach.mm / 2.0, 0, 'g', 4);
+        mask.notes.push_back({.code = MaskNote::Code::BetweenSlices, .mm = reach.mm / 2.0});
     QStringList without;
     for (const RtRoi& roi : set->rois) {
         if (progress.cancelled())
@@ -228,13 +226,12 @@ Result<MaskOnVolume> readContourMask(
             continue;
         }
         if (withOthers.contains(roi.number))
-            mask.notes += QStringLiteral("Points and open curves of '%1' are left out.").arg(name);
+            mask.notes.push_back({.code = MaskNote::Code::OpenContours, .names = {name}});
         mask.segments.push_back(
             {.name = name, .rgb = roi.rgb, .code = roi.code, .voxels = std::move(voxels)});
     }
     if (!without.isEmpty() && !mask.segments.empty())
-        mask.notes += QStringLiteral("Left out, since they surround no voxel here: %1.")
-                          .arg(without.join(QStringLiteral(", ")));
+        mask.notes.push_back({.code = MaskNote::Code::NothingSurrounded, .names = without});
     return mask;
 }
 

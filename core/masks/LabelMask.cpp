@@ -188,7 +188,7 @@ Result<MaskOnVolume> readLabelMask(
     MaskOnVolume mask;
     for (const VolumeProblem& problem : stored->problems) {
         if (problem.caution)
-            mask.notes += problem.text;
+            mask.notes.push_back({.code = MaskNote::Code::GridInDoubt, .names = {problem.text}});
     }
     LayersOnVolume layers;
     MaskFit fit{.oneToOne = true};
@@ -223,12 +223,12 @@ Result<MaskOnVolume> readLabelMask(
         taken += segment.voxels.voxelCount();
     fit.labelledMl = millilitres(fit.labelled, stored->geometry);
     fit.takenMl = millilitres(taken, volume.geometry);
-    mask.notes += notesOn(fit);
+    const std::vector<MaskNote> onFit = notesOn(fit);
+    mask.notes.insert(mask.notes.end(), onFit.begin(), onFit.end());
     if (labels > mask.segments.size() && !mask.segments.empty())
-        mask.notes += QStringLiteral("%1 of the file's %2 segments have no voxel inside the study "
-                                     "and are left out.")
-                          .arg(labels - mask.segments.size())
-                          .arg(labels);
+        mask.notes.push_back({.code = MaskNote::Code::SegmentsWithoutVoxel,
+            .some = labels - mask.segments.size(),
+            .all = labels});
     return mask;
 }
 

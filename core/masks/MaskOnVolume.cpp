@@ -17,16 +17,8 @@ namespace {
 
 constexpr const char* rtStructClass = "1.2.840.10008.5.1.4.1.1.481.3";
 
-QString grouped(std::uint64_t count)
-{
-    QString text = QString::number(count);
-    for (qsizetype place = text.size() - 3; place > 0; place -= 3)
-        text.insert(place, QLatin1Char(' '));
-    return text;
-}
-
 /// A label plane has room for one segment a voxel.
-QStringList notesOnOverlap(const std::vector<MaskSegment>& segments)
+std::optional<MaskNote> noteOnOverlap(const std::vector<MaskSegment>& segments)
 {
     VoxelRuns all;
     std::uint64_t shared = 0;
@@ -35,10 +27,8 @@ QStringList notesOnOverlap(const std::vector<MaskSegment>& segments)
         all = united(all, segment.voxels);
     }
     if (shared == 0)
-        return {};
-    return {QStringLiteral("Segments of the file overlap in %1 voxels; each of these goes to the "
-                           "first of its segments.")
-                .arg(grouped(shared))};
+        return std::nullopt;
+    return MaskNote{.code = MaskNote::Code::SegmentsOverlap, .some = shared};
 }
 
 } // namespace
@@ -57,42 +47,34 @@ QString maskNameOf(const QString& path)
     return name.isEmpty() ? QStringLiteral("Mask") : name;
 }
 
-QString inMl(double ml)
-{
-    return QString::number(ml, 'f', ml < 1.0 ? 3 : 1) + QStringLiteral(" mL");
-}
-
 double millilitres(std::uint64_t voxels, const VolumeGeometry& geometry)
 {
     return double(voxels) * geometry.voxelVolumeMm3() / 1000.0;
 }
 
-QStringList notesOn(const MaskFit& fit)
+std::vector<MaskNote> notesOn(const MaskFit& fit)
 {
-    QStringList notes;
+    std::vector<MaskNote> notes;
     if (!fit.oneToOne)
-        notes += QStringLiteral("The mask lies on another grid than the study: each voxel has what "
-                                "the mask's nearest voxel has; %1 there are %2 here.")
-                     .arg(inMl(fit.labelledMl), inMl(fit.takenMl));
+        notes.push_back(
+            {.code = MaskNote::Code::AnotherGrid, .fileMl = fit.labelledMl, .hereMl = fit.takenMl});
     if (fit.outside != 0)
-        notes +=
-            QStringLiteral("%1 of the mask's %2 voxels lie outside the study and are left out.")
-                .arg(grouped(fit.outside), grouped(fit.labelled));
+        notes.push_back(
+            {.code = MaskNote::Code::OutsideStudy, .some = fit.outside, .all = fit.labelled});
     return notes;
 }
 
-QStringList notesOnOrigin(
+std::vector<MaskNote> notesOnOrigin(
     const QString& patientId, const QString& frameOfReferenceUid, const Volume& volume)
 {
     const auto differ = [](const QString& one, const QString& other) {
         return !one.isEmpty() && !other.isEmpty() && one != other;
     };
-    QStringList notes;
+    std::vector<MaskNote> notes;
     if (differ(patientId, volume.identity.patientId))
-        notes += QStringLiteral("The mask names another patient than the study.");
+        notes.push_back({.code = MaskNote::Code::AnotherPatient});
     if (differ(frameOfReferenceUid, volume.identity.frameOfReferenceUid))
-        notes += QStringLiteral("The mask names another frame of reference than the study; its "
-                                "millimetres are taken for the study's.");
+        notes.push_back({.code = MaskNote::Code::AnotherFrameOfReference});
     return notes;
 }
 
@@ -116,7 +98,8 @@ Result<MaskOnVolume> readMask(const QString& path, const Volume& volume, const P
     if (mask->segments.empty())
         return failure(
             ErrorCode::UnsupportedFormat, path, QStringLiteral("it lies wholly outside the study"));
-    mask->notes += notesOnOverlap(mask->segments);
+    if (const std::optional<MaskNote> overlap = noteOnOverlap(mask->segments))
+        mask->notes.push_back(*overlap);
     return mask;
 }
 

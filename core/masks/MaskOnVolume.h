@@ -5,6 +5,7 @@
 #include "core/base/Result.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/document/Document.h"
+#include "core/masks/MaskNote.h"
 
 #include <QStringList>
 
@@ -24,7 +25,7 @@ struct MaskSegment {
 /// The contents of a mask file on the grid of a volume.
 struct MaskOnVolume {
     std::vector<MaskSegment> segments; ///< in the file's order; at least one
-    QStringList notes; ///< what was resampled, left out or assumed, one sentence each
+    std::vector<MaskNote> notes; ///< what was resampled, left out or assumed
 };
 
 /// Reads a mask in any known format. NIfTI, NRRD (also .seg.nrrd) and MetaImage labels and STL,

@@ -15,12 +15,11 @@ struct MaskFit {
     double labelledMl = 0.0; ///< in the file
     double takenMl = 0.0; ///< in the volume
 };
-/// Sentences about it; none if everything is as in the file.
-[[nodiscard]] QStringList notesOn(const MaskFit& fit);
+/// None if everything is as in the file.
+[[nodiscard]] std::vector<MaskNote> notesOn(const MaskFit& fit);
 
-/// Sentences on where the mask's patient or frame of reference differs from the study's. They
-/// contain no name.
-[[nodiscard]] QStringList notesOnOrigin(
+/// On where the mask's patient or frame of reference differs from the study's.
+[[nodiscard]] std::vector<MaskNote> notesOnOrigin(
     const QString& patientId, const QString& frameOfReferenceUid, const Volume& volume);
 
 [[nodiscard]] Result<MaskOnVolume> readLabelMask(
@@ -35,9 +34,6 @@ struct MaskFit {
 
 /// A name for a segment without one: "liver.nii.gz" → "liver".
 [[nodiscard]] QString maskNameOf(const QString& path);
-/// "12.3 mL"
-[[nodiscard]] QString inMl(double ml);
-
 /// The volume of voxels in mL.
 [[nodiscard]] double millilitres(std::uint64_t voxels, const VolumeGeometry& geometry);
 

@@ -9,7 +9,7 @@ namespace core {
 /// An importMask edit that contains the voxels of its file; the file is named without a folder.
 struct ReadImport {
     ImportMask edit;
-    QStringList notes; ///< MaskOnVolume::notes
+    std::vector<MaskNote> notes; ///< MaskOnVolume::notes
 };
 
 /// Reads the file that an importMask names.

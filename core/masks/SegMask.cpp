@@ -274,8 +274,7 @@ Result<MaskOnVolume> readSegMask(
     MaskOnVolume mask;
     mask.notes = notesOnOrigin(seg->patient.id, seg->frameOfReferenceUid, volume);
     if (seg->type == SegFile::Type::Fractional)
-        mask.notes += QStringLiteral("The mask says how much of each voxel belongs to a segment; "
-                                     "voxels with one half or more are taken.");
+        mask.notes.push_back({.code = MaskNote::Code::Fractional});
     MaskFit fit{.oneToOne = true};
     std::uint64_t taken = 0;
     int without = 0;
@@ -314,12 +313,12 @@ Result<MaskOnVolume> readSegMask(
     fit.takenMl = millilitres(taken, volume.geometry);
     if (fit.oneToOne && fit.labelled > taken)
         fit.outside = fit.labelled - taken;
-    mask.notes += notesOn(fit);
+    const std::vector<MaskNote> onFit = notesOn(fit);
+    mask.notes.insert(mask.notes.end(), onFit.begin(), onFit.end());
     if (without != 0 && !mask.segments.empty())
-        mask.notes += QStringLiteral("%1 of the file's %2 segments have no voxel inside the study "
-                                     "and are left out.")
-                          .arg(without)
-                          .arg(seg->segments.size());
+        mask.notes.push_back({.code = MaskNote::Code::SegmentsWithoutVoxel,
+            .some = std::uint64_t(without),
+            .all = seg->segments.size()});
     return mask;
 }
 

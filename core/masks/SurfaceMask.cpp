@@ -44,8 +44,7 @@ Result<MaskOnVolume> readSurfaceMask(
         return tl::unexpected(mesh.error());
     MaskOnVolume mask;
     if (mesh->space.isEmpty())
-        mask.notes += QStringLiteral("The file does not name its axes; they are taken for those of "
-                                     "DICOM (LPS), its numbers for millimetres.");
+        mask.notes.push_back({.code = MaskNote::Code::UnnamedAxes});
     const WorldToIndex toIndex(volume.geometry);
     QStringList without;
     for (std::size_t i = 0; i < mesh->parts.size(); ++i) {
@@ -72,14 +71,12 @@ Result<MaskOnVolume> readSurfaceMask(
             continue;
         }
         if (kind == SurfaceKind::TwoFaced)
-            mask.notes += QStringLiteral("Triangles of '%1' do not all look outwards: inside is "
-                                         "what an odd number of them lies around.")
-                              .arg(name);
+            mask.notes.push_back({.code = MaskNote::Code::TwoFaced, .names = {name}});
         else
-            mask.notes += QStringLiteral("'%1' encloses %2; the voxels with their centres inside "
-                                         "are %3.")
-                              .arg(name, inMl(millilitresOf(surface, volume.geometry)),
-                                  inMl(millilitres(voxels->voxelCount(), volume.geometry)));
+            mask.notes.push_back({.code = MaskNote::Code::Enclosed,
+                .names = {name},
+                .fileMl = millilitresOf(surface, volume.geometry),
+                .hereMl = millilitres(voxels->voxelCount(), volume.geometry)});
         mask.segments.push_back(
             {.name = name, .rgb = part.rgb, .code = {}, .voxels = *std::move(voxels)});
     }
@@ -88,8 +85,7 @@ Result<MaskOnVolume> readSurfaceMask(
             QStringLiteral("it surrounds no voxel of the study (its axes, which it does not name, "
                            "taken for LPS)"));
     if (!without.isEmpty() && !mask.segments.empty())
-        mask.notes += QStringLiteral("Left out, since they surround no voxel here: %1.")
-                          .arg(without.join(QStringLiteral(", ")));
+        mask.notes.push_back({.code = MaskNote::Code::NothingSurrounded, .names = without});
     return mask;
 }
 

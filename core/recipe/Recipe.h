@@ -3,6 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
+#include "core/masks/MaskNote.h"
 #include "core/recipe/RecipeExport.h"
 #include "core/recipe/RecipeStep.h"
 #include "core/sessionfile/records/SessionSource.h"
@@ -34,12 +35,18 @@ struct Recipe {
 /// edit contains it.
 void fillSurfaces(Recipe& recipe, const Volume& volume);
 
+/// A note on a mask file that a recipe imports.
+struct RecipeMaskNote {
+    QString file; ///< without a folder
+    MaskNote note;
+};
+
 /// Reads the mask files that its steps import (importMask), so that the recorded edits contain
 /// their voxels. A file name without a folder is looked up in the current folder, then beside the
 /// recipe.
-/// @return sentences on what was resampled or left out
+/// @return what was resampled or left out
 /// Errors: those of readMask() (core/masks/MaskOnVolume.h).
-[[nodiscard]] Result<QStringList> readMasks(Recipe& recipe, const Volume& volume);
+[[nodiscard]] Result<std::vector<RecipeMaskNote>> readMasks(Recipe& recipe, const Volume& volume);
 
 /// Checks everything about a recipe that can be checked on this document (with its volume) before
 /// it is carried out. Edits after a walk through the history are checked when their turn comes.

@@ -8,9 +8,9 @@
 
 namespace core {
 
-Result<QStringList> readMasks(Recipe& recipe, const Volume& volume)
+Result<std::vector<RecipeMaskNote>> readMasks(Recipe& recipe, const Volume& volume)
 {
-    QStringList notes;
+    std::vector<RecipeMaskNote> notes;
     std::size_t segments = 0;
     for (RecipeStep& step : recipe.steps) {
         auto* edit = std::get_if<Edit>(&step);
@@ -26,8 +26,8 @@ Result<QStringList> readMasks(Recipe& recipe, const Volume& volume)
             return tl::unexpected(read.error());
         *mask = std::move(read->edit);
         segments += mask->segments->size();
-        for (const QString& note : read->notes)
-            notes += QStringLiteral("%1: %2").arg(mask->file, note);
+        for (const MaskNote& note : read->notes)
+            notes.push_back({.file = mask->file, .note = note});
     }
     return notes;
 }

@@ -12,46 +12,16 @@ namespace {
 /// More of them are no parts that anybody looks at one by one.
 constexpr std::size_t mostParts = 12;
 
-QString millimetres(double value)
+RepairOffer offer(RepairOffer::Kind kind, const VolumeGeometry& slices, const SeriesRepair& repair)
 {
-    return QString::number(value, 'g', 4);
-}
-
-QString sizeInWords(const VolumeGeometry& geometry)
-{
-    return QStringLiteral("%1 × %2 × %3")
-        .arg(geometry.size.x)
-        .arg(geometry.size.y)
-        .arg(geometry.size.z);
-}
-
-RepairOffer offer(const VolumeGeometry& slices, const SeriesRepair& repair)
-{
-    return {.repair = repair.toText(),
-        .series = {},
-        .title = {},
-        .effect = {},
-        .result = repairedGeometry(slices, repair)};
+    return {.kind = kind, .repair = repair.toText(), .result = repairedGeometry(slices, repair)};
 }
 
 RepairOffer tiltOffer(const VolumeGeometry& slices)
 {
-    RepairOffer tilt = offer(slices, {.tilt = true});
-    tilt.title = QStringLiteral("Shear the tilt out");
-    const glm::ivec3 grown = tilt.result.size - slices.size;
-    QStringList room;
-    if (grown.x > 0)
-        room +=
-            grown.x == 1 ? QStringLiteral("1 column") : QStringLiteral("%1 columns").arg(grown.x);
-    if (grown.y > 0)
-        room += grown.y == 1 ? QStringLiteral("1 row") : QStringLiteral("%1 rows").arg(grown.y);
-    tilt.effect = QStringLiteral(
-        "Every slice is shifted in its own plane until all lie straight behind each other; %1"
-        "slices lie %2 mm apart.")
-                      .arg(room.isEmpty() ? QString()
-                                          : QStringLiteral("the picture grows by %1, and ")
-                                                .arg(room.join(QStringLiteral(" and "))),
-                          millimetres(tilt.result.spacingMm().z));
+    RepairOffer tilt = offer(RepairOffer::Kind::ShearTilt, slices, {.tilt = true});
+    tilt.columns = tilt.result.size.x - slices.size.x;
+    tilt.rows = tilt.result.size.y - slices.size.y;
     return tilt;
 }
 
@@ -63,29 +33,20 @@ int keptSlices(const VolumeGeometry& slices, const SeriesRepair& repair)
         [](const LatticePlace& place) { return place.z % wholeVoxel == 0; }));
 }
 
-RepairOffer latticeOffer(const VolumeGeometry& slices, SeriesRepair::Lattice lattice)
+RepairOffer fillOffer(const VolumeGeometry& slices)
 {
-    const SeriesRepair repair{.lattice = lattice};
-    RepairOffer even = offer(slices, repair);
-    const int kept = keptSlices(slices, repair);
-    const int made = even.result.size.z - kept;
-    const QString distance = millimetres(even.result.spacingMm().z);
-    if (lattice == SeriesRepair::Lattice::Filled) {
-        even.title = made == 1 ? QStringLiteral("Fill the gap") : QStringLiteral("Fill the gaps");
-        even.effect = QStringLiteral("%1 interpolated from the neighbouring slices, %2 keep "
-                                     "their values; all lie %3 mm apart.")
-                          .arg(made == 1 ? QStringLiteral("1 slice is")
-                                         : QStringLiteral("%1 slices are").arg(made))
-                          .arg(kept)
-                          .arg(distance);
-    } else {
-        even.title = QStringLiteral("Resample to even spacing");
-        even.effect = QStringLiteral("%1 slices %2 mm apart, interpolated between the %3 that "
-                                     "there are.")
-                          .arg(even.result.size.z)
-                          .arg(distance)
-                          .arg(slices.size.z);
-    }
+    const SeriesRepair repair{.lattice = SeriesRepair::Lattice::Filled};
+    RepairOffer fill = offer(RepairOffer::Kind::FillGaps, slices, repair);
+    fill.kept = keptSlices(slices, repair);
+    fill.made = fill.result.size.z - fill.kept;
+    return fill;
+}
+
+RepairOffer evenOffer(const VolumeGeometry& slices)
+{
+    RepairOffer even =
+        offer(RepairOffer::Kind::EvenSpacing, slices, {.lattice = SeriesRepair::Lattice::Even});
+    even.kept = slices.size.z;
     return even;
 }
 
@@ -96,12 +57,11 @@ void offerParts(const VolumeGeometry& slices, std::vector<RepairOffer>& offers)
         return;
     for (std::size_t index = 0; index < parts.size(); ++index) {
         const SlicePart& part = parts[index];
-        RepairOffer only = offer(slices, {.part = int(index) + 1});
-        only.title = QStringLiteral("Split: %1 only")
-                         .arg(slicesInWords({{part.first + 1, part.first + part.count}}));
-        only.effect = QStringLiteral("Part %1 of %2 is opened alone, its voxels as they are.")
-                          .arg(index + 1)
-                          .arg(parts.size());
+        RepairOffer only = offer(RepairOffer::Kind::Part, slices, {.part = int(index) + 1});
+        only.first = part.first + 1;
+        only.last = part.first + part.count;
+        only.part = int(index) + 1;
+        only.parts = int(parts.size());
         offers.push_back(std::move(only));
     }
 }
@@ -110,14 +70,9 @@ void offerOnePerPlace(const VolumeGeometry& result, std::vector<RepairOffer>& of
 {
     using Duplicates = SeriesRepair::Duplicates;
     for (const Duplicates which : {Duplicates::First, Duplicates::Last}) {
-        const bool first = which == Duplicates::First;
-        offers.push_back({.repair = SeriesRepair{.duplicates = which}.toText(),
-            .series = {},
-            .title = first ? QStringLiteral("Drop duplicates, keep the first")
-                           : QStringLiteral("Drop duplicates, keep the last"),
-            .effect = QStringLiteral("Of several images at one place the one with the %1 instance "
-                                     "number is taken.")
-                          .arg(first ? QStringLiteral("least") : QStringLiteral("greatest")),
+        offers.push_back({.kind = which == Duplicates::First ? RepairOffer::Kind::FirstDuplicates
+                                                             : RepairOffer::Kind::LastDuplicates,
+            .repair = SeriesRepair{.duplicates = which}.toText(),
             .result = result});
     }
 }
@@ -130,14 +85,14 @@ std::vector<RepairOffer> offersFor(const VolumeProblem& problem, const VolumeGeo
     switch (problem.kind) {
     case Kind::MissingSlices: {
         // Of pictures only the names tell that one is missing: there is no gap to fill.
-        RepairOffer filled = latticeOffer(slices, SeriesRepair::Lattice::Filled);
+        RepairOffer filled = fillOffer(slices);
         if (filled.result.size.z > slices.size.z)
             offers.push_back(std::move(filled));
         offerParts(slices, offers);
         break;
     }
     case Kind::UnevenSpacing:
-        offers.push_back(latticeOffer(slices, SeriesRepair::Lattice::Even));
+        offers.push_back(evenOffer(slices));
         offerParts(slices, offers);
         break;
     case Kind::Tilt:
@@ -163,13 +118,7 @@ std::vector<RepairOffer> offersFor(const VolumeProblem& problem, const VolumeGeo
 /// What was done; who takes it back is asked again.
 RepairOffer givenSpacing(const QString& repair, const VolumeGeometry& geometry)
 {
-    const glm::dvec3 spacing = geometry.spacingMm();
-    return {.repair = repair,
-        .series = {},
-        .title = QStringLiteral("%1 × %2 × %3 mm")
-                     .arg(millimetres(spacing.x), millimetres(spacing.y), millimetres(spacing.z)),
-        .effect = QStringLiteral("As given on opening. Opened as it is, it asks for it again."),
-        .result = geometry};
+    return {.kind = RepairOffer::Kind::GivenSpacing, .repair = repair, .result = geometry};
 }
 
 /// That there are other stacks in the series.
@@ -184,12 +133,10 @@ std::optional<SeriesFinding> severalStacks(const SeriesAlternatives& alternative
                         .arg(alternatives.part)
                         .arg(slices)}};
     for (const SeriesAlternatives::Stack& stack : alternatives.stacks) {
-        finding.offers.push_back({.repair = {},
+        finding.offers.push_back({.kind = RepairOffer::Kind::OtherStack,
             .series = stack.key,
-            .title = QStringLiteral("Open %1").arg(stack.part),
-            .effect = QStringLiteral("Another stack of the series: %1 voxels.")
-                          .arg(sizeInWords(stack.geometry)),
-            .result = stack.geometry});
+            .result = stack.geometry,
+            .stack = stack.part});
     }
     return finding;
 }

@@ -6,17 +6,37 @@
 
 #include <QString>
 
+#include <cstdint>
 #include <vector>
 
 namespace core {
 
-/// Something that can be done about a finding.
+/// Something that can be done about a finding; ui::repairTitle() and ui::repairEffect() word it.
 struct RepairOffer {
-    QString repair; ///< in the form of `--repair`; empty: another series is opened instead
-    QString series; ///< another stack or point in time, in the form of `--series`; else empty
-    QString title; ///< "Fill the gaps"
-    QString effect; ///< one or two sentences on what it does to which slices
-    VolumeGeometry result; ///< the grid with this repair alone
+    enum class Kind : std::uint8_t {
+        ShearTilt, ///< the picture grows by columns and rows
+        FillGaps, ///< `made` slices are interpolated, `kept` keep their values
+        EvenSpacing, ///< interpolated between the `kept` slices that there are
+        Part, ///< slices first to last, the part-th of parts
+        FirstDuplicates,
+        LastDuplicates,
+        GivenSpacing, ///< as stated on opening
+        OtherStack, ///< of the series: stack
+        AsRepaired, ///< on opening, by what is no single offer: repair
+    };
+    Kind kind = Kind::AsRepaired;
+    QString repair{}; ///< in the form of `--repair`; empty: another series is opened instead
+    QString series{}; ///< another stack or point in time, in the form of `--series`; else empty
+    VolumeGeometry result{}; ///< the grid with this repair alone
+    int columns = 0;
+    int rows = 0;
+    int made = 0;
+    int kept = 0;
+    int first = 0; ///< 1-based
+    int last = 0;
+    int part = 0; ///< 1-based
+    int parts = 0;
+    QString stack{}; ///< SeriesAlternatives::Stack::part
 };
 
 /// A problem of a series, and what can be done about it. Opening the series unchanged is always

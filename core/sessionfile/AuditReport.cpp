@@ -71,7 +71,7 @@ Result<AuditReport> auditReport(SessionTables& tables, const QString& path)
         .chainEnd = contents->chainEnd,
         .made = presentOrigin()};
     if (contents->damage)
-        report.damage.push_back({ErrorCode::SessionDamaged, {path, contents->damage->text()}});
+        report.damage.push_back(contents->damage->error(path));
     for (const HistoryRow& row : history.rows()) {
         if (row.stateHash.isEmpty())
             continue;

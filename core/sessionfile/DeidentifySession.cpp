@@ -153,7 +153,7 @@ bool holdsAny(const QString& file, const QStringList& words)
 
 } // namespace
 
-Result<QStringList> deidentifySession(
+Result<DeidentifiedSession> deidentifySession(
     const QString& file, const QString& target, bool replaceExisting, const Deidentifier& by)
 {
     const Result<SessionContents> contents = checkSession(file);
@@ -208,17 +208,8 @@ Result<QStringList> deidentifySession(
             ErrorCode::ExportMismatch, target, QStringLiteral("it still tells who the patient is"));
     if (const Result<void> done = staged->commit(); !done)
         return tl::unexpected(done.error());
-    const std::size_t rows = again->rows.size();
-    const QString steps =
-        rows == 1 ? QStringLiteral("1 step") : QStringLiteral("%1 steps").arg(rows);
-    QStringList sentences{
-        QStringLiteral("A session of %1 without where its study was, UIDs, authors and pictures; "
-                       "%2. Every hash was compared.")
-            .arg(steps, by.method())};
-    if (contents->holdsImages)
-        sentences += QStringLiteral("The study's images were left out.");
-    sentences += QStringLiteral("Names of segments, sculpt layers and bookmarks stay as they are.");
-    return sentences;
+    return DeidentifiedSession{
+        .steps = again->rows.size(), .method = by.method(), .imagesLeftOut = contents->holdsImages};
 }
 
 } // namespace core

@@ -5,9 +5,17 @@
 #include "core/dicom/deidentify/Deidentifier.h"
 
 #include <QString>
-#include <QStringList>
 
 namespace core {
+
+/// What was done to a session file; ui::deidentifiedTexts() words it.
+struct DeidentifiedSession {
+    std::size_t steps = 0; ///< whose hashes were compared
+    QString method; ///< Deidentifier::method()
+    bool imagesLeftOut = false; ///< the session held the study's images
+
+    bool operator==(const DeidentifiedSession&) const = default;
+};
 
 /// Makes a copy of a session file without what identifies the patient or the user: the path of the
 /// study, its UIDs, description and date, authors, pictures, the state of the window, and the
@@ -20,10 +28,9 @@ namespace core {
 /// or any other text of a step, contains a word of the patient's identity (Deidentifier::words()),
 /// nothing is written. Finally the texts of the copy are searched byte by byte for all these words.
 /// Blocks.
-/// @returns sentences on what was left out and checked Errors: FileExists (unless @p
-/// replaceExisting), FileUnwritable, UnsupportedFormat (argument 1: the step that names the
-/// patient, or that the session is damaged), and those of checkSession().
-[[nodiscard]] Result<QStringList> deidentifySession(
+/// Errors: FileExists (unless @p replaceExisting), FileUnwritable, UnsupportedFormat (argument 1:
+/// the step that names the patient, or that the session is damaged), and those of checkSession().
+[[nodiscard]] Result<DeidentifiedSession> deidentifySession(
     const QString& file, const QString& target, bool replaceExisting, const Deidentifier& by);
 
 } // namespace core

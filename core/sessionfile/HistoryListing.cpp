@@ -83,7 +83,7 @@ std::vector<HistoryBranch> branchesOf(const History& history)
     return branches;
 }
 
-QJsonObject historyListing(const SessionContents& contents)
+QJsonObject historyListing(const SessionContents& contents, const QStringList& problems)
 {
     const History history = historyOf(contents);
     QJsonArray commands;
@@ -116,11 +116,8 @@ QJsonObject historyListing(const SessionContents& contents)
             {QStringLiteral("current"), branch.current},
         });
     }
-    QJsonArray problems;
-    for (const QString& problem : contents.problems())
-        problems.append(problem);
     return {
-        {QStringLiteral("problems"), problems},
+        {QStringLiteral("problems"), QJsonArray::fromStringList(problems)},
         {QStringLiteral("position"), qint64(contents.position)},
         {QStringLiteral("source"),
             QJsonObject{

@@ -4,6 +4,7 @@
 #include "core/sessionfile/records/SessionContents.h"
 
 #include <QJsonObject>
+#include <QStringList>
 
 #include <map>
 #include <vector>
@@ -27,7 +28,9 @@ struct HistoryBranch {
 /// "current"}], "problems": [text]}. Of a damaged session the sound rows are listed, and the
 /// problems name the others. The hash is null for a row whose second half never reached the disk;
 /// at, author and program are null for a row of a version that did not write them.
-[[nodiscard]] QJsonObject historyListing(const SessionContents& contents);
+/// @param problems of the contents, in words (ui::problemTexts())
+[[nodiscard]] QJsonObject historyListing(
+    const SessionContents& contents, const QStringList& problems);
 
 /// The rows up to the position as a recipe, with the study on which they were recorded. Run on that
 /// study, it ends with the same state hash.

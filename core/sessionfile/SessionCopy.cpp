@@ -54,7 +54,8 @@ Result<std::shared_ptr<StagedFile>> stageSessionCopy(const QString& target, bool
     const QString path = staged->path();
     if (const Result<void> whole = copySessionInto(path, parts, images); !whole) {
         removeSession(path);
-        return failure(whole.error().code, target, whole.error().arguments.value(1));
+        return tl::unexpected(
+            Error{whole.error().code, QStringList{target} + whole.error().arguments.mid(1)});
     }
     return staged;
 }

@@ -77,7 +77,7 @@ Result<SessionContents> checkSession(const QString& path, const Progress& progre
                 .reason = reasonOf(delta.error())});
     }
     if (contents.damage && contents.rows.empty())
-        return failure(ErrorCode::SessionDamaged, path, contents.damage->text());
+        return tl::unexpected(contents.damage->error(path));
     return contents;
 }
 

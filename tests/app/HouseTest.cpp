@@ -125,6 +125,42 @@ const std::vector<Rule>& rules()
     return table;
 }
 
+/// Where core words whole sentences: what describes an edit, wherever that is read; what is in
+/// DICOM objects; and two kinds of sentences that ui/texts does not word yet, the problems of
+/// volumes (a session file holds them) and what an export reports. None is to be added.
+bool mayHoldSentences(const QString& file)
+{
+    static const QStringList folders{QStringLiteral("core/edits/schema"),
+        QStringLiteral("core/dicom/write"), QStringLiteral("core/dicom/stack"),
+        QStringLiteral("core/images"), QStringLiteral("core/metaimage"),
+        QStringLiteral("core/nifti"), QStringLiteral("core/nrrd"),
+        QStringLiteral("core/volume/encoding"), QStringLiteral("core/voxelfile"),
+        QStringLiteral("core/export"), QStringLiteral("core/dicom/deidentify")};
+    static const QStringList files{QStringLiteral("core/recipe/RecipeStep.cpp"),
+        QStringLiteral("core/brick/ThreadWithoutVoxels.cpp"), // for who debugs it
+        QStringLiteral("core/repair/SeriesFindings.cpp"),
+        QStringLiteral("core/dicom/items/PatientHeader.cpp")};
+    return inFolder(file, folders) || files.contains(file);
+}
+
+/// Literals that begin as a sentence does and end with a full stop. Clauses, such as the reasons of
+/// errors, cannot be told from names and words of formats.
+QStringList sentencesIn(const QString& code)
+{
+    static const QRegularExpression literal(
+        QStringLiteral("\"(?:[^\"\\\\\n]|\\\\.)*\"(?:\\s*\"(?:[^\"\\\\\n]|\\\\.)*\")*"));
+    static const QRegularExpression seam(QStringLiteral("\"\\s*\""));
+    static const QRegularExpression sentence(
+        QStringLiteral("^\"(?:[A-Z]|%\\d|').*[a-z]{2}.* .*\\.\\s*\"$"));
+    QStringList sentences;
+    for (auto match = literal.globalMatch(code); match.hasNext();) {
+        const QString text = match.next().captured().remove(seam);
+        if (sentence.match(text).hasMatch())
+            sentences += text;
+    }
+    return sentences;
+}
+
 /// One sentence per broken rule. @p file is the path from the top of the tree.
 QStringList brokenRules(const QString& file, const QString& text)
 {
@@ -156,6 +192,16 @@ QStringList brokenRules(const QString& file, const QString& text)
         broken << QStringLiteral("%1 starts a thread: core/base/TaskThread and ParallelFor do, "
                                  "which catch what it throws")
                       .arg(file);
+    if (inFolder(file, {QStringLiteral("core"), QStringLiteral("gpu")})) {
+        static const QRegularExpression translation(
+            QStringLiteral("\\btr\\(\\s*\"|::translate\\(\\s*\"|\\bQ_DECLARE_TR_FUNCTIONS\\b"));
+        const QString code = QString(text).remove(include).remove(comment);
+        if (translation.match(code).hasMatch())
+            broken << QStringLiteral("%1 translates: ui does").arg(file);
+        for (const QString& sentence : mayHoldSentences(file) ? QStringList() : sentencesIn(code))
+            broken << QStringLiteral("%1 says %2: a code with arguments is worded in ui/texts")
+                          .arg(file, sentence);
+    }
     return broken;
 }
 
@@ -320,6 +366,16 @@ void HouseTest::ruleBites_data()
     row("core/a/A.cpp", "auto a = std::async(std::launch::async, [] {});", false);
     row("core/a/A.cpp", "// std::thread thread(work);\nstd::thread::hardware_concurrency();", true);
     row("core/base/A.cpp", "std::thread thread(work);", true);
+    row("core/a/A.cpp", "notes += QStringLiteral(\"The mask is empty.\");", false);
+    row("core/a/A.cpp", "text = QStringLiteral(\"%1 slices \"\n    \"are missing.\").arg(1);",
+        false);
+    row("core/a/A.cpp", "// \"The mask is empty.\"\nreason = \"no pixel belongs to a segment\";",
+        true);
+    row("core/export/A.cpp", "report += QStringLiteral(\"The slices are tilted.\");", true);
+    row("ui/texts/A.cpp", "return Texts::tr(\"The mask is empty.\");", true);
+    row("core/a/A.cpp", "return tr(\"empty\");", false);
+    row("gpu/A.cpp", "return QCoreApplication::translate(\"gpu\", \"empty\");", false);
+    row("core/a/A.cpp", "moved = glm::translate(moved, by);", true);
 }
 
 void HouseTest::ruleBites()

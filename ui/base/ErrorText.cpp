@@ -2,7 +2,9 @@
 #include "ui/base/ErrorText.h"
 
 #include "core/recipe/RecipeStep.h"
+#include "ui/texts/SessionTexts.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -12,12 +14,22 @@ namespace ui {
 
 namespace {
 
+struct ErrorTexts {
+    Q_DECLARE_TR_FUNCTIONS(ui::ErrorText)
+};
+
 /// Whether it is said of an edit, or a walk through the history, as a whole.
 bool isStep(const QString& name)
 {
     const std::vector<core::EditDocumentation> steps = core::recipeStepDocumentation();
     return std::any_of(
         steps.begin(), steps.end(), [&name](const auto& step) { return step.name == name; });
+}
+
+/// A reason behind a colon; nothing without one.
+QString behind(const QString& reason)
+{
+    return reason.isEmpty() ? QString() : QStringLiteral(": ") + reason;
 }
 
 } // namespace
@@ -27,128 +39,128 @@ QString errorText(const core::Error& error)
     using core::ErrorCode;
     const QString first = error.arguments.value(0);
     const QString second = error.arguments.value(1);
-    const QString reason = second.isEmpty() ? QString() : QStringLiteral(": ") + second;
+    const QString reason = behind(second);
     switch (error.code) {
     case ErrorCode::FileNotFound:
-        return QStringLiteral("%1: no such file or folder").arg(first);
+        return ErrorTexts::tr("%1: no such file or folder").arg(first);
     case ErrorCode::FileUnreadable:
-        return QStringLiteral("%1: cannot be read%2").arg(first, reason);
+        return ErrorTexts::tr("%1: cannot be read%2").arg(first, reason);
     case ErrorCode::FileTruncated:
-        return QStringLiteral("%1: the file is cut short%2").arg(first, reason);
+        return ErrorTexts::tr("%1: the file is cut short%2").arg(first, reason);
     case ErrorCode::FileExists:
-        return QStringLiteral("%1: exists already; --force replaces it").arg(first);
+        return ErrorTexts::tr("%1: exists already; --force replaces it").arg(first);
     case ErrorCode::FileUnwritable:
-        return QStringLiteral("%1: cannot be written%2").arg(first, reason);
+        return ErrorTexts::tr("%1: cannot be written%2").arg(first, reason);
     case ErrorCode::FolderEmpty:
-        return QStringLiteral("%1: the folder is empty").arg(first);
+        return ErrorTexts::tr("%1: the folder is empty").arg(first);
     case ErrorCode::TooManyFiles:
-        return QStringLiteral("%1: more than %2 files lie in this folder; name the study's own")
+        return ErrorTexts::tr("%1: more than %2 files lie in this folder; name the study's own")
             .arg(first, second);
     case ErrorCode::NoImages:
-        return QStringLiteral("%1: holds no image volume%2").arg(first, reason);
+        return ErrorTexts::tr("%1: holds no image volume%2").arg(first, reason);
     case ErrorCode::UnsupportedFormat:
-        return QStringLiteral("%1: not supported%2").arg(first, reason);
+        return ErrorTexts::tr("%1: not supported%2").arg(first, reason);
     case ErrorCode::InvalidGeometry:
-        return QStringLiteral("%1: the slices do not form a volume%2").arg(first, reason);
+        return ErrorTexts::tr("%1: the slices do not form a volume%2").arg(first, reason);
     case ErrorCode::SeriesAmbiguous:
-        return QStringLiteral("%1: holds more than one series; choose one with --series:\n  %2")
+        return ErrorTexts::tr("%1: holds more than one series; choose one with --series:\n  %2")
             .arg(first, error.arguments.mid(1).join(QStringLiteral("\n  ")));
     case ErrorCode::SeriesNotFound:
-        return QStringLiteral("%1: no such series%2").arg(first, reason);
+        return ErrorTexts::tr("%1: no such series%2").arg(first, reason);
     case ErrorCode::UnknownEdit:
-        return QStringLiteral("unknown edit '%1'%2").arg(first, reason);
+        return ErrorTexts::tr("unknown edit '%1'%2").arg(first, reason);
     case ErrorCode::InvalidField:
-        return isStep(first) ? first + reason : QStringLiteral("field '%1'%2").arg(first, reason);
+        return isStep(first) ? first + reason : ErrorTexts::tr("field '%1'%2").arg(first, reason);
     case ErrorCode::SegmentLocked:
-        return first.isEmpty() ? QStringLiteral("every segment is locked")
-                               : QStringLiteral("segment '%1' is locked").arg(first);
+        return first.isEmpty() ? ErrorTexts::tr("every segment is locked")
+                               : ErrorTexts::tr("segment '%1' is locked").arg(first);
     case ErrorCode::SegmentProtected:
-        return QStringLiteral("segment '%1' is protected from sculpting").arg(first);
+        return ErrorTexts::tr("segment '%1' is protected from sculpting").arg(first);
     case ErrorCode::SeedsStay:
-        return QStringLiteral(
+        return ErrorTexts::tr(
             "nothing was taken back: %1 of the sketched voxels %2, and those are not taken back; "
             "sketch beside them, or erase them first")
             .arg(first,
-                first == QLatin1String("1") ? QStringLiteral("is a seed or was painted")
-                                            : QStringLiteral("are seeds or were painted"));
+                first == QLatin1String("1") ? ErrorTexts::tr("is a seed or was painted")
+                                            : ErrorTexts::tr("are seeds or were painted"));
     case ErrorCode::NothingGrown:
-        return QStringLiteral("nothing was taken back: no growth came through the sketched places");
+        return ErrorTexts::tr("nothing was taken back: no growth came through the sketched places");
     case ErrorCode::StepsEntangled:
-        return QStringLiteral("cannot undo only that: %1").arg(first);
+        return ErrorTexts::tr("cannot undo only that: %1").arg(first);
     case ErrorCode::SeedOutsideVolume:
-        return QStringLiteral("seed outside the volume: %1%2").arg(first, reason);
+        return ErrorTexts::tr("seed outside the volume: %1%2").arg(first, reason);
     case ErrorCode::UnknownSegment:
-        return QStringLiteral("there is no segment %1%2").arg(first, reason);
+        return ErrorTexts::tr("there is no segment %1%2").arg(first, reason);
     case ErrorCode::InvalidRecipe:
-        return QStringLiteral("%1: not a recipe%2").arg(first, reason);
+        return ErrorTexts::tr("%1: not a recipe%2").arg(first, reason);
     case ErrorCode::ExportMismatch:
-        return QStringLiteral("%1: the export was checked and does not agree%2").arg(first, reason);
+        return ErrorTexts::tr("%1: the export was checked and does not agree%2").arg(first, reason);
     case ErrorCode::SegmentNotCoded:
-        return QStringLiteral("segment '%1' is not coded yet").arg(first);
+        return ErrorTexts::tr("segment '%1' is not coded yet").arg(first);
     case ErrorCode::NothingToExport:
-        return QStringLiteral("%1: nothing to export%2").arg(first, reason);
+        return ErrorTexts::tr("%1: nothing to export%2").arg(first, reason);
     case ErrorCode::SessionDamaged:
-        return QStringLiteral("%1: the session is damaged%2").arg(first, reason);
+        return ErrorTexts::tr("%1: the session is damaged%2").arg(first, behind(damageText(error)));
     case ErrorCode::SessionUnwritten:
-        return QStringLiteral(
+        return ErrorTexts::tr(
             "%1 cannot be written now%2. Work goes on and is kept in memory; it is "
             "written as soon as that is possible")
             .arg(first, reason);
     case ErrorCode::SessionMismatch:
-        return QStringLiteral("%1: the session was made on another volume%2").arg(first, reason);
+        return ErrorTexts::tr("%1: the session was made on another volume%2").arg(first, reason);
     case ErrorCode::SessionReadOnly:
-        return QStringLiteral("%1 is open for looking only%2. 'Save session as …' gives a copy "
+        return ErrorTexts::tr("%1 is open for looking only%2. 'Save session as …' gives a copy "
                               "that can be edited")
             .arg(first, reason);
     case ErrorCode::StudyMissing:
-        return QStringLiteral("%1: its study is no longer at %2%3; name it with --study")
+        return ErrorTexts::tr("%1: its study is no longer at %2%3; name it with --study")
             .arg(first, second,
                 error.arguments.size() > 2
-                    ? QStringLiteral(", and its own images cannot be used (%1)")
+                    ? ErrorTexts::tr(", and its own images cannot be used (%1)")
                           .arg(error.arguments[2])
                     : QString());
     case ErrorCode::NodeUnreachable:
-        return QStringLiteral("%1 cannot be reached%2").arg(first, reason);
+        return ErrorTexts::tr("%1 cannot be reached%2").arg(first, reason);
     case ErrorCode::NodeRejects:
-        return QStringLiteral("%1 does not talk to us%2").arg(first, reason);
+        return ErrorTexts::tr("%1 does not talk to us%2").arg(first, reason);
     case ErrorCode::NodeRefuses:
-        return QStringLiteral("%1 does not support %2").arg(first, second);
+        return ErrorTexts::tr("%1 does not support %2").arg(first, second);
     case ErrorCode::NodeTimeout:
         return error.arguments.size() > 2
-            ? QStringLiteral("%1 is given up after %2 s: %3").arg(first, second, error.arguments[2])
-            : QStringLiteral("%1 does not answer; %2 s without a sign of life").arg(first, second);
+            ? ErrorTexts::tr("%1 is given up after %2 s: %3").arg(first, second, error.arguments[2])
+            : ErrorTexts::tr("%1 does not answer; %2 s without a sign of life").arg(first, second);
     case ErrorCode::NodeLost:
-        return QStringLiteral("%1 ended the connection before all was done%2").arg(first, reason);
+        return ErrorTexts::tr("%1 ended the connection before all was done%2").arg(first, reason);
     case ErrorCode::NodeNonsense:
-        return QStringLiteral("%1 does not speak DICOM%2").arg(first, reason);
+        return ErrorTexts::tr("%1 does not speak DICOM%2").arg(first, reason);
     case ErrorCode::NodeFailed:
-        return QStringLiteral("%1 could not carry out %2: %3")
+        return ErrorTexts::tr("%1 could not carry out %2: %3")
             .arg(first, second, error.arguments.value(2));
     case ErrorCode::NodeHasNone:
-        return QStringLiteral("%1 holds no such %2").arg(first, second);
+        return ErrorTexts::tr("%1 holds no such %2").arg(first, second);
     case ErrorCode::TransferIncomplete:
-        return QStringLiteral("%1: %2 images did not arrive%3; what is here is kept, the same "
+        return ErrorTexts::tr("%1: %2 images did not arrive%3; what is here is kept, the same "
                               "command goes on from there")
             .arg(first, second,
                 error.arguments.size() > 2 ? QStringLiteral(" (%1)").arg(error.arguments[2])
                                            : QString());
     case ErrorCode::GraphicsUnavailable:
-        return QStringLiteral("no OpenGL 4.5 available: %1%2").arg(first, reason);
+        return ErrorTexts::tr("no OpenGL 4.5 available: %1%2").arg(first, reason);
     case ErrorCode::OutOfMemory:
-        return QStringLiteral("not enough memory: %1").arg(first);
+        return ErrorTexts::tr("not enough memory: %1").arg(first);
     case ErrorCode::EngineLost:
-        return QStringLiteral(
+        return ErrorTexts::tr(
             "the graphics processor failed (%1); close the study and open it again: "
             "every step so far is in its session")
             .arg(first);
     case ErrorCode::ContextLost:
-        return QStringLiteral("the graphics driver broke off its work (%1); every step so far is "
+        return ErrorTexts::tr("the graphics driver broke off its work (%1); every step so far is "
                               "in its session, which opens again where it stood")
             .arg(first);
     case ErrorCode::Cancelled:
-        return QStringLiteral("cancelled");
+        return ErrorTexts::tr("cancelled");
     case ErrorCode::Internal:
-        return QStringLiteral("internal error: %1%2").arg(first, reason);
+        return ErrorTexts::tr("internal error: %1%2").arg(first, reason);
     }
     return {};
 }
@@ -158,8 +170,8 @@ QString noFileText(const core::Error& why)
     // The file's own name says nothing to anybody.
     const QString folder = QFileInfo(why.arguments.value(0)).absolutePath();
     const QString reason =
-        QFileInfo::exists(folder) ? why.arguments.value(1) : QStringLiteral("it cannot be made");
-    return QStringLiteral("sessions cannot be written to %1 (%2)").arg(folder, reason);
+        QFileInfo::exists(folder) ? why.arguments.value(1) : ErrorTexts::tr("it cannot be made");
+    return ErrorTexts::tr("sessions cannot be written to %1 (%2)").arg(folder, reason);
 }
 
 } // namespace ui

@@ -3,6 +3,7 @@
 
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
+#include "ui/texts/RepairTexts.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -41,11 +42,7 @@ FindingBox::FindingBox(const core::SeriesFinding& finding, bool canChoose, QWidg
     const auto made = std::find_if(offers.begin(), offers.end(),
         [&](const core::RepairOffer& offer) { return offer.repair == done; });
     if (!done.isEmpty() && made == offers.end()) {
-        m_finding.offers.push_back({.repair = done,
-            .series = {},
-            .title = tr("As repaired (%1)").arg(done),
-            .effect = {},
-            .result = {}});
+        m_finding.offers.push_back({.kind = core::RepairOffer::Kind::AsRepaired, .repair = done});
     }
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -92,7 +89,7 @@ void FindingBox::buildChoices(bool canChoose)
     choices->setSpacing(0);
     QStringList names{tr("As it is")};
     for (const core::RepairOffer& offer : m_finding.offers)
-        names += offer.title;
+        names += repairTitle(offer);
     if (m_finding.offers.size() > mostButtons) {
         m_list = new QComboBox(this);
         m_list->setObjectName(QStringLiteral("repairChoice"));
@@ -143,7 +140,7 @@ void FindingBox::showEffect()
     if (m_effect == nullptr)
         return;
     const core::RepairOffer* offer = chosen();
-    m_effect->setText(offer != nullptr ? offer->effect : QString());
+    m_effect->setText(offer != nullptr ? repairEffect(*offer) : QString());
     m_effect->setVisible(!m_effect->text().isEmpty());
 }
 

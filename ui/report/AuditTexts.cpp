@@ -3,6 +3,7 @@
 
 #include "core/repair/SeriesRepair.h"
 #include "ui/base/CountText.h"
+#include "ui/texts/SessionTexts.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -177,7 +178,7 @@ QString explanationText(const core::AuditReport& report)
                          .arg(open == 1 ? tr("1 step was") : tr("%1 steps were").arg(open));
     // Where the file lies is nobody's business here: folders are named after patients.
     for (const core::Error& error : report.damage)
-        sentences += tr("Damaged: %1.").arg(error.arguments.value(1));
+        sentences += tr("Damaged: %1.").arg(damageText(error));
     return sentences.join(u' ');
 }
 

@@ -8,6 +8,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/RowTitleText.h"
+#include "ui/texts/MaskTexts.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QFileDialog>
@@ -97,10 +98,12 @@ void MaskImporter::apply(const core::Result<core::ReadImport>& read, const QStri
         [guard = QPointer(this), session, rows, path, notes = read->notes] {
             if (!guard)
                 return;
-            if (session->history().rows().size() > rows)
-                Q_EMIT guard->imported(nameOf(session->history().rows().back()), notes);
-            else
-                Q_EMIT guard->nothingTaken(path);
+            if (session->history().rows().size() == rows)
+                return Q_EMIT guard->nothingTaken(path);
+            QStringList sentences;
+            for (const core::MaskNote& note : notes)
+                sentences += maskNoteText(note);
+            Q_EMIT guard->imported(nameOf(session->history().rows().back()), sentences);
         });
 }
 

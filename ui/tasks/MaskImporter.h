@@ -39,7 +39,7 @@ public:
 Q_SIGNALS:
     void started(const QString& path);
     /// The import is in the history.
-    /// @param notes what was resampled, left out or assumed
+    /// @param notes what was resampled, left out or assumed, one sentence each
     void imported(const QString& rowName, const QStringList& notes);
     /// No voxel was free for the segments, so no step was made.
     void nothingTaken(const QString& path);

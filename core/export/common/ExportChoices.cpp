@@ -11,19 +11,18 @@ std::vector<ExportChoice> exportChoices(const Document& document, const std::bit
     for (const Segment& segment : document.segments) {
         ExportChoice choice{.segment = segment,
             .millilitres = double(segment.voxels) * voxelMm3 / 1000.0,
-            .chosen = segment.visible && segment.voxels > 0,
-            .remarks = {}};
+            .chosen = segment.visible && segment.voxels > 0};
         if (segment.voxels == 0)
-            choice.remarks += QStringLiteral("empty");
+            choice.remarks.push_back(ExportRemark::Empty);
         if (!segment.visible)
-            choice.remarks += QStringLiteral("hidden");
+            choice.remarks.push_back(ExportRemark::Hidden);
         if (growing.test(segment.label))
-            choice.remarks += QStringLiteral("growth not finished");
+            choice.remarks.push_back(ExportRemark::GrowthNotFinished);
         if (document.surface && document.surface->isApart()
             && document.surface->segment == segment.label)
-            choice.remarks += QStringLiteral("surface not written back");
+            choice.remarks.push_back(ExportRemark::SurfaceNotWrittenBack);
         if (!segment.code.isSet())
-            choice.remarks += QStringLiteral("not coded yet");
+            choice.remarks.push_back(ExportRemark::NotCoded);
         choices.push_back(choice);
     }
     return choices;

@@ -3,20 +3,27 @@
 
 #include "core/document/Document.h"
 
-#include <QString>
-#include <QStringList>
-
 #include <bitset>
+#include <cstdint>
 #include <vector>
 
 namespace core {
+
+/// What to know of a segment before it is exported; ui::exportRemarkText() words it.
+enum class ExportRemark : std::uint8_t {
+    Empty,
+    Hidden,
+    GrowthNotFinished,
+    SurfaceNotWrittenBack,
+    NotCoded,
+};
 
 /// One row of the export dialog.
 struct ExportChoice {
     Segment segment;
     double millilitres = 0.0;
     bool chosen = false; ///< preselected: visible and not empty
-    QStringList remarks; ///< "empty", "hidden", "surface not written back", …
+    std::vector<ExportRemark> remarks{};
 };
 
 /// All segments of the document, in its order, with the remarks of the dialog.

@@ -1,66 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/records/SessionContents.h"
 
-#include <QStringList>
-
 #include <algorithm>
 
 namespace core {
 
-namespace {
-
-/// A name that may be damaged itself, fit to be shown.
-QString shown(const QString& name)
+Error SessionDamage::error(const QString& path) const
 {
-    constexpr int longest = 60;
-    QString text = name.simplified();
-    text.removeIf([](QChar letter) { return !letter.isPrint(); });
-    return text.size() > longest ? text.left(longest) + QStringLiteral("…") : text;
+    return {ErrorCode::SessionDamaged,
+        {path, reason, QString::number(row), name, QString::number(after)}};
 }
 
-} // namespace
-
-QString SessionDamage::text() const
+std::optional<SessionDamage> SessionDamage::of(const Error& error)
 {
-    if (row == 0)
-        return QStringLiteral("where it stood cannot be read: %1").arg(reason);
-    QString rows = QStringLiteral("row %1").arg(row);
-    if (const QString known = shown(name); !known.isEmpty())
-        rows += QStringLiteral(" '%1'").arg(known);
-    if (after < 0)
-        rows += QStringLiteral(" and all after it");
-    else if (after == 1)
-        rows += QStringLiteral(" and the one after it");
-    else if (after > 1)
-        rows += QStringLiteral(" and the %1 after it").arg(after);
-    return QStringLiteral("%1 cannot be read: %2").arg(rows, reason);
-}
-
-std::vector<QString> SessionContents::problems() const
-{
-    std::vector<QString> sentences;
-    if (damage)
-        sentences.push_back(damage->text());
-    if (redo.size() == 1) {
-        sentences.push_back(
-            QStringLiteral("what row %1 '%2' changed cannot be read (%3); it can be carried out "
-                           "again")
-                .arg(redo.front().row)
-                .arg(shown(redo.front().name), redo.front().reason));
-    } else if (!redo.empty()) {
-        QStringList numbers;
-        for (const SessionDamage& row : redo)
-            numbers += QString::number(row.row);
-        sentences.push_back(
-            QStringLiteral("what the rows %1 changed cannot be read; they can be carried out again")
-                .arg(numbers.join(QStringLiteral(", "))));
-    }
-    const auto tells = [this](const QString& told) { return told.contains(cutOff); };
-    if (!cutOff.isEmpty() && std::none_of(sentences.begin(), sentences.end(), tells))
-        sentences.push_back(damage ? cutOff : QStringLiteral("%1; no row is lost").arg(cutOff));
-    if (!leftOpen.isEmpty())
-        sentences.push_back(leftOpen);
-    return sentences;
+    const QStringList& arguments = error.arguments;
+    if (error.code != ErrorCode::SessionDamaged || arguments.size() != 5)
+        return std::nullopt;
+    return SessionDamage{.row = arguments[2].toLongLong(),
+        .name = arguments[3],
+        .after = arguments[4].toLongLong(),
+        .reason = arguments[1]};
 }
 
 void SessionContents::cut(const SessionDamage& at)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Error.h"
 #include "core/history/History.h"
 #include "core/sessionfile/records/Keyframe.h"
 #include "core/sessionfile/records/SessionSource.h"
@@ -13,16 +14,18 @@
 
 namespace core {
 
-/// What cannot be read of a session file. The chain runs by row number, so nothing after the first
-/// unreadable row can be trusted, whatever its branch.
+/// What cannot be read of a session file; ui::damageText() words it. The chain runs by row number,
+/// so nothing after the first unreadable row can be trusted, whatever its branch.
 struct SessionDamage {
     RowId row = 0; ///< the first row that is lost; 0: no row is, but the position
     QString name; ///< its name as the file has it; may be empty
     std::int64_t after = 0; ///< rows after it that are lost with it; −1: unknown
     QString reason;
 
-    /// "row 17 'Drill 5 mm' and the 5 after it cannot be read: …"
-    [[nodiscard]] QString text() const;
+    /// SessionDamaged with five arguments: the file, the reason, row, name and after.
+    [[nodiscard]] Error error(const QString& path) const;
+    /// The reverse; none if the error has no rows.
+    [[nodiscard]] static std::optional<SessionDamage> of(const Error& error);
 };
 
 /// How a session file is opened.
@@ -54,9 +57,6 @@ struct SessionContents {
 
     /// Whether work can continue in the file as it is.
     [[nodiscard]] bool isWhole() const { return !damage && redo.empty() && cutOff.isEmpty(); }
-
-    /// Every problem as a sentence without a full stop, lost rows first; empty: none.
-    [[nodiscard]] std::vector<QString> problems() const;
 
     /// Keeps what precedes the damage. If the position is lost, it becomes the last row that is
     /// left.

@@ -86,7 +86,7 @@ Result<SessionContents> SessionTables::open(SessionAccess access)
     if (access == SessionAccess::SoundPart || !contents)
         return contents;
     if (contents->damage)
-        return failure(ErrorCode::SessionDamaged, m_path, contents->damage->text());
+        return tl::unexpected(contents->damage->error(m_path));
     if (!m_deltasReadable)
         return failure(ErrorCode::SessionDamaged, m_path,
             QStringLiteral("what its rows changed cannot be read"));

@@ -18,6 +18,7 @@
 
 namespace {
 
+using core::MaskNote;
 using core::SlicePolygon;
 using Voxel = std::pair<int, int>; ///< row, column
 
@@ -200,7 +201,8 @@ private Q_SLOTS:
         QCOMPARE(ring->segments.front().name, QString::fromUtf8("Ring \xc3\xa4"));
         QCOMPARE(*ring->segments.front().rgb, 0xff8000U);
         QCOMPARE(ring->notes,
-            QStringList{QStringLiteral("Left out, since they surround no voxel here: Dot.")});
+            (std::vector<MaskNote>{
+                {.code = MaskNote::Code::NothingSurrounded, .names = {QStringLiteral("Dot")}}}));
         std::set<std::uint64_t> expected;
         for (int row = 2; row <= 10; ++row) {
             for (int column = 2; column <= 12; ++column) {
@@ -250,8 +252,9 @@ private Q_SLOTS:
             {{"Box", {contourData(box, 101.1), contourData(box, 103.1), contourData(box, 105.1)}}});
         const auto mask = core::readMask(file, boxVolume(), {});
         QVERIFY(mask);
-        QCOMPARE(mask->notes.size(), 1);
-        QVERIFY(mask->notes.front().contains(QStringLiteral("at most 1 mm away")));
+        QCOMPARE(mask->notes.size(), std::size_t(1));
+        QVERIFY(mask->notes.front().code == MaskNote::Code::BetweenSlices);
+        QCOMPARE(mask->notes.front().mm, 1.0);
         std::set<std::uint64_t> slices;
         for (const std::uint64_t place : placesOf(mask->segments.front().voxels))
             slices.insert(place / (20 * 16));
@@ -292,7 +295,7 @@ private Q_SLOTS:
         const auto labels =
             core::readMask(shared.source + QStringLiteral("/mask.nii.gz"), loaded->volume, {});
         QVERIFY(labels);
-        QCOMPARE(contours->notes, QStringList());
+        QVERIFY(contours->notes.empty());
         QCOMPARE(contours->segments.front().name, QStringLiteral("GTV-1"));
         const core::VoxelRuns& ours = contours->segments.front().voxels;
         const core::VoxelRuns& theirs = labels->segments.front().voxels;

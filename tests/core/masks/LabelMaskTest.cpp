@@ -15,7 +15,9 @@
 
 namespace {
 
+using core::MaskNote;
 using Labels = std::vector<std::uint8_t>;
+using Notes = std::vector<MaskNote>;
 using Random = std::mt19937;
 
 core::Volume volumeOf(const glm::ivec3& size, const glm::dmat4& affine)
@@ -135,7 +137,7 @@ private Q_SLOTS:
                         }
                 const auto mask = read(nrrd(fileSize, affine, file), volume);
                 QVERIFY(mask);
-                QCOMPARE(mask->notes, QStringList());
+                QVERIFY(mask->notes.empty());
                 QCOMPARE(numbersOf(*mask, volume), labels);
             }
         } while (std::next_permutation(order.begin(), order.end()));
@@ -168,10 +170,9 @@ private Q_SLOTS:
                 }
         QCOMPARE(numbersOf(*mask, volume), expected);
         QCOMPARE(mask->notes,
-            (QStringList{QStringLiteral("%1 of the mask's %2 voxels lie outside the study and are "
-                                        "left out.")
-                             .arg(outside)
-                             .arg(labelled)}));
+            (Notes{{.code = MaskNote::Code::OutsideStudy,
+                .some = std::uint64_t(outside),
+                .all = std::uint64_t(labelled)}}));
     }
 
     /// Against the plain rule, in doubles, wherever rounding cannot matter.
@@ -198,7 +199,10 @@ private Q_SLOTS:
             const Labels labels = randomLabels(size, random);
             const auto mask = read(nrrd(size, affine, labels), volume);
             QVERIFY(mask);
-            QCOMPARE(mask->notes.filter(QStringLiteral("another grid")).size(), 1);
+            const auto isOnGrid = [](const MaskNote& note) {
+                return note.code == MaskNote::Code::AnotherGrid;
+            };
+            QCOMPARE(std::count_if(mask->notes.begin(), mask->notes.end(), isOnGrid), 1);
             // Segments stand in the order of their labels, and those without a voxel are left out.
             std::array<std::uint8_t, 4> labelOf{};
             for (std::size_t i = 0; i < mask->segments.size(); ++i)
@@ -242,13 +246,13 @@ private Q_SLOTS:
             const auto mask = read(nrrd(size, affine, labels), volume);
             QVERIFY(mask);
             QCOMPARE(numbersOf(*mask, volume), labels);
-            QCOMPARE(mask->notes.size(), 1); // the last voxel reaches into the study
+            QCOMPARE(mask->notes.size(), std::size_t(1)); // the last voxel reaches into the study
         }
         glm::dmat4 hardly(1.0);
         hardly[3][0] = 0.004; // what rounded headers are off by
         const auto mask = read(nrrd(size, hardly, labels), volume);
         QVERIFY(mask);
-        QCOMPARE(mask->notes, QStringList());
+        QVERIFY(mask->notes.empty());
     }
 
     void layersNamesAndColours()
@@ -279,9 +283,7 @@ private Q_SLOTS:
         QCOMPARE(mask->segments[1].voxels.runs(), (std::vector<core::VoxelRun>{{12, 8}}));
         QCOMPARE(mask->segments[2].name, QStringLiteral("Label 1, layer 2"));
         QCOMPARE(mask->segments[2].voxels.runs(), (std::vector<core::VoxelRun>{{5, 7}}));
-        QCOMPARE(mask->notes,
-            (QStringList{QStringLiteral("Segments of the file overlap in 5 voxels; each of these "
-                                        "goes to the first of its segments.")}));
+        QCOMPARE(mask->notes, (Notes{{.code = MaskNote::Code::SegmentsOverlap, .some = 5}}));
     }
 
     void whatBurinWroteComesBack()
@@ -312,7 +314,7 @@ private Q_SLOTS:
             QVERIFY(written);
             const auto mask = core::readMask(file, volume, {});
             QVERIFY(mask);
-            QCOMPARE(mask->notes, QStringList());
+            QVERIFY(mask->notes.empty());
             QCOMPARE(numbersOf(*mask, volume), labels);
             for (std::size_t i = 0; format != core::ExportFormat::Nifti && i < 3; ++i) {
                 QCOMPARE(mask->segments[i].name, segments[i].name);

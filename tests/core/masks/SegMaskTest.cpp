@@ -15,6 +15,7 @@
 
 namespace {
 
+using core::MaskNote;
 using Labels = std::vector<std::uint8_t>;
 
 /// Slices without labels at both ends and in the middle.
@@ -167,7 +168,7 @@ private Q_SLOTS:
         const Exported on(series, which == 5);
         const auto mask = on.read();
         QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
-        QCOMPARE(mask->notes, QStringList());
+        QVERIFY(mask->notes.empty());
         QCOMPARE(numbersOf(*mask, on.volume), on.labels);
         QCOMPARE(mask->segments.front().name, QStringLiteral("Part 1"));
         QCOMPARE(mask->segments.front().code.value, QStringLiteral("10200004"));
@@ -215,8 +216,7 @@ private Q_SLOTS:
         const auto mask = on.read();
         QVERIFY(mask);
         QCOMPARE(numbersOf(*mask, on.volume), on.labels);
-        QCOMPARE(mask->notes.size(), 1);
-        QVERIFY(mask->notes.front().contains(QStringLiteral("one half")));
+        QCOMPARE(mask->notes, (std::vector<MaskNote>{{.code = MaskNote::Code::Fractional}}));
     }
 
     /// One frame a slice, its pixels numbers of segments.
@@ -234,7 +234,7 @@ private Q_SLOTS:
         });
         const auto mask = on.read();
         QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
-        QCOMPARE(mask->notes, QStringList());
+        QVERIFY(mask->notes.empty());
         QCOMPARE(numbersOf(*mask, on.volume), on.labels);
     }
 
@@ -251,7 +251,8 @@ private Q_SLOTS:
         coarse.geometry.indexToWorld[3] += glm::dvec4(0, 0, 1.5, 0);
         const auto odd = core::readMask(on.file, coarse, {});
         QVERIFY(odd);
-        QVERIFY(odd->notes.front().startsWith(QStringLiteral("The mask lies on another grid")));
+        QVERIFY(odd->notes.front().code == MaskNote::Code::AnotherGrid);
+        QVERIFY(odd->notes.front().fileMl > 0.0 && odd->notes.front().hereMl > 0.0);
         const std::size_t slice = 12 * 9;
         const Labels numbers = numbersOf(*odd, coarse);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -269,8 +270,9 @@ private Q_SLOTS:
         other.identity.frameOfReferenceUid = QStringLiteral("1.2.3");
         const auto mask = core::readMask(on.file, other, {});
         QVERIFY(mask);
-        QCOMPARE(mask->notes.size(), 2);
-        QVERIFY(!mask->notes.join(u' ').contains(QStringLiteral("P-0815"))); // nobody's name
+        QCOMPARE(mask->notes, // nobody's name
+            (std::vector<MaskNote>{{.code = MaskNote::Code::AnotherPatient},
+                {.code = MaskNote::Code::AnotherFrameOfReference}}));
         other.geometry.indexToWorld[3] += glm::dvec4(0, 0, 300, 0);
         QCOMPARE(core::readMask(on.file, other, {}).error().arguments.value(1),
             QStringLiteral("it lies wholly outside the study"));

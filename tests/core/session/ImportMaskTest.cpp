@@ -214,7 +214,7 @@ private Q_SLOTS:
         writeMask(file, volume.geometry);
         const Result<ReadImport> read = readImport(ImportMask{.file = file}, volume, 0, {});
         QVERIFY(read);
-        QCOMPARE(read->notes, QStringList());
+        QVERIFY(read->notes.empty());
         QCOMPARE(read->edit.file, QStringLiteral("part.nrrd")); // no folder of the user's
         const QString sessionFile = folder.filePath(QStringLiteral("a.burin"));
         QByteArray hash;
@@ -251,7 +251,7 @@ private Q_SLOTS:
                  "export": [{"format": "dicom-seg", "file": "a.dcm"}]})");
         Result<Recipe> recipe = readRecipe(path);
         QVERIFY(recipe);
-        const Result<QStringList> notes = readMasks(*recipe, volume);
+        const auto notes = readMasks(*recipe, volume);
         QVERIFY(notes);
         const auto& mask = std::get<Edit>(recipe->steps.front()).get<ImportMask>();
         QCOMPARE(mask.segments->size(), std::size_t(2));

@@ -112,6 +112,9 @@ private Q_SLOTS:
         QCOMPARE(test::markersIn(from).size(), 5);
         const auto done = deidentifySession(from, to, false, Deidentifier({}, patient()));
         QVERIFY2(done, qPrintable(done ? QString() : done.error().arguments.join(u'|')));
+        QCOMPARE(*done,
+            (DeidentifiedSession{
+                .steps = 2, .method = QStringLiteral("PS3.15 basic profile; dates removed")}));
         QVERIFY2(test::markersIn(to).isEmpty(), test::markersIn(to).join(' ').constData());
         QVERIFY(QFile::exists(from));
 

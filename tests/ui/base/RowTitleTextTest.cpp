@@ -2,28 +2,15 @@
 #include "ui/base/RowTitleText.h"
 
 #include "core/titles/TitleForms.h"
+#include "tests/support/program/MarkingTranslator.h"
 #include "tests/support/program/TestProgram.h"
 
-#include <QCoreApplication>
 #include <QTest>
-#include <QTranslator>
 
 using core::RowTitle;
 using core::RowTitleCode;
 
 namespace {
-
-/// Every text in angle brackets; that for many tells how many they were.
-class Marked : public QTranslator {
-public:
-    [[nodiscard]] QString translate(
-        const char*, const char* text, const char*, int count) const override
-    {
-        const QString marked = u'<' + QString::fromUtf8(text) + u'>';
-        return count < 0 ? marked : QString::number(count) + marked;
-    }
-    [[nodiscard]] bool isEmpty() const override { return false; }
-};
 
 /// With something in every place that a text may have.
 RowTitle filled(RowTitleCode code, std::int64_t count)
@@ -64,8 +51,7 @@ private Q_SLOTS:
 
     void everyTextGoesThroughTheTranslator()
     {
-        Marked translator;
-        QVERIFY(QCoreApplication::installTranslator(&translator));
+        const test::MarkingTranslator translator;
         for (int code = 0; core::formOf(RowTitleCode(code)).id; ++code) {
             const QByteArray text = core::formOf(RowTitleCode(code)).text;
             const bool isWords = !text.isEmpty() && text != "%1";
@@ -80,7 +66,6 @@ private Q_SLOTS:
                 .arguments = {core::inMm(6.2)},
                 .then = {{.code = RowTitleCode::Bricks, .arguments = {core::TitleCount{214}}}}}),
             QStringLiteral("<Drill 6.2 mm><, >214<214 bricks>"));
-        QCoreApplication::removeTranslator(&translator);
     }
 
     void aRowWithoutATitleShowsItsName()

@@ -11,6 +11,7 @@
 #include "ui/dialogs/export/DeidentifyBox.h"
 #include "ui/dialogs/export/ExportRun.h"
 #include "ui/dialogs/export/TargetRow.h"
+#include "ui/texts/SessionTexts.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QDir>
@@ -144,7 +145,7 @@ void DeidentifySessionDialog::write(
         [this, target, replaces, folder,
             by = m_options->deidentifier(m_workspace.volume()->identity)](
             const core::Progress&) -> std::function<void()> {
-            const core::Result<QStringList> done =
+            const core::Result<core::DeidentifiedSession> done =
                 core::deidentifySession(copyIn(*folder), target, replaces, *by);
             const core::Result<QString> sum =
                 done ? core::sha256OfFile(target) : core::Result<QString>(QString());
@@ -156,7 +157,7 @@ void DeidentifySessionDialog::write(
                     return showFailure(error);
                 }
                 m_run->showReport({.file = target,
-                    .written = *done,
+                    .written = deidentifiedTexts(*done),
                     .checked = {},
                     .cautions = {},
                     .sha256 = sum.value_or(QString())});

@@ -3,13 +3,13 @@
 
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
-#include "core/export/common/ExportChoices.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/SeedStrokes.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDialog.h"
 #include "ui/models/SegmentListModel.h"
+#include "ui/texts/ExportTexts.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QHeaderView>
@@ -133,7 +133,7 @@ void ExportSegments::fill()
         core::exportChoices(session->document(), growingLabels(*session))) {
         if (first)
             m_unticked.set(choice.segment.label, !choice.chosen);
-        addRow(choice.segment, choice.remarks);
+        addRow(choice);
     }
     m_filling = false;
     Q_EMIT changed();
@@ -149,8 +149,12 @@ void ExportSegments::tickAll(bool ticked)
     fill();
 }
 
-void ExportSegments::addRow(const core::Segment& segment, const QStringList& remarks)
+void ExportSegments::addRow(const core::ExportChoice& choice)
 {
+    const core::Segment& segment = choice.segment;
+    QStringList remarks;
+    for (const core::ExportRemark remark : choice.remarks)
+        remarks += exportRemarkText(remark);
     auto* item = new QTreeWidgetItem(this);
     item->setText(NameColumn, segment.name);
     item->setData(NameColumn, labelRole, int(segment.label));

@@ -3,6 +3,7 @@
 
 #include "core/dicom/write/SegSettings.h"
 #include "core/document/Document.h"
+#include "core/export/common/ExportChoices.h"
 
 #include <QTreeWidget>
 
@@ -39,7 +40,7 @@ Q_SIGNALS:
     void failed(const core::Error& error);
 
 private:
-    void addRow(const core::Segment& segment, const QStringList& remarks);
+    void addRow(const core::ExportChoice& choice);
     void chooseCode(QTreeWidgetItem* item);
 
     Workspace& m_workspace;

@@ -230,18 +230,21 @@ void ExportNiftiTest::choices()
     QCOMPARE(choices.size(), std::size_t(4));
     QCOMPARE(choices[0].millilitres, 0.5);
     QVERIFY(choices[0].chosen && !choices[1].chosen && !choices[2].chosen && choices[3].chosen);
-    QVERIFY(choices[0].remarks.isEmpty());
-    QVERIFY(choices[1].remarks.contains(QStringLiteral("hidden")));
-    QVERIFY(choices[2].remarks.contains(QStringLiteral("empty")));
-    QVERIFY(choices[3].remarks.contains(QStringLiteral("growth not finished")));
-    QVERIFY(choices[3].remarks.contains(QStringLiteral("not coded yet")));
+    using core::ExportRemark;
+    using Remarks = std::vector<ExportRemark>;
+    QVERIFY(choices[0].remarks.empty());
+    QCOMPARE(choices[1].remarks, Remarks({ExportRemark::Hidden, ExportRemark::NotCoded}));
+    QCOMPARE(choices[2].remarks, Remarks({ExportRemark::Empty, ExportRemark::NotCoded}));
+    const Remarks growth{ExportRemark::GrowthNotFinished, ExportRemark::NotCoded};
+    QCOMPARE(choices[3].remarks, growth);
 
-    const QString unwritten = QStringLiteral("surface not written back");
     document.surface = core::RefinedSurface{.segment = 4, .differs = true};
-    QVERIFY(core::exportChoices(document, growing)[3].remarks.contains(unwritten));
-    QVERIFY(core::exportChoices(document, growing)[0].remarks.isEmpty());
+    QCOMPARE(core::exportChoices(document, growing)[3].remarks,
+        Remarks({ExportRemark::GrowthNotFinished, ExportRemark::SurfaceNotWrittenBack,
+            ExportRemark::NotCoded}));
+    QVERIFY(core::exportChoices(document, growing)[0].remarks.empty());
     document.surface->differs = false;
-    QVERIFY(!core::exportChoices(document, growing)[3].remarks.contains(unwritten));
+    QCOMPARE(core::exportChoices(document, growing)[3].remarks, growth);
 }
 
 BURIN_TEST(ExportNiftiTest)

@@ -255,10 +255,14 @@ private Q_SLOTS:
         const auto lps = read("# SPACE=LPS\n");
         QVERIFY(lps);
         QCOMPARE(lps->segments.front().name, QStringLiteral("shape"));
-        QCOMPARE(lps->notes.size(), 1);
+        using Code = core::MaskNote::Code;
+        QCOMPARE(lps->notes.size(), std::size_t(1));
+        QVERIFY(lps->notes[0].code == Code::Enclosed);
+        QCOMPARE(lps->notes[0].names, QStringList{QStringLiteral("shape")});
         const auto unnamed = read({});
         QVERIFY(unnamed);
-        QCOMPARE(unnamed->notes.size(), 2);
+        QCOMPARE(unnamed->notes.size(), std::size_t(2));
+        QVERIFY(unnamed->notes[0].code == Code::UnnamedAxes);
         QVERIFY(unnamed->segments.front().voxels == lps->segments.front().voxels);
         QVERIFY(!read("# SPACE=RAS\n"));
         // Half a turn about the head's axis.
