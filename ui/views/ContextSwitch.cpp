@@ -99,6 +99,7 @@ ContextSwitch::ContextSwitch(Workspace& workspace, QWidget* parent)
     connect(&workspace, &Workspace::volumeDisplayChanged, this, &ContextSwitch::showState);
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_refining = m_steppedBack = false;
+        m_both = gpu::Context::Translucent;
         showState();
         followSurface();
     });

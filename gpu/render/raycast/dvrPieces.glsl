@@ -292,7 +292,7 @@ vec3 seenAlong(Ray ray)
 #if SEEDS || BARRIERS || CHUNKS
             solidFrom = solidFrom == nowhere && leftBehind(through) < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
 #endif
-        } while (solid < 0 && n < last && through > enough);
+        } while (solid < 0 && n < last && leftBehind(through) > enough);
         const int way = max(solid, 0);
         const int piece = ways[way].piece;
         const float opacity = solid < 0 ? 0.0 : piece < 0 ? 1.0 : pieces[piece].low.w;
@@ -311,7 +311,7 @@ vec3 seenAlong(Ray ray)
         solidFrom
             = solidFrom == nowhere && leftBehind(through) < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
 #endif
-    } while (n < last && through > enough);
+    } while (n < last && leftBehind(through) > enough);
 #if CONTEXT == 1
     return withSegment(ray, segmentAt, seen, through > enough ? through : 0.0);
 #endif

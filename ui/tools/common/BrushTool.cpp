@@ -59,7 +59,9 @@ const Workspace::BrushSettings& BrushTool::settings() const
 bool BrushTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
-    return !scene || (scene->orthographic && scene->context != gpu::Context::Hidden);
+    return !scene
+        || (scene->orthographic && scene->context != gpu::Context::Hidden
+            && scene->context != gpu::Context::CutAway);
 }
 
 core::BrushPath BrushTool::pathIn(const ViewContext& view) const

@@ -45,7 +45,8 @@ QString OutlineTool::target() const
 bool OutlineTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
-    return scene && scene->orthographic && scene->context != gpu::Context::Hidden;
+    return scene && scene->orthographic && scene->context != gpu::Context::Hidden
+        && scene->context != gpu::Context::CutAway;
 }
 
 double OutlineTool::surfaceThreshold() const

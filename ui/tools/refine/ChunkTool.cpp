@@ -101,7 +101,7 @@ void ChunkTool::applySettings(const QJsonObject& settings)
 bool ChunkTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
-    return !scene || scene->orthographic;
+    return !scene || (scene->orthographic && scene->context != gpu::Context::Hidden);
 }
 
 QString ChunkTool::segmentName() const

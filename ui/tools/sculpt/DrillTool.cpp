@@ -122,7 +122,8 @@ QWidget* DrillTool::connected(DrillOptions* options)
 bool DrillTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
-    return scene && scene->orthographic && scene->context != gpu::Context::Hidden;
+    return scene && scene->orthographic && scene->context != gpu::Context::Hidden
+        && scene->context != gpu::Context::CutAway;
 }
 
 core::DrillStroke DrillTool::strokeIn(const ViewContext& view, bool restore) const

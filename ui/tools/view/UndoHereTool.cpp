@@ -60,7 +60,7 @@ QString UndoHereTool::keys() const
 bool UndoHereTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
-    return !scene || scene->orthographic;
+    return !scene || (scene->orthographic && scene->context != gpu::Context::Hidden);
 }
 
 void UndoHereTool::press(const PointerSample& sample, const ViewContext& view)

@@ -598,7 +598,7 @@ private Q_SLOTS:
         draw(fixture, fixture.slice, {fixture.at(fixture.slice, glm::dvec3(0.0))});
         QCOMPARE(fixture.session().history().position(), before);
         QVERIFY(!said.isEmpty());
-        QVERIFY(said.last().first().toString().contains(QStringLiteral("panel Surface")));
+        QVERIFY(said.last().first().toString().contains(QStringLiteral("panel Refine")));
     }
 };
 
