@@ -213,7 +213,8 @@ void PeelTool::cancel()
 void PeelTool::follow()
 {
     const core::EditSession* session = workspace().session();
-    if (m_open && !(session && session->transactionOpen())) {
+    // What is open then may be another's: a growth begins in the moment that it ends a peel.
+    if (m_open && !(session && session->transactionOpen() && keptRow() == 0)) {
         m_open = false;
         m_depthDrag.reset();
         m_endedByOther = session != nullptr;
