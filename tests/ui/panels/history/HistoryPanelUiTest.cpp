@@ -248,7 +248,8 @@ private Q_SLOTS:
         // Nothing of a branch is undone alone: it is not done.
         QCOMPARE(enabledIn(panel.list, 3), QStringList{tr("Go to this step")});
         QCOMPARE(enabledIn(panel.list, 4),
-            (QStringList{tr("Undo only this step"), tr("Change stroke …"), tr("Remove stroke")}));
+            (QStringList{tr("Undo only this step"), tr("Change stroke …"), tr("Remove stroke"),
+                tr("Lift as a piece")}));
         choose(panel.list, 3, tr("Go to this step"));
         QVERIFY(panel.session().settle());
         QCOMPARE(panel.session().history().position(), core::RowId(2));
