@@ -6,6 +6,7 @@
 #include "gpu/fields/textures/VolumeTextures.h"
 #include "gpu/render/PlanePass.h"
 #include "gpu/render/SurfacePass.h"
+#include "gpu/render/raycast/ContextDrawing.h"
 #include "gpu/scene/ViewFrame.h"
 #include "gpu/scene/WindowMapping.h"
 
@@ -44,38 +45,6 @@ constexpr std::array<const char*, renderModes> labels{
 TransferFunction materialColours(double from, double to)
 {
     return {{{from, 0xB27059, 0.0}, {to, 0xF6E2C1, 1.0}}};
-}
-
-/// The scene in which segments alone are drawn: they look alike in all modes.
-VolumeScene segmentsAlone(const VolumeScene& scene)
-{
-    VolumeScene alone = scene;
-    alone.mode = RenderMode::Surface;
-    return alone;
-}
-
-/// What of the volume counts on rays that meet neither a segment nor the surface, and on others.
-glm::vec2 contextOpacity(const VolumeScene& scene)
-{
-    if (scene.context == Context::CutAway)
-        return {1.0f, 0.0f};
-    return glm::vec2(scene.context == Context::Translucent ? scene.contextOpacity : 1.0f);
-}
-
-/// CONTEXT of the shaders.
-int contextVariant(const VolumeScene& scene)
-{
-    switch (scene.context) {
-    case Context::Opaque:
-        return 0;
-    case Context::Translucent:
-        return scene.contextOpacity >= 1.0f ? 0 : 1;
-    case Context::CutAway:
-        return 1;
-    case Context::Hidden:
-        break;
-    }
-    return 2;
 }
 
 /// Of two rectangles; empty: none.
