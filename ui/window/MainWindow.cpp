@@ -112,14 +112,6 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     connect(&workspace, &Workspace::activeSegmentChanged, this, refresh);
     connect(&workspace, &Workspace::activeLayerChanged, this, refresh);
     connect(&workspace, &Workspace::activeToolChanged, this, refresh);
-    connect(&workspace, &Workspace::activeToolChanged, this, [this] {
-        const Tool* tool = m_workspace.activeTool();
-        const char* wanted = tool && m_panelsWanted ? panelOf(tool->iconName()) : nullptr;
-        for (const Panel* panel : findChildren<Panel*>()) {
-            if (wanted && panel->metaObject()->className() == QLatin1String(wanted))
-                m_panels->bringUp(*panel);
-        }
-    });
     connect(&workspace, &Workspace::volumeDisplayChanged, this, refresh);
     connect(&workspace, &Workspace::viewOptionsChanged, this, refresh);
     connect(&workspace, &Workspace::windowLevelChanged, this, refresh);
@@ -264,13 +256,26 @@ void MainWindow::addTool(Tool& tool, QMenu& menu, const QKeySequence& key)
         .icon = tool.iconName(),
         .run =
             [this, &tool] {
-                m_workspace.setActiveTool(m_workspace.activeTool() == &tool ? nullptr : &tool);
+                const bool taken = m_workspace.activeTool() != &tool;
+                m_workspace.setActiveTool(taken ? &tool : nullptr);
+                if (taken)
+                    bringUpPanelOf(tool);
             },
         .possible = [this] { return m_workspace.volume() != nullptr; },
         .checked = [this, &tool] { return m_workspace.activeTool() == &tool; }});
     m_tools->addTool(action, tool.name());
     menu.addAction(&action);
     m_actions.refresh();
+}
+
+/// A tool that comes back with a study leaves the panels as they were.
+void MainWindow::bringUpPanelOf(const Tool& tool)
+{
+    const char* wanted = m_panelsWanted ? panelOf(tool.iconName()) : nullptr;
+    for (const Panel* panel : findChildren<Panel*>()) {
+        if (wanted && panel->metaObject()->className() == QLatin1String(wanted))
+            m_panels->bringUp(*panel);
+    }
 }
 
 void MainWindow::addToolGroup()

@@ -92,6 +92,7 @@ private:
     void connectOpener();
     void showSession();
     void showPages();
+    void bringUpPanelOf(const Tool& tool);
 
     /// Forbids work on voxels in this thread: changes are only passed on.
     core::ThreadWithoutVoxels m_here;

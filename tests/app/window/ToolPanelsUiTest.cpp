@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/base/Actions.h"
+#include "ui/input/Tool.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QAction>
+#include <QTest>
+
+/// The panel of a tool opens when the user takes the tool, and only then.
+class ToolPanelsUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void aToolThatIsTakenOpensItsPanel_data()
+    {
+        QTest::addColumn<QString>("tool");
+        QTest::addColumn<QString>("panel");
+        QTest::newRow("clip") << "tool.clip"
+                              << "panel.ClippingPanel";
+        QTest::newRow("seed") << "tool.seed"
+                              << "panel.GrowthPanel";
+        QTest::newRow("refine") << "tool.refine"
+                                << "panel.RefinePanel";
+        QTest::newRow("chunks") << "tool.chunks"
+                                << "panel.ChunksPanel";
+    }
+    void aToolThatIsTakenOpensItsPanel()
+    {
+        QFETCH(QString, tool);
+        QFETCH(QString, panel);
+        test::ApplicationFixture fixture;
+        fixture.open(fixture.path("case/ct"));
+        ui::Actions& actions = fixture.window().actionTable();
+        if (actions[panel].isChecked())
+            actions[panel].trigger();
+        QVERIFY(!actions[panel].isChecked());
+
+        actions[tool].trigger();
+        QVERIFY(fixture.workspace().activeTool());
+        QVERIFY(actions[panel].isChecked());
+
+        // As a study that is opened again brings its tool back: a closed panel stays closed.
+        ui::Tool* taken = fixture.workspace().activeTool();
+        fixture.workspace().setActiveTool(nullptr);
+        actions[panel].trigger();
+        fixture.workspace().setActiveTool(taken);
+        QVERIFY(!actions[panel].isChecked());
+        fixture.workspace().setActiveTool(nullptr);
+    }
+};
+
+BURIN_WINDOW_TEST(ToolPanelsUiTest)
+#include "ToolPanelsUiTest.moc"
