@@ -30,6 +30,13 @@ private Q_SLOTS:
         }
         QVERIFY2(keys > 50, qPrintable(QString::number(keys)));
     }
+
+    /// Each press lifts another cut: a key that is held down lifts one.
+    void aHeldKeyLiftsOnce()
+    {
+        test::ApplicationFixture fixture;
+        QVERIFY(!fixture.window().actionTable()[QStringLiteral("pieces.lift")].autoRepeat());
+    }
 };
 
 BURIN_WINDOW_TEST(KeysUiTest)

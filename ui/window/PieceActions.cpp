@@ -6,6 +6,8 @@
 #include "ui/workspace/Pieces.h"
 #include "ui/workspace/Workspace.h"
 
+#include <QAction>
+
 namespace ui {
 
 void addPieceActions(MainWindow& window)
@@ -21,11 +23,13 @@ void addPieceActions(MainWindow& window)
     const auto liftable = [&workspace, layer] {
         return layer() && !workspace.session()->document().pieceOfLayer(layer()->id);
     };
-    actions.add({.id = QStringLiteral("pieces.lift"),
+    QAction& lift = actions.add({.id = QStringLiteral("pieces.lift"),
         .text = QStringLiteral("Lift last cut as a piece"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+L"))},
         .run = [&workspace] { workspace.pieces().liftLast(workspace.activeLayer()); },
         .possible = liftable});
+    // A key that is held would lift one cut after the other.
+    lift.setAutoRepeat(false);
     actions.add({.id = QStringLiteral("pieces.liftLayer"),
         .text = QStringLiteral("Lift whole layer as a piece"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+L"))},
