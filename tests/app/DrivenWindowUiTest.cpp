@@ -20,7 +20,9 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QFile>
+#include <QMenu>
 #include <QTest>
+#include <QTimer>
 #include <QWheelEvent>
 
 #include <map>
@@ -68,6 +70,9 @@ public:
         : m_fixture(fixture)
         , m_random(seed)
     {
+        // A menu waits for an answer in a loop of its own, so the answer must come from outside.
+        m_menus.callOnTimeout([this] { answerMenu(); });
+        m_menus.start(20);
     }
 
     /// @return what was done, for messages
@@ -107,6 +112,33 @@ private:
         return {double(between(2, view.width() - 3)), double(between(2, view.height() - 3))};
     }
 
+    /// What leaves the study or the program, or opens another application, is not tried.
+    static bool leaves(const QAction& action)
+    {
+        const QString& id = action.objectName();
+        return id.startsWith(QLatin1String("file.")) || id.startsWith(QLatin1String("help."))
+            || id == QLatin1String("view.fullScreen");
+    }
+    /// Takes one entry of the menu that is open, or none.
+    void answerMenu()
+    {
+        QWidget* popup = QApplication::activePopupWidget();
+        if (!popup)
+            return;
+        QAction* chosen = nullptr;
+        if (auto* menu = qobject_cast<QMenu*>(popup)) {
+            std::vector<QAction*> possible{nullptr};
+            for (QAction* each : menu->actions()) {
+                if (each->isEnabled() && !each->isSeparator() && !each->menu() && !leaves(*each))
+                    possible.push_back(each);
+            }
+            chosen = any(possible);
+        }
+        ++m_done[chosen ? QStringLiteral("entry") : QStringLiteral("unanswered")];
+        popup->close();
+        if (chosen)
+            chosen->trigger();
+    }
     QString takeTool()
     {
         std::vector<QAction*> tools;
@@ -138,16 +170,13 @@ private:
         pen.release(at, time += 8);
         return QStringLiteral("stroke ") + tool;
     }
-    /// Whatever menus offer, but for what leaves the study or the program.
+    /// Whatever menus offer.
     QString action()
     {
         std::vector<QAction*> possible;
         for (QAction* each : m_fixture.window().actionTable().all()) {
-            const QString& id = each->objectName();
-            const bool leaves = id.startsWith(QLatin1String("file."))
-                || id.startsWith(QLatin1String("help.")) || id.startsWith(QLatin1String("tool."))
-                || id == QLatin1String("view.fullScreen");
-            if (!leaves && each->isEnabled())
+            const bool isTool = each->objectName().startsWith(QLatin1String("tool."));
+            if (!leaves(*each) && !isTool && each->isEnabled())
                 possible.push_back(each);
         }
         QAction* chosen = any(possible);
@@ -221,6 +250,7 @@ private:
     std::mt19937 m_random;
     quint64 m_time = 0; ///< of pens, ms
     std::map<QString, int> m_done;
+    QTimer m_menus;
 };
 
 } // namespace

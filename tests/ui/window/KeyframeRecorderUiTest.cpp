@@ -36,11 +36,19 @@ public:
         if (!session)
             qFatal("no session");
         fixture.workspace.setSession(std::move(*session));
+        // What moves when a study opens asks once more for a picture, at full quality, when it
+        // rests.
+        if (!QTest::qWaitFor([this] { return !requested().interacting; }))
+            qFatal("the view does not come to rest");
         frame();
     }
 
     [[nodiscard]] EditSession& session() { return *fixture.workspace.session(); }
     [[nodiscard]] ui::ImageView& view() { return fixture.window.views().volume(); }
+    [[nodiscard]] const gpu::FrameRequest& requested()
+    {
+        return fixture.frames.lastRequest(view().viewId());
+    }
 
     void apply(const Edit& edit)
     {
@@ -52,7 +60,7 @@ public:
     {
         QCoreApplication::sendPostedEvents(); // layouts, and frames that the fixture made, go first
         gpu::Frame frame;
-        const gpu::FrameRequest& request = fixture.frames.lastRequest(view().viewId());
+        const gpu::FrameRequest& request = requested();
         frame.view = view().viewId();
         frame.sizePixels = request.sizePixels;
         frame.scene = request.scene;
