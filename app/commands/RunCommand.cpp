@@ -14,6 +14,7 @@
 #include "core/base/files/StagedFile.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
@@ -194,6 +195,10 @@ QStringList masksOf(const core::Recipe& recipe)
         const auto* mask = edit ? edit->as<core::ImportMask>() : nullptr;
         if (mask && !mask->segments)
             files += {mask->file, QFileInfo(recipe.path).dir().filePath(mask->file)};
+        const auto* division = edit ? edit->as<core::DivideSegment>() : nullptr;
+        if (division && division->probabilityFile)
+            files += {*division->probabilityFile,
+                QFileInfo(recipe.path).dir().filePath(*division->probabilityFile)};
     }
     return files;
 }

@@ -170,12 +170,35 @@ struct Likelihoods {
     }
 };
 
+/// What a probability map says of each voxel, seen from the voxel's own owner.
+std::vector<std::int16_t> mappedLikelihoods(const ChunkSource& source)
+{
+    std::vector<std::int16_t> likelihoods(source.owners.size());
+    const std::size_t slice = std::size_t(source.size.x) * std::size_t(source.size.y);
+    parallelFor(source.size.z, [&](int z) {
+        for (std::size_t voxel = std::size_t(z) * slice; voxel < std::size_t(z + 1) * slice;
+             ++voxel) {
+            const int likely = 2 * int(source.probabilities[voxel]) - most;
+            const Owner owner = source.owners[voxel];
+            likelihoods[voxel] = std::int16_t(owner == outside ? 0
+                    : owner == source.likely                   ? likely
+                                                               : -likely);
+        }
+    });
+    return likelihoods;
+}
+
 } // namespace
 
 Result<ChunkField> ChunkField::of(const ChunkSource& source, const Progress& progress)
 {
     ChunkField field;
     field.m_noise = noiseOf(source);
+    if (!source.probabilities.empty()) {
+        progress.report(QStringLiteral("Finding likely parts"), 0, 1);
+        field.m_likelihoods = mappedLikelihoods(source);
+        return field;
+    }
     std::vector<Owner> numbers;
     std::vector<OwnerCosts> owners = ownersOf(source, numbers);
     const BorderedBox box(source);

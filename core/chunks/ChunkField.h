@@ -22,6 +22,10 @@ struct ChunkSource {
     /// The segment's label; 0: no segment; `outside`: left out. A chunk never contains voxels of
     /// two owners.
     std::span<const std::uint8_t> owners;
+    /// How likely each voxel belongs to `likely`, 0 … 255, as a probability map says it
+    /// (ProbabilityMap.h). Empty: the likelihood is worked out from the codes.
+    std::span<const std::uint8_t> probabilities{};
+    std::uint8_t likely = 0; ///< the owner that the probabilities are of
 };
 
 /// How strongly each voxel is connected with its owner, by multi-object fuzzy connectedness (seed
@@ -37,12 +41,16 @@ struct ChunkSource {
 ///    owner's core.
 /// 4. The likelihood of a voxel is the least cost for any other owner minus that for its own owner:
 ///    from −most (it looks as if it belonged to another) to most.
+///
+/// With a probability map the likelihood comes from the map instead, on the same scale: 2 · p −
+/// most where the voxel has the owner that the map is of, and most − 2 · p elsewhere.
 class ChunkField {
 public:
     static constexpr int deviation = 64;
     static constexpr int most = 255;
 
-    /// Computes it, on all cores. Cost: one pass through the box for each owner. Errors: Cancelled.
+    /// Computes it, on all cores. Cost: one pass through the box for each owner; with a probability
+    /// map one pass. Errors: Cancelled.
     [[nodiscard]] static Result<ChunkField> of(const ChunkSource& source, const Progress& progress);
 
     /// By voxel of the box; 0 for those left out.

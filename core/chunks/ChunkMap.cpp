@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace core {
@@ -35,6 +36,27 @@ VoxelBox ChunkMap::withMargin(const VoxelBox& box, const VolumeGeometry& geometr
     const glm::ivec3 margin(glm::min(glm::ceil(glm::dvec3(marginMm) / geometry.spacingMm()), most));
     return {.minimum = glm::max(box.minimum - margin, glm::ivec3(0)),
         .maximum = glm::min(box.maximum + margin, geometry.size)};
+}
+
+double ChunkMap::suitableMarginMm(std::int64_t voxels, const VolumeGeometry& geometry)
+{
+    constexpr double leastMm = 10.0;
+    constexpr double mostMm = 60.0;
+    constexpr double stepMm = 5.0;
+    constexpr double mostVoxels = 24e6;
+    // Organs are no balls: the box around one is about so much larger than around a ball.
+    constexpr double boxOverBall = 1.5;
+    const glm::dvec3 spacing = geometry.spacingMm();
+    const double voxelMm3 = spacing.x * spacing.y * spacing.z;
+    const double diameterMm = std::cbrt(6.0 / std::numbers::pi * double(voxels) * voxelMm3);
+    double margin = std::clamp(diameterMm / 3.0, leastMm, mostMm);
+    margin = stepMm * std::round(margin / stepMm);
+    const auto boxVoxels = [&](double marginMm) {
+        return boxOverBall * std::pow(diameterMm + 2.0 * marginMm, 3.0) / voxelMm3;
+    };
+    while (margin > leastMm && boxVoxels(margin) > mostVoxels)
+        margin -= stepMm;
+    return margin;
 }
 
 ChunkMap::ChunkMap(const glm::ivec3& volumeSize, const VoxelBox& box, ChunkTree tree)

@@ -46,7 +46,9 @@ Result<ChunkTree> ChunkTree::of(const ChunkSource& source, const Progress& progr
 {
     const std::size_t voxels =
         std::size_t(source.size.x) * std::size_t(source.size.y) * std::size_t(source.size.z);
-    if (voxels == 0 || source.codes.size() != voxels || source.owners.size() != voxels)
+    const bool fits = source.codes.size() == voxels && source.owners.size() == voxels
+        && (source.probabilities.empty() || source.probabilities.size() == voxels);
+    if (voxels == 0 || !fits)
         return failure(ErrorCode::InvalidField, QStringLiteral("chunks"),
             QStringLiteral("a box of another size"));
     const Result<ChunkField> field = ChunkField::of(source, progress);

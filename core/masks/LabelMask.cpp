@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/chunks/ProbabilityMap.h"
 #include "core/masks/LabelGrid.h"
 #include "core/masks/MaskParts.h"
-#include "core/metaimage/MetaImageReader.h"
-#include "core/nifti/NiftiReader.h"
-#include "core/nrrd/NrrdReader.h"
+#include "core/masks/StoredGrid.h"
 
 #include <cmath>
 #include <set>
@@ -13,66 +12,6 @@ namespace core {
 namespace {
 
 constexpr int mostLabels = 255;
-
-/// Stored numbers, several a voxel perhaps, and what the header says of them.
-struct StoredLabels {
-    VolumeGeometry geometry;
-    std::vector<VolumeProblem> problems;
-    std::unique_ptr<char[]> owned;
-    std::vector<char> bytesOfNifti;
-    std::span<const char> bytes;
-    ScalarType type = ScalarType::UInt8;
-    double slope = 1.0;
-    double intercept = 0.0;
-    int layers = 1;
-    std::map<QByteArray, QByteArray> keyValues;
-};
-
-Result<StoredLabels> storedIn(GridFile grid, const Progress& progress)
-{
-    Result<VoxelBytes> bytes = readVoxels(grid.voxels, progress);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
-    StoredLabels stored{.geometry = std::move(grid.geometry), .problems = std::move(grid.problems)};
-    stored.type = grid.voxels.type;
-    stored.owned = std::move(bytes->data);
-    stored.bytes = {stored.owned.get(), bytes->size};
-    return stored;
-}
-
-Result<StoredLabels> readStored(const QString& path, const Progress& progress)
-{
-    if (isNiftiName(path)) {
-        const Result<SeriesEntry> entry = readNiftiEntry(path);
-        if (!entry)
-            return tl::unexpected(entry.error());
-        Result<NiftiNumbers> voxels = readNiftiNumbers(*entry);
-        if (!voxels)
-            return tl::unexpected(voxels.error());
-        StoredLabels stored{.geometry = entry->geometry, .problems = entry->problems};
-        stored.bytesOfNifti = std::move(voxels->bytes);
-        stored.bytes = stored.bytesOfNifti;
-        stored.type = voxels->type;
-        stored.slope = voxels->slope;
-        stored.intercept = voxels->intercept;
-        return stored;
-    }
-    if (isMetaImageName(path)) {
-        Result<GridFile> grid = readMetaImage(path);
-        if (!grid)
-            return tl::unexpected(grid.error());
-        return storedIn(*std::move(grid), progress);
-    }
-    Result<NrrdLayers> nrrd = readNrrdLayers(path);
-    if (!nrrd)
-        return tl::unexpected(nrrd.error());
-    Result<StoredLabels> stored = storedIn(std::move(nrrd->grid), progress);
-    if (stored) {
-        stored->layers = nrrd->layers;
-        stored->keyValues = std::move(nrrd->keyValues);
-    }
-    return stored;
-}
 
 /// What a header says of a segment.
 struct NamedSegment {
@@ -133,6 +72,16 @@ std::vector<NamedSegment> namedSegments(const std::map<QByteArray, QByteArray>& 
     }
 }
 
+/// Of shares of voxels or probabilities, what belongs to the mask: label 1.
+std::vector<std::uint16_t> halfTaken(const StoredGrid& stored, int layer)
+{
+    std::vector<std::uint16_t> labels(stored.voxels());
+    for (std::size_t voxel = 0; voxel < labels.size(); ++voxel)
+        labels[voxel] =
+            ProbabilityMap::byteOf(stored.value(voxel, layer)) >= ProbabilityMap::half ? 1 : 0;
+    return labels;
+}
+
 using LayersOnVolume = std::vector<LabelsOnVolume>;
 
 /// Segments in the order of the header, then labels that it does not name.
@@ -182,7 +131,7 @@ std::vector<MaskSegment> segmentsOf(
 Result<MaskOnVolume> readLabelMask(
     const QString& path, const Volume& volume, const Progress& progress)
 {
-    const Result<StoredLabels> stored = readStored(path, progress);
+    const Result<StoredGrid> stored = readStoredGrid(path, progress);
     if (!stored)
         return tl::unexpected(stored.error());
     MaskOnVolume mask;
@@ -190,6 +139,9 @@ Result<MaskOnVolume> readLabelMask(
         if (problem.caution)
             mask.notes.push_back({.code = MaskNote::Code::GridInDoubt, .names = {problem.text}});
     }
+    const bool shares = stored->holdsShares();
+    if (shares)
+        mask.notes.push_back({.code = MaskNote::Code::Fractional});
     LayersOnVolume layers;
     MaskFit fit{.oneToOne = true};
     std::size_t labels = 0;
@@ -197,8 +149,10 @@ Result<MaskOnVolume> readLabelMask(
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
         progress.report(QStringLiteral("Placing the mask"), layer, stored->layers);
-        Result<std::vector<std::uint16_t>> values = labelsFrom(stored->bytes, stored->type,
-            stored->slope, stored->intercept, stored->layers, layer, path);
+        Result<std::vector<std::uint16_t>> values = shares
+            ? halfTaken(*stored, layer)
+            : labelsFrom(stored->bytes, stored->type, stored->slope, stored->intercept,
+                stored->layers, layer, path);
         if (!values)
             return tl::unexpected(values.error());
         const std::set<std::uint16_t> present(values->begin(), values->end());

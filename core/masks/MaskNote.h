@@ -24,6 +24,7 @@ struct MaskNote {
         TwoFaced, ///< triangles of the segment `names`: inside is what an odd number surrounds
         Enclosed, ///< by the segment `names`; fileMl, hereMl: the voxels with their centres inside
         GridInDoubt, ///< `names`: VolumeProblem::text
+        MapOnAnotherGrid, ///< a probability map: its nearest voxel decides
     };
     Code code = Code::AnotherGrid;
     QStringList names{};

@@ -27,6 +27,15 @@ struct MaskFit {
 [[nodiscard]] Result<MaskOnVolume> readSegMask(
     const QString& path, const Volume& volume, const Progress& progress);
 
+/// A probability map on the volume's grid.
+struct ProbabilitiesOnVolume {
+    std::vector<std::uint8_t> probabilities; ///< ProbabilityMap, a byte a voxel
+    std::vector<MaskNote> notes;
+};
+/// Of one segment of a FRACTIONAL SEG: the only one, or of several the one of that name.
+[[nodiscard]] Result<ProbabilitiesOnVolume> readSegProbabilities(
+    const QString& path, const QString& segment, const Volume& volume, const Progress& progress);
+
 [[nodiscard]] Result<MaskOnVolume> readContourMask(
     const QString& path, const Volume& volume, const Progress& progress);
 [[nodiscard]] Result<MaskOnVolume> readSurfaceMask(

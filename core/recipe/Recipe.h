@@ -41,11 +41,11 @@ struct RecipeMaskNote {
     MaskNote note;
 };
 
-/// Reads the mask files that its steps import (importMask), so that the recorded edits contain
-/// their voxels. A file name without a folder is looked up in the current folder, then beside the
+/// Reads the mask files that its steps import (importMask) and the probability maps by which they
+/// divide (chunks), so that the recorded edits contain what the files hold. A file name without a folder is looked up in the current folder, then beside the
 /// recipe.
 /// @return what was resampled or left out
-/// Errors: those of readMask() (core/masks/MaskOnVolume.h).
+/// Errors: those of readMask() (core/masks/MaskOnVolume.h) and readProbabilities().
 [[nodiscard]] Result<std::vector<RecipeMaskNote>> readMasks(Recipe& recipe, const Volume& volume);
 
 /// Checks everything about a recipe that can be checked on this document (with its volume) before

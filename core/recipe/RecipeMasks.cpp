@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/masks/ReadImport.h"
+#include "core/masks/ReadProbabilities.h"
 #include "core/recipe/Recipe.h"
 
 #include <QDir>
@@ -8,19 +10,39 @@
 
 namespace core {
 
+namespace {
+
+/// A file that a recipe names: where it says, or else beside the recipe.
+QString found(const QString& name, const Recipe& recipe)
+{
+    const QFileInfo file(name);
+    const QString beside = QFileInfo(recipe.path).dir().filePath(name);
+    return file.isRelative() && !file.exists() && QFileInfo::exists(beside) ? beside : name;
+}
+
+} // namespace
+
 Result<std::vector<RecipeMaskNote>> readMasks(Recipe& recipe, const Volume& volume)
 {
     std::vector<RecipeMaskNote> notes;
     std::size_t segments = 0;
     for (RecipeStep& step : recipe.steps) {
         auto* edit = std::get_if<Edit>(&step);
+        auto* division = edit ? edit->as<DivideSegment>() : nullptr;
+        if (division && division->probabilityFile) {
+            const QString file = found(*division->probabilityFile, recipe);
+            division->probabilityFile = file;
+            Result<ReadProbabilities> read = readProbabilities(*division, {}, volume, {});
+            if (!read)
+                return tl::unexpected(read.error());
+            *division = std::move(read->edit);
+            for (const MaskNote& note : read->notes)
+                notes.push_back({.file = QFileInfo(file).fileName(), .note = note});
+        }
         auto* mask = edit ? edit->as<ImportMask>() : nullptr;
         if (!mask || mask->segments)
             continue;
-        const QFileInfo file(mask->file);
-        const QString beside = QFileInfo(recipe.path).dir().filePath(mask->file);
-        if (file.isRelative() && !file.exists() && QFileInfo::exists(beside))
-            mask->file = beside;
+        mask->file = found(mask->file, recipe);
         Result<ReadImport> read = readImport(*mask, volume, segments, {});
         if (!read)
             return tl::unexpected(read.error());

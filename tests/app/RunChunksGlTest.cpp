@@ -5,7 +5,9 @@
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/NrrdFiles.h"
 
+#include <QFile>
 #include <QJsonDocument>
 #include <QTest>
 
@@ -52,6 +54,36 @@ private Q_SLOTS:
         QVERIFY2(again.status == 0, qPrintable(again.complaint));
         QVERIFY(!lastHash("a.burin").isEmpty());
         QCOMPARE(lastHash("b.burin"), lastHash("a.burin"));
+    }
+
+    /// A recipe names the map's file; the row holds what was in it.
+    void aProbabilityMapIsReadWithTheRecipe()
+    {
+        const Volume volume = test::smallStudy().volume;
+        const std::vector<float> values(volume.geometry.voxelCount(), 0.25f);
+        const QByteArray map = test::nrrd::onGrid(volume.geometry, "float",
+            QByteArray(reinterpret_cast<const char*>(values.data()),
+                qsizetype(values.size() * sizeof(float))));
+        QFile file(path("map.nrrd"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(map) == map.size());
+        file.close();
+
+        DivideSegment division{.segment = 1, .marginMm = 6.0};
+        division.probabilityFile = key("map.nrrd");
+        const std::vector<Edit> edits{
+            test::addSegment("Head"), test::seedInBrain(1), test::growBrain(), division};
+        const QJsonObject wanted{{key("edits"), test::toJson(edits)}};
+        const Outcome made = run(recipe("make.json", wanted), "a.burin");
+        QVERIFY2(made.status == 0, qPrintable(made.complaint));
+        const QString name =
+            history("a.burin")[key("commands")].toArray()[3].toObject()[key("name")].toString();
+        QVERIFY2(name.contains(key("by a probability map")), qPrintable(name));
+        QVERIFY(QFile::remove(path("map.nrrd")));
+        const Outcome replayed = burin({key("replay"), path("a.burin"), key("--verify")});
+        QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
+        const Outcome refused = run(recipe("make.json", wanted), "b.burin");
+        QVERIFY(refused.status != 0);
+        QVERIFY2(refused.complaint.contains(key("map.nrrd")), qPrintable(refused.complaint));
     }
 
     void aClickWithoutADivisionIsRefused()

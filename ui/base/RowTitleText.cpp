@@ -391,6 +391,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Clear %1 region");
     case RowTitleCode::DivideAround:
         return tr("Divide around '%1' into chunks");
+    case RowTitleCode::DivideByMap:
+        return tr("Divide around '%1' into chunks by a probability map");
     case RowTitleCode::ToggleChunks:
         return tr("Toggle chunks of '%1'");
     case RowTitleCode::AddChunks:

@@ -2,12 +2,16 @@
 #include "ui/tasks/LiveComparison.h"
 
 #include "core/brick/LabelRuns.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/refine/mesh/SimplexMesh.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/SessionSurface.h"
 #include "ui/workspace/Refinement.h"
 
+#include <algorithm>
 #include <chrono>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace ui {
@@ -40,6 +44,56 @@ core::Result<LiveComparison::Outcome> LiveComparison::Job::compared(
         });
 }
 
+namespace {
+
+/// The voxels of one imported mask that became one segment, united.
+core::VoxelRuns allOf(const core::ImportMask& edit, std::uint64_t voxels)
+{
+    core::VoxelRuns all;
+    for (const core::ImportedSegment& segment : *edit.segments) {
+        if (const auto runs = core::unpackedRuns(segment.voxels, voxels))
+            all = core::united(all, *runs);
+    }
+    return all;
+}
+
+/// The segments of masks as they were imported, the newest mask first; a name that a newer one has
+/// stands for the newer one. What was taken into one segment (ImportMask::as) has its name in
+/// @p names.
+core::Result<core::MaskOnVolume> masksOf(const std::vector<core::ImportMask>& imports,
+    const std::map<int, QString>& names, std::uint64_t voxels)
+{
+    core::MaskOnVolume masks;
+    std::set<QString> newer;
+    for (auto edit = imports.rbegin(); edit != imports.rend(); ++edit) {
+        std::vector<core::MaskSegment> its;
+        if (edit->as) {
+            const auto named = names.find(edit->as->number.value_or(0));
+            its.push_back({.name = named == names.end() ? edit->as->name : named->second,
+                .rgb = {},
+                .code = {},
+                .voxels = allOf(*edit, voxels)});
+        } else {
+            for (const core::ImportedSegment& segment : *edit->segments)
+                its.push_back({.name = segment.name,
+                    .rgb = segment.rgb,
+                    .code = segment.code,
+                    .voxels =
+                        core::unpackedRuns(segment.voxels, voxels).value_or(core::VoxelRuns())});
+        }
+        std::set<QString> own;
+        for (core::MaskSegment& segment : its) {
+            own.insert(segment.name);
+            if (!newer.contains(segment.name) && !segment.voxels.empty())
+                masks.segments.push_back(std::move(segment));
+        }
+        newer.merge(own);
+    }
+    return masks;
+}
+
+} // namespace
+
 LiveComparison::LiveComparison(Workspace& workspace, QObject* parent)
     : QObject(parent)
     , m_workspace(workspace)
@@ -49,7 +103,13 @@ LiveComparison::LiveComparison(Workspace& workspace, QObject* parent)
     connect(&m_timer, &QTimer::timeout, this, &LiveComparison::look);
     connect(&workspace, &Workspace::sessionClosing, this, &LiveComparison::forget);
     connect(&workspace, &Workspace::sessionChanged, this, &LiveComparison::forget);
-    connect(&workspace, &Workspace::activeSegmentChanged, this, &LiveComparison::later);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
+        if (m_imported && m_masks) {
+            m_chosen = placeOfCompared();
+            m_outcome.reset();
+        }
+        later();
+    });
     connect(&workspace.refinement(), &Refinement::changed, this, &LiveComparison::later);
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
@@ -81,6 +141,7 @@ void LiveComparison::forget()
     m_masks.reset();
     m_chosen = -1;
     m_reading = false;
+    m_imported = false;
     m_outcome.reset();
     Q_EMIT changed();
 }
@@ -101,6 +162,56 @@ void LiveComparison::read(const QString& path)
     Q_EMIT changed();
 }
 
+std::vector<core::ImportMask> LiveComparison::imports() const
+{
+    std::vector<core::ImportMask> imports;
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return imports;
+    const core::History& history = session->history();
+    for (const core::RowId row : history.pathTo(history.position())) {
+        const auto* mask = history.row(row).edit.as<core::ImportMask>();
+        if (mask && mask->segments)
+            imports.push_back(*mask);
+    }
+    return imports;
+}
+
+bool LiveComparison::canTakeImported() const
+{
+    return !imports().empty();
+}
+
+void LiveComparison::takeImported()
+{
+    std::vector<core::ImportMask> edits = imports();
+    if (edits.empty() || m_reading)
+        return;
+    std::map<int, QString> names;
+    for (const core::Segment& segment : m_workspace.session()->document().segments)
+        names.emplace(segment.label, segment.name);
+    forget();
+    m_reading = true;
+    m_imported = true;
+    m_background.start(
+        this,
+        [edits = std::move(edits), names = std::move(names),
+            voxels = m_workspace.volume()->geometry.voxelCount()] {
+            return masksOf(edits, names, voxels);
+        },
+        [this](core::Result<core::MaskOnVolume>&& read) { takeMasks(std::move(read)); });
+    Q_EMIT changed();
+}
+
+/// The reference of the compared segment's name; −1 if there is none.
+int LiveComparison::placeOfCompared() const
+{
+    const core::Segment* segment = comparedSegment();
+    const auto named = std::find_if(m_masks->begin(), m_masks->end(),
+        [&](const core::MaskSegment& mask) { return segment && mask.name == segment->name; });
+    return named == m_masks->end() ? -1 : int(named - m_masks->begin());
+}
+
 void LiveComparison::takeMasks(core::Result<core::MaskOnVolume>&& read)
 {
     m_reading = false;
@@ -110,7 +221,9 @@ void LiveComparison::takeMasks(core::Result<core::MaskOnVolume>&& read)
         return Q_EMIT failed(read.error());
     }
     m_masks = std::make_shared<const std::vector<core::MaskSegment>>(std::move(read->segments));
-    choose(0);
+    m_chosen = m_imported ? placeOfCompared() : m_masks->empty() ? -1 : 0;
+    later();
+    Q_EMIT changed();
 }
 
 QStringList LiveComparison::references() const

@@ -14,6 +14,10 @@
 #include <optional>
 #include <vector>
 
+namespace core {
+struct ImportMask;
+}
+
 namespace ui {
 
 /// Compares the surface that is being refined, or else the active segment, with a segment of a
@@ -27,10 +31,18 @@ public:
 
     /// Reads a mask of any format on another thread; then its first segment is the reference.
     void read(const QString& path);
+    /// Takes the masks that the session has imported, as they came, for the reference: what has
+    /// been changed since? The segment of the compared one's name is chosen, whichever that
+    /// becomes.
+    void takeImported();
+    /// Whether there is such a mask among the steps that led to the present state.
+    [[nodiscard]] bool canTakeImported() const;
+    /// Whether the reference is what was imported.
+    [[nodiscard]] bool isImported() const { return m_imported; }
     [[nodiscard]] bool isReading() const { return m_reading; }
-    /// The reference file; empty if there is none.
+    /// The reference file; empty if there is none, or if it is what was imported.
     [[nodiscard]] const QString& path() const { return m_path; }
-    [[nodiscard]] QStringList references() const; ///< names of the segments in the reference file
+    [[nodiscard]] QStringList references() const; ///< names of the segments of the reference
     /// @param place index in references()
     void choose(int place);
     [[nodiscard]] int chosen() const { return m_chosen; } ///< −1: none
@@ -61,12 +73,15 @@ private:
     void compare();
     void takeMasks(core::Result<core::MaskOnVolume>&& read);
     [[nodiscard]] const core::Segment* comparedSegment() const;
+    [[nodiscard]] std::vector<core::ImportMask> imports() const;
+    [[nodiscard]] int placeOfCompared() const;
 
     Workspace& m_workspace;
     QString m_path;
     Masks m_masks;
     int m_chosen = -1;
     bool m_reading = false;
+    bool m_imported = false;
     std::optional<Outcome> m_outcome;
     QTimer m_timer; ///< delay after the last change
     LabelFetch m_fetch;

@@ -57,6 +57,9 @@ QString maskNoteText(const core::MaskNote& note)
     case Code::Fractional:
         return MaskTexts::tr("The mask says how much of each voxel belongs to a segment; voxels "
                              "with one half or more are taken.");
+    case Code::MapOnAnotherGrid:
+        return MaskTexts::tr("The probability map has another grid than the study; each voxel "
+                             "takes the nearest one's probability.");
     case Code::BetweenSlices:
         return MaskTexts::tr("Its contours lie between the study's slices: each slice has what the "
                              "nearest contours, at most %1 mm away, surround.")

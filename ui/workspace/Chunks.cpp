@@ -2,8 +2,12 @@
 #include "ui/workspace/Chunks.h"
 
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/masks/ReadProbabilities.h"
 #include "core/session/SessionChunks.h"
+#include "ui/texts/MaskTexts.h"
 #include "ui/workspace/Workspace.h"
+
+#include <QFileInfo>
 
 #include <algorithm>
 #include <array>
@@ -49,6 +53,7 @@ Chunks::Chunks(Workspace& workspace)
 {
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_background.cancel();
+        m_reading.cancel();
         m_wanted.reset();
         m_leaves.reset();
         m_members.begin(nullptr, 0);
@@ -289,7 +294,7 @@ void Chunks::colour()
         Q_EMIT pictureChanged();
 }
 
-void Chunks::divide(double marginMm)
+void Chunks::divide(double marginMm, const QString& probabilityFile)
 {
     core::EditSession* session = m_workspace.session();
     const core::Segment* segment =
@@ -300,12 +305,40 @@ void Chunks::divide(double marginMm)
         return m_workspace.say(
             tr("%1 has no voxels yet: grow, paint or import it, then divide what lies around it")
                 .arg(segment->name));
+    const core::DivideSegment division{.segment = segment->label, .marginMm = marginMm};
+    if (probabilityFile.isEmpty())
+        return apply(division);
+    core::DivideSegment asked = division;
+    asked.probabilityFile = probabilityFile;
+    m_workspace.say(tr("%1 is being read …").arg(QFileInfo(probabilityFile).fileName()));
+    m_reading.replace(
+        this,
+        [asked, name = segment->name, volume = *m_workspace.volume()](
+            const core::Progress& progress) {
+            return core::readProbabilities(asked, name, volume, progress);
+        },
+        [this](const core::Result<core::ReadProbabilities>& read) {
+            Q_EMIT changed(); // nothing is being read any more
+            if (!read)
+                return m_workspace.fail(read.error());
+            apply(read->edit);
+            QStringList notes;
+            for (const core::MaskNote& note : read->notes)
+                notes += maskNoteText(note);
+            if (!notes.isEmpty())
+                m_workspace.say(notes.join(u' '));
+        });
+    Q_EMIT changed();
+}
+
+void Chunks::apply(const core::DivideSegment& division)
+{
+    core::EditSession* session = m_workspace.session();
     m_dividedAfter = core::RowId(session->history().rows().size());
-    if (const auto applied =
-            session->apply(core::DivideSegment{.segment = segment->label, .marginMm = marginMm});
-        !applied)
+    if (const auto applied = session->apply(division); !applied)
         return m_workspace.fail(applied.error());
-    m_workspace.say(tr("%1 and what lies around it is being divided …").arg(segment->name));
+    if (const core::Segment* segment = session->document().segment(division.segment))
+        m_workspace.say(tr("%1 and what lies around it is being divided …").arg(segment->name));
     Look look = m_look;
     look.shown = true;
     setLook(look);

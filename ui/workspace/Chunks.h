@@ -17,8 +17,9 @@
 #include <vector>
 
 namespace core {
+struct DivideSegment;
 class SessionChunks;
-}
+} // namespace core
 
 namespace ui {
 
@@ -83,7 +84,11 @@ public:
     [[nodiscard]] std::shared_ptr<const gpu::SceneChunks> bodies() const { return m_bodies; }
 
     /// Divides the active segment and its surroundings, as far as @p marginMm.
-    void divide(double marginMm);
+    /// @param probabilityFile a probability map of the segment, which is read beside the window;
+    /// empty: the image alone decides
+    void divide(double marginMm, const QString& probabilityFile = {});
+    /// Whether a probability map is being read.
+    [[nodiscard]] bool isReading() const { return m_reading.busy(); }
     /// Cancels the computation and undoes the division.
     void abort();
 
@@ -93,6 +98,7 @@ Q_SIGNALS:
     void pictureChanged(); ///< areas() or bodies()
 
 private:
+    void apply(const core::DivideSegment& division);
     void follow();
     void takeBack();
     /// The chunks of the session; null if there is no session.
@@ -120,7 +126,8 @@ private:
     std::vector<Chunk> m_lit;
     std::shared_ptr<const gpu::SceneChunks> m_areas;
     std::shared_ptr<const gpu::SceneChunks> m_bodies;
-    core::Background m_background; ///< last: it uses all of the above
+    core::Background m_background; ///< these last: they use all of the above
+    core::Background m_reading;
 };
 
 } // namespace ui

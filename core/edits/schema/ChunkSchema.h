@@ -4,6 +4,7 @@
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/schema/EditChunks.h"
+#include "core/edits/schema/EditMasks.h"
 #include "core/edits/schema/SchemaParts.h"
 
 namespace core::editSchema {
@@ -23,6 +24,14 @@ template <class Visitor> void visitFields(Visitor& visit, DivideSegment& edit)
     visit.maybe("owners", edit.owners, editFields::ChunkOwnerList{},
         "the labels there were in the box, on the volume's grid: voxels are packed runs",
         "those that there are when it is carried out");
+    visit.maybe("probabilities", edit.probabilities, editFields::PackedBytes{},
+        "a probability map of the segment, packed: a byte a voxel of the volume", "none");
+    visit.maybe("probabilityFile", edit.probabilityFile, editFields::FileName{},
+        "the file of a probability map of the segment, which also decides what is likely: numbers "
+        "from 0 to 1, or bytes, in NIfTI, NRRD or MetaImage, or a DICOM SEG of type FRACTIONAL "
+        "with one segment; it "
+        "is read when the recipe is",
+        "the image alone decides");
 }
 
 template <> inline constexpr const char* editName<ChunkToggle> = "chunkToggle";

@@ -53,6 +53,21 @@ QString ChunkOwnerList::check(const Value& value) const
     return {};
 }
 
+QJsonValue PackedBytes::write(const Value& value) const
+{
+    return inBase64(value);
+}
+
+QString PackedBytes::read(const QJsonValue& json, Value& value) const
+{
+    return fromBase64(json, value) ? QString() : QStringLiteral("must be bytes in base 64");
+}
+
+QString PackedBytes::check(const Value& value) const
+{
+    return value.isEmpty() ? QStringLiteral("must not be empty") : QString();
+}
+
 QJsonValue BrickList::write(const Value& value) const
 {
     return writeEach(value, [](std::int64_t brick) { return QJsonValue(qint64(brick)); });

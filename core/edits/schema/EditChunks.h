@@ -23,6 +23,18 @@ struct ChunkOwnerList {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
+/// Bytes in base 64; not empty.
+struct PackedBytes {
+    using Value = QByteArray;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("text"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
 /// [brick, …]: numbers of bricks of the volume, from 0, ascending; may be empty.
 struct BrickList {
     using Value = std::vector<std::int64_t>;

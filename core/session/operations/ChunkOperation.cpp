@@ -44,8 +44,10 @@ void DivideOperation::readNext(SessionState& state)
     state.side->post(
         [this, edit = m_edit, geometry = state.document.volumes.front().geometry,
             reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
-            auto owners = std::make_shared<Result<std::vector<ChunkOwner>>>(
-                chunkOwners(edit, geometry, reader->takeLabels()));
+            const Result<std::vector<std::uint8_t>> map = probabilitiesOf(edit, geometry);
+            auto owners = std::make_shared<Result<std::vector<ChunkOwner>>>(map
+                    ? chunkOwners(edit, geometry, reader->takeLabels())
+                    : tl::unexpected(map.error()));
             return SideThread::Sequel(
                 [this, owners](SessionState& known) { takeOwners(known, std::move(*owners)); });
         },
@@ -159,9 +161,10 @@ void ToggleChunks::takeResult(SessionState& state, EngineResult&& result)
         return result.error ? giveUp(state, *result.error)
                             : relabel(state, std::move(result.changes));
     }
-    if (m_begun && result.ticket == *m_begun) // it never opened, and its end tells so again
+    if (m_begun && result.ticket == *m_begun) { // it never opened, and its end tells so again
+        m_failed = true;
         state.fail(*result.error);
-    else if (m_ended && result.ticket == *m_ended)
+    } else if (m_ended && result.ticket == *m_ended)
         finish(state, std::move(result));
 }
 
@@ -169,6 +172,8 @@ void ToggleChunks::finish(SessionState& state, EngineResult&& result)
 {
     if (result.error) {
         m_done = true;
+        if (!m_failed)
+            state.fail(*result.error);
         return;
     }
     if (result.changes.empty())

@@ -64,6 +64,7 @@ private:
     std::optional<Ticket> m_asked; ///< for what their bricks hold
     std::optional<Ticket> m_begun;
     std::optional<Ticket> m_ended;
+    bool m_failed = false; ///< which has been told
     bool m_done = false;
 };
 

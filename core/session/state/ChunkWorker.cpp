@@ -22,6 +22,9 @@ constexpr std::array stepEnds{fetched, 35, 65, 100};
 
 tl::unexpected<Error> tooLarge(const VoxelBox& box)
 {
+    if (box.empty()) // it is not even known
+        return failure(ErrorCode::OutOfMemory,
+            QStringLiteral("what belongs to whom around the segment cannot be unpacked here"));
     const glm::ivec3 size = box.maximum - box.minimum;
     return failure(ErrorCode::OutOfMemory,
         QStringLiteral("%1 million voxels are too many to be divided into chunks here; a smaller "
@@ -31,7 +34,8 @@ tl::unexpected<Error> tooLarge(const VoxelBox& box)
 
 } // namespace
 
-/// From the questions to the answer; the thread's from the last answered question on.
+/// From the edit to the answer; the thread's until it is prepared, and from the last answered
+/// question on.
 struct ChunkWorker::Job {
     Job()
         : progress([this](const QString& name, int done, int total) { note(name, done, total); })
@@ -48,13 +52,14 @@ struct ChunkWorker::Job {
         stage.percent = from + int(std::int64_t(stepEnds[step] - from) * done / std::max(1, total));
     }
 
-    OwnedBox owned;
+    OwnedBox owned; ///< the thread's until it is prepared
     std::vector<std::uint16_t> codes;
     std::size_t asked = 0;
     std::size_t questions = 0; ///< that are not answered
     Progress progress;
     std::mutex mutex;
-    std::optional<Result<Map>> outcome; ///< under mutex, like the rest
+    bool prepared = false; ///< under mutex, like the rest: the codes can be asked for
+    std::optional<Result<Map>> outcome;
     ChunkStage stage;
     std::size_t step = 0; ///< of stepEnds
 };
@@ -89,29 +94,31 @@ void ChunkWorker::want(RowId row, const DivideSegment& edit)
         return;
     drop();
     m_row = row;
-    if (const Result<void> begun = begin(edit); !begun) {
-        fail(begun.error());
-        m_news = true;
-        if (m_wakeUp) // no engine and no thread will
-            m_wakeUp();
-    }
+    m_job = std::make_shared<Job>();
+    m_thread.post([this, job = m_job, edit] { prepare(*job, edit); },
+        [this, job = m_job](const Error& error) { setOutcome(*job, tl::unexpected(error)); });
 }
 
-Result<void> ChunkWorker::begin(const DivideSegment& edit)
+/// On the worker's thread: what the edit holds is unpacked, of millions of voxels perhaps.
+void ChunkWorker::prepare(Job& job, const DivideSegment& edit) const
 {
-    auto job = std::make_shared<Job>();
+    if (job.progress.cancelled())
+        return; // nobody wants it any more
     try {
         Result<OwnedBox> owned = ownedBox(edit, m_geometry);
         if (!owned)
-            return tl::unexpected(owned.error());
-        job->owned = *std::move(owned);
-        job->codes.reserve(job->owned.owners.size());
+            return setOutcome(job, tl::unexpected(owned.error()));
+        job.owned = *std::move(owned);
+        job.codes.reserve(job.owned.owners.size());
     } catch (const std::bad_alloc&) {
-        return tooLarge(job->owned.box);
+        return setOutcome(job, tooLarge(job.owned.box));
     }
-    m_job = std::move(job);
-    ask(m_job);
-    return {};
+    {
+        const std::lock_guard lock(job.mutex);
+        job.prepared = true;
+    }
+    if (m_wakeUp && !job.progress.cancelled())
+        m_wakeUp();
 }
 
 void ChunkWorker::ask(const std::shared_ptr<Job>& job)
@@ -157,7 +164,7 @@ void ChunkWorker::workOut(Job& job)
     setOutcome(job, mapOf(job));
 }
 
-void ChunkWorker::setOutcome(Job& job, Result<Map> outcome)
+void ChunkWorker::setOutcome(Job& job, Result<Map> outcome) const
 {
     {
         const std::lock_guard lock(job.mutex);
@@ -171,8 +178,11 @@ Result<ChunkWorker::Map> ChunkWorker::mapOf(Job& job) const
 {
     const VoxelBox& box = job.owned.box;
     try {
-        Result<ChunkTree> tree = ChunkTree::of(
-            {.size = box.maximum - box.minimum, .codes = job.codes, .owners = job.owned.owners},
+        Result<ChunkTree> tree = ChunkTree::of({.size = box.maximum - box.minimum,
+                                                   .codes = job.codes,
+                                                   .owners = job.owned.owners,
+                                                   .probabilities = job.owned.probabilities,
+                                                   .likely = job.owned.segment},
             job.progress);
         if (!tree)
             return tl::unexpected(tree.error());
@@ -187,9 +197,19 @@ bool ChunkWorker::collect()
     if (!m_job)
         return std::exchange(m_news, false);
     std::optional<Result<Map>> outcome;
+    bool prepared = false;
     {
         const std::lock_guard lock(m_job->mutex);
         outcome = std::exchange(m_job->outcome, std::nullopt);
+        prepared = std::exchange(m_job->prepared, false);
+    }
+    if (prepared) {
+        try {
+            ask(m_job);
+        } catch (const std::bad_alloc&) {
+            fail(tooLarge(m_job->owned.box).value());
+            return true;
+        }
     }
     if (!outcome)
         return false;

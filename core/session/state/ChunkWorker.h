@@ -59,10 +59,10 @@ public:
 private:
     struct Job;
 
-    [[nodiscard]] Result<void> begin(const DivideSegment& edit);
+    void prepare(Job& job, const DivideSegment& edit) const;
     void ask(const std::shared_ptr<Job>& job);
     void workOut(Job& job);
-    void setOutcome(Job& job, Result<Map> outcome);
+    void setOutcome(Job& job, Result<Map> outcome) const;
     [[nodiscard]] Result<Map> mapOf(Job& job) const;
     void fail(const Error& error);
     void drop();

@@ -72,7 +72,8 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
     , m_kind{.connectivity = burst.connectivity,
           .limits = burst.limits,
           .overwritten = m_mayTake || fields.anyOverwritten(burst.plane)}
-    , m_rings(&programs.rings(m_kind))
+    , m_growing(programs.rings(m_kind))
+    , m_rings(m_growing.get())
     , m_criterion(burst, sumsFor(programs, fields, burst))
     , m_state({.label = "growth state", .bytes = sizeof(State)})
     , m_openGeneration(burst.generation)
@@ -244,7 +245,8 @@ void GrowthKernel::chooseForm(const std::vector<std::uint32_t>& bricks)
     const bool wide = !m_guard && m_onlyLabel && FrontBits::isFor(m_burst.limits)
         && m_frontBits.pays(m_frontCount, bricks.size());
     if (wide && !m_frontBits.holdsFront()) {
-        FrontBitsPrograms& programs = m_programs.frontBits(m_kind);
+        m_bitPrograms = m_programs.frontBits(m_kind);
+        FrontBitsPrograms& programs = *m_bitPrograms;
         for (Program* each :
             {&programs.open, &programs.fill, &programs.reach, &programs.ring, &programs.end})
             setUniforms(*each);
@@ -371,7 +373,7 @@ int GrowthKernel::advanceBatch(int rings)
         state.counts[0] = m_frontCount;
         start(state);
         if (m_frontBits.holdsFront())
-            m_frontBits.advance(m_programs.frontBits(m_kind), m_fields.seedWords(m_burst.plane),
+            m_frontBits.advance(*m_bitPrograms, m_fields.seedWords(m_burst.plane),
                 m_fields.grid().bricks(), m_generation, wanted, reachable);
         else
             runRings(wanted);

@@ -9,9 +9,10 @@
 #include "gpu/kernels/fronts/FrontBits.h"
 #include "gpu/kernels/passage/PassageField.h"
 #include "gpu/kernels/shrink/ShrinkKernel.h"
+#include "gpu/shaders/RecentPrograms.h"
 
 #include <array>
-#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -45,8 +46,8 @@ struct GrowthPrograms {
         Program ring;
         Program severalRings;
     };
-    /// Compiled when first needed, except for a growth with 6 neighbours and without limits.
-    [[nodiscard]] Rings& rings(const GrowthKind& kind);
+    /// Compiled when needed (RecentPrograms), like the following.
+    [[nodiscard]] std::shared_ptr<Rings> rings(const GrowthKind& kind);
 
     /// The additional kernels for narrowing a growth.
     struct Narrowing {
@@ -56,11 +57,9 @@ struct GrowthPrograms {
         Rings back;
         Program sweep;
     };
-    /// Compiled when first needed.
-    [[nodiscard]] Narrowing& narrowing(const GrowthKind& kind);
+    [[nodiscard]] std::shared_ptr<Narrowing> narrowing(const GrowthKind& kind);
 
-    /// Compiled when first needed.
-    [[nodiscard]] FrontBitsPrograms& frontBits(const GrowthKind& kind);
+    [[nodiscard]] std::shared_ptr<FrontBitsPrograms> frontBits(const GrowthKind& kind);
 
     Program placeSeeds;
     SeedStatisticsPrograms seedStatistics;
@@ -71,9 +70,9 @@ private:
     const ShaderLibrary& m_shaders;
     using Kind = std::array<unsigned, 3>; ///< neighbours, kindOf(limits), overwritten
     [[nodiscard]] static Kind keyOf(const GrowthKind& kind);
-    std::map<Kind, Rings> m_rings;
-    std::map<Kind, Narrowing> m_narrowings;
-    std::map<Kind, FrontBitsPrograms> m_frontBits;
+    RecentPrograms<Kind, Rings> m_rings;
+    RecentPrograms<Kind, Narrowing> m_narrowings;
+    RecentPrograms<Kind, FrontBitsPrograms> m_frontBits;
 };
 
 /// Writes pending seeds into the seed words, after capturing their bricks. Returns the bricks that
@@ -172,7 +171,9 @@ private:
     /// Whether it may take voxels from other labels, and gives them back when it shrinks.
     bool m_mayTake;
     GrowthKind m_kind;
-    GrowthPrograms::Rings* m_rings;
+    std::shared_ptr<GrowthPrograms::Rings> m_growing;
+    GrowthPrograms::Rings* m_rings; ///< m_growing, or what floods back
+    std::shared_ptr<FrontBitsPrograms> m_bitPrograms; ///< of the front that is held as bits
     GrowCriterion m_criterion;
     std::optional<PassageField> m_passage; ///< none without a passage width
     Buffer m_state;

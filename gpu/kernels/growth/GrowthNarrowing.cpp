@@ -10,7 +10,8 @@ namespace gpu {
 
 void GrowthKernel::narrow(const std::vector<std::uint32_t>& held)
 {
-    GrowthPrograms::Narrowing& narrowing = m_programs.narrowing(m_kind);
+    const std::shared_ptr<GrowthPrograms::Narrowing> programs = m_programs.narrowing(m_kind);
+    GrowthPrograms::Narrowing& narrowing = *programs;
     for (Program* each : {&narrowing.doubt, &narrowing.back.front, &narrowing.back.ring,
              &narrowing.back.severalRings, &narrowing.sweep})
         setUniforms(*each);

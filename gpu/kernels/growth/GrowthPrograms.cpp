@@ -63,30 +63,23 @@ GrowthPrograms::Kind GrowthPrograms::keyOf(const GrowthKind& kind)
     return {unsigned(kind.connectivity), kindOf(kind.limits), kind.overwritten ? 1u : 0u};
 }
 
-GrowthPrograms::Rings& GrowthPrograms::rings(const GrowthKind& kind)
+std::shared_ptr<GrowthPrograms::Rings> GrowthPrograms::rings(const GrowthKind& kind)
 {
-    const auto known = m_rings.find(keyOf(kind));
-    if (known != m_rings.end())
-        return known->second;
-    return m_rings.try_emplace(keyOf(kind), m_shaders, kind, false).first->second;
+    return m_rings.of(keyOf(kind), [&] { return std::make_shared<Rings>(m_shaders, kind, false); });
 }
 
-GrowthPrograms::Narrowing& GrowthPrograms::narrowing(const GrowthKind& kind)
+std::shared_ptr<GrowthPrograms::Narrowing> GrowthPrograms::narrowing(const GrowthKind& kind)
 {
-    const auto known = m_narrowings.find(keyOf(kind));
-    if (known != m_narrowings.end())
-        return known->second;
-    return m_narrowings.try_emplace(keyOf(kind), m_shaders, kind).first->second;
+    return m_narrowings.of(
+        keyOf(kind), [&] { return std::make_shared<Narrowing>(m_shaders, kind); });
 }
 
-FrontBitsPrograms& GrowthPrograms::frontBits(const GrowthKind& kind)
+std::shared_ptr<FrontBitsPrograms> GrowthPrograms::frontBits(const GrowthKind& kind)
 {
-    const auto known = m_frontBits.find(keyOf(kind));
-    if (known != m_frontBits.end())
-        return known->second;
-    return m_frontBits
-        .try_emplace(keyOf(kind), m_shaders, kind.connectivity, kind.limits, kind.overwritten)
-        .first->second;
+    return m_frontBits.of(keyOf(kind), [&] {
+        return std::make_shared<FrontBitsPrograms>(
+            m_shaders, kind.connectivity, kind.limits, kind.overwritten);
+    });
 }
 
 } // namespace gpu

@@ -62,6 +62,24 @@ class ChunkMapTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    /// A liver in CT, a kidney, a cyst, and a liver in voxels so fine that the box would be huge.
+    void theMarginSuitsTheSegment()
+    {
+        core::VolumeGeometry geometry;
+        geometry.size = {512, 512, 300};
+        const auto marginFor = [&](double millilitres, const glm::dvec3& spacingMm) {
+            for (int axis = 0; axis < 3; ++axis)
+                geometry.indexToWorld[axis][axis] = spacingMm[axis];
+            const double voxelMl = spacingMm.x * spacingMm.y * spacingMm.z / 1000.0;
+            return core::ChunkMap::suitableMarginMm(std::int64_t(millilitres / voxelMl), geometry);
+        };
+        QCOMPARE(marginFor(1500.0, {0.8, 0.8, 1.5}), 45.0);
+        QCOMPARE(marginFor(160.0, {0.8, 0.8, 1.5}), 20.0);
+        QCOMPARE(marginFor(1.0, {0.8, 0.8, 1.5}), 10.0);
+        QCOMPARE(marginFor(1500.0, {0.4, 0.4, 0.4}), 10.0);
+        QCOMPARE(marginFor(9000.0, {2.0, 2.0, 3.0}), 60.0);
+    }
+
     void theBoxAroundASegment()
     {
         const TwoBlocks blocks;

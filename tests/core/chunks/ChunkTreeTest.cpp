@@ -292,12 +292,61 @@ private Q_SLOTS:
         }
     }
 
+    /// Where the image shows nothing, a probability map alone tells parts from each other.
+    void aMapTellsWhatTheImageDoesNot()
+    {
+        const glm::ivec3 size(40, 20, 20);
+        Noise noise(11);
+        const auto isSegment = [](const glm::dvec3& at) { return at.x < 22; };
+        Box box(
+            size, [&](const glm::dvec3& at) { return std::uint8_t(isSegment(at) ? 3 : 0); },
+            [&](const glm::dvec3&) { return 1000 + noise(20); });
+        // The segment's last columns are a leak that the map doubts; beyond lies what it misses.
+        std::vector<std::uint8_t> map;
+        for (std::size_t voxel = 0; voxel < box.codes.size(); ++voxel) {
+            const auto x = int(voxel % 40);
+            map.push_back(std::uint8_t(x < 16 ? 250 : x < 22 ? 140 : x < 30 ? 100 : 5));
+        }
+        ChunkSource source = box.source();
+        const auto partsOf = [&](const ChunkTree& tree) {
+            std::set<ChunkTree::Chunk> chunks;
+            for (const int x : {5, 19, 26, 36})
+                chunks.insert(*tree.chunkAt(box.at(x, 10, 10), 4));
+            return chunks.size();
+        };
+        const auto plain = ChunkTree::of(source, {});
+        QVERIFY(plain);
+        QVERIFY(plain->voxels(*plain->chunkAt(box.at(19, 10, 10), 4)).size()
+            != std::size_t(6 * 20 * 20));
+        source.probabilities = map;
+        source.likely = 3;
+        const auto mapped = ChunkTree::of(source, {});
+        QVERIFY(mapped);
+        QCOMPARE(partsOf(*mapped), std::size_t(4));
+        const auto likelihoodAt = [&](int x) {
+            return mapped->likelihood(*mapped->chunkAt(box.at(x, 10, 10), 4));
+        };
+        QCOMPARE(likelihoodAt(5), 2 * 250 - 255);
+        QCOMPARE(likelihoodAt(19), 2 * 140 - 255);
+        QCOMPARE(likelihoodAt(26), 255 - 2 * 100);
+        QCOMPARE(likelihoodAt(36), 255 - 2 * 5);
+        // To the voxel: the map's steps are the chunks' borders.
+        QCOMPARE(mapped->voxels(*mapped->chunkAt(box.at(19, 10, 10), 4)).size(),
+            std::size_t(6 * 20 * 20));
+    }
+
     void refusesAnotherSize()
     {
         const std::vector<std::uint16_t> codes(7);
         const std::vector<std::uint8_t> owners(8);
         QVERIFY(!ChunkTree::of({.size = {2, 2, 2}, .codes = codes, .owners = owners}, {}));
         QVERIFY(!ChunkTree::of({.size = {0, 0, 0}, .codes = {}, .owners = {}}, {}));
+        const std::vector<std::uint16_t> eight(8);
+        QVERIFY(!ChunkTree::of({.size = {2, 2, 2},
+                                   .codes = eight,
+                                   .owners = owners,
+                                   .probabilities = std::span(owners).first(7)},
+            {}));
     }
 };
 

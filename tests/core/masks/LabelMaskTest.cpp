@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/chunks/ProbabilityMap.h"
 #include "core/export/common/ExportMask.h"
 #include "core/masks/MaskOnVolume.h"
+#include "core/masks/ReadProbabilities.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/NrrdFiles.h"
 #include "tests/support/series/SmallSeries.h"
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 namespace {
@@ -353,7 +356,87 @@ private Q_SLOTS:
             QVERIFY(!core::readMask(path, volume, {}));
     }
 
+    /// What a network says of a structure: floats from 0 to 1.
+    void sharesAreTakenFromOneHalf()
+    {
+        const glm::ivec3 size(5, 4, 3);
+        const core::Volume volume = volumeOf(size, obliqueAffine());
+        Random random(9);
+        std::vector<float> shares(60);
+        Labels expected;
+        for (float& share : shares) {
+            share = float(random() % 1001) / 1000.0f;
+            expected.push_back(share >= 0.5f ? 1 : 0);
+        }
+        const auto mask = read(floats(size, obliqueAffine(), shares), volume);
+        QVERIFY(mask);
+        QCOMPARE(numbersOf(*mask, volume), expected);
+        QCOMPARE(mask->notes, (Notes{{.code = MaskNote::Code::Fractional}}));
+        shares[7] = 1.5f; // neither a share nor a label
+        QVERIFY(!read(floats(size, obliqueAffine(), shares), volume));
+    }
+
+    void probabilityMapsAreReadByTheVoxel()
+    {
+        const glm::ivec3 size(5, 4, 3);
+        const core::Volume volume = volumeOf(size, obliqueAffine());
+        Random random(10);
+        std::vector<float> shares(60);
+        for (float& share : shares)
+            share = float(random() % 256) / 255.0f;
+        const auto bytesOf = [&](const core::Volume& study) {
+            const core::DivideSegment asked{.segment = 1,
+                .probabilityFile =
+                    put(QStringLiteral("map.nrrd"), floats(size, obliqueAffine(), shares))};
+            const auto read = core::readProbabilities(asked, {}, study, {});
+            if (!read)
+                qFatal("%s", qPrintable(read.error().arguments.join(QStringLiteral(" | "))));
+            if (read->edit.probabilityFile || !read->edit.probabilities)
+                qFatal("the edit is not complete");
+            return std::pair(*core::ProbabilityMap::unpacked(
+                                 *read->edit.probabilities, study.geometry.voxelCount()),
+                read->notes);
+        };
+        const auto [same, without] = bytesOf(volume);
+        for (std::size_t voxel = 0; voxel < shares.size(); ++voxel)
+            QCOMPARE(int(same[voxel]), int(std::lround(shares[voxel] * 255.0f)));
+        QCOMPARE(without, Notes{});
+
+        // Another grid: two columns further, and one beyond the map's end.
+        glm::dmat4 shifted = obliqueAffine();
+        shifted[3] += 2.25 * shifted[0];
+        const auto [moved, notes] = bytesOf(volumeOf({4, 4, 3}, shifted));
+        for (int x = 0; x < 4; ++x) {
+            const int expected = x + 2 < 5 ? int(same[placeOf(size, {x + 2, 1, 1})]) : 0;
+            QCOMPARE(int(moved[placeOf({4, 4, 3}, {x, 1, 1})]), expected);
+        }
+        QCOMPARE(notes, (Notes{{.code = MaskNote::Code::MapOnAnotherGrid}}));
+
+        const auto why = [&](const QByteArray& file) {
+            const core::DivideSegment asked{
+                .segment = 1, .probabilityFile = put(QStringLiteral("map.nrrd"), file)};
+            const auto read = core::readProbabilities(asked, {}, volume, {});
+            return read ? QString() : read.error().arguments.value(1);
+        };
+        std::vector<float> wild = shares;
+        wild[3] = 37.0f;
+        QVERIFY(why(floats(size, obliqueAffine(), wild)).contains(QLatin1String("37")));
+        QVERIFY(!why(floats(size, obliqueAffine(), std::vector<float>(60, 0.0f))).isEmpty());
+        Labels bytes(60, 0);
+        bytes[5] = 200;
+        QCOMPARE(why(nrrd(size, obliqueAffine(), bytes)), QString());
+        QVERIFY(!why(nrrd(size, obliqueAffine(), Labels(120, 1), {}, 2)).isEmpty());
+    }
+
 private:
+    static QByteArray floats(
+        const glm::ivec3& size, const glm::dmat4& affine, const std::vector<float>& values)
+    {
+        Labels bytes(values.size() * sizeof(float));
+        std::memcpy(bytes.data(), values.data(), bytes.size());
+        QByteArray file = nrrd(size, affine, bytes, "endian: little\n");
+        return file.replace("type: uchar", "type: float");
+    }
     core::Result<core::MaskOnVolume> read(const QByteArray& bytes, const core::Volume& volume)
     {
         return core::readMask(put(QStringLiteral("mask.nrrd"), bytes), volume, {});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/chunks/ProbabilityMap.h"
 #include "core/export/common/ExportMask.h"
 #include "core/masks/MaskOnVolume.h"
+#include "core/masks/ReadProbabilities.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SmallSeries.h"
 
@@ -12,6 +14,7 @@
 
 #include <functional>
 #include <random>
+#include <set>
 
 namespace {
 
@@ -217,6 +220,43 @@ private Q_SLOTS:
         QVERIFY(mask);
         QCOMPARE(numbersOf(*mask, on.volume), on.labels);
         QCOMPARE(mask->notes, (std::vector<MaskNote>{{.code = MaskNote::Code::Fractional}}));
+    }
+
+    void aFractionalSegIsAProbabilityMap()
+    {
+        const Exported on(evenSeries());
+        const auto why = [&](const QString& segment) {
+            const auto read = core::readProbabilities(
+                {.segment = 1, .probabilityFile = on.file}, segment, on.volume, {});
+            return read ? QString() : read.error().arguments.value(1);
+        };
+        QVERIFY(why(QStringLiteral("Part 2")).contains(QLatin1String("not fractional")));
+        on.change([](DcmDataset& set) {
+            std::vector<Uint8> pixels = pixelsOf(set, 12 * 9 * std::size_t(framesOf(set)));
+            for (std::size_t i = 0; i < pixels.size(); ++i)
+                pixels[i] = pixels[i] ? 80 : 15;
+            set.putAndInsertUint16(DCM_MaximumFractionalValue, 100);
+            set.putAndInsertString(DCM_SegmentationFractionalType, "PROBABILITY");
+            setEightBits(set, "FRACTIONAL", pixels);
+        });
+        const QString other = why(QStringLiteral("Kidney"));
+        QVERIFY2(other.contains(QLatin1String("Part 1, Part 2")), qPrintable(other));
+        const auto read = core::readProbabilities(
+            {.segment = 1, .probabilityFile = on.file}, QStringLiteral("Part 2"), on.volume, {});
+        QVERIFY(read);
+        QCOMPARE(read->notes, std::vector<MaskNote>{});
+        const auto bytes = core::ProbabilityMap::unpacked(
+            *read->edit.probabilities, on.volume.geometry.voxelCount());
+        QVERIFY(bytes);
+        // Slices without a frame of the segment are certainly without it.
+        std::set<int> elsewhere;
+        for (std::size_t voxel = 0; voxel < on.labels.size(); ++voxel) {
+            if (on.labels[voxel] == 2)
+                QCOMPARE(int((*bytes)[voxel]), 204);
+            else
+                elsewhere.insert((*bytes)[voxel]);
+        }
+        QCOMPARE(elsewhere, (std::set<int>{0, 38}));
     }
 
     /// One frame a slice, its pixels numbers of segments.

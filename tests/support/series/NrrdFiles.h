@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/volume/VolumeGeometry.h"
+
 #include <QByteArray>
 
 #include <glm/glm.hpp>
@@ -68,6 +70,26 @@ inline glm::dmat4 soundAffine()
 {
     return {glm::dvec4(0.6, 0.8, 0, 0), glm::dvec4(-0.8, 0.6, 0, 0), glm::dvec4(0, 0, 2.5, 0),
         glm::dvec4(-12, 34, 56.5, 1)};
+}
+
+/// A file of these voxels, x fastest, on a volume's grid.
+/// @param type as a header names it: uchar, float …
+inline QByteArray onGrid(
+    const core::VolumeGeometry& geometry, const QByteArray& type, const QByteArray& bytes)
+{
+    const auto vector = [](const glm::dvec4& of) {
+        return '(' + QByteArray::number(of.x, 'g', 17) + ',' + QByteArray::number(of.y, 'g', 17)
+            + ',' + QByteArray::number(of.z, 'g', 17) + ')';
+    };
+    QByteArray sizes;
+    QByteArray directions;
+    for (int axis = 0; axis < 3; ++axis) {
+        sizes += ' ' + QByteArray::number(geometry.size[axis]);
+        directions += ' ' + vector(geometry.indexToWorld[axis]);
+    }
+    return start + "type: " + type + "\nencoding: raw\nendian: little\ndimension: 3\nsizes:" + sizes
+        + "\nspace: left-posterior-superior\nspace directions:" + directions
+        + "\nspace origin: " + vector(geometry.indexToWorld[3]) + "\n\n" + bytes;
 }
 
 } // namespace test::nrrd

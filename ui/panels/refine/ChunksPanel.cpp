@@ -2,6 +2,7 @@
 #include "ui/panels/refine/ChunksPanel.h"
 
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/masks/MaskOnVolume.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Chunks.h"
@@ -10,6 +11,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -82,14 +85,18 @@ void ChunksPanel::buildDividing()
     m_margin->setPrefix(tr("and "));
     m_margin->setSuffix(tr(" mm around"));
     m_margin->setValue(core::DivideSegment().marginMm);
-    m_margin->setToolTip(tr("How far beyond the segment chunks are looked for, on all sides"));
+    m_margin->setToolTip(tr("How far beyond the segment chunks are looked for, on all sides. Until "
+                            "you set it, it is a third of the segment's diameter."));
     m_divide = new QPushButton(tr("Divide"), this);
     m_divide->setObjectName(QStringLiteral("divide"));
     row->addWidget(m_margin, 1);
     row->addWidget(m_divide);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
-    connect(m_divide, &QPushButton::clicked, this,
-        [this] { m_workspace.chunks().divide(m_margin->value()); });
+    connect(m_divide, &QPushButton::clicked, this, [this] {
+        m_workspace.chunks().divide(m_margin->value(), m_source->currentData().toString());
+    });
+    connect(m_margin, &QDoubleSpinBox::valueChanged, this, [this] { m_marginByHand = true; });
+    buildSource();
 
     m_waiting = new QWidget(this);
     auto* waiting = new QGridLayout(m_waiting);
@@ -113,6 +120,61 @@ void ChunksPanel::buildDividing()
     connect(abort, &QPushButton::clicked, &m_workspace.chunks(), &Chunks::abort);
     m_asking.setInterval(askingMs);
     connect(&m_asking, &QTimer::timeout, this, &ChunksPanel::showStage);
+}
+
+void ChunksPanel::buildSource()
+{
+    m_source = new QComboBox(this);
+    m_source->setObjectName(QStringLiteral("chunksSource"));
+    m_source->setAccessibleName(tr("By"));
+    m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_source->setToolTip(
+        tr("What says how likely a voxel belongs to the segment: the image alone, or also a "
+           "probability map that another program has made, as a DICOM SEG of type FRACTIONAL, or "
+           "as numbers from 0 to 1 in NIfTI, NRRD or MetaImage"));
+    m_source->addItem(tr("by the image alone"));
+    m_source->addItem(tr("by a probability map …"));
+    layout()->addWidget(m_source);
+    // The last entry asks for a file; what is in between are the files that were chosen.
+    connect(m_source, &QComboBox::activated, this, [this](int chosen) {
+        if (chosen + 1 == m_source->count())
+            return chooseMap();
+        m_chosenSource = chosen;
+    });
+    connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
+        m_marginByHand = false;
+        while (m_source->count() > 2)
+            m_source->removeItem(1);
+        m_source->setCurrentIndex(0);
+        m_chosenSource = 0;
+        show();
+    });
+}
+
+void ChunksPanel::suitMargin(const core::Segment& segment)
+{
+    if (m_marginByHand || segment.voxels <= 0)
+        return;
+    const QSignalBlocker blocker(m_margin);
+    m_margin->setValue(
+        core::ChunkMap::suitableMarginMm(segment.voxels, m_workspace.volume()->geometry));
+}
+
+void ChunksPanel::chooseMap()
+{
+    m_source->setCurrentIndex(m_chosenSource);
+    const QString path = QFileDialog::getOpenFileName(window(), tr("Probability map"), QString(),
+        tr("Probability maps (%1);;All files (*)")
+            .arg(core::maskNamePatterns().join(QLatin1Char(' '))));
+    if (path.isEmpty())
+        return;
+    int place = m_source->findData(path);
+    if (place < 0) {
+        place = m_source->count() - 1;
+        m_source->insertItem(place, tr("by %1").arg(QFileInfo(path).fileName()), path);
+    }
+    m_source->setCurrentIndex(place);
+    m_chosenSource = place;
 }
 
 void ChunksPanel::buildLook()
@@ -198,7 +260,9 @@ void ChunksPanel::show()
         session ? session->document().segment(m_workspace.activeSegment()) : nullptr;
     const core::Segment* divided =
         division ? session->document().segment(division->segment) : nullptr;
-    m_divide->setEnabled(active && active->voxels > 0);
+    if (active)
+        suitMargin(*active);
+    m_divide->setEnabled(active && active->voxels > 0 && !chunks.isReading());
     m_whose->setText(!active ? tr("Choose the segment to repair in the list of segments.")
             : active->voxels == 0
             ? tr("%1 has no voxels yet: grow, paint or import it first.").arg(active->name)

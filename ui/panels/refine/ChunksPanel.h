@@ -13,6 +13,10 @@ class QProgressBar;
 class QPushButton;
 class QSlider;
 
+namespace core {
+struct Segment;
+}
+
 namespace ui {
 
 class Workspace;
@@ -31,6 +35,9 @@ public:
 
 private:
     void buildDividing();
+    void buildSource();
+    void chooseMap();
+    void suitMargin(const core::Segment& segment);
     void buildLook();
     void show();
     void showStage();
@@ -39,7 +46,10 @@ private:
     Workspace& m_workspace;
     QLabel* m_whose = nullptr;
     QDoubleSpinBox* m_margin = nullptr;
+    bool m_marginByHand = false; ///< set for this session; else it suits the active segment
     QPushButton* m_divide = nullptr;
+    QComboBox* m_source = nullptr; ///< its data: the file of a probability map
+    int m_chosenSource = 0; ///< which stays if no file is chosen
     QWidget* m_waiting = nullptr; ///< shown while chunks are being computed
     QProgressBar* m_progress = nullptr;
     QLabel* m_step = nullptr;

@@ -50,9 +50,16 @@ ComparePanel::ComparePanel(Workspace& workspace, QWidget* parent)
     m_reference->setObjectName(QStringLiteral("compareReference"));
     m_reference->setAccessibleName(tr("Reference"));
     m_reference->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_imported = new QPushButton(tr("As imported"), this);
+    m_imported->setObjectName(QStringLiteral("compareImported"));
+    m_imported->setToolTip(
+        tr("The masks as this session has imported them: what you have added and "
+           "taken since"));
     row->addWidget(m_open);
-    row->addWidget(m_reference, 1);
+    row->addWidget(m_imported);
+    row->addStretch(1);
     layout->addLayout(row);
+    layout->addWidget(m_reference);
     m_what = smallLabel({}, this);
     m_what->setObjectName(QStringLiteral("compareWhat"));
     m_what->setProperty("role", QStringLiteral("secondary"));
@@ -67,7 +74,9 @@ ComparePanel::ComparePanel(Workspace& workspace, QWidget* parent)
         QString text;
         QString tip;
     };
-    const std::array<Row, 4> rows{
+    const std::array<Row, 6> rows{
+        Row{"compareAdded", tr("Added"), tr("What the reference does not have")},
+        Row{"compareTaken", tr("Taken"), tr("What only the reference has")},
         Row{"compareError", tr("Volume error"),
             tr("Voxels in which both differ, in percent of the reference's (rVE)")},
         Row{"compareDice", tr("Dice"), tr("Twice the voxels that both have, by the sum of both")},
@@ -86,10 +95,16 @@ ComparePanel::ComparePanel(Workspace& workspace, QWidget* parent)
     layout->addLayout(grid);
 
     connect(m_open, &QPushButton::clicked, this, &ComparePanel::ask);
+    connect(m_imported, &QPushButton::clicked, &m_comparison, &LiveComparison::takeImported);
     connect(m_reference, &QComboBox::activated, &m_comparison, &LiveComparison::choose);
     connect(&m_comparison, &LiveComparison::changed, this, &ComparePanel::show);
     connect(&m_comparison, &LiveComparison::failed, &workspace, &Workspace::fail);
     connect(&workspace, &Workspace::activeSegmentChanged, this, &ComparePanel::show);
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::History)
+                allow();
+        });
     show();
 }
 
@@ -118,8 +133,12 @@ QString ComparePanel::whatIsCompared() const
     const auto& outcome = m_comparison.outcome();
     if (m_comparison.isReading())
         return tr("Reading …");
+    if (m_comparison.chosen() < 0 && m_comparison.isImported())
+        return tr("No mask was imported as this segment; choose one in the list.");
     if (m_comparison.chosen() < 0)
-        return tr("Choose a mask that is held for the truth.");
+        return m_comparison.canTakeImported()
+            ? tr("Choose a mask that is held for the truth, or compare with what was imported.")
+            : tr("Choose a mask that is held for the truth.");
     const core::Segment* segment =
         session && outcome ? session->document().segment(outcome->segment) : nullptr;
     if (!segment)
@@ -127,6 +146,12 @@ QString ComparePanel::whatIsCompared() const
     const QString what =
         outcome->ofSurface ? tr("Surface of %1").arg(segment->name) : segment->name;
     return m_comparison.isBehind() ? tr("%1 …").arg(what) : what;
+}
+
+void ComparePanel::allow()
+{
+    m_open->setEnabled(m_workspace.volume() && !m_comparison.isReading());
+    m_imported->setEnabled(!m_comparison.isReading() && m_comparison.canTakeImported());
 }
 
 void ComparePanel::show()
@@ -137,19 +162,26 @@ void ComparePanel::show()
     m_reference->setCurrentIndex(m_comparison.chosen());
     m_reference->setEnabled(m_reference->count() > 1);
     m_reference->setToolTip(m_comparison.path());
-    m_open->setEnabled(m_workspace.volume() && !m_comparison.isReading());
+    allow();
     m_what->setText(whatIsCompared());
     for (QLabel* value : m_values)
         value->setText(QStringLiteral("–"));
     if (const auto& outcome = m_comparison.outcome()) {
         const core::MaskComparison& comparison = outcome->comparison;
+        const glm::dvec3 spacing = m_workspace.volume()->geometry.spacingMm();
+        const auto millilitres = [&](std::uint64_t voxels) {
+            return tr("%1 mL").arg(
+                number(double(voxels) * spacing.x * spacing.y * spacing.z / 1000.0, 2));
+        };
+        m_values[0]->setText(millilitres(comparison.voxels - comparison.sharedVoxels));
+        m_values[1]->setText(millilitres(comparison.referenceVoxels - comparison.sharedVoxels));
         if (comparison.relativeVolumeError)
-            m_values[0]->setText(
+            m_values[2]->setText(
                 tr("%1 %").arg(number(100.0 * *comparison.relativeVolumeError, 2)));
-        m_values[1]->setText(number(comparison.dice, 4));
+        m_values[3]->setText(number(comparison.dice, 4));
         if (comparison.distances) {
-            m_values[2]->setText(tr("%1 mm").arg(number(comparison.distances->hausdorff95Mm, 2)));
-            m_values[3]->setText(tr("%1 mm").arg(number(comparison.distances->meanMm, 2)));
+            m_values[4]->setText(tr("%1 mm").arg(number(comparison.distances->hausdorff95Mm, 2)));
+            m_values[5]->setText(tr("%1 mm").arg(number(comparison.distances->meanMm, 2)));
         }
     }
     Q_EMIT summaryChanged(summary());

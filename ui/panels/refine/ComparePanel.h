@@ -13,7 +13,8 @@ class QPushButton;
 namespace ui {
 
 /// Shows, while the user works, how far the surface that is being refined, or else the active
-/// segment, is from a reference mask: relative volume error (seed B §7.3), Dice, distances.
+/// segment, is from a reference mask, which is read from a file, or is the mask that was imported:
+/// relative volume error (seed B §7.3), Dice, distances, and what was added and taken.
 class ComparePanel : public Panel {
     Q_OBJECT
 
@@ -27,15 +28,17 @@ public:
 
 private:
     void ask();
+    void allow();
     void show();
     [[nodiscard]] QString whatIsCompared() const;
 
     Workspace& m_workspace;
     LiveComparison m_comparison;
     QPushButton* m_open = nullptr;
+    QPushButton* m_imported = nullptr;
     QComboBox* m_reference = nullptr;
     QLabel* m_what = nullptr;
-    std::array<QLabel*, 4> m_values{}; ///< relative volume error, Dice, 95 %, mean
+    std::array<QLabel*, 6> m_values{}; ///< added, taken, relative volume error, Dice, 95 %, mean
 };
 
 } // namespace ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/chunks/ChunkVoxels.h"
 
+#include "core/chunks/ProbabilityMap.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
@@ -129,8 +130,10 @@ Result<OwnedBox> ownedBox(const DivideSegment& edit, const VolumeGeometry& geome
             return wrong("chunks.owners",
                 QStringLiteral("the voxels of label %1 are damaged, or of another volume")
                     .arg(owner.label));
-        if (owner.label == edit.segment)
+        if (owner.label == edit.segment) {
             owned.box = boxAround(*voxels, geometry, edit.marginMm);
+            owned.segment = numberOf(owner.label, *edit.owners);
+        }
         runs.push_back(*std::move(voxels));
     }
     if (owned.box.empty())
@@ -156,7 +159,28 @@ Result<OwnedBox> ownedBox(const DivideSegment& edit, const VolumeGeometry& geome
             }
         });
     }
+    const Result<std::vector<std::uint8_t>> map = probabilitiesOf(edit, geometry);
+    if (!map)
+        return tl::unexpected(map.error());
+    if (map->empty())
+        return owned;
+    owned.probabilities.resize(owned.owners.size());
+    forEachRow(owned.box, geometry.size, [&](std::size_t first, std::size_t inBox) {
+        std::copy_n(&(*map)[first], size.x, &owned.probabilities[inBox]);
+    });
     return owned;
+}
+
+Result<std::vector<std::uint8_t>> probabilitiesOf(
+    const DivideSegment& edit, const VolumeGeometry& geometry)
+{
+    if (!edit.probabilities)
+        return std::vector<std::uint8_t>();
+    auto map = ProbabilityMap::unpacked(*edit.probabilities, geometry.voxelCount());
+    if (!map)
+        return wrong("chunks.probabilities",
+            QStringLiteral("the probability map is damaged, or of another volume"));
+    return *std::move(map);
 }
 
 Result<ChunkClick> chunkClick(const ChunkToggle& edit, const Document& document)

@@ -21,6 +21,8 @@ struct ChunkOwner;
 struct OwnedBox {
     VoxelBox box;
     std::vector<std::uint8_t> owners;
+    std::uint8_t segment = 0; ///< the owner that is divided
+    std::vector<std::uint8_t> probabilities{}; ///< in the box; empty: there is no map
 };
 
 /// The labels on which a division is based, to be stored in the edit.
@@ -32,9 +34,14 @@ struct OwnedBox {
 constexpr std::int64_t mostChunkVoxels = std::int64_t(1) << 26;
 
 /// For an edit that stores its owners. ChunkSource::outside is not a valid owner, so a label of
-/// that value is replaced by a free number. Errors: InvalidField (voxels that cannot be unpacked,
-/// or of another volume; the segment is not among them; the box is too large).
+/// that value is replaced by a free number. Errors: InvalidField (voxels or probabilities that
+/// cannot be unpacked, or of another volume; the segment is not among them; the box is too large).
 [[nodiscard]] Result<OwnedBox> ownedBox(const DivideSegment& edit, const VolumeGeometry& geometry);
+
+/// The probability map of an edit, of the whole volume; empty if it has none. Errors: InvalidField
+/// (damaged, or of another volume).
+[[nodiscard]] Result<std::vector<std::uint8_t>> probabilitiesOf(
+    const DivideSegment& edit, const VolumeGeometry& geometry);
 
 /// The segment that gains or loses chunks, and the voxels that were clicked. Errors:
 /// UnknownSegment, SegmentLocked, InvalidField (nothing is divided, a point outside the volume).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/chunks/DivideSegment.h"
 
+#include "core/chunks/ProbabilityMap.h"
 #include "core/edits/answers/EditChecks.h"
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
@@ -16,9 +17,17 @@ Result<void> check(const DivideSegment& edit, const Document& document)
 {
     if (const Result<void> applied = checkApplied(edit, document); !applied)
         return applied;
+    if (edit.probabilityFile)
+        return failure(ErrorCode::InvalidField, QStringLiteral("chunks.probabilityFile"),
+            QStringLiteral("its file has not been read"));
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    // Whether it can be unpacked shows where it is, beside the session's thread.
+    if (edit.probabilities && !ProbabilityMap::isOf(*edit.probabilities, geometry.voxelCount()))
+        return failure(ErrorCode::InvalidField, QStringLiteral("chunks.probabilities"),
+            QStringLiteral("the probability map is damaged, or of another volume"));
     if (!edit.owners)
         return {};
-    return discardValue(ownedBox(edit, document.volumes.front().geometry));
+    return discardValue(ownedBox(edit, geometry));
 }
 
 /// Whether it divides otherwise than before only the session can tell, who has the rows.
@@ -37,12 +46,12 @@ EditEffects effects(const DivideSegment& edit)
         .standsOpen = false,
         .changes = DocumentChange::What::Chunks,
         .onlyDocument = true,
-        .boundToStudy = edit.owners.has_value()};
+        .boundToStudy = edit.owners.has_value() || edit.probabilities.has_value()};
 }
 
 RowTitle rowTitle(const DivideSegment& edit, const RowFacts& row)
 {
-    return {.code = RowTitleCode::DivideAround,
+    return {.code = edit.probabilities ? RowTitleCode::DivideByMap : RowTitleCode::DivideAround,
         .arguments = {segmentName(edit.segment, row.document)},
         .then = {{.code = RowTitleCode::Millimetres, .arguments = {inMm(edit.marginMm)}}}};
 }

@@ -4,6 +4,7 @@
 #include "core/edits/answers/EditAnswers.h"
 
 #include <QByteArray>
+#include <QString>
 
 #include <optional>
 #include <vector>
@@ -17,13 +18,19 @@ struct ChunkOwner {
     bool operator==(const ChunkOwner&) const = default;
 };
 
-/// Divide a segment and its surroundings into chunks (core/chunks/ChunkTree.h). When it is carried
-/// out, the labels in the box around the segment are added, so that the edit contains what it reads
-/// besides the volume.
+/// Divide a segment and its surroundings into chunks (core/chunks/ChunkTree.h), by what the image
+/// shows alone, or also by a probability map of the segment. When it is carried out, the labels in
+/// the box around the segment are added, so that the edit contains what it reads besides the
+/// volume.
 struct DivideSegment {
     int segment = 0; ///< label
     double marginMm = 10.0; ///< around its voxels, on all sides
     std::optional<std::vector<ChunkOwner>> owners{}; ///< by label; label 0 has all other voxels
+    /// ProbabilityMap::packed() of the whole volume; none: the image alone decides.
+    std::optional<QByteArray> probabilities{};
+    /// In a recipe: the file from which core/masks/ReadProbabilities.h takes them. An edit that is
+    /// carried out names none.
+    std::optional<QString> probabilityFile{};
     bool operator==(const DivideSegment&) const = default;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
 #include "core/chunks/ChunkMap.h"
+#include "core/chunks/ProbabilityMap.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
@@ -203,6 +204,60 @@ private Q_SLOTS:
             for (std::size_t voxel = 0; voxel < codes.size(); voxel += 17)
                 QCOMPARE(map->tree().chunkAt(voxel, count), tree->chunkAt(voxel, count));
         }
+    }
+
+    /// A map that calls the second lobe likely: the row holds it, and one click adds the lobe.
+    void aProbabilityMapIsPartOfTheRow()
+    {
+        QTemporaryDir folder;
+        Bench bench(folder.filePath(QStringLiteral("a.burin")));
+        QCOMPARE(bench.tried(bench.lobes.mask({{1}})), QString());
+        std::vector<std::uint8_t> map;
+        for (const std::uint8_t organ : bench.lobes.truth)
+            map.push_back(organ == 1 ? 250 : organ == 2 ? 110 : 2);
+        DivideSegment division{.segment = 1, .marginMm = 25.0};
+        division.probabilities = ProbabilityMap::packed(map);
+        const QByteArray before = bench.session->stateHash();
+        QCOMPARE(bench.tried(division), QString());
+        QCOMPARE(bench.rows().back().name,
+            QStringLiteral("Divide around 'S1' into chunks by a probability map, 25.0 mm"));
+        QCOMPARE(
+            *bench.rows().back().edit.get<DivideSegment>().probabilities, *division.probabilities);
+        const auto chunks = bench.map();
+        QVERIFY(chunks);
+        const auto likelihood = [&](const glm::ivec3& at) {
+            return chunks->tree().likelihood(*chunks->chunkAt(at, 8));
+        };
+        QVERIFY(likelihood(glm::ivec3(inFirst)) > 200);
+        QVERIFY(likelihood(glm::ivec3(inSecond)) < 100);
+        QVERIFY(likelihood(glm::ivec3(inOrgan)) > 200);
+        QCOMPARE(bench.tried(click({inSecond}, 8)), QString());
+        QVERIFY(bench.shareOf(2, 1) >= 95);
+        const QByteArray after = bench.session->stateHash();
+        QVERIFY(bench.session->undo() && bench.session->undo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), before);
+        QVERIFY(bench.session->redo() && bench.session->redo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), after);
+        // As JSON and back.
+        const Edit kept(bench.rows()[1].edit);
+        const auto read = editFromJson(editToJson(kept));
+        QVERIFY(read && read->get<DivideSegment>() == kept.get<DivideSegment>());
+
+        // The map is part of what makes a division another one.
+        QCOMPARE(bench.tried(DivideSegment{.segment = 1, .marginMm = 25.0}), QString());
+        QVERIFY(!bench.rows().back().edit.get<DivideSegment>().probabilities);
+
+        // What cannot be: of another volume, damaged, not read.
+        const std::size_t rows = bench.rows().size();
+        division.probabilities = ProbabilityMap::packed(std::vector<std::uint8_t>(8, 1));
+        QVERIFY(bench.tried(division).contains(QLatin1String("of another volume")));
+        division.probabilities = ProbabilityMap::packed(map);
+        division.probabilities->chop(3);
+        QVERIFY(bench.tried(division).contains(QLatin1String("damaged")));
+        division.probabilities.reset();
+        division.probabilityFile = QStringLiteral("map.nii.gz");
+        QVERIFY(bench.tried(division).contains(QLatin1String("has not been read")));
+        QCOMPARE(bench.rows().size(), rows);
     }
 
     void whatCannotBe()

@@ -14,6 +14,8 @@
 
 #include <QFile>
 #include <QLabel>
+#include <QLocale>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -114,6 +116,34 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QTRY_VERIFY(fixture.upToDate() && *fixture.outcome().relativeVolumeError == error);
+    }
+
+    /// What a network has made, against what the user makes of it.
+    void whatWasImportedIsAReference()
+    {
+        CompareFixture fixture;
+        auto* imported = fixture.panel.findChild<QPushButton*>(QStringLiteral("compareImported"));
+        QVERIFY(imported->isEnabled());
+        imported->click();
+        QTRY_VERIFY(fixture.upToDate());
+        QVERIFY(fixture.panel.comparison().isImported());
+        QCOMPARE(fixture.outcome().dice, 1.0);
+        QCOMPARE(fixture.panel.comparison().references(), QStringList{QStringLiteral("Ball")});
+        const std::uint64_t before = fixture.outcome().voxels;
+        fixture.apply(test::paintAt(1, {glm::dvec3(radius + 6.0, 0.0, 0.0)}, 4.0));
+        QTRY_VERIFY(fixture.upToDate() && fixture.outcome().voxels > before);
+        QCOMPARE(fixture.outcome().sharedVoxels, before);
+        QCOMPARE(fixture.outcome().referenceVoxels, before);
+        // 1.5 mm³ a voxel.
+        const double addedMl = double(fixture.outcome().voxels - before) * 1.5 / 1000.0;
+        QCOMPARE(fixture.text("compareAdded"),
+            QLocale().toString(addedMl, 'f', 2) + QStringLiteral(" mL"));
+        QCOMPARE(
+            fixture.text("compareTaken"), QLocale().toString(0.0, 'f', 2) + QStringLiteral(" mL"));
+        // Before the import there is nothing to compare with.
+        QVERIFY(fixture.session().goTo(0));
+        fixture.settle();
+        QVERIFY(!imported->isEnabled());
     }
 
     void aSurfaceIsComparedBeforeItIsWrittenBack()

@@ -11,6 +11,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/series/NrrdFiles.h"
 #include "ui/panels/refine/ChunksPanel.h"
 #include "ui/tools/refine/ChunkTool.h"
 #include "ui/views/ViewGrid.h"
@@ -19,11 +20,13 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QJsonDocument>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include <algorithm>
@@ -201,6 +204,57 @@ private Q_SLOTS:
         fixture.find<QCheckBox>("chunksShown")->setChecked(false);
         QVERIFY(!requested(fixture.slice.viewId()) && !requested(fixture.view.viewId()));
         QCOMPARE(fixture.position(), divided);
+    }
+
+    /// The map's file is read beside the window; a bad one is told and leaves no row.
+    void byAProbabilityMap()
+    {
+        ChunkFixture on;
+        QTemporaryDir folder;
+        const auto* source = on.find<QComboBox>("chunksSource");
+        QCOMPARE(source->count(), 2);
+        QVERIFY(source->currentData().toString().isEmpty());
+        const core::Volume& volume = *on.workspace.volume();
+        const auto put = [&folder](const char* name, const QByteArray& bytes) {
+            QFile file(folder.filePath(QLatin1String(name)));
+            if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+                qFatal("not written");
+            return file.fileName();
+        };
+        const QString bad = put("bad.nrrd", "no map");
+        QString failure;
+        connect(&on.workspace, &ui::Workspace::failed, &on.workspace,
+            [&failure](const core::Error& error) { failure = error.arguments.value(0); });
+        const core::RowId before = on.position();
+        on.chunks().divide(marginMm, bad);
+        QVERIFY(on.chunks().isReading() && !on.find<QPushButton>("divide")->isEnabled());
+        QTRY_VERIFY(!failure.isEmpty());
+        QVERIFY(failure.contains(QLatin1String("bad.nrrd")));
+        QTRY_VERIFY(!on.chunks().isReading() && on.find<QPushButton>("divide")->isEnabled());
+        QCOMPARE(on.position(), before);
+
+        const QString map = put("even.nrrd",
+            test::nrrd::onGrid(volume.geometry, "uchar",
+                QByteArray(qsizetype(volume.geometry.voxelCount()), char(200))));
+        on.chunks().divide(marginMm, map);
+        QTRY_VERIFY(!on.chunks().isReading());
+        on.settle();
+        on.await();
+        const core::RowId divided = on.position();
+        QVERIFY(divided > before);
+        QVERIFY(on.session()
+                    .history()
+                    .row(divided)
+                    .edit.get<core::DivideSegment>()
+                    .probabilities.has_value());
+        QCOMPARE(on.chunks().map()->tree().likelihood(on.chunkAt(inVentricle)), 2 * 200 - 255);
+        QVERIFY(on.find<QPushButton>("divide")->isEnabled());
+        // The same once more is no step, and the button comes back all the same.
+        on.chunks().divide(marginMm, map);
+        QTRY_VERIFY(!on.chunks().isReading());
+        on.settle();
+        QCOMPARE(on.position(), divided);
+        QVERIFY(on.find<QPushButton>("divide")->isEnabled());
     }
 
     void whatHasNoVoxelsIsNotDivided()

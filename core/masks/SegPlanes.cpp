@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/masks/SegPlanes.h"
+
+#include <cmath>
+#include <map>
+
+namespace core {
+
+namespace {
+
+double heightMm(const FrameLattice& lattice, const glm::dvec3& lps)
+{
+    return glm::dot(lattice.normal, lps - glm::dvec3(lattice.world[3]));
+}
+
+/// The smallest step between heights that are not the same; 0: there is none.
+double smallestStep(std::vector<double> heights)
+{
+    constexpr double sameMm = 1e-3;
+    std::sort(heights.begin(), heights.end());
+    double smallest = 0.0;
+    for (std::size_t i = 1; i < heights.size(); ++i) {
+        const double step = heights[i] - heights[i - 1];
+        if (step > sameMm && (smallest == 0.0 || step < smallest))
+            smallest = step;
+    }
+    return smallest;
+}
+
+std::vector<double> sliceHeights(const FrameLattice& lattice, const VolumeGeometry& geometry)
+{
+    std::vector<double> heights;
+    for (int k = 0; k < geometry.size.z; ++k) {
+        const glm::dvec3 first = geometry.slicePositions.empty()
+            ? geometry.toWorld({0.0, 0.0, double(k)})
+            : geometry.slicePositions[std::size_t(k)];
+        heights.push_back(heightMm(lattice, first));
+    }
+    return heights;
+}
+
+bool isAcross(const FrameLattice& lattice, const VolumeGeometry& geometry)
+{
+    constexpr double mostMm = 0.01;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double rise = glm::dot(lattice.normal, glm::dvec3(geometry.indexToWorld[axis]));
+        if (std::abs(rise) * geometry.size[axis] > mostMm)
+            return false;
+    }
+    return true;
+}
+
+/// Only frames that hold something are there, so that their distances do not say how thick a plane
+/// is: where all of them are slices of the volume each belongs to its slice and to no other.
+Result<FrameLattice> latticeOf(
+    const SegFile& seg, const VolumeGeometry& geometry, const QString& path)
+{
+    const HeaderPlane& first = seg.frames.front().plane;
+    FrameLattice lattice;
+    lattice.normal = glm::cross(first.rowDirection, first.columnDirection);
+    const double length = glm::length(lattice.normal);
+    if (!(length > 0.5) || !(first.rowSpacing > 0.0) || !(first.columnSpacing > 0.0))
+        return failure(ErrorCode::InvalidGeometry, path,
+            QStringLiteral("orientation or spacing of its first frame"));
+    lattice.normal /= length;
+    lattice.world = glm::dmat4(glm::dvec4(first.rowDirection * first.columnSpacing, 0.0),
+        glm::dvec4(first.columnDirection * first.rowSpacing, 0.0), glm::dvec4(lattice.normal, 0.0),
+        glm::dvec4(first.position, 1.0));
+    std::vector<double> planes;
+    for (std::size_t i = 0; i < seg.frames.size(); ++i) {
+        const HeaderPlane& plane = seg.frames[i].plane;
+        constexpr double alike = 1e-3;
+        const bool same = glm::distance(plane.rowDirection, first.rowDirection) < alike
+            && glm::distance(plane.columnDirection, first.columnDirection) < alike
+            && std::abs(plane.rowSpacing - first.rowSpacing) < alike * first.rowSpacing
+            && std::abs(plane.columnSpacing - first.columnSpacing) < alike * first.columnSpacing;
+        if (!same)
+            return failure(ErrorCode::UnsupportedFormat, path,
+                QStringLiteral("frame %1 has another orientation or spacing than the first")
+                    .arg(i + 1));
+        planes.push_back(heightMm(lattice, plane.position));
+    }
+    const std::vector<double> slices = sliceHeights(lattice, geometry);
+    const double step = smallestStep(slices);
+    const double mostMm = std::max(0.01, 0.01 * step);
+    lattice.onSlices =
+        isAcross(lattice, geometry) && std::all_of(planes.begin(), planes.end(), [&](double plane) {
+            return std::any_of(slices.begin(), slices.end(),
+                [&](double slice) { return std::abs(slice - plane) <= mostMm; });
+        });
+    const double apart = smallestStep(planes);
+    const double spacing = geometry.spacingMm().z;
+    const double own = seg.planeDistance > 0.0 ? seg.planeDistance : apart;
+    if (lattice.onSlices)
+        lattice.planeMm = step > 0.0 ? step : spacing;
+    else
+        lattice.planeMm = own > 0.0 ? own : spacing;
+    return lattice;
+}
+
+} // namespace
+
+Result<PlacedFrames> placedFrames(
+    const SegFile& seg, const VolumeGeometry& geometry, const QString& path)
+{
+    const Result<FrameLattice> lattice = latticeOf(seg, geometry, path);
+    if (!lattice)
+        return tl::unexpected(lattice.error());
+    const glm::dmat4 toLattice = lattice->toLattice();
+    PlacedFrames frames{
+        .lattice = *lattice, .toLattice = toLattice, .map = LatticeMap(geometry, toLattice)};
+    if (!frames.map.isSound())
+        return failure(ErrorCode::UnsupportedFormat, path,
+            QStringLiteral("its pixels are out of all proportion to the study's"));
+    return frames;
+}
+
+SegmentPlanes::SegmentPlanes(const SegFile& seg, int number, const glm::dmat4& toLattice)
+    : m_seg(seg)
+    , m_number(number)
+{
+    std::map<std::int64_t, std::vector<std::size_t>> byHeight;
+    m_places.resize(seg.frames.size());
+    for (std::size_t i = 0; i < seg.frames.size(); ++i) {
+        if (seg.type != SegFile::Type::LabelMap && seg.frames[i].segment != number)
+            continue;
+        const glm::dvec3 at(toLattice * glm::dvec4(seg.frames[i].plane.position, 1.0));
+        for (int axis = 0; axis < 3; ++axis)
+            m_places[i][std::size_t(axis)] =
+                std::llround(std::clamp(at[axis], -1e8, 1e8) * double(LatticeMap::one));
+        byHeight[m_places[i][2]].push_back(i);
+    }
+    for (auto& [height, frames] : byHeight)
+        m_planes.push_back({height, std::move(frames)});
+}
+
+const PlaneFrames* SegmentPlanes::at(std::int64_t height) const
+{
+    const auto above = std::lower_bound(m_planes.begin(), m_planes.end(), height,
+        [](const PlaneFrames& plane, std::int64_t value) { return plane.height < value; });
+    const PlaneFrames* nearest = above == m_planes.end() ? nullptr : &*above;
+    if (above != m_planes.begin()) {
+        const PlaneFrames& below = *(above - 1);
+        if (!nearest || height - below.height < nearest->height - height)
+            nearest = &below;
+    }
+    if (nearest && LatticeMap::nearest(height - nearest->height) != 0)
+        return nullptr;
+    return nearest;
+}
+
+std::uint64_t SegmentPlanes::pixelCount() const
+{
+    std::uint64_t count = 0;
+    for (const PlaneFrames& plane : m_planes) {
+        for (const std::size_t frame : plane.frames) {
+            for (int row = 0; row < m_seg.rows; ++row) {
+                for (int column = 0; column < m_seg.columns; ++column)
+                    count += isIn(frame, column, row) ? 1 : 0;
+            }
+        }
+    }
+    return count;
+}
+
+bool SegmentPlanes::areUnder(const LatticeMap& map, int slices) const
+{
+    for (int k = 0; k < slices; ++k) {
+        const LatticeMap::Place first = map.rowStart(0, k);
+        const PlaneFrames* plane = at(first[2]);
+        for (std::size_t i = 0; plane && i < plane->frames.size(); ++i) {
+            const LatticeMap::Place& frame = m_places[plane->frames[i]];
+            if (!LatticeMap::isPoint(first[0] - frame[0])
+                || !LatticeMap::isPoint(first[1] - frame[1]))
+                return false;
+        }
+    }
+    return map.hasUnitSteps();
+}
+
+} // namespace core
