@@ -3,10 +3,15 @@
 
 #include "core/document/SegmentColours.h"
 #include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/CountText.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/workspace/Workspace.h"
+
+#include <QPointer>
 
 #include <algorithm>
 
@@ -84,6 +89,9 @@ void removeSegment(Workspace& workspace, int label)
 
 namespace {
 
+/// Specks of a growth or a network are smaller, and hardly any structure that is looked for is.
+constexpr double smallIslandMm3 = 100.0;
+
 void invertSegment(Workspace& workspace, int label)
 {
     core::EditSession* session = workspace.session();
@@ -95,11 +103,59 @@ void invertSegment(Workspace& workspace, int label)
                       .arg(session->foreseenDocument().segment(label)->name));
 }
 
+/// What is cleaned of a segment, and what is told if there was nothing.
+void clean(Workspace& workspace, const core::CleanSegment& edit, const QString& nothing)
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    session->closeGrowth();
+    const std::size_t rows = session->history().rows().size();
+    if (const auto cleaned = session->apply(edit); !cleaned)
+        return workspace.fail(cleaned.error());
+    const QString name = session->foreseenDocument().segment(edit.segment)->name;
+    // Only when it has been looked at is it known whether there was anything.
+    session->questions().afterAll([guard = QPointer(&workspace), session, rows, nothing, name] {
+        if (!guard || guard->session() != session)
+            return;
+        if (session->history().rows().size() == rows)
+            return guard->say(nothing.arg(name));
+        guard->say(
+            QObject::tr("%1; Ctrl+Z takes it back").arg(nameOf(session->history().rows().back())));
+    });
+}
+
+void fillHoles(Workspace& workspace, int label)
+{
+    clean(workspace, {.segment = label, .rule = core::IslandRule::FillHoles},
+        QObject::tr("'%1' has no hole that is closed on all sides"));
+}
+
+void keepLargestIsland(Workspace& workspace, int label)
+{
+    clean(workspace, {.segment = label, .rule = core::IslandRule::KeepLargest},
+        QObject::tr("'%1' is one island already"));
+}
+
+void removeSmallIslands(Workspace& workspace, int label)
+{
+    clean(workspace,
+        {.segment = label, .rule = core::IslandRule::RemoveSmall, .mm3 = smallIslandMm3},
+        QObject::tr("'%1' has no island that is so small"));
+}
+
 } // namespace
 
 const std::vector<SegmentAction>& segmentActions()
 {
     static const std::vector<SegmentAction> all{
+        {.id = "segments.fillHoles", .text = QObject::tr("Fill holes"), .run = &fillHoles},
+        {.id = "segments.keepLargest",
+            .text = QObject::tr("Keep largest island"),
+            .run = &keepLargestIsland},
+        {.id = "segments.removeSmall",
+            .text = QObject::tr("Remove islands below %1 mm³").arg(smallIslandMm3),
+            .run = &removeSmallIslands},
         {.id = "segments.invert", .text = QObject::tr("Invert segment"), .run = &invertSegment},
         {.id = "segments.remove",
             .text = QObject::tr("Delete segment"),
