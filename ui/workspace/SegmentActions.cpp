@@ -149,12 +149,14 @@ void removeSmallIslands(Workspace& workspace, int label)
 const std::vector<SegmentAction>& segmentActions()
 {
     static const std::vector<SegmentAction> all{
-        {.id = "segments.fillHoles", .text = QObject::tr("Fill holes"), .run = &fillHoles},
+        {.id = "segments.fillHoles",
+            .text = QObject::tr("Fill holes of segment"),
+            .run = &fillHoles},
         {.id = "segments.keepLargest",
-            .text = QObject::tr("Keep largest island"),
+            .text = QObject::tr("Keep largest island of segment"),
             .run = &keepLargestIsland},
         {.id = "segments.removeSmall",
-            .text = QObject::tr("Remove islands below %1 mm³").arg(smallIslandMm3),
+            .text = QObject::tr("Remove islands below %1 mm³ of segment").arg(smallIslandMm3),
             .run = &removeSmallIslands},
         {.id = "segments.invert", .text = QObject::tr("Invert segment"), .run = &invertSegment},
         {.id = "segments.remove",
