@@ -89,7 +89,7 @@ template <class Visitor> void visitFields(Visitor& visit, CleanSegment& edit)
     visit.field("rule", Presence::Required, edit.rule,
         editFields::Choice<IslandRule, 3>{{"fillHoles", "keepLargest", "removeSmall"}},
         "holes are surrounded on all sides; islands do not touch each other, not even at a corner");
-    visit.maybe("mm3", edit.mm3, editFields::Number{"mm³", 0.0, 1e9, quantum::perMillimetre},
+    visit.maybe("mm3", edit.mm3, editFields::Number{"mm³", 0.0, 1e9, quantum::perCubicMillimetre},
         "the largest hole that is filled, or the smallest island that stays",
         "every hole is filled");
 }

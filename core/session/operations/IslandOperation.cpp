@@ -59,9 +59,10 @@ void IslandOperation::takeResult(SessionState& state, EngineResult&& result)
             return giveUp(state, taken.error());
         return readNext(state);
     }
-    if (m_begun && result.ticket == *m_begun) // it never opened, and its end tells so again
+    if (m_begun && result.ticket == *m_begun) { // it never opened, and its end tells so again
+        m_failed = true;
         state.fail(*result.error);
-    else if (m_ended && result.ticket == *m_ended)
+    } else if (m_ended && result.ticket == *m_ended)
         finish(state, std::move(result));
 }
 
@@ -69,6 +70,8 @@ void IslandOperation::finish(SessionState& state, EngineResult&& result)
 {
     if (result.error) {
         m_done = true;
+        if (!m_failed)
+            state.fail(*result.error);
         return;
     }
     if (result.changes.empty())

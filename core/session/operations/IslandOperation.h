@@ -36,6 +36,7 @@ private:
     std::optional<Ticket> m_asked; ///< for labels
     std::optional<Ticket> m_begun;
     std::optional<Ticket> m_ended;
+    bool m_failed = false; ///< which has been told
     bool m_done = false;
 };
 

@@ -122,7 +122,7 @@ private Q_SLOTS:
         QVERIFY(inverted);
         QCOMPARE(inverted->get<InvertSegment>().segment, 2);
         const Result<Edit> cleaned = editFromJson(
-            parse("{'edit':'cleanSegment','segment':2,'rule':'removeSmall','mm3':40.0002}"));
+            parse("{'edit':'cleanSegment','segment':2,'rule':'removeSmall','mm3':40.0000002}"));
         QVERIFY(cleaned);
         QVERIFY(cleaned->get<CleanSegment>().rule == IslandRule::RemoveSmall);
         QCOMPARE(*quantised(*cleaned).get<CleanSegment>().mm3, 40.0);

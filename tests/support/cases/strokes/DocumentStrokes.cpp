@@ -166,7 +166,7 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     const CleanSegment specks{.segment = 1, .rule = IslandRule::RemoveSmall, .mm3 = 1e6};
     cases.push_back({"fill holes of what has grown", volume, {first, seeds, all}, fill});
     cases.push_back({"fill holes where there are none", volume, {first}, fill});
-    cases.push_back({"keep the largest island", volume, {first, seeds, all, paint}, largest});
+    cases.push_back({"keep the largest island", volume, {first, paint}, largest});
     cases.push_back({"remove all islands", volume, {first, paint}, specks});
     cases.push_back({"undo only what was cleaned", volume, {first, paint, specks, drill},
         core::RevertRows{{3}}});
