@@ -205,6 +205,12 @@ QString WindowLanguage::form(const core::RowTitle& title)
                    : tr("Import %1 segments of %2 as '%3'", nullptr, count);
     case RowTitleCode::InvertSegment:
         return tr("Invert segment '%1'");
+    case RowTitleCode::FillHoles:
+        return tr("Fill holes of '%1'");
+    case RowTitleCode::KeepLargestIsland:
+        return tr("Keep the largest island of '%1'");
+    case RowTitleCode::RemoveSmallIslands:
+        return tr("Remove small islands of '%1'");
     case RowTitleCode::SegmentSeen:
         return tr("Segment what is seen as '%1'");
     case RowTitleCode::LayerToSegment:

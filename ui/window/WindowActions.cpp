@@ -382,12 +382,7 @@ void addListActions(MainWindow& window)
             .text = each.text,
             .run = [&workspace, &each] { each.run(workspace, workspace.activeSegment()); },
             .possible = [activeSegment] { return activeSegment() && !activeSegment()->locked; },
-            .currentText =
-                [activeSegment, &each] {
-                    const core::Segment* segment = activeSegment();
-                    return segment ? QStringLiteral("%1 '%2'").arg(each.text, segment->name)
-                                   : each.text;
-                }});
+            .currentText = [activeSegment, &each] { return namedText(each, activeSegment()); }});
     }
     actions.add({.id = QStringLiteral("layers.add"),
         .text = QStringLiteral("Add sculpt layer"),

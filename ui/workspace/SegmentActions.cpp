@@ -3,12 +3,18 @@
 
 #include "core/document/SegmentColours.h"
 #include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/CountText.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/workspace/Workspace.h"
 
+#include <QPointer>
+
 #include <algorithm>
+#include <memory>
 
 namespace ui {
 
@@ -84,6 +90,14 @@ void removeSegment(Workspace& workspace, int label)
 
 namespace {
 
+/// An island is small below 100 mm³, or below a hundredth of its segment where that is less:
+/// specks of a growth or a network are, and hardly anything that is looked for.
+double smallIslandMm3(const Workspace& workspace, const core::Segment& segment)
+{
+    const glm::dvec3 spacing = workspace.volume()->geometry.spacingMm();
+    return std::min(100.0, 0.01 * double(segment.voxels) * spacing.x * spacing.y * spacing.z);
+}
+
 void invertSegment(Workspace& workspace, int label)
 {
     core::EditSession* session = workspace.session();
@@ -95,11 +109,89 @@ void invertSegment(Workspace& workspace, int label)
                       .arg(session->foreseenDocument().segment(label)->name));
 }
 
+/// What is cleaned of a segment, and what is told if there was nothing.
+void clean(Workspace& workspace, const core::CleanSegment& edit, const QString& nothing)
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    session->closeGrowth();
+    const std::size_t rows = session->history().rows().size();
+    auto* failures = new QObject(&workspace);
+    const auto failed = std::make_shared<bool>(false);
+    QObject::connect(
+        &workspace, &Workspace::failed, failures, [failed](const core::Error&) { *failed = true; });
+    if (const auto cleaned = session->apply(edit); !cleaned) {
+        delete failures;
+        return workspace.fail(cleaned.error());
+    }
+    const QString name = session->foreseenDocument().segment(edit.segment)->name;
+    // Only when it has been looked at is it known whether there was anything.
+    session->questions().afterAll([guard = QPointer(&workspace), watch = QPointer(failures),
+                                      session, rows, nothing, name, failed] {
+        delete watch;
+        if (!guard || guard->session() != session || *failed)
+            return;
+        // A growth that stood open has left a row of its own.
+        const std::vector<core::HistoryRow>& now = session->history().rows();
+        for (std::size_t row = rows; row < now.size(); ++row) {
+            if (now[row].edit.is<core::CleanSegment>())
+                return guard->say(QObject::tr("%1; Ctrl+Z takes it back").arg(nameOf(now[row])));
+        }
+        guard->say(nothing.arg(name));
+    });
+}
+
+void fillHoles(Workspace& workspace, int label)
+{
+    clean(workspace, {.segment = label, .rule = core::IslandRule::FillHoles},
+        QObject::tr("'%1' has no hole that is closed on all sides"));
+}
+
+void keepLargestIsland(Workspace& workspace, int label)
+{
+    clean(workspace, {.segment = label, .rule = core::IslandRule::KeepLargest},
+        QObject::tr("'%1' is one island already"));
+}
+
+void removeSmallIslands(Workspace& workspace, int label)
+{
+    core::EditSession* session = workspace.session();
+    const core::Segment* segment = session ? session->document().segment(label) : nullptr;
+    if (!segment)
+        return;
+    clean(workspace,
+        {.segment = label,
+            .rule = core::IslandRule::RemoveSmall,
+            .mm3 = smallIslandMm3(workspace, *segment)},
+        QObject::tr("'%1' has no island that is so small"));
+}
+
 } // namespace
+
+QString namedText(const SegmentAction& action, const core::Segment* segment)
+{
+    if (!segment)
+        return action.text;
+    return action.named.isEmpty() ? QStringLiteral("%1 '%2'").arg(action.text, segment->name)
+                                  : action.named.arg(segment->name);
+}
 
 const std::vector<SegmentAction>& segmentActions()
 {
     static const std::vector<SegmentAction> all{
+        {.id = "segments.fillHoles",
+            .text = QObject::tr("Fill holes"),
+            .named = QObject::tr("Fill holes of '%1'"),
+            .run = &fillHoles},
+        {.id = "segments.keepLargest",
+            .text = QObject::tr("Keep largest island"),
+            .named = QObject::tr("Keep largest island of '%1'"),
+            .run = &keepLargestIsland},
+        {.id = "segments.removeSmall",
+            .text = QObject::tr("Remove small islands"),
+            .named = QObject::tr("Remove small islands of '%1'"),
+            .run = &removeSmallIslands},
         {.id = "segments.invert", .text = QObject::tr("Invert segment"), .run = &invertSegment},
         {.id = "segments.remove",
             .text = QObject::tr("Delete segment"),

@@ -11,6 +11,7 @@
 
 namespace core {
 struct Document;
+struct Segment;
 }
 
 namespace ui {
@@ -38,10 +39,13 @@ void removeSegment(Workspace& workspace, int label);
 /// to the active one in the menu Segments.
 struct SegmentAction {
     const char* id; ///< of the window's action: "segments.remove"
-    QString text; ///< "Delete segment"; with the segment's name behind it where that is said
+    QString text; ///< "Delete segment"; with the segment's name behind it where that is said,
+    QString named{}; ///< unless this says it: "Fill holes of '%1'"
     QKeySequence keys{}; ///< heard in the list of segments alone
     void (*run)(Workspace& workspace, int label);
 };
+/// The text with the segment's name, where no list shows whose it is; null: without.
+[[nodiscard]] QString namedText(const SegmentAction& action, const core::Segment* segment);
 /// As menus have them.
 [[nodiscard]] const std::vector<SegmentAction>& segmentActions();
 

@@ -39,7 +39,7 @@ QString Number::type() const
 
 QString Number::unit() const
 {
-    return QLatin1String(unitName);
+    return QString::fromUtf8(unitName);
 }
 
 QJsonValue Number::write(Value value) const

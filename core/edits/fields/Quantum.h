@@ -8,6 +8,7 @@ namespace core {
 namespace quantum {
 
 constexpr double perMillimetre = 1024.0; ///< positions, radii, depths: multiples of 1/1024 mm
+constexpr double perCubicMillimetre = 1048576.0; ///< volumes: multiples of 2⁻²⁰ mm³
 constexpr double perDirection = 1048576.0; ///< components of a direction: multiples of 2⁻²⁰
 constexpr double perPressure = 65535.0; ///< pressure: multiples of 1/65535
 constexpr double perDegree = 1024.0; ///< rotations of pieces

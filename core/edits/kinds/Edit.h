@@ -25,6 +25,7 @@ struct ChangeMarks;
 struct ChangePiece;
 struct ChangeSegment;
 struct ChunkToggle;
+struct CleanSegment;
 struct CutPiece;
 struct DivideSegment;
 struct DrillStroke;
@@ -79,7 +80,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, ImportMask,
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
-    SurfaceBarrier, InvertSegment>;
+    SurfaceBarrier, InvertSegment, CleanSegment>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

@@ -4,6 +4,7 @@
 #include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
@@ -74,6 +75,23 @@ inline constexpr const char* editMeaning<InvertSegment> =
 template <class Visitor> void visitFields(Visitor& visit, InvertSegment& edit)
 {
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+}
+
+template <> inline constexpr const char* editName<CleanSegment> = "cleanSegment";
+template <>
+inline constexpr const char* editMeaning<CleanSegment> =
+    "Fills holes of a segment that is not locked, or removes islands from it. Voxels of others "
+    "stay "
+    "theirs. Does nothing where there is none.";
+template <class Visitor> void visitFields(Visitor& visit, CleanSegment& edit)
+{
+    visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visit.field("rule", Presence::Required, edit.rule,
+        editFields::Choice<IslandRule, 3>{{"fillHoles", "keepLargest", "removeSmall"}},
+        "holes are surrounded on all sides; islands do not touch each other, not even at a corner");
+    visit.maybe("mm3", edit.mm3, editFields::Number{"mm³", 0.0, 1e9, quantum::perCubicMillimetre},
+        "the largest hole that is filled, or the smallest island that stays",
+        "every hole is filled");
 }
 
 template <> inline constexpr const char* editName<PaintStroke> = "paint";

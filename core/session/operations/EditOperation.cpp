@@ -8,6 +8,7 @@
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/session/operations/ChunkOperation.h"
 #include "core/session/operations/DocumentOperation.h"
+#include "core/session/operations/IslandOperation.h"
 #include "core/session/operations/RevertOperation.h"
 #include "core/session/operations/ReviseOperation.h"
 #include "core/session/operations/SurfaceOperation.h"
@@ -30,6 +31,8 @@ std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
         if (const auto* revert = edit.as<RevertRows>())
             return std::make_unique<RevertOperation>(*revert, again);
         return std::make_unique<ReviseOperation>(edit.get<ReviseStroke>(), again);
+    case EditTask::Islands:
+        return std::make_unique<IslandOperation>(edit.get<CleanSegment>(), again);
     case EditTask::Engine:
         break;
     }

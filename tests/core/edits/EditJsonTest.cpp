@@ -13,6 +13,7 @@
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
@@ -120,7 +121,13 @@ private Q_SLOTS:
         const Result<Edit> inverted = editFromJson(parse("{'edit':'invertSegment','segment':2}"));
         QVERIFY(inverted);
         QCOMPARE(inverted->get<InvertSegment>().segment, 2);
-        for (const Edit& edit : {*carved, *seen, *inverted})
+        const Result<Edit> cleaned = editFromJson(
+            parse("{'edit':'cleanSegment','segment':2,'rule':'removeSmall','mm3':40.0000002}"));
+        QVERIFY(cleaned);
+        QVERIFY(cleaned->get<CleanSegment>().rule == IslandRule::RemoveSmall);
+        QCOMPARE(*quantised(*cleaned).get<CleanSegment>().mm3, 40.0);
+        QVERIFY(!editFromJson(parse("{'edit':'cleanSegment','segment':2,'rule':'polish'}")));
+        for (const Edit& edit : {*carved, *seen, *inverted, *cleaned})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",

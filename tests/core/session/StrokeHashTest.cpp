@@ -45,6 +45,7 @@ void StrokeHashTest::agrees()
         || stroke.name == "seeds that have grown are not taken away"
         || stroke.name == "a mask that is held already" || stroke.name == "divide again"
         || stroke.name == "take what is not there" || stroke.name == "follow what did not change"
+        || stroke.name == "fill holes where there are none"
         || stroke.name == "write back what was not changed"
         || stroke.name == "write back a second time"
         || stroke.name == "barrier around the surface again"

@@ -15,6 +15,7 @@
 #include "core/edits/kinds/pieces/RemovePiece.h"
 #include "core/edits/kinds/pieces/SendPiecesHome.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
@@ -158,6 +159,17 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
         {"growth after an inversion", volume, {first, seeds, second, others, some, invert}, all});
     cases.push_back(
         {"undo only an inversion", volume, {first, paint, invert, drill}, core::RevertRows{{3}}});
+    using core::CleanSegment;
+    using core::IslandRule;
+    const CleanSegment fill{.segment = 1};
+    const CleanSegment largest{.segment = 1, .rule = IslandRule::KeepLargest};
+    const CleanSegment specks{.segment = 1, .rule = IslandRule::RemoveSmall, .mm3 = 1e6};
+    cases.push_back({"fill holes of what has grown", volume, {first, seeds, all}, fill});
+    cases.push_back({"fill holes where there are none", volume, {first}, fill});
+    cases.push_back({"keep the largest island", volume, {first, paint}, largest});
+    cases.push_back({"remove all islands", volume, {first, paint}, specks});
+    cases.push_back({"undo only what was cleaned", volume, {first, paint, specks, drill},
+        core::RevertRows{{3}}});
     cases.push_back({"merge layers", volume, {layer, drill, other, brush}, merge});
     cases.push_back({"merge an empty layer", volume, {layer, other}, merge});
     cases.push_back({"delete a layer", volume, {layer, drill, other}, removeLayer});

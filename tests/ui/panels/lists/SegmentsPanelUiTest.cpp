@@ -159,6 +159,31 @@ private Q_SLOTS:
         QVERIFY(!action.isEnabled());
     }
 
+    /// What is cleaned is one step; where there is nothing to clean, that is told.
+    void cleaningSaysWhatItDid()
+    {
+        Fixture fixture;
+        QAction& action = fixture.window.actionTable()[QStringLiteral("segments.keepLargest")];
+        QCOMPARE(action.text(), QStringLiteral("Keep largest island of 'Brain'"));
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const std::int64_t voxels = fixture.session().document().segment(1)->voxels;
+        fixture.apply(test::paintAt(1, {glm::dvec3(-18.0, -16.0, 106.0)}, 1.2));
+        QVERIFY(fixture.session().document().segment(1)->voxels > voxels);
+        const std::size_t rows = fixture.session().history().rows().size();
+        action.trigger();
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        QCOMPARE(fixture.session().document().segment(1)->voxels, voxels);
+        QVERIFY(said.front().front().toString().startsWith(
+            QStringLiteral("Keep the largest island of 'Brain'")));
+        action.trigger();
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 2);
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        QCOMPARE(said.back().front().toString(), QStringLiteral("'Brain' is one island already"));
+    }
+
     /// The menu of a row has what the menu Segments has, and keeps its hands off what is locked.
     void aRowsMenuInverts_data()
     {

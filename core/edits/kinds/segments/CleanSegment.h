@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/answers/EditAnswers.h"
+#include "core/islands/SegmentIslands.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace core {
+
+struct RelabelListed;
+struct VolumeGeometry;
+
+/// Fill holes of a segment, or remove islands from it (core/islands/SegmentIslands.h). What it does
+/// is worked out anew from the labels whenever it is carried out.
+struct CleanSegment {
+    int segment = 0; ///< label
+    IslandRule rule = IslandRule::FillHoles;
+    /// For FillHoles the largest hole that is filled; none: all. For RemoveSmall the smallest
+    /// island that stays, and required.
+    std::optional<double> mm3{};
+};
+
+[[nodiscard]] Result<void> check(const CleanSegment& edit, const Document& document);
+Result<bool> apply(const CleanSegment& edit, Document& document);
+[[nodiscard]] EditEffects effects(const CleanSegment& edit);
+[[nodiscard]] RowTitle rowTitle(const CleanSegment& edit, const RowFacts& row);
+[[nodiscard]] EditDependencies dependencies(const CleanSegment& edit, const DependencyFacts& row);
+
+/// The edit for an engine; no bricks: there is nothing to be done. Holes are filled where nothing
+/// is: voxels of other segments stay theirs.
+/// @param labels of the whole volume in the segment's plane, x fastest
+/// Any thread. Errors: UnknownSegment, SegmentLocked, Cancelled.
+[[nodiscard]] Result<RelabelListed> relabelListed(
+    const CleanSegment& edit, const Document& document, std::span<const std::uint8_t> labels);
+
+} // namespace core

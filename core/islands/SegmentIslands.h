@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+#include "core/brick/VoxelRuns.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace core {
+
+/// What is to be done about the parts of a segment that do not belong together. Islands are its
+/// parts that do not touch each other, not even at a corner (26 neighbours); holes are what it
+/// surrounds on all sides so that no way of faces (6 neighbours) leads out. A hole is never at the
+/// border of the volume.
+enum class IslandRule : std::uint8_t {
+    FillHoles, ///< holes of at most so many voxels become the segment's
+    KeepLargest, ///< all islands but the largest go; of equal ones the first in memory stays
+    RemoveSmall, ///< islands of fewer voxels go
+};
+
+/// The voxels that a rule gives to a segment, or takes from it.
+struct IslandChange {
+    VoxelRuns voxels;
+    std::int64_t parts = 0; ///< holes or islands
+};
+
+/// The voxels of a segment's islands or holes that a rule is about.
+/// @param labels of the whole volume in the segment's plane, x fastest
+/// @param voxels for FillHoles the most that a hole has, for RemoveSmall the least that an island
+/// keeps; KeepLargest does not ask
+/// What lies in a hole and is another segment's counts as the hole's, too; whether it is taken is
+/// the caller's rule. Cost: two passes over the volume, and memory ∝ the runs of voxels along x.
+/// Any thread. Errors: Cancelled.
+[[nodiscard]] Result<IslandChange> islandChange(std::span<const std::uint8_t> labels,
+    const glm::ivec3& size, std::uint8_t label, IslandRule rule, std::int64_t voxels,
+    const Progress& progress);
+
+} // namespace core
