@@ -2,8 +2,12 @@
 #include "gpu/render/SlicePass.h"
 
 #include "gpu/fields/bricks/BrickField.h"
+#include "gpu/fields/textures/PieceTextures.h"
 #include "gpu/fields/textures/VolumeTextures.h"
 #include "gpu/scene/WindowMapping.h"
+
+#include <span>
+#include <vector>
 
 namespace gpu {
 
@@ -16,7 +20,36 @@ constexpr unsigned warned = 8; // this and the next ones when they are first nee
 constexpr unsigned atTolerance = 16;
 constexpr unsigned cutPreview = 32;
 constexpr unsigned chunked = 64;
+constexpr unsigned pieces = 128;
+constexpr std::size_t mostPieces = 16; // slice.frag
 constexpr unsigned seldom = warned;
+
+/// Pieces that layers have cut out; those of segments are seen as segments.
+std::vector<const PieceTextures::Entry*> cutPieces(const PieceTextures& textures)
+{
+    std::vector<const PieceTextures::Entry*> cut;
+    for (const auto& [source, entry] : textures.entries()) {
+        if (source.layer != 0 && !entry.filled.empty() && cut.size() < mostPieces)
+            cut.push_back(&entry);
+    }
+    return cut;
+}
+
+void setPieces(Program& program, const std::vector<const PieceTextures::Entry*>& cut)
+{
+    std::vector<glm::vec4> low;
+    std::vector<glm::vec4> high;
+    std::vector<glm::vec4> shift;
+    for (const PieceTextures::Entry* entry : cut) {
+        low.emplace_back(glm::vec3(entry->box.minimum), 0.0f);
+        high.emplace_back(glm::vec3(entry->box.maximum), 0.0f);
+        shift.emplace_back(glm::vec3(entry->place - entry->box.minimum), 0.0f);
+    }
+    program.set("pieceCount", int(cut.size()))
+        .set("pieceLow", std::span<const glm::vec4>(low))
+        .set("pieceHigh", std::span<const glm::vec4>(high))
+        .set("pieceShift", std::span<const glm::vec4>(shift));
+}
 
 } // namespace
 
@@ -38,7 +71,8 @@ Program& SlicePass::programFor(unsigned form, unsigned variant)
                 .defines = {{"LABELED", has(labeled)}, {"CARVED", has(carved)},
                     {"BARRIERS", has(barriers)}, {"WARNED", has(warned)},
                     {"AT_TOLERANCE", has(atTolerance)}, {"CUT_PREVIEW", has(cutPreview)},
-                    {"CHUNKS", has(chunked)}, {"CUBIC", (form & Cubic) != 0 ? 1 : 0},
+                    {"CHUNKS", has(chunked)}, {"PIECES", has(pieces)},
+                    {"CUBIC", (form & Cubic) != 0 ? 1 : 0},
                     {"PLANE", (form & OnPlane) != 0 ? 1 : 0}}});
     return known;
 }
@@ -100,7 +134,14 @@ Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const Sli
     }
     if (chunks)
         variant += chunked;
+    const std::vector<const PieceTextures::Entry*> cut = cutPieces(volume.pieces());
+    if (!cut.empty() && scene.showCarved)
+        variant += pieces;
     Program& program = programFor(form, variant);
+    if ((variant & pieces) != 0) {
+        volume.pieces().footprints().bindUnit(9);
+        setPieces(program, cut);
+    }
     if (chunks)
         chunks->bind(program, *scene.chunks,
             (form & OnPlane) != 0 ? ChunkTextures::Drawn::Bodies : ChunkTextures::Drawn::Areas);

@@ -14,11 +14,11 @@ namespace gpu {
 class VolumeTextures;
 
 /// Draws any plane through the volume: grey values by window/level (DICOM LINEAR), fill and outline
-/// of segments, the outline of what is carved away, stripes where growth is barred, a warning
-/// colour for members of late generations, hatching over what a cut would remove, and chunks in
-/// their colours. A segment is shown as it would be at a tolerance if the scene asks for it and the
-/// field is valid. Outside the volume the picture is black. Interpolation is cubic if both scene
-/// and target say so.
+/// of segments, the outlines of what is carved away and of each piece that was cut out, at its true
+/// place, stripes where growth is barred, a warning colour for members of late generations,
+/// hatching over what a cut would remove, and chunks in their colours. A segment is shown as it
+/// would be at a tolerance if the scene asks for it and the field is valid. Outside the volume the
+/// picture is black. Interpolation is cubic if both scene and target say so.
 class SlicePass {
 public:
     /// Throws ShaderError. @param library outlives the pass
@@ -32,13 +32,14 @@ public:
     /// The same for the cutting plane of the 3D view (planePixel.glsl).
     /// @param look how a slice looks; its position is ignored
     /// @param chunks of the look, in the colours of bodies; null if none are drawn
-    /// @return the program, which must be told where the plane is seen, and used
+    /// @return the program, which must be told where the plane is seen and which segment is
+    /// refined, and used
     [[nodiscard]] Program& prepareOnPlane(VolumeTextures& volume, const SliceScene& look,
         const SegmentDisplay& segments, const Palette& palette, const PassTarget& target,
         const ChunkTextures* chunks);
 
 private:
-    static constexpr unsigned variants = 128;
+    static constexpr unsigned variants = 256;
     /// Where the plane is drawn, and how it is interpolated.
     enum Form : unsigned { Plain = 0, Cubic = 1, OnPlane = 2, CubicOnPlane = 3 };
     static constexpr unsigned forms = 4;
@@ -47,7 +48,7 @@ private:
         const SliceScene& scene, const SegmentDisplay& segments, const Palette& palette,
         const PassTarget& target, const ChunkTextures* chunks);
     /// @param variant a sum of bits: 1 labels, 2 carved, 4 barriers, 8 members that warn, 16 a
-    /// segment at a tolerance, 32 what a cut would remove, 64 chunks
+    /// segment at a tolerance, 32 what a cut would remove, 64 chunks, 128 pieces
     [[nodiscard]] Program& programFor(unsigned form, unsigned variant);
 
     const ShaderLibrary& m_library;

@@ -1,5 +1,5 @@
-// Draws one pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, CUT_PREVIEW, CHUNKS: whether
-// there is anything of this kind to draw. AT_TOLERANCE: one segment is drawn as it would be at a
+// Draws one pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, CUT_PREVIEW, CHUNKS, PIECES:
+// whether there is anything of this kind to draw. AT_TOLERANCE: one segment is drawn as it would be at a
 // tolerance. CUBIC: cubic interpolation. PLANE: draws the cutting plane in the 3D view.
 
 /* Textures */
@@ -27,6 +27,15 @@ uniform ivec3 chunkOrigin;
 uniform float chunkOpacity;
 #endif
 
+#if PIECES
+const int mostPieces = 16; // gpu/render/SlicePass.cpp
+layout(binding = 9) uniform sampler3D footprints; // ≥ 0.5: belongs to the piece
+uniform int pieceCount;
+uniform vec4 pieceLow[mostPieces]; // index, xyz: the box that a piece fills
+uniform vec4 pieceHigh[mostPieces];
+uniform vec4 pieceShift[mostPieces]; // texel of footprints = index + this + 0.5
+#endif
+
 /* Uniforms */
 uniform vec3 base; // index: position of pixel (0, 0)
 uniform vec3 perX;   // index per pixel
@@ -50,6 +59,12 @@ const vec3 barrierColour = vec3(0.93, 0.25, 0.36);
 const float barrierWidth = 1.2; // pixels
 const float cutPreviewWidth = 1.5; // pixels
 const float chunkWidth = 0.8; // pixels
+const vec3 pieceColour = vec3(0.29, 0.64, 1.0);
+const float pieceWidth = 1.5; // pixels
+#if PLANE
+uniform uint maskLabel; // the segment that is being refined; 0: none
+const vec3 maskColour = vec3(0.90, 0.24, 0.18);
+#endif
 
 #if PLANE
 #include "render/planePixel.glsl"
@@ -91,6 +106,17 @@ vec4 chunkAt(vec3 index)
         && all(lessThan(within, textureSize(chunkLeaves, 0)));
     const uint leaf = has ? texelFetch(chunkLeaves, within, 0).r : 0u;
     return texelFetch(chunkColours, ivec2(int(leaf), 0), 0);
+}
+#endif
+
+#if PIECES
+float footprintAt(int piece, vec3 index)
+{
+    const vec3 low = pieceLow[piece].xyz;
+    const vec3 high = pieceHigh[piece].xyz;
+    const bool within = all(greaterThanEqual(index, low - 0.5)) && all(lessThan(index, high - 0.5));
+    const vec3 texel = clamp(index, low, high - 1.0) + pieceShift[piece].xyz + 0.5;
+    return within ? texture(footprints, texel / vec3(textureSize(footprints, 0))).r : 0.0;
 }
 #endif
 
@@ -139,9 +165,16 @@ void main()
         edge = edge || labelAt(nearestVoxel(there)) != label;
     }
 #if WARNED
-    const vec3 own = warns(voxel) ? texelFetch(palette, ivec2(0), 0).rgb : entry.rgb;
+    vec3 own = warns(voxel) ? texelFetch(palette, ivec2(0), 0).rgb : entry.rgb;
 #else
-    const vec3 own = entry.rgb;
+    vec3 own = entry.rgb;
+#endif
+#if PLANE
+    // The mask from which the surface came is reddish, so that the surface's line stands out
+    // (seed B, figure 8).
+    const bool isMask = label != 0u && label == maskLabel;
+    own = isMask ? maskColour : own;
+    edge = edge && !isMask;
 #endif
     result = mix(result, own, entry.a * (edge ? 1.0 : fillOpacity));
 #endif
@@ -163,6 +196,17 @@ void main()
     }
     const float tint = least < 0.5 ? 0.9 : carvedAsHole ? 0.0 : 0.10;
     result = mix(result, carvedColour, showCarved && covered >= 0.5 ? tint : 0.0);
+#endif
+#if PIECES
+    // What has been lifted lies here, wherever it is shown in the 3D view.
+    for (int k = 0; k < pieceCount; ++k) {
+        const float held = footprintAt(k, index);
+        float rest = held;
+        for (int i = 0; i < 8; i += 2)
+            rest = min(rest, footprintAt(k, indexAt(pixel + around(i) * pieceWidth)));
+        const float strength = rest < 0.5 ? 0.95 : 0.16;
+        result = mix(result, pieceColour, held >= 0.5 ? strength : 0.0);
+    }
 #endif
 #if BARRIERS
     const bool isBarred = isBarrier(voxel);

@@ -48,8 +48,10 @@ bool DirtyVoxels::empty() const
 
 bool showsChange(const Scene& scene, const core::VolumeGeometry& geometry, const DirtyVoxels& dirty)
 {
-    const core::VoxelBox flat =
-        dirty.labels.united(dirty.radiation).united(dirty.barriers).united(dirty.cutPreview);
+    const core::VoxelBox flat = dirty.labels.united(dirty.radiation)
+                                    .united(dirty.barriers)
+                                    .united(dirty.cutPreview)
+                                    .united(dirty.pieces);
     if (const auto* slice = std::get_if<SliceScene>(&scene))
         return cutsVoxels(*slice, geometry, flat);
     const auto& volume = std::get<VolumeScene>(scene);

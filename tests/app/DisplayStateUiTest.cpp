@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/window/Application.h"
 #include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/surface/DropSurface.h"
+#include "core/edits/kinds/surface/LaySurface.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionDisplay.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/tools/sculpt/PeelTool.h"
@@ -18,6 +21,7 @@
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/LayerLooks.h"
 #include "ui/workspace/Pieces.h"
+#include "ui/workspace/Refinement.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -303,6 +307,54 @@ private Q_SLOTS:
         QCOMPARE(views.arrangement(), ui::ViewGrid::Layout::PenAndStage);
         QVERIFY(views.plane().isVisible() && !views.axial().isVisible());
         QCOMPARE(views.plane().place()->mmPerPixel, 0.04);
+    }
+
+    /// What the volume stepped back from for the surface comes back with the end of refining, also
+    /// after a restart; and what the user has chosen meanwhile stays.
+    void whatRefiningHidComesBack_data()
+    {
+        QTest::addColumn<int>("chosen");
+        QTest::addColumn<int>("expected");
+        using gpu::Context;
+        QTest::newRow("stepped back") << -1 << int(Context::CutAway);
+        QTest::newRow("chosen: both") << int(Context::Translucent) << int(Context::Translucent);
+        QTest::newRow("chosen: segments only") << int(Context::Hidden) << int(Context::Hidden);
+    }
+    void whatRefiningHidComesBack()
+    {
+        QFETCH(int, chosen);
+        QFETCH(int, expected);
+        const auto show = [](ui::Workspace& workspace, gpu::Context context) {
+            ui::Workspace::VolumeDisplay display = workspace.volumeDisplay();
+            display.context = context;
+            workspace.setVolumeDisplay(display);
+        };
+        const auto apply = [](ui::Workspace& workspace, const core::Edit& edit) {
+            QVERIFY(workspace.session()->apply(edit));
+            QVERIFY(workspace.session()->settle());
+            QCoreApplication::processEvents();
+        };
+        {
+            const auto application = opened();
+            ui::Workspace& workspace = application->workspace();
+            show(workspace, gpu::Context::CutAway);
+            apply(workspace, test::ballMask(workspace.volume()->geometry.size, 6.0));
+            const int label = workspace.session()->document().segments.back().label;
+            apply(workspace, core::LaySurface{.segment = label, .vertices = 800});
+            QCOMPARE(workspace.volumeDisplay().context, gpu::Context::Hidden);
+            if (chosen >= 0) {
+                show(workspace, gpu::Context::Opaque);
+                show(workspace, gpu::Context(chosen));
+            }
+        }
+        const auto application = opened();
+        ui::Workspace& workspace = application->workspace();
+        QCoreApplication::processEvents();
+        QVERIFY(workspace.refinement().surface().has_value());
+        QCOMPARE(int(workspace.volumeDisplay().context),
+            chosen >= 0 ? chosen : int(gpu::Context::Hidden));
+        apply(workspace, core::DropSurface{});
+        QCOMPARE(int(workspace.volumeDisplay().context), expected);
     }
 
     /// Looking alone writes nothing; neither does a session that was never looked at lack anything.

@@ -40,8 +40,9 @@ ContextSwitch::ContextSwitch(Workspace& workspace, QWidget* parent)
     : QFrame(parent)
     , m_workspace(workspace)
     , m_choices(new QButtonGroup(this))
-    , m_opacity(new QSlider(Qt::Horizontal, this))
-    , m_cutAway(new QToolButton(this))
+    , m_ofBoth(new QWidget(this))
+    , m_opacity(new QSlider(Qt::Horizontal, m_ofBoth))
+    , m_cutAway(new QToolButton(m_ofBoth))
 {
     setObjectName(QStringLiteral("contextSwitch"));
     setAccessibleName(tr("What the 3D view shows"));
@@ -49,20 +50,20 @@ ContextSwitch::ContextSwitch(Workspace& workspace, QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(1, 1, 1, 1);
     layout->setSpacing(0);
-    const auto button = [&](QToolButton* made, const QString& text, const QString& tip) {
+    const auto button = [](QToolButton* made, const QString& text, const QString& tip) {
         made->setText(text);
         made->setToolTip(tip);
         made->setCheckable(true);
         made->setFont(theme::smallFont());
         // A click leaves the keys with the view.
         made->setFocusPolicy(Qt::TabFocus);
-        layout->addWidget(made);
         return made;
     };
     const auto add = [&](Choice choice, const char* name, const QString& text, const QString& tip) {
         QToolButton* made = button(new QToolButton(this), text, tip);
         made->setObjectName(QLatin1String(name));
         m_choices->addButton(made, choice);
+        layout->addWidget(made);
     };
     add(VolumeOnly, "contextOpaque", tr("Volume"), tr("The volume hides what is in it (Alt+5)"));
     add(Both, "contextBoth", tr("both"),
@@ -76,12 +77,15 @@ ContextSwitch::ContextSwitch(Workspace& workspace, QWidget* parent)
     m_opacity->setPageStep(10);
     m_opacity->setFixedWidth(48);
     m_opacity->setFocusPolicy(Qt::TabFocus);
-    layout->addSpacing(theme::smallPadding);
-    layout->addWidget(m_opacity);
-    layout->addSpacing(4);
     button(m_cutAway, tr("cut away"),
         tr("The volume is opaque, but not in front of segments and of the surface"));
     m_cutAway->setObjectName(QStringLiteral("contextCutAway"));
+    auto* ofBoth = new QHBoxLayout(m_ofBoth);
+    ofBoth->setContentsMargins(theme::smallPadding, 0, 0, 0);
+    ofBoth->setSpacing(4);
+    ofBoth->addWidget(m_opacity);
+    ofBoth->addWidget(m_cutAway);
+    layout->addWidget(m_ofBoth);
 
     connect(m_choices, &QButtonGroup::idClicked, this, [this](int id) {
         choose(id == VolumeOnly ? gpu::Context::Opaque
@@ -107,6 +111,21 @@ ContextSwitch::ContextSwitch(Workspace& workspace, QWidget* parent)
     showState();
 }
 
+std::optional<gpu::Context> ContextSwitch::before() const
+{
+    return m_steppedBack ? std::optional(m_before) : std::nullopt;
+}
+
+void ContextSwitch::setBefore(std::optional<gpu::Context> before)
+{
+    m_steppedBack =
+        before.has_value() && m_workspace.volumeDisplay().context == gpu::Context::Hidden;
+    m_before = before.value_or(gpu::Context::Opaque);
+    if (choiceOf(m_before) == Both)
+        m_both = m_before;
+    showState();
+}
+
 void ContextSwitch::choose(gpu::Context context)
 {
     Workspace::VolumeDisplay display = m_workspace.volumeDisplay();
@@ -123,8 +142,7 @@ void ContextSwitch::showState()
     m_steppedBack = m_steppedBack && choice == SegmentsOnly;
     m_choices->button(choice)->setChecked(true);
     m_cutAway->setChecked(m_both == gpu::Context::CutAway);
-    m_cutAway->setVisible(choice == Both);
-    m_opacity->setVisible(choice == Both);
+    m_ofBoth->setVisible(choice == Both);
     m_opacity->setEnabled(m_both != gpu::Context::CutAway);
     const QSignalBlocker blocker(m_opacity);
     m_opacity->setValue(int(std::lround(100.0 * display.contextOpacity)));

@@ -5,6 +5,8 @@
 
 #include <QFrame>
 
+#include <optional>
+
 class QButtonGroup;
 class QSlider;
 class QToolButton;
@@ -25,6 +27,11 @@ class ContextSwitch : public QFrame {
 public:
     ContextSwitch(Workspace& workspace, QWidget* parent);
 
+    /// What was shown before it stepped back; none if it did not, or the user has chosen since.
+    [[nodiscard]] std::optional<gpu::Context> before() const;
+    /// Makes before() what it was when the session was last open.
+    void setBefore(std::optional<gpu::Context> before);
+
 private:
     void choose(gpu::Context context);
     void showState();
@@ -32,6 +39,7 @@ private:
 
     Workspace& m_workspace;
     QButtonGroup* m_choices;
+    QWidget* m_ofBoth; ///< what matters while both are shown
     QSlider* m_opacity;
     QToolButton* m_cutAway;
     bool m_refining = false;

@@ -4,6 +4,7 @@
 #include "core/session/SessionDisplay.h"
 #include "ui/base/DisplayJson.h"
 #include "ui/input/Tool.h"
+#include "ui/views/ContextSwitch.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/window/ToolSettings.h"
 #include "ui/workspace/CuttingPlane.h"
@@ -90,6 +91,21 @@ void read(const QJsonValue& json, gpu::TransferFunction& function)
         function = std::move(read);
 }
 
+/// Empty: none.
+QString nameOf(std::optional<gpu::Context> context)
+{
+    return context ? QLatin1String(contextNames[std::size_t(*context)]) : QString();
+}
+
+std::optional<gpu::Context> contextNamed(const QString& name)
+{
+    for (std::size_t i = 0; i < contextNames.size(); ++i) {
+        if (name == QLatin1String(contextNames[i]))
+            return gpu::Context(i);
+    }
+    return std::nullopt;
+}
+
 QJsonObject toJson(const Workspace::VolumeDisplay& display)
 {
     return {{QStringLiteral("mode"), QLatin1String(modeNames[std::size_t(display.mode)])},
@@ -98,7 +114,7 @@ QJsonObject toJson(const Workspace::VolumeDisplay& display)
         {QStringLiteral("mipWindow"), toJson(display.mipWindow)},
         {QStringLiteral("xrayWindow"), toJson(display.xrayWindow)},
         {QStringLiteral("cutFaces"), QLatin1String(faceNames[std::size_t(display.cutFaces)])},
-        {QStringLiteral("context"), QLatin1String(contextNames[std::size_t(display.context)])},
+        {QStringLiteral("context"), nameOf(display.context)},
         {QStringLiteral("contextOpacity"), display.contextOpacity}};
 }
 
@@ -118,11 +134,8 @@ void read(const QJsonValue& json, Workspace::VolumeDisplay& display)
         if (faces == QLatin1String(faceNames[i]))
             display.cutFaces = gpu::CutFaces(i);
     }
-    const QString context = json[QLatin1String("context")].toString();
-    for (std::size_t i = 0; i < contextNames.size(); ++i) {
-        if (context == QLatin1String(contextNames[i]))
-            display.context = gpu::Context(i);
-    }
+    display.context =
+        contextNamed(json[QLatin1String("context")].toString()).value_or(display.context);
     read(json[QLatin1String("contextOpacity")], display.contextOpacity);
     display.contextOpacity = std::clamp(display.contextOpacity, 0.0, 1.0);
 }
@@ -306,6 +319,11 @@ void apply(const QJsonValue& json, VolumeView& view)
     view.setCamera(camera);
 }
 
+ContextSwitch& contextSwitch(const ViewGrid& views)
+{
+    return *views.volume().findChild<ContextSwitch*>();
+}
+
 struct NamedView {
     const char* name;
     ImageView* view;
@@ -362,6 +380,8 @@ QJsonObject DisplayState::composed() const
 {
     const Workspace::ViewOptions& options = m_workspace.viewOptions();
     const Tool* tool = m_workspace.activeTool();
+    QJsonObject volume = toJson(m_workspace.volumeDisplay());
+    volume[QStringLiteral("contextBefore")] = nameOf(contextSwitch(m_views).before());
     QJsonObject object{{QStringLiteral("crosshairLps"), toJson(m_workspace.crosshairLps())},
         {QStringLiteral("window"), toJson(m_workspace.windowLevel())},
         {QStringLiteral("inverted"), options.inverted},
@@ -370,8 +390,7 @@ QJsonObject DisplayState::composed() const
         {QStringLiteral("showSegments"), options.showSegments},
         {QStringLiteral("showCarved"), options.showCarved},
         {QStringLiteral("carvedAsHole"), options.carvedAsHole},
-        {QStringLiteral("showBarriers"), options.showBarriers},
-        {QStringLiteral("volume"), toJson(m_workspace.volumeDisplay())},
+        {QStringLiteral("showBarriers"), options.showBarriers}, {QStringLiteral("volume"), volume},
         {QStringLiteral("clip"), toJson(m_workspace.clip())},
         {QStringLiteral("plane"), toJson(m_workspace.plane())},
         {QStringLiteral("pieces"), toJson(m_workspace.pieces().looks())},
@@ -424,6 +443,9 @@ void DisplayState::apply(const QJsonObject& state)
     Workspace::VolumeDisplay volume = m_workspace.volumeDisplay();
     read(state[QLatin1String("volume")], volume);
     m_workspace.setVolumeDisplay(volume);
+    const QJsonValue before = state[QLatin1String("volume")][QLatin1String("contextBefore")];
+    if (before.isString())
+        contextSwitch(m_views).setBefore(contextNamed(before.toString()));
     core::ClipRegion clip = m_workspace.clip();
     read(state[QLatin1String("clip")], core::wholeVolume(m_workspace.volume()->geometry), clip);
     m_workspace.setClip(clip);

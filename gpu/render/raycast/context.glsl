@@ -17,7 +17,10 @@ float segmentOpenness(vec3 at, vec3 directionWorld)
         reached += stride;
         stride *= 1.6;
         const vec3 there = at + worldToTexture * (directionWorld * reached);
-        const float solid = smoothstep(0.35, 0.65, texture(segmentation, there).r);
+        float solid = smoothstep(0.35, 0.65, texture(segmentation, there).r);
+#if CLIPPED
+        solid = isClipped(there) ? 0.0 : solid;
+#endif
         hidden += solid * (0.62 - 0.14 * float(look));
     }
     return 1.0 - clamp(hidden, 0.0, 1.0);

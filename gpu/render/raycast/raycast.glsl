@@ -45,6 +45,14 @@ uniform vec3 clipHigh;
 // texture: kept where dot(xyz, at) ≤ w; a plane that is off keeps everything
 uniform vec4 clipPlanes[3];
 uniform vec4 clipNormals[3]; // world, unit, towards what is hidden
+
+bool isClipped(vec3 at)
+{
+    bool hidden = any(lessThan(at, clipLow)) || any(greaterThan(at, clipHigh));
+    for (int i = 0; i < 3; ++i)
+        hidden = hidden || dot(clipPlanes[i].xyz, at) > clipPlanes[i].w;
+    return hidden;
+}
 #else
 const vec3 clipLow = vec3(0.0);
 const vec3 clipHigh = vec3(1.0);

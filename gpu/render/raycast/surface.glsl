@@ -26,16 +26,6 @@ bool isSegment(vec3 at)
 }
 #endif
 
-#if CLIPPED
-bool isClipped(vec3 at)
-{
-    bool hidden = any(lessThan(at, clipLow)) || any(greaterThan(at, clipHigh));
-    for (int i = 0; i < 3; ++i)
-        hidden = hidden || dot(clipPlanes[i].xyz, at) > clipPlanes[i].w;
-    return hidden;
-}
-#endif
-
 #if PIECES
 bool isPiece(int piece, vec3 at)
 {

@@ -102,6 +102,46 @@ private Q_SLOTS:
                 QCOMPARE(test::pixel(none, x, y), glm::ivec3(0));
     }
 
+    /// A part of a segment that is clipped away does not shade what is beside the cut.
+    void whatIsClippedShadesNothing_data()
+    {
+        QTest::addColumn<int>("context");
+        QTest::newRow("hidden") << int(Context::Hidden);
+        QTest::newRow("cut away") << int(Context::CutAway);
+    }
+    void whatIsClippedShadesNothing()
+    {
+        QFETCH(int, context);
+        VolumeScene scene = sceneIn(RenderMode::Surface, Context(context));
+        const core::VoxelBox floor{{16, 30, 16}, {48, 40, 48}};
+        const core::VoxelBox plate{{16, 18, 16}, {48, 25, 48}}; // 5 mm in front of it
+        const auto brightness = [&](bool withPlate, bool clipped) {
+            m_fixture->open(test::centredGeometry({64, 64, 64}), test::noMatter);
+            m_fixture->fill(VolumeField::Labels, floor, label);
+            m_fixture->fill(VolumeField::Segmentation, floor, 255);
+            if (withPlate) {
+                m_fixture->fill(VolumeField::Labels, plate, label);
+                m_fixture->fill(VolumeField::Segmentation, plate, 255);
+            }
+            scene.clip.planes[0].on = clipped;
+            scene.clip.planes[0].normalLps = {0, -1, 0};
+            scene.clip.planes[0].pointLps = {0, -4.5, 0};
+            const Frame frame = draw(scene);
+            glm::ivec3 sum(0);
+            for (int y = 44; y < 52; ++y)
+                for (int x = 44; x < 52; ++x)
+                    sum += at(frame, {x, y});
+            return sum / 64;
+        };
+        const glm::ivec3 bare = brightness(false, true);
+        QVERIFY2(isBlue(bare), qPrintable(text(bare)));
+        // There is nothing to clip; then there is.
+        QVERIFY(apart(brightness(false, false), bare) <= 1);
+        const glm::ivec3 cut = brightness(true, true);
+        QVERIFY2(
+            apart(cut, bare) <= 1, qPrintable(text(cut) + QStringLiteral(" and ") + text(bare)));
+    }
+
     void aSegmentIsSeenThroughTheContext_data() { addModes(); }
     void aSegmentIsSeenThroughTheContext()
     {

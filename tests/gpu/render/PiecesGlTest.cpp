@@ -167,6 +167,44 @@ private Q_SLOTS:
             told(seam).constData());
     }
 
+    /// A slice shows where a piece lies in truth, wherever the 3D view shows it.
+    void slicesOutlineIt()
+    {
+        openPotato();
+        cover(1, {{4, 4, 4}, {60, 60, 60}});
+        SliceScene slice;
+        slice.window = {1500.0, 3000.0};
+        slice.cubic = false;
+        const Frame plain = m_fixture->draw(slice, {64, 64});
+        VolumeScene view = scene(RenderMode::Surface);
+        view.pieces = {{.id = 1, .layer = 1, .shownFromTrue = pose({30, -17, 21})}};
+        m_fixture->draw(view, frameSize);
+        const Frame outlined = m_fixture->draw(slice, {64, 64});
+        keep(outlined, QStringLiteral("piece_slice.png"));
+        const auto differs = [&](int x, int y) {
+            const glm::ivec3 here = test::pixel(outlined, x, y);
+            const glm::ivec3 before = test::pixel(plain, x, y);
+            const glm::ivec3 apart = glm::abs(here - before);
+            return std::max({apart.r, apart.g, apart.b});
+        };
+        // Voxel i is seen in pixel i. Inside there is a tint, at the border a line, and beyond it
+        // nothing has changed.
+        QVERIFY(differs(30, 30) > 5 && differs(30, 30) < 70);
+        QVERIFY(test::pixel(outlined, 4, 30).b > 200);
+        QVERIFY(test::pixel(outlined, 59, 30).b > 200);
+        for (int i = 0; i < 64; ++i)
+            QCOMPARE(differs(i, 1), 0);
+        // Without pieces it is as before, and what hides carving hides this too.
+        view.pieces.clear();
+        m_fixture->draw(view, frameSize);
+        QCOMPARE(*m_fixture->draw(slice, {64, 64}).rgba, *plain.rgba);
+        slice.showCarved = false;
+        const Frame hidden = m_fixture->draw(slice, {64, 64});
+        view.pieces = {{.id = 1, .layer = 1}};
+        m_fixture->draw(view, frameSize);
+        QCOMPARE(*m_fixture->draw(slice, {64, 64}).rgba, *hidden.rgba);
+    }
+
     void aMoveIsADisplacement_data() { addModes(); }
 
     /// What is moved by so many pixels is found so many pixels away.

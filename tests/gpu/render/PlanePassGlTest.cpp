@@ -319,6 +319,42 @@ private Q_SLOTS:
         QVERIFY(worst < 0.08);
     }
 
+    /// Seed B, figure 8: the mask on the plane is reddish while its surface is refined.
+    void theMaskIsReddish()
+    {
+        const core::VolumeGeometry geometry = test::centredGeometry({40, 40, 40});
+        m_fixture->open(geometry, [](const glm::dvec3&) { return 2000.0; });
+        m_fixture->fill(VolumeField::Labels, {{0, 0, 0}, {20, 40, 40}}, 1);
+        m_fixture->fill(VolumeField::Labels, {{20, 0, 0}, {40, 40, 40}}, 2);
+        SegmentDisplay segments;
+        segments.rgb[1] = segments.rgb[2] = 0x30A050;
+        segments.visible[1] = segments.visible[2] = true;
+        ScenePlane shown = plane();
+        shown.centreLps = {};
+        shown.rightLps = {1.0, 0.0, 0.0};
+        shown.downLps = {0.0, 1.0, 0.0};
+        const VolumeScene view = facing(shown);
+        const glm::ivec2 middle = size / 2;
+        const glm::ivec2 first = middle - glm::ivec2(size.x / 8, 0);
+        const glm::ivec2 second = middle + glm::ivec2(size.x / 8, 0);
+        const Frame before = drawWith(view, shown, segments);
+        QVERIFY(test::pixel(before, first.x, first.y).g > test::pixel(before, first.x, first.y).r);
+        VolumeScene refining = view;
+        refining.bodiless = 1;
+        const Frame refined = drawWith(refining, shown, segments);
+        const glm::ivec3 mask = test::pixel(refined, first.x, first.y);
+        QVERIFY2(mask.r > mask.g + 30 && mask.r > mask.b + 30,
+            qPrintable(QStringLiteral("%1 %2 %3").arg(mask.r).arg(mask.g).arg(mask.b)));
+        QVERIFY(
+            test::pixel(refined, second.x, second.y) == test::pixel(before, second.x, second.y));
+        // As a wireframe, which leaves its body.
+        segments.rgb[2] = 0x3060C0;
+        shown.contour = SceneContour{};
+        shown.contour->colours.rgb = segments.rgb[1];
+        const Frame wireframe = drawWith(view, shown, segments);
+        QVERIFY(test::pixel(wireframe, first.x, first.y) == mask);
+    }
+
     /// When the surface moves the line does, in views that see it.
     void contourIsInStepWithTheSurface()
     {

@@ -221,6 +221,22 @@ private Q_SLOTS:
         QVERIFY(refine.worksIn(fixture.view.context()));
     }
 
+    /// It ends where its last visible part does.
+    void itIsNoWiderThanWhatItShows()
+    {
+        ContextFixture fixture;
+        for (const Context context : {Context::Opaque, Context::Translucent, Context::Hidden}) {
+            fixture.show(context);
+            QCoreApplication::processEvents();
+            const bool both = context == Context::Translucent;
+            const QToolButton& last = fixture.button(both ? "contextCutAway" : "contextHidden");
+            const int right = last.mapTo(&fixture.control(), QPoint(last.width(), 0)).x();
+            const int blank = fixture.control().width() - right;
+            QVERIFY2(blank >= 0 && blank <= 2, qPrintable(QString::number(blank)));
+            QCOMPARE(fixture.opacity().isVisible(), both);
+        }
+    }
+
     void itHasRoom_data()
     {
         QTest::addColumn<QSize>("size");

@@ -4,6 +4,8 @@
 #include "core/document/Piece.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/session/SessionDisplay.h"
+#include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -94,6 +96,36 @@ private Q_SLOTS:
         QCoreApplication::sendEvent(&fixture.view(), &leave);
         fixture.settle();
         QVERIFY(!fixture.workspace.pointedLps());
+    }
+
+    /// Where segments alone are shown they are what is pointed at, not the skull around them.
+    void aloneSegmentsAreSeen()
+    {
+        ReadoutFixture fixture;
+        core::EditSession& session = *fixture.workspace.session();
+        QVERIFY(session.apply(test::ballMask(glm::ivec3(test::smallHead::side), 6.0)));
+        QVERIFY(session.settle());
+        ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+        display.context = gpu::Context::Hidden;
+        for (const gpu::RenderMode mode : {gpu::RenderMode::Surface, gpu::RenderMode::Mip}) {
+            display.mode = mode;
+            fixture.workspace.setVolumeDisplay(display);
+            fixture.hover({0.0, 0.0});
+            QVERIFY(fixture.distanceMm());
+            const int label = session.document().segments.front().label;
+            const glm::dvec3 index =
+                fixture.workspace.volume()->geometry.toIndex(*fixture.workspace.pointedLps());
+            const glm::dvec3 middle = 0.5 * glm::dvec3(test::smallHead::side - 1);
+            QVERIFY(std::abs(glm::distance(index, middle) - 6.0) < 1.5);
+            QCOMPARE(label, 1);
+            // Nothing is seen where there is tissue alone, nor of a segment that is hidden.
+            fixture.hover({0.0, -1.4 * 9.0 / fixture.view().context().mmPerPixel()});
+            QVERIFY(!fixture.workspace.pointedLps());
+            session.display().setSegmentVisible(label, false);
+            fixture.hover({0.0, 0.0});
+            QVERIFY(!fixture.workspace.pointedLps());
+            session.display().setSegmentVisible(label, true);
+        }
     }
 
     /// Wherever a piece is shown, what is pointed at on it means its true place.

@@ -7,6 +7,7 @@
 #include "ui/tools/aim/PickQuestion.h"
 #include "ui/workspace/Workspace.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -22,7 +23,8 @@ struct Sample {
     int code = 0;
 };
 
-/// A point's way through one piece; samples that are no voxel of it are taken out.
+/// A point's way through one piece, or through the segments if it has the id 0; samples that are no
+/// voxel of it are taken out.
 struct Way {
     std::size_t point = 0;
     gpu::ScenePiece piece;
@@ -33,6 +35,7 @@ struct Way {
 struct Question {
     gpu::VolumeScene scene;
     core::Volume volume; ///< its description
+    std::array<bool, 256> segments{}; ///< labels that are shown
     SeenVoxels seen; ///< of the rest of the volume
     std::vector<double> depthMm;
     std::vector<Way> ways;
@@ -51,47 +54,57 @@ core::BrickKey keyOf(const gpu::ScenePiece& piece, std::uint32_t brick)
         .brick = brick};
 }
 
-/// The ways of all points through all shown pieces, as if each were at home and the viewer moved.
+/// Adds the ways of all points through a piece, as if it were at home and the viewer moved.
+void addWays(std::vector<Way>& ways, const gpu::ScenePiece& piece, const gpu::VolumeScene& scene,
+    const std::vector<glm::dvec2>& planeMm, const core::Volume& volume)
+{
+    const double zoom = std::cbrt(std::abs(glm::determinant(glm::dmat3(piece.shownFromTrue))));
+    const glm::dmat4 toTrue = glm::inverse(piece.shownFromTrue);
+    core::OrthographicView view = orthographicView(scene);
+    view.eyeLps = glm::dvec3(toTrue * glm::dvec4(view.eyeLps, 1.0));
+    view.targetLps = glm::dvec3(toTrue * glm::dvec4(view.targetLps, 1.0));
+    view.up = glm::normalize(glm::dmat3(toTrue) * view.up);
+    std::vector<glm::dvec2> points = planeMm;
+    for (glm::dvec2& point : points)
+        point /= zoom;
+    const core::PickRays picked = core::pickRays(view, points, volume.geometry, scene.clip);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const core::PickRay& ray = picked.rays[i];
+        Way way{.point = i, .piece = piece, .sampleMm = picked.sampleMm, .samples = {}};
+        for (int n = 0; n < ray.samples; ++n) {
+            const glm::dvec3 index = glm::dvec3(ray.origin + ray.step * n) / 65536.0;
+            const glm::dvec3 shown(
+                piece.shownFromTrue * glm::dvec4(volume.geometry.toWorld(index), 1.0));
+            const glm::ivec3 voxel(glm::round(index));
+            if (volume.geometry.contains(voxel))
+                way.samples.push_back({.voxel = voxel,
+                    .depthMm = glm::dot(shown - scene.targetLps, forwardOf(scene))});
+        }
+        if (!way.samples.empty())
+            ways.push_back(std::move(way));
+    }
+}
+
+/// The ways of all points through all shown pieces. Segments that are shown alone are one of them,
+/// whose id is 0.
 std::vector<Way> waysThrough(const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& planeMm,
     const core::Volume& volume)
 {
     std::vector<Way> ways;
     for (const gpu::ScenePiece& piece : scene.pieces) {
-        if (piece.opacity <= 0.0f || piece.id == 0)
-            continue;
-        const double zoom = std::cbrt(std::abs(glm::determinant(glm::dmat3(piece.shownFromTrue))));
-        const glm::dmat4 toTrue = glm::inverse(piece.shownFromTrue);
-        core::OrthographicView view = orthographicView(scene);
-        view.eyeLps = glm::dvec3(toTrue * glm::dvec4(view.eyeLps, 1.0));
-        view.targetLps = glm::dvec3(toTrue * glm::dvec4(view.targetLps, 1.0));
-        view.up = glm::normalize(glm::dmat3(toTrue) * view.up);
-        std::vector<glm::dvec2> points = planeMm;
-        for (glm::dvec2& point : points)
-            point /= zoom;
-        const core::PickRays picked = core::pickRays(view, points, volume.geometry, scene.clip);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const core::PickRay& ray = picked.rays[i];
-            Way way{.point = i, .piece = piece, .sampleMm = picked.sampleMm, .samples = {}};
-            for (int n = 0; n < ray.samples; ++n) {
-                const glm::dvec3 index = glm::dvec3(ray.origin + ray.step * n) / 65536.0;
-                const glm::dvec3 shown(
-                    piece.shownFromTrue * glm::dvec4(volume.geometry.toWorld(index), 1.0));
-                const glm::ivec3 voxel(glm::round(index));
-                if (volume.geometry.contains(voxel))
-                    way.samples.push_back({.voxel = voxel,
-                        .depthMm = glm::dot(shown - scene.targetLps, forwardOf(scene))});
-            }
-            if (!way.samples.empty())
-                ways.push_back(std::move(way));
-        }
+        if (piece.opacity > 0.0f && piece.id != 0)
+            addWays(ways, piece, scene, planeMm, volume);
     }
+    if (scene.context == gpu::Context::Hidden)
+        addWays(ways, {.solid = true}, scene, planeMm, volume);
     return ways;
 }
 
 /// Takes out what does not belong to the piece.
-void keepMembers(std::vector<Way>& ways, const std::vector<core::BrickImage>& bricks,
-    const core::BrickGrid& grid)
+void keepMembers(
+    Question& question, const std::vector<core::BrickImage>& bricks, const core::BrickGrid& grid)
 {
+    std::vector<Way>& ways = question.ways;
     std::map<core::BrickKey, const std::vector<std::uint8_t>*> known;
     for (const core::BrickImage& brick : bricks)
         known[brick.key] = &brick.bytes.read();
@@ -105,6 +118,8 @@ void keepMembers(std::vector<Way>& ways, const std::vector<core::BrickImage>& br
                 sample.voxel - grid.brickPosition(brick) * core::BrickGrid::side;
             const int value = (*found->second)[std::size_t(
                 local.x + core::BrickGrid::side * (local.y + core::BrickGrid::side * local.z))];
+            if (way.piece.id == 0)
+                return value == 0 || !question.segments[std::size_t(value)];
             return way.piece.layer > 0 ? value < 128 : value != way.piece.segment;
         });
     }
@@ -212,7 +227,7 @@ void askMembers(Workspace& workspace, const std::shared_ptr<Question>& question)
                 return question->then(tl::unexpected(bricks.error()));
             {
                 const core::VoxelsAllowed singleOnes; // those on the ways, some thousand at most
-                keepMembers(question->ways, *bricks, grid);
+                keepMembers(*question, *bricks, grid);
             }
             if (question->ways.empty())
                 return question->then(question->seen);
@@ -228,6 +243,9 @@ void askWhatIsSeen(Workspace& workspace, const gpu::VolumeScene& scene,
 {
     auto question = std::make_shared<Question>();
     question->scene = scene;
+    if (scene.context == gpu::Context::Hidden)
+        question->scene.mode = gpu::RenderMode::Surface; // as it is drawn in every mode
+    question->segments = workspace.segmentDisplay().visible;
     question->volume = *workspace.volume();
     question->ways = waysThrough(scene, planeMm, *workspace.volume());
     question->then = then;

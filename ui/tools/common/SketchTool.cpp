@@ -42,9 +42,7 @@ QString SketchTool::keys() const
 bool SketchTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
-    return !scene
-        || (scene->orthographic && scene->context != gpu::Context::Hidden
-            && scene->context != gpu::Context::CutAway);
+    return !scene || (scene->orthographic && scene->context != gpu::Context::CutAway);
 }
 
 void SketchTool::press(const PointerSample& sample, const ViewContext& view)

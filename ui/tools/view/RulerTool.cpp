@@ -103,7 +103,7 @@ QWidget* RulerTool::createOptions(QWidget* parent)
 bool RulerTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
-    return !scene || (scene->orthographic && scene->context != gpu::Context::Hidden);
+    return !scene || scene->orthographic;
 }
 
 void RulerTool::press(const PointerSample& sample, const ViewContext& view)
