@@ -25,6 +25,8 @@ constexpr int mostRepairRounds = 20;
 /// than what follows, which the tools can still do with.
 constexpr std::array<double, 2> firstShares{0.25, 0.5};
 constexpr double fewestVertices = 2000.0;
+/// Twice as many vertices enclose no more than so many times better: a rugged mask is not tried.
+constexpr double mostGain = 4.0;
 
 class Fitting {
 public:
@@ -60,6 +62,8 @@ public:
             Result<MeasuredFit> fit = ofAbout(int(std::min(vertices, double(mostVertices))));
             if (!fit || isGood(*fit))
                 return fit;
+            if (double(fit->voxelsOff) > mostGain * mostOffShare * double(fit->voxels))
+                break;
         }
         return asTheMaskTakes();
     }

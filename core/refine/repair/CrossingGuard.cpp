@@ -9,7 +9,7 @@ namespace core {
 namespace {
 
 /// Of its way, that a vertex goes if its faces cross, if they still do, and so on.
-constexpr std::array<double, 4> shareOfWay{1.0, 0.5, 0.25, 0.0};
+constexpr std::array<double, 3> shareOfWay{1.0, 0.5, 0.0};
 
 template <typename Id> void sortUnique(std::vector<Id>& ids)
 {

@@ -14,8 +14,8 @@ namespace core {
 ///
 /// It remembers where the vertices were when no new pair was there. After a move it looks at the
 /// faces that moved and what lies around them. Vertices of faces that cross then go only half of
-/// their way, a quarter, or not at all, until no face crosses: this ends, since two faces that did
-/// not move at all do not cross. The result does not depend on the number of threads.
+/// their way, or not at all, until no face crosses: this ends, since two faces that did not move at
+/// all do not cross. The result does not depend on the number of threads.
 class CrossingGuard {
 public:
     /// @param mesh, geometry must outlive this; the mesh is written only through edits that are

@@ -16,23 +16,6 @@ constexpr int shares = 16;
 /// Fewer faces than this are not worth a thread.
 constexpr std::size_t fewFaces = 256;
 
-/// Whether two boxes have no place in common.
-template <typename Low>
-bool areApart(const Low& lowA, const Low& highA, const Low& lowB, const Low& highB)
-{
-    return glm::any(glm::greaterThan(lowA, highB)) || glm::any(glm::greaterThan(lowB, highA));
-}
-
-glm::ivec3 lowOf(const LatticeTriangle& triangle)
-{
-    return glm::min(glm::min(triangle[0].place, triangle[1].place), triangle[2].place);
-}
-
-glm::ivec3 highOf(const LatticeTriangle& triangle)
-{
-    return glm::max(glm::max(triangle[0].place, triangle[1].place), triangle[2].place);
-}
-
 } // namespace
 
 FaceGrid::FaceGrid(const SimplexMesh& mesh, const VolumeGeometry& geometry)
@@ -42,6 +25,8 @@ FaceGrid::FaceGrid(const SimplexMesh& mesh, const VolumeGeometry& geometry)
     , m_middles(mesh.faceSlots())
     , m_boxes(mesh.faceSlots())
 {
+    for (const VertexId id : mesh.vertexIds())
+        place(id);
     const std::vector<FaceId> faces = mesh.faceIds();
     std::int64_t extent = 0;
     std::int64_t greatest = 0;
@@ -52,12 +37,14 @@ FaceGrid::FaceGrid(const SimplexMesh& mesh, const VolumeGeometry& geometry)
         extent += longest;
         greatest = std::max(greatest, longest);
     }
-    // A quarter as wide again as a face; a huge one is not to fill the grid.
+    // About a quarter as wide again as a face; a huge one is not to fill the grid.
     constexpr std::int64_t least = 256;
     constexpr std::int64_t mostCells = 64;
     const std::int64_t mean = extent / std::max<std::int64_t>(std::int64_t(faces.size()), 1);
-    m_cell = std::int32_t(std::max({least, mean + mean / 4, greatest / mostCells}));
-    m_buckets.resize(std::bit_ceil(std::max<std::size_t>(2 * faces.size(), 64)));
+    const std::int64_t wanted = std::max({least, mean + mean / 4, greatest / mostCells});
+    m_cellBits = int(std::bit_width(std::uint64_t(wanted - wanted / 4)));
+    m_firsts.resize(std::bit_ceil(std::max<std::size_t>(2 * faces.size(), 64)), noEntry);
+    m_entries.reserve(6 * faces.size());
     for (const FaceId face : faces)
         enter(face);
 }
@@ -68,12 +55,15 @@ void FaceGrid::refresh(std::span<const FaceId> faces)
     m_middles.resize(std::max<std::size_t>(m_middles.size(), m_mesh.faceSlots()));
     m_boxes.resize(std::max<std::size_t>(m_boxes.size(), m_mesh.faceSlots()));
     for (const FaceId face : faces) {
-        const Box before = m_boxes[face];
-        if (m_mesh.hasFace(face))
+        const FaceBox before = m_boxes[face];
+        if (m_mesh.hasFace(face)) {
+            for (const VertexId id : m_mesh.ring(face))
+                place(id);
             measure(face);
-        else
+        } else {
             m_boxes[face] = {};
-        const Box after = m_boxes[face];
+        }
+        const FaceBox after = m_boxes[face];
         if (!before.empty() && !after.empty() && cellOf(before.low) == cellOf(after.low)
             && cellOf(before.high) == cellOf(after.high))
             continue;
@@ -84,12 +74,16 @@ void FaceGrid::refresh(std::span<const FaceId> faces)
     }
 }
 
+void FaceGrid::place(VertexId id)
+{
+    m_points[id] = latticePoint(m_toIndex(m_mesh.position(id)));
+}
+
 void FaceGrid::measure(FaceId face)
 {
     const glm::ivec3 middle = latticePoint(m_toIndex(middleOf(m_mesh, face)));
-    Box box{.low = middle, .high = middle};
+    FaceBox box{.low = middle, .high = middle};
     for (const VertexId id : m_mesh.ring(face)) {
-        m_points[id] = latticePoint(m_toIndex(m_mesh.position(id)));
         box.low = glm::min(box.low, m_points[id]);
         box.high = glm::max(box.high, m_points[id]);
     }
@@ -99,9 +93,7 @@ void FaceGrid::measure(FaceId face)
 
 glm::ivec3 FaceGrid::cellOf(const glm::ivec3& place) const
 {
-    // What lies below 0 counts from there on, too.
-    constexpr std::int32_t bias = 1 << 29;
-    return (place + bias) / m_cell;
+    return place >> m_cellBits;
 }
 
 std::size_t FaceGrid::placeOf(const glm::ivec3& cell) const
@@ -110,135 +102,89 @@ std::size_t FaceGrid::placeOf(const glm::ivec3& cell) const
         + std::uint64_t(std::uint32_t(cell.y)) * 0xc2b2ae3d27d4eb4fULL
         + std::uint64_t(std::uint32_t(cell.z)) * 0x165667b19e3779f9ULL;
     key ^= key >> 29;
-    return std::size_t(key) & (m_buckets.size() - 1);
+    return std::size_t(key) & (m_firsts.size() - 1);
 }
 
-std::vector<FaceId>& FaceGrid::bucketOf(const glm::ivec3& cell)
+std::uint32_t& FaceGrid::firstOf(const glm::ivec3& cell)
 {
-    return m_buckets[placeOf(cell)];
-}
-
-const std::vector<FaceId>& FaceGrid::bucketOf(const glm::ivec3& cell) const
-{
-    return m_buckets[placeOf(cell)];
+    return m_firsts[placeOf(cell)];
 }
 
 void FaceGrid::enter(FaceId face)
 {
     if (m_boxes[face].empty())
         return;
-    const glm::ivec3 low = cellOf(m_boxes[face].low);
-    const glm::ivec3 high = cellOf(m_boxes[face].high);
-    for (int z = low.z; z <= high.z; ++z) {
-        for (int y = low.y; y <= high.y; ++y) {
-            for (int x = low.x; x <= high.x; ++x)
-                bucketOf({x, y, z}).push_back(face);
+    forEachCell(m_boxes[face], [&](const glm::ivec3& cell) {
+        std::uint32_t& first = firstOf(cell);
+        std::uint32_t at = m_free;
+        if (at == noEntry) {
+            at = std::uint32_t(m_entries.size());
+            m_entries.emplace_back();
+        } else {
+            m_free = m_entries[at].next;
         }
-    }
+        m_entries[at] = {.face = face, .next = first};
+        first = at;
+    });
 }
 
 void FaceGrid::leave(FaceId face)
 {
     if (m_boxes[face].empty())
         return;
-    const glm::ivec3 low = cellOf(m_boxes[face].low);
-    const glm::ivec3 high = cellOf(m_boxes[face].high);
-    for (int z = low.z; z <= high.z; ++z) {
-        for (int y = low.y; y <= high.y; ++y) {
-            for (int x = low.x; x <= high.x; ++x) {
-                std::vector<FaceId>& bucket = bucketOf({x, y, z});
-                const auto found = std::find(bucket.begin(), bucket.end(), face);
-                if (found == bucket.end())
-                    continue;
-                *found = bucket.back();
-                bucket.pop_back();
-            }
-        }
-    }
+    forEachCell(m_boxes[face], [&](const glm::ivec3& cell) {
+        std::uint32_t* link = &firstOf(cell);
+        while (*link != noEntry && m_entries[*link].face != face)
+            link = &m_entries[*link].next;
+        if (*link == noEntry)
+            return;
+        const std::uint32_t at = *link;
+        *link = m_entries[at].next;
+        m_entries[at].next = m_free;
+        m_free = at;
+    });
 }
 
-void FaceGrid::fanOf(FaceId face, Fan& fan) const
+FaceFan FaceGrid::fanOf(FaceId face) const
 {
-    fan.clear();
-    const FaceRing& ring = m_mesh.ring(face);
-    const LatticeCorner middle{.point = m_mesh.vertexSlots() + face, .place = m_middles[face]};
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const VertexId next = ring[(i + 1) % ring.size()];
-        fan.push_back({LatticeCorner{.point = ring[i], .place = m_points[ring[i]]},
-            LatticeCorner{.point = next, .place = m_points[next]}, middle});
-    }
+    return {.box = m_boxes[face],
+        .middle = {.point = m_mesh.vertexSlots() + face, .place = m_middles[face]},
+        .ring = m_mesh.ring(face),
+        .points = m_points.data()};
 }
 
-bool FaceGrid::cross(const Fan& one, const Fan& other)
+void FaceGrid::lookAround(FaceId face, std::vector<CrossingFaces>& found) const
 {
-    for (const LatticeTriangle& a : one) {
-        const glm::ivec3 low = lowOf(a);
-        const glm::ivec3 high = highOf(a);
-        for (const LatticeTriangle& b : other) {
-            if (!areApart(low, high, lowOf(b), highOf(b)) && passThroughEachOther(a, b))
-                return true;
-        }
-    }
-    return false;
-}
-
-bool FaceGrid::crossesItself(const Fan& fan)
-{
-    for (std::size_t i = 0; i < fan.size(); ++i) {
-        for (std::size_t j = i + 1; j < fan.size(); ++j) {
-            if (passThroughEachOther(fan[i], fan[j]))
-                return true;
-        }
-    }
-    return false;
-}
-
-void FaceGrid::lookAround(FaceId face, const std::vector<bool>& isAsked, std::vector<FaceId>& near,
-    std::array<Fan, 2>& fans, std::vector<CrossingFaces>& found) const
-{
-    const Box& box = m_boxes[face];
+    const FaceBox& box = m_boxes[face];
     if (box.empty())
         return;
-    near.clear();
-    const glm::ivec3 low = cellOf(box.low);
-    const glm::ivec3 high = cellOf(box.high);
-    for (int z = low.z; z <= high.z; ++z) {
-        for (int y = low.y; y <= high.y; ++y) {
-            for (int x = low.x; x <= high.x; ++x) {
-                for (const FaceId other : bucketOf({x, y, z})) {
-                    const Box& beside = m_boxes[other];
-                    // Of two that are asked about the lesser one looks.
-                    if (other == face || (isAsked[other] && other < face)
-                        || areApart(box.low, box.high, beside.low, beside.high))
-                        continue;
-                    near.push_back(other);
-                }
-            }
-        }
-    }
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    fanOf(face, fans[0]);
-    if (crossesItself(fans[0]))
+    const FaceFan own = fanOf(face);
+    if (passesThroughItself(own))
         found.push_back({.one = face, .other = face});
-    for (const FaceId other : near) {
-        fanOf(other, fans[1]);
-        if (cross(fans[0], fans[1]))
-            found.push_back({.one = std::min(face, other), .other = std::max(face, other)});
-    }
+    forEachCell(box, [&](const glm::ivec3& cell) {
+        for (std::uint32_t at = m_firsts[placeOf(cell)]; at != noEntry; at = m_entries[at].next) {
+            // Of two that are asked about the lesser one looks, in the first cell that has both.
+            const FaceId other = m_entries[at].face;
+            const FaceBox& beside = m_boxes[other];
+            if (other == face || (isAsked(other) && other < face) || !box.meets(beside)
+                || cellOf(glm::max(box.low, beside.low)) != cell)
+                continue;
+            if (passThroughEachOther(own, fanOf(other)))
+                found.push_back({.one = std::min(face, other), .other = std::max(face, other)});
+        }
+    });
 }
 
-std::vector<CrossingFaces> FaceGrid::crossingsOf(std::span<const FaceId> faces) const
+std::vector<CrossingFaces> FaceGrid::crossingsOf(std::span<const FaceId> faces)
 {
-    std::vector<bool> isAsked(m_boxes.size(), false);
+    m_asked.resize(m_boxes.size(), 0);
+    ++m_question;
     for (const FaceId face : faces)
-        isAsked[face] = true;
+        m_asked[face] = m_question;
     std::array<std::vector<CrossingFaces>, shares> found;
     const auto look = [&](std::size_t begin, std::size_t end, std::vector<CrossingFaces>& into) {
-        std::vector<FaceId> near;
-        std::array<Fan, 2> fans;
         for (std::size_t i = begin; i < end; ++i)
-            lookAround(faces[i], isAsked, near, fans, into);
+            lookAround(faces[i], into);
     };
     if (faces.size() < fewFaces)
         look(0, faces.size(), found[0]);
@@ -250,7 +196,9 @@ std::vector<CrossingFaces> FaceGrid::crossingsOf(std::span<const FaceId> faces) 
     std::vector<CrossingFaces> all;
     for (const auto& part : found)
         all.insert(all.end(), part.begin(), part.end());
+    // A face of two cells with the same bucket is met there twice.
     std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
 }
 

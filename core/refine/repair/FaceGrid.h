@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/refine/mesh/SimplexMesh.h"
+#include "core/refine/repair/FaceFan.h"
 #include "core/refine/repair/SelfIntersections.h"
-#include "core/refine/repair/TriangleCrossing.h"
 #include "core/volume/WorldToIndex.h"
 
 #include <span>
@@ -23,37 +23,49 @@ public:
 
     /// The pairs that pass through each other of which at least one is among @p faces.
     /// @param faces ascending, each once
-    [[nodiscard]] std::vector<CrossingFaces> crossingsOf(std::span<const FaceId> faces) const;
+    [[nodiscard]] std::vector<CrossingFaces> crossingsOf(std::span<const FaceId> faces);
 
 private:
-    struct Box {
-        glm::ivec3 low{0};
-        glm::ivec3 high{-1}; ///< below low: the face is not in the grid
-        [[nodiscard]] bool empty() const { return high.x < low.x; }
-    };
-    using Fan = std::vector<LatticeTriangle>; ///< the triangles of a face
-
     [[nodiscard]] glm::ivec3 cellOf(const glm::ivec3& place) const;
-    [[nodiscard]] std::vector<FaceId>& bucketOf(const glm::ivec3& cell);
-    [[nodiscard]] const std::vector<FaceId>& bucketOf(const glm::ivec3& cell) const;
+    [[nodiscard]] std::uint32_t& firstOf(const glm::ivec3& cell);
     [[nodiscard]] std::size_t placeOf(const glm::ivec3& cell) const;
+    template <typename Work> void forEachCell(const FaceBox& box, const Work& work) const
+    {
+        const glm::ivec3 low = cellOf(box.low);
+        const glm::ivec3 high = cellOf(box.high);
+        for (int z = low.z; z <= high.z; ++z) {
+            for (int y = low.y; y <= high.y; ++y) {
+                for (int x = low.x; x <= high.x; ++x)
+                    work(glm::ivec3(x, y, z));
+            }
+        }
+    }
     void enter(FaceId face);
     void leave(FaceId face);
+    void place(VertexId id);
     void measure(FaceId face);
-    void fanOf(FaceId face, Fan& fan) const;
-    void lookAround(FaceId face, const std::vector<bool>& isAsked, std::vector<FaceId>& near,
-        std::array<Fan, 2>& fans, std::vector<CrossingFaces>& found) const;
-    [[nodiscard]] static bool cross(const Fan& one, const Fan& other);
-    [[nodiscard]] static bool crossesItself(const Fan& fan);
+    [[nodiscard]] FaceFan fanOf(FaceId face) const;
+    void lookAround(FaceId face, std::vector<CrossingFaces>& found) const;
+    [[nodiscard]] bool isAsked(FaceId face) const { return m_asked[face] == m_question; }
 
     const SimplexMesh& m_mesh;
     WorldToIndex m_toIndex;
     std::vector<glm::ivec3> m_points; ///< by vertex
     std::vector<glm::ivec3> m_middles; ///< by face
-    std::vector<Box> m_boxes; ///< by face
-    std::int32_t m_cell = 1; ///< width of a cell
-    /// By a hash of the cell, so that faces of several cells may share one.
-    std::vector<std::vector<FaceId>> m_buckets;
+    std::vector<FaceBox> m_boxes; ///< by face
+    int m_cellBits = 0; ///< of the width of a cell
+    /// A face in a cell, and the place of the next one there.
+    struct Entry {
+        FaceId face = noId;
+        std::uint32_t next = noEntry;
+    };
+    static constexpr std::uint32_t noEntry = ~std::uint32_t(0);
+    std::vector<Entry> m_entries;
+    std::uint32_t m_free = noEntry; ///< the first that is not used
+    /// The first by a hash of the cell, so that entries of several cells may follow each other.
+    std::vector<std::uint32_t> m_firsts;
+    std::vector<std::uint64_t> m_asked; ///< by face: the last question that was about it
+    std::uint64_t m_question = 0;
 };
 
 } // namespace core

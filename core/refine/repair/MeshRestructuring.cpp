@@ -28,6 +28,8 @@ constexpr double nothingShare = 0.02;
 
 /// Of the area from which faces are split.
 constexpr double largeShare = 1.5;
+/// Of a face and its parts.
+constexpr int mostHalvings = 8;
 
 class Restructuring {
 public:
@@ -42,11 +44,7 @@ public:
 
     Restructured run(std::span<const VertexId> around)
     {
-        for (const VertexId id : around) {
-            if (m_mesh.hasVertex(id))
-                m_faces.insert(m_faces.end(), m_mesh.facesAt(id).begin(), m_mesh.facesAt(id).end());
-        }
-        sortUnique(m_faces);
+        lookAt(around);
         forEachFace([this](FaceId face) { weld(face); });
         forEachFace([this](FaceId face) { mergeSmall(face); });
         forEachFace([this](FaceId face) { splitLarge(face); });
@@ -61,7 +59,41 @@ public:
         return std::move(m_done);
     }
 
+    int bound(std::span<const VertexId> around, const StretchLimits& limits)
+    {
+        lookAt(around);
+        for (int pass = 0; pass < mostHalvings && !m_faces.empty(); ++pass) {
+            m_changed.clear();
+            forEachFace([&](FaceId face) {
+                if (isStretched(face, limits))
+                    splitInHalf(face);
+            });
+            sortUnique(m_changed);
+            m_faces = m_changed;
+        }
+        return m_done.split;
+    }
+
 private:
+    void lookAt(std::span<const VertexId> around)
+    {
+        for (const VertexId id : around) {
+            if (m_mesh.hasVertex(id))
+                m_faces.insert(m_faces.end(), m_mesh.facesAt(id).begin(), m_mesh.facesAt(id).end());
+        }
+        sortUnique(m_faces);
+    }
+    [[nodiscard]] bool isStretched(FaceId face, const StretchLimits& limits) const
+    {
+        const FaceRing& ring = m_mesh.ring(face);
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const glm::dvec3 way =
+                m_mesh.position(ring[(i + 1) % ring.size()]) - m_mesh.position(ring[i]);
+            if (glm::dot(way, way) > limits.edgeMm * limits.edgeMm)
+                return true;
+        }
+        return areaOf(m_mesh, face) > limits.areaMm2;
+    }
     template <typename Change> bool attempt(const Change& change)
     {
         return m_guard ? m_guard->attempt(m_edit, change) : change();
@@ -244,6 +276,12 @@ Restructured restructure(SimplexMeshEdit& edit, std::span<const VertexId> around
     const RestructuringSettings& settings, CrossingGuard* guard)
 {
     return Restructuring(edit, settings, guard).run(around);
+}
+
+int splitStretched(SimplexMeshEdit& edit, std::span<const VertexId> around,
+    const StretchLimits& limits, CrossingGuard* guard)
+{
+    return Restructuring(edit, {}, guard).bound(around, limits);
 }
 
 double meanFaceAreaMm2(const SimplexMesh& mesh)

@@ -41,6 +41,18 @@ struct Restructured {
 Restructured restructure(SimplexMeshEdit& edit, std::span<const VertexId> around,
     const RestructuringSettings& settings, CrossingGuard* guard = nullptr);
 
+/// Beyond which a face is stretched.
+struct StretchLimits {
+    double areaMm2 = 0.0; ///< of a face
+    double edgeMm = 0.0;
+};
+/// Splits the stretched faces at these vertices through their longest edges, and what is made of
+/// them, until none is left that can be split. Nothing else moves. Green faces are not changed.
+/// @param guard as for restructure()
+/// @return the number of splits
+int splitStretched(SimplexMeshEdit& edit, std::span<const VertexId> around,
+    const StretchLimits& limits, CrossingGuard* guard = nullptr);
+
 /// The mean area of a mesh's faces.
 [[nodiscard]] double meanFaceAreaMm2(const SimplexMesh& mesh);
 

@@ -53,6 +53,13 @@ int sideOf(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c, const 
     const glm::i64vec3 u = glm::i64vec3(b) - glm::i64vec3(a);
     const glm::i64vec3 v = glm::i64vec3(c) - glm::i64vec3(a);
     const glm::i64vec3 w = glm::i64vec3(place) - glm::i64vec3(a);
+    // Of corners this near all of it has room in 64 bits, as three times a product of 2⁶¹.
+    constexpr std::int64_t nearby = std::int64_t(1) << 20;
+    const glm::i64vec3 size = glm::max(glm::max(glm::abs(u), glm::abs(v)), glm::abs(w));
+    if (size.x < nearby && size.y < nearby && size.z < nearby) {
+        const std::int64_t product = wholeDot(wholeCross(u, v), w);
+        return product > 0 ? 1 : product < 0 ? -1 : 0;
+    }
     const Wide volume = Wide(u.y * v.z - u.z * v.y) * w.x + Wide(u.z * v.x - u.x * v.z) * w.y
         + Wide(u.x * v.y - u.y * v.x) * w.z;
     return volume > 0 ? 1 : volume < 0 ? -1 : 0;

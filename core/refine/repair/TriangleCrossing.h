@@ -18,6 +18,15 @@ struct LatticeCorner {
 };
 using LatticeTriangle = std::array<LatticeCorner, 3>;
 
+[[nodiscard]] inline glm::i64vec3 wholeCross(const glm::i64vec3& u, const glm::i64vec3& v)
+{
+    return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+[[nodiscard]] inline std::int64_t wholeDot(const glm::i64vec3& u, const glm::i64vec3& v)
+{
+    return u.x * v.x + u.y * v.y + u.z * v.z;
+}
+
 /// On which side of the plane through a triangle a place lies: −1, 0 or 1.
 [[nodiscard]] int sideOf(
     const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c, const glm::ivec3& place);

@@ -19,7 +19,13 @@ namespace {
 constexpr double hexagonEdge = 0.6204032394013997;
 /// As long as the tool has something to move, and then until all is at rest.
 constexpr int mostStepsToMove = 600;
+/// What is kept apart and was moved by a tool of the pen: when the pen is lifted, most of it is
+/// done.
+constexpr int mostStepsAfterPen = 160;
 constexpr int mostStepsToRest = 100;
+/// What a stroke has stretched more than this is split in the end, of the intended face.
+constexpr double largestFace = 4.0;
+constexpr double longestEdge = 4.0;
 /// The last steps change no structure, so that they can come to an end.
 constexpr int stepsWithStructure = 40;
 /// What may move before it is looked whether the surface passes through itself, in edges.
@@ -30,6 +36,7 @@ constexpr double reachAround = 8.0;
 /// What other parts of the surface hold up is not waited for: so many steps in which nothing comes
 /// nearer to where the tool wants it, by a share of an edge, are enough.
 constexpr int mostInVain = 4;
+constexpr int mostInVainAfterPen = 20;
 constexpr double leastNearer = 0.02;
 /// How far from where the tool wants them vertices may be left on the way, in edges.
 constexpr double leftOnTheWay = 0.25;
@@ -50,8 +57,9 @@ struct ToolReach {
 /// Whether it still pays to wait for what a tool moves.
 class Patience {
 public:
-    explicit Patience(double leastMm)
+    Patience(double leastMm, int mostVain)
         : m_leastMm(leastMm)
+        , m_mostVain(mostVain)
     {
     }
     /// @param leftMm how far it still has to go
@@ -62,11 +70,12 @@ public:
             m_inVain = 0;
             return true;
         }
-        return ++m_inVain < mostInVain;
+        return ++m_inVain < m_mostVain;
     }
 
 private:
     double m_leastMm;
+    int m_mostVain;
     double m_nearestMm = 1e300;
     int m_inVain = 0;
 };
@@ -129,16 +138,22 @@ public:
         m_tool->lift();
         m_holds->letYellowGo();
         const double nearMm = leftOnTheWay * m_scale.edgeMm;
-        Patience patience(leastNearer * m_scale.edgeMm);
+        Patience patience(leastNearer * m_scale.edgeMm, mostInVainAfterPen);
+        bool isPatient = true;
+        const int most = m_scale.isApart && m_reachMm ? mostStepsAfterPen : mostStepsToMove;
         for (int i = 0, since = 0;
-             i < mostStepsToMove && since < mostStepsToRest && !m_deformation.active().empty();
-             ++i) {
+             i < most && since < mostStepsToRest && !m_deformation.active().empty(); ++i) {
             step(since < stepsWithStructure);
             const double leftMm = m_holds->leftMm(m_deformation.active());
-            const bool waits = leftMm > nearMm && (!m_scale.isApart || patience.lasts(leftMm));
+            isPatient = isPatient && (!m_scale.isApart || patience.lasts(leftMm));
+            const bool waits = leftMm > nearMm && isPatient;
             since = waits ? 0 : since + 1;
         }
         keepApart();
+        if (m_guard)
+            splitStretched(m_edit, m_everActive,
+                {.areaMm2 = largestFace * m_scale.areaMm2, .edgeMm = longestEdge * m_scale.edgeMm},
+                &*m_guard);
         const VertexId dragged = m_tool->dragged();
         if (dragged != noId)
             m_edit.setMark(dragged, SurfaceMark::Green);
@@ -169,13 +184,24 @@ private:
         m_deformation.activate(m_mesh, m_tool->moveTo(m_mesh, sample));
         freeDragged();
         const double nearMm = leftOnTheWay * m_scale.edgeMm;
-        Patience patience(leastNearer * m_scale.edgeMm);
+        Patience patience(leastNearer * m_scale.edgeMm, mostInVain);
         for (int i = 0; i < m_tool->mostStepsAtPlace() && !m_deformation.active().empty(); ++i) {
             step(true);
             const double leftMm = m_holds->leftMm(m_deformation.active());
             const bool waits = leftMm > nearMm && (!m_scale.isApart || patience.lasts(leftMm));
             if (i + 1 >= m_tool->stepsAtPlace() && !waits)
                 return;
+        }
+    }
+
+    void noteActive()
+    {
+        m_isNoted.resize(std::max<std::size_t>(m_isNoted.size(), m_mesh.vertexSlots()), false);
+        for (const VertexId id : m_deformation.active()) {
+            if (m_isNoted[id])
+                continue;
+            m_isNoted[id] = true;
+            m_everActive.push_back(id);
         }
     }
 
@@ -228,8 +254,10 @@ private:
         if (m_settings.apartOn && !m_guard)
             m_guard.emplace(m_mesh, *m_settings.apartOn);
         // Some may be at rest after it.
-        if (m_guard)
+        if (m_guard) {
             m_guard->moved(m_deformation.active());
+            noteActive();
+        }
         m_deformation.step(m_edit, forces, m_holds.get());
         ++m_steps;
         if (m_settings.reddens)
@@ -287,6 +315,8 @@ private:
     std::optional<double> m_reachMm; ///< of the tool; none: what is woken may be anywhere
     double m_pressure = 0.0; ///< the greatest so far
     std::vector<glm::dvec3> m_visited; ///< about where the tool was
+    std::vector<VertexId> m_everActive; ///< in a stroke that is kept apart
+    std::vector<bool> m_isNoted; ///< by vertex: it is among them
     bool m_isSettled = false;
     int m_steps = 0;
 };
