@@ -88,6 +88,14 @@ void Deformation::restAll()
     m_motions.clear();
 }
 
+void Deformation::stop(std::span<const VertexId> vertices)
+{
+    for (const VertexId id : vertices) {
+        if (id < m_motions.size())
+            m_motions[id].speed = glm::dvec3(0.0);
+    }
+}
+
 void Deformation::restructured(const SimplexMesh& mesh, std::span<const VertexId> vertices)
 {
     for (const VertexId id : m_active)

@@ -3,10 +3,13 @@
 
 #include "core/refine/deform/BoundaryForce.h"
 #include "core/refine/deform/Deformation.h"
+#include "core/refine/repair/CrossingGuard.h"
 #include "core/refine/repair/MeshRestructuring.h"
 #include "core/refine/repair/SelfIntersections.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace core {
 
@@ -30,6 +33,9 @@ constexpr std::size_t mostLooks = 4'000'000;
 constexpr int fewestSteps = lastSteps + 5;
 constexpr int fewestRounds = 3;
 constexpr int mostRounds = 40;
+/// What may move before it is looked whether the surface passes through itself, in roots of a
+/// face's area.
+constexpr double movedUnseen = 0.15;
 
 QString fitting()
 {
@@ -79,6 +85,13 @@ Result<void> fitToMask(SimplexMesh& mesh, const BoxMask& mask, const VolumeGeome
     SimplexMeshEdit edit(mesh);
     Deformation deformation(motion);
     deformation.activate(mesh, verticesToFit(mesh));
+    std::optional<CrossingGuard> guard;
+    if (settings.keepsApart)
+        guard.emplace(mesh, geometry);
+    const auto keepApart = [&](double unseenMm) {
+        if (guard && guard->movedMm() > unseenMm)
+            deformation.stop(guard->keepApart(edit));
+    };
     for (int i = 0; i < steps && !deformation.active().empty(); ++i) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
@@ -87,14 +100,20 @@ Result<void> fitToMask(SimplexMesh& mesh, const BoxMask& mask, const VolumeGeome
             deformation = Deformation(motion);
             deformation.activate(mesh, verticesToFit(mesh));
         }
+        if (guard)
+            guard->moved(deformation.active());
         deformation.step(edit, forces);
+        keepApart(movedUnseen * std::sqrt(structure.areaMm2));
         progress.report(fitting(), i + 1, steps);
         if (settings.restructureEvery == 0 || i + 1 >= steps - lastSteps
             || (i + 1) % settings.restructureEvery != 0)
             continue;
-        const Restructured done = restructure(edit, deformation.active(), structure);
+        keepApart(0.0);
+        const Restructured done =
+            restructure(edit, deformation.active(), structure, guard ? &*guard : nullptr);
         deformation.restructured(mesh, done.vertices);
     }
+    keepApart(0.0);
     if (settings.mendsCrossings)
         repairSelfIntersections(edit, geometry, rounds);
     edit.commit();

@@ -11,6 +11,8 @@ struct InitialFitSettings {
     int steps = 40; ///< greatest number of deformation steps
     int restructureEvery = 5; ///< steps; 0: never
     bool mendsCrossings = true; ///< repair places where the surface passes through itself
+    /// Each step is kept from making any (CrossingGuard.h). Rows of before were fitted without.
+    bool keepsApart = false;
 };
 
 /// Moves a mesh that refineSurfaceOf() laid around a mask to its smooth boundary; see initialFit().

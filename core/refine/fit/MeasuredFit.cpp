@@ -3,11 +3,13 @@
 
 #include "core/brick/VoxelRunSets.h"
 #include "core/refine/fit/InitialFit.h"
+#include "core/refine/repair/CrossingGuard.h"
 #include "core/refine/repair/SelfIntersections.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/volume/WorldToIndex.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace core {
@@ -19,13 +21,21 @@ constexpr double leastGain = 1.25;
 /// In voxels.
 constexpr int farthestLaying = 4;
 constexpr int mostRepairRounds = 20;
+/// Of the faces between mask and background: as many vertices are tried first, where that is less
+/// than what follows, which the tools can still do with.
+constexpr std::array<double, 2> firstShares{0.25, 0.5};
+constexpr double fewestVertices = 2000.0;
+/// Twice as many vertices enclose no more than so many times better: a rugged mask is not tried.
+constexpr double mostGain = 4.0;
 
 class Fitting {
 public:
-    Fitting(const VoxelRuns& voxels, const VolumeGeometry& geometry, const Progress& progress)
+    Fitting(const VoxelRuns& voxels, const VolumeGeometry& geometry, bool keepsApart,
+        const Progress& progress)
         : m_voxels(voxels)
         , m_mask(BoxMask::of(voxels, geometry.size))
         , m_geometry(geometry)
+        , m_keepsApart(keepsApart)
         , m_progress(progress)
     {
     }
@@ -33,10 +43,29 @@ public:
     [[nodiscard]] Result<MeasuredFit> ofAbout(int vertices, bool mendsCrossings = true) const
     {
         Result<SimplexMesh> mesh = initialFit(m_mask, m_geometry,
-            {.vertices = vertices, .mendsCrossings = mendsCrossings}, m_progress);
+            {.vertices = vertices, .mendsCrossings = mendsCrossings, .keepsApart = m_keepsApart},
+            m_progress);
         if (!mesh)
             return tl::unexpected(mesh.error());
         return measured(*std::move(mesh));
+    }
+
+    /// Where few vertices do, many would only be slow.
+    [[nodiscard]] Result<MeasuredFit> asFewAsItTakes() const
+    {
+        const glm::u64vec3 faces = m_mask.borderFaces();
+        const double all = double(faces.x + faces.y + faces.z);
+        for (const double share : firstShares) {
+            const double vertices = std::max(fewestVertices, share * all);
+            if (leastGain * vertices > std::max(double(leastVertices), all))
+                break;
+            Result<MeasuredFit> fit = ofAbout(int(std::min(vertices, double(mostVertices))));
+            if (!fit || isGood(*fit))
+                return fit;
+            if (double(fit->voxelsOff) > mostGain * mostOffShare * double(fit->voxels))
+                break;
+        }
+        return asTheMaskTakes();
     }
 
     [[nodiscard]] Result<MeasuredFit> asTheMaskTakes() const
@@ -100,8 +129,8 @@ private:
         if (!laid)
             return tl::unexpected(laid.error());
         SimplexMesh mesh = *laid;
-        if (const Result<void> done =
-                fitToMask(mesh, m_mask, m_geometry, {.restructureEvery = 0}, m_progress);
+        if (const Result<void> done = fitToMask(mesh, m_mask, m_geometry,
+                {.restructureEvery = 0, .keepsApart = m_keepsApart}, m_progress);
             !done)
             return tl::unexpected(done.error());
         Result<MeasuredFit> best = measured(std::move(mesh));
@@ -111,6 +140,12 @@ private:
                 return tl::unexpected(off.error());
             mesh = best->mesh;
             layAgain(mesh, *laid, BoxMask::of(*off, m_geometry.size), reach);
+            if (m_keepsApart) {
+                Result<MeasuredFit> next = measured(std::move(mesh));
+                if (!next || next->voxelsOff < best->voxelsOff)
+                    best = std::move(next);
+                continue;
+            }
             SimplexMesh crossed = mesh;
             Result<MeasuredFit> next = mended(std::move(mesh));
             // Where the two are at odds the voxels count for more.
@@ -138,10 +173,20 @@ private:
                             return true;
             return false;
         };
+        std::optional<CrossingGuard> guard;
+        if (m_keepsApart)
+            guard.emplace(mesh, m_geometry);
         SimplexMeshEdit edit(mesh);
+        std::vector<VertexId> moved;
         for (const VertexId id : laid.vertexIds()) {
-            if (isNear(mesh.position(id)) || isNear(laid.position(id)))
-                edit.move(id, laid.position(id));
+            if (!isNear(mesh.position(id)) && !isNear(laid.position(id)))
+                continue;
+            edit.move(id, laid.position(id));
+            moved.push_back(id);
+        }
+        if (guard) {
+            guard->moved(moved);
+            static_cast<void>(guard->keepApart(edit));
         }
         edit.commit();
     }
@@ -149,16 +194,19 @@ private:
     const VoxelRuns& m_voxels;
     BoxMask m_mask;
     const VolumeGeometry& m_geometry;
+    bool m_keepsApart;
     const Progress& m_progress;
 };
 
 } // namespace
 
 Result<MeasuredFit> measuredFit(const VoxelRuns& mask, const VolumeGeometry& geometry,
-    std::optional<int> vertices, const Progress& progress)
+    std::optional<int> vertices, const Progress& progress, bool keepsApart)
 {
-    const Fitting fitting(mask, geometry, progress);
-    return vertices ? fitting.ofAbout(*vertices) : fitting.asTheMaskTakes();
+    const Fitting fitting(mask, geometry, keepsApart, progress);
+    if (vertices)
+        return fitting.ofAbout(*vertices);
+    return keepsApart ? fitting.asFewAsItTakes() : fitting.asTheMaskTakes();
 }
 
 } // namespace core

@@ -33,7 +33,9 @@ constexpr double mostOffShare = 0.001;
 /// leastVertices and mostVertices (RefineSurface.h). If more would be needed, the result is the
 /// best that was found, and the caller reports by how much it differs. Errors: those of
 /// initialFit() and fillSurface().
+/// @param keepsApart as in InitialFitSettings; then fewer vertices are tried first, too, and the
+/// surface is not let through itself for the sake of voxels
 [[nodiscard]] Result<MeasuredFit> measuredFit(const VoxelRuns& mask, const VolumeGeometry& geometry,
-    std::optional<int> vertices, const Progress& progress);
+    std::optional<int> vertices, const Progress& progress, bool keepsApart = false);
 
 } // namespace core

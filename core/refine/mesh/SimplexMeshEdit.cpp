@@ -24,6 +24,12 @@ template <typename Change> void sortById(std::vector<Change>& changes)
         [](const Change& a, const Change& b) { return a.id < b.id; });
 }
 
+template <typename Change> bool isAmong(const std::vector<Change>& changes, std::uint32_t id)
+{
+    return std::any_of(
+        changes.begin(), changes.end(), [id](const Change& change) { return change.id == id; });
+}
+
 bool isChanged(const SimplexMeshDelta::VertexChange& change)
 {
     if (change.before.has_value() != change.after.has_value())
@@ -120,6 +126,31 @@ void SimplexMeshEdit::rollback()
     changes().undo(m_mesh);
 }
 
+void SimplexMeshEdit::beginTrial()
+{
+    m_trial.emplace();
+}
+
+std::vector<FaceId> SimplexMeshEdit::trialFaces() const
+{
+    std::vector<FaceId> faces;
+    for (const auto& change : m_trial->faces)
+        faces.push_back(change.id);
+    std::sort(faces.begin(), faces.end());
+    return faces;
+}
+
+void SimplexMeshEdit::keepTrial()
+{
+    m_trial.reset();
+}
+
+void SimplexMeshEdit::revertTrial()
+{
+    m_trial->undo(m_mesh);
+    m_trial.reset();
+}
+
 WrittenParts SimplexMeshEdit::takeWritten()
 {
     WrittenParts written = std::move(m_written);
@@ -137,24 +168,30 @@ void SimplexMeshEdit::touchVertex(VertexId id)
 {
     if (markFirst(m_isWritten, id))
         m_written.vertices.push_back(id);
-    if (!markFirst(m_touched, id))
-        return;
-    auto& change = m_before.vertices.emplace_back();
-    change.id = id;
-    if (m_mesh.hasVertex(id))
-        change.before = m_mesh.vertex(id);
+    if (m_trial && !isAmong(m_trial->vertices, id))
+        m_trial->vertices.push_back(asItIs(id));
+    if (markFirst(m_touched, id))
+        m_before.vertices.push_back(asItIs(id));
 }
 
 void SimplexMeshEdit::touchFace(FaceId id)
 {
     if (markFirst(m_isFaceWritten, id))
         m_written.faces.push_back(id);
-    if (!markFirst(m_touchedFaces, id))
-        return;
-    auto& change = m_before.faces.emplace_back();
-    change.id = id;
-    if (m_mesh.hasFace(id))
-        change.before = m_mesh.ring(id);
+    const SimplexMeshDelta::FaceChange change{
+        .id = id, .before = m_mesh.hasFace(id) ? m_mesh.ring(id) : FaceRing(), .after = {}};
+    if (m_trial && !isAmong(m_trial->faces, id))
+        m_trial->faces.push_back(change);
+    if (markFirst(m_touchedFaces, id))
+        m_before.faces.push_back(change);
+}
+
+SimplexMeshDelta::VertexChange SimplexMeshEdit::asItIs(VertexId id) const
+{
+    SimplexMeshDelta::VertexChange change{.id = id, .before = {}, .after = {}};
+    if (m_mesh.hasVertex(id))
+        change.before = m_mesh.vertex(id);
+    return change;
 }
 
 SimplexMeshDelta SimplexMeshEdit::changes()

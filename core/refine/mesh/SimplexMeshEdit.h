@@ -40,6 +40,14 @@ public:
     void setRing(FaceId id, FaceRing ring);
     void removeFace(FaceId id);
 
+    /// From here on, what is written can be taken back by itself, until one of the two below is
+    /// called. For changes of a few vertices and faces.
+    void beginTrial();
+    /// The faces that were written since, ascending; some may have been removed.
+    [[nodiscard]] std::vector<FaceId> trialFaces() const;
+    void keepTrial();
+    void revertTrial();
+
     /// What was written since the last call, or since the beginning.
     [[nodiscard]] WrittenParts takeWritten();
 
@@ -51,6 +59,7 @@ public:
 private:
     void touchVertex(VertexId id);
     void touchFace(FaceId id);
+    [[nodiscard]] SimplexMeshDelta::VertexChange asItIs(VertexId id) const;
     [[nodiscard]] SimplexMeshDelta changes();
 
     SimplexMesh& m_mesh;
@@ -61,6 +70,8 @@ private:
     std::vector<bool> m_isWritten; ///< by vertex, since takeWritten()
     std::vector<bool> m_isFaceWritten;
     WrittenParts m_written; ///< in the order of writing
+    /// What was written in a trial, as it was before; none: there is no trial.
+    std::optional<SimplexMeshDelta> m_trial;
 };
 
 } // namespace core

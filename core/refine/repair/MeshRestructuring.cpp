@@ -3,6 +3,7 @@
 
 #include "core/refine/mesh/InternalForces.h"
 #include "core/refine/mesh/SimplexOperations.h"
+#include "core/refine/repair/CrossingGuard.h"
 #include "core/refine/repair/FaceShape.h"
 
 #include <algorithm>
@@ -25,22 +26,25 @@ constexpr double longestSwapped = 0.75;
 /// merely small stays where the surface is bent, or parts as small as faces would go.
 constexpr double nothingShare = 0.02;
 
+/// Of the area from which faces are split.
+constexpr double largeShare = 1.5;
+/// Of a face and its parts.
+constexpr int mostHalvings = 8;
+
 class Restructuring {
 public:
-    Restructuring(SimplexMeshEdit& edit, const RestructuringSettings& settings)
+    Restructuring(
+        SimplexMeshEdit& edit, const RestructuringSettings& settings, CrossingGuard* guard)
         : m_edit(edit)
         , m_mesh(edit.mesh())
         , m_settings(settings)
+        , m_guard(guard)
     {
     }
 
     Restructured run(std::span<const VertexId> around)
     {
-        for (const VertexId id : around) {
-            if (m_mesh.hasVertex(id))
-                m_faces.insert(m_faces.end(), m_mesh.facesAt(id).begin(), m_mesh.facesAt(id).end());
-        }
-        sortUnique(m_faces);
+        lookAt(around);
         forEachFace([this](FaceId face) { weld(face); });
         forEachFace([this](FaceId face) { mergeSmall(face); });
         forEachFace([this](FaceId face) { splitLarge(face); });
@@ -55,7 +59,45 @@ public:
         return std::move(m_done);
     }
 
+    int bound(std::span<const VertexId> around, const StretchLimits& limits)
+    {
+        lookAt(around);
+        for (int pass = 0; pass < mostHalvings && !m_faces.empty(); ++pass) {
+            m_changed.clear();
+            forEachFace([&](FaceId face) {
+                if (isStretched(face, limits))
+                    splitInHalf(face);
+            });
+            sortUnique(m_changed);
+            m_faces = m_changed;
+        }
+        return m_done.split;
+    }
+
 private:
+    void lookAt(std::span<const VertexId> around)
+    {
+        for (const VertexId id : around) {
+            if (m_mesh.hasVertex(id))
+                m_faces.insert(m_faces.end(), m_mesh.facesAt(id).begin(), m_mesh.facesAt(id).end());
+        }
+        sortUnique(m_faces);
+    }
+    [[nodiscard]] bool isStretched(FaceId face, const StretchLimits& limits) const
+    {
+        const FaceRing& ring = m_mesh.ring(face);
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const glm::dvec3 way =
+                m_mesh.position(ring[(i + 1) % ring.size()]) - m_mesh.position(ring[i]);
+            if (glm::dot(way, way) > limits.edgeMm * limits.edgeMm)
+                return true;
+        }
+        return areaOf(m_mesh, face) > limits.areaMm2;
+    }
+    template <typename Change> bool attempt(const Change& change)
+    {
+        return m_guard ? m_guard->attempt(m_edit, change) : change();
+    }
     template <typename Work> void forEachFace(const Work& work)
     {
         for (const FaceId face : m_faces) {
@@ -96,7 +138,7 @@ private:
             // At a crease that is meant, larger and larger faces would lie across it.
             if (glm::dot(shape.normalLps, beside.normalLps) < 0.0
                 && shape.areaMm2 + beside.areaMm2 < m_settings.greatestShare * m_settings.areaMm2
-                && mergeFaces(m_edit, edge.from, edge.to)) {
+                && attempt([&] { return mergeFaces(m_edit, edge.from, edge.to); })) {
                 ++m_done.welded;
                 changed(edge);
                 return;
@@ -129,9 +171,8 @@ private:
             least = cost;
             best = edge;
         }
-        if (best.from == noId)
+        if (best.from == noId || !attempt([&] { return mergeFaces(m_edit, best.from, best.to); }))
             return;
-        mergeFaces(m_edit, best.from, best.to);
         ++m_done.merged;
         changed(best);
     }
@@ -154,13 +195,40 @@ private:
             if ((here < 0.0) != (next < 0.0))
                 crossed.push_back(i);
         }
-        if (crossed.size() != 2)
+        if (crossed.size() == 2 && split(face, crossed[0], crossed[1]))
             return;
-        const auto added = splitFace(m_edit, face, crossed[0], crossed[1]);
-        if (!added)
-            return;
+        // A face as large as this is split in any way that is left.
+        if (m_guard && shape.areaMm2 > largeShare * m_settings.greatestShare * wanted)
+            splitInHalf(face);
+    }
+
+    /// Through an edge and the one across from it: the longest edge that allows it.
+    void splitInHalf(FaceId face)
+    {
+        const FaceRing ring = m_mesh.ring(face);
+        std::vector<std::pair<double, std::size_t>> edges;
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            edges.emplace_back(-glm::distance(m_mesh.position(ring[i]),
+                                   m_mesh.position(ring[(i + 1) % ring.size()])),
+                i);
+        std::sort(edges.begin(), edges.end());
+        for (const auto& [length, i] : edges) {
+            if (split(face, i, (i + ring.size() / 2) % ring.size()))
+                return;
+        }
+    }
+
+    bool split(FaceId face, std::size_t one, std::size_t other)
+    {
+        std::optional<std::array<VertexId, 2>> added;
+        if (!attempt([&] {
+                added = splitFace(m_edit, face, one, other);
+                return added.has_value();
+            }))
+            return false;
         ++m_done.split;
         changed(surroundingsOf(m_mesh, added->at(0), added->at(1)));
+        return true;
     }
 
     void swapAround(FaceId face)
@@ -175,7 +243,7 @@ private:
                 glm::distance(m_mesh.position(edge.from), m_mesh.position(edge.to));
             const double area = areaOf(m_mesh, edge.left) + areaOf(m_mesh, edge.right);
             if (length * length > longestSwapped * longestSwapped * 0.5 * area || !isEven(edge)
-                || !swapEdge(m_edit, edge.from, edge.to))
+                || !attempt([&] { return swapEdge(m_edit, edge.from, edge.to); }))
                 continue;
             ++m_done.swapped;
             changed(edge);
@@ -196,6 +264,7 @@ private:
     SimplexMeshEdit& m_edit;
     const SimplexMesh& m_mesh;
     const RestructuringSettings& m_settings;
+    CrossingGuard* m_guard;
     std::vector<FaceId> m_faces; ///< that are looked at
     std::vector<FaceId> m_changed;
     Restructured m_done;
@@ -203,10 +272,16 @@ private:
 
 } // namespace
 
-Restructured restructure(
-    SimplexMeshEdit& edit, std::span<const VertexId> around, const RestructuringSettings& settings)
+Restructured restructure(SimplexMeshEdit& edit, std::span<const VertexId> around,
+    const RestructuringSettings& settings, CrossingGuard* guard)
 {
-    return Restructuring(edit, settings).run(around);
+    return Restructuring(edit, settings, guard).run(around);
+}
+
+int splitStretched(SimplexMeshEdit& edit, std::span<const VertexId> around,
+    const StretchLimits& limits, CrossingGuard* guard)
+{
+    return Restructuring(edit, {}, guard).bound(around, limits);
 }
 
 double meanFaceAreaMm2(const SimplexMesh& mesh)

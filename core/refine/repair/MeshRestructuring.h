@@ -7,6 +7,8 @@
 
 namespace core {
 
+class CrossingGuard;
+
 /// When the structure of a mesh is changed to fit its shape (seed B §6.4).
 struct RestructuringSettings {
     double areaMm2 = 0.0; ///< intended area of a face where the surface is flat
@@ -34,8 +36,22 @@ struct Restructured {
 /// faces are merged, large and long ones split, and edges swapped where that evens out the number
 /// of vertices per face. The mesh stays closed, manifold and of the same genus. Faces with a green
 /// vertex are not changed.
-Restructured restructure(
-    SimplexMeshEdit& edit, std::span<const VertexId> around, const RestructuringSettings& settings);
+/// @param guard refuses each change after which the surface would pass through itself; its
+/// keepApart() was called since vertices moved; null: none is refused
+Restructured restructure(SimplexMeshEdit& edit, std::span<const VertexId> around,
+    const RestructuringSettings& settings, CrossingGuard* guard = nullptr);
+
+/// Beyond which a face is stretched.
+struct StretchLimits {
+    double areaMm2 = 0.0; ///< of a face
+    double edgeMm = 0.0;
+};
+/// Splits the stretched faces at these vertices through their longest edges, and what is made of
+/// them, until none is left that can be split. Nothing else moves. Green faces are not changed.
+/// @param guard as for restructure()
+/// @return the number of splits
+int splitStretched(SimplexMeshEdit& edit, std::span<const VertexId> around,
+    const StretchLimits& limits, CrossingGuard* guard = nullptr);
 
 /// The mean area of a mesh's faces.
 [[nodiscard]] double meanFaceAreaMm2(const SimplexMesh& mesh);

@@ -3,6 +3,7 @@
 
 #include "core/base/ParallelFor.h"
 #include "core/refine/mesh/SimplexDual.h"
+#include "core/refine/repair/TriangleCrossing.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 
 #include <algorithm>
@@ -11,34 +12,6 @@
 namespace core {
 
 namespace {
-
-__extension__ using Wide = __int128;
-using Corners = std::array<glm::i64vec3, 3>;
-
-/// On which side of the plane through a, b and c a point lies: −1, 0 or 1. Exact: corners are below
-/// 2²⁹, so no product reaches 2⁹⁶.
-int sideOf(
-    const glm::i64vec3& a, const glm::i64vec3& b, const glm::i64vec3& c, const glm::i64vec3& point)
-{
-    const glm::i64vec3 u = b - a;
-    const glm::i64vec3 v = c - a;
-    const glm::i64vec3 w = point - a;
-    const Wide volume = Wide(u.y * v.z - u.z * v.y) * w.x + Wide(u.z * v.x - u.x * v.z) * w.y
-        + Wide(u.x * v.y - u.y * v.x) * w.z;
-    return volume > 0 ? 1 : volume < 0 ? -1 : 0;
-}
-
-/// Whether a way passes through a triangle, its edges included, from one side to the other.
-bool passes(const glm::i64vec3& from, const glm::i64vec3& to, const Corners& triangle)
-{
-    const auto& [a, b, c] = triangle;
-    if (sideOf(a, b, c, from) * sideOf(a, b, c, to) >= 0)
-        return false;
-    const int ab = sideOf(from, to, a, b);
-    const int bc = sideOf(from, to, b, c);
-    const int ca = sideOf(from, to, c, a);
-    return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
-}
 
 class TriangleGrid {
 public:
@@ -146,45 +119,19 @@ private:
                     continue;
                 // In the first cell that has both.
                 if (keyOf(cellOf(glm::max(m_lows[a], m_lows[b]))) != m_entries[begin].cell
-                    || !cross(a, b))
+                    || !passThroughEachOther(triangleAt(a), triangleAt(b)))
                     continue;
                 const auto [one, other] = std::minmax(m_faces[a], m_faces[b]);
                 found.push_back({.one = one, .other = other});
             }
         }
     }
-    [[nodiscard]] Corners cornersOf(std::uint32_t triangle) const
+    [[nodiscard]] LatticeTriangle triangleAt(std::uint32_t triangle) const
     {
         const glm::uvec3& at = m_surface.triangles[triangle];
-        return {glm::i64vec3(m_surface.vertices[at.x]), glm::i64vec3(m_surface.vertices[at.y]),
-            glm::i64vec3(m_surface.vertices[at.z])};
-    }
-    /// Triangles that share an edge do not, those that share a corner by what lies beyond it.
-    [[nodiscard]] bool cross(std::uint32_t a, std::uint32_t b) const
-    {
-        std::array<bool, 3> sharedOfA{};
-        std::array<bool, 3> sharedOfB{};
-        int shared = 0;
-        for (int i = 0; i < 3; ++i) {
-            for (int j = 0; j < 3; ++j) {
-                if (m_surface.triangles[a][i] != m_surface.triangles[b][j])
-                    continue;
-                sharedOfA[std::size_t(i)] = sharedOfB[std::size_t(j)] = true;
-                ++shared;
-            }
-        }
-        if (shared > 1)
-            return false;
-        const Corners ofA = cornersOf(a);
-        const Corners ofB = cornersOf(b);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t next = (i + 1) % 3;
-            if (!sharedOfA[i] && !sharedOfA[next] && passes(ofA[i], ofA[next], ofB))
-                return true;
-            if (!sharedOfB[i] && !sharedOfB[next] && passes(ofB[i], ofB[next], ofA))
-                return true;
-        }
-        return false;
+        return {LatticeCorner{at.x, m_surface.vertices[at.x]},
+            LatticeCorner{at.y, m_surface.vertices[at.y]},
+            LatticeCorner{at.z, m_surface.vertices[at.z]}};
     }
 
     LatticeSurface m_surface;

@@ -8,6 +8,9 @@ namespace core {
 
 namespace {
 
+/// Of a stride: one that goes with all others goes no farther, but for rounding.
+constexpr double longestShare = 1.001;
+
 class DragBehaviour final : public ToolBehaviour {
 public:
     DragBehaviour(const DragTool& tool, const ToolScale& scale)
@@ -40,9 +43,8 @@ public:
             return;
         const glm::dvec3 way = m_wanted - m_shift;
         const double leftMm = glm::length(way);
-        const double strideMm = 0.35 * m_scale.edgeMm;
-        m_shift = leftMm > strideMm ? m_shift + strideMm / leftMm * way : m_wanted;
-        m_leftMm = std::max(0.0, leftMm - strideMm);
+        m_shift = leftMm > strideMm() ? m_shift + strideMm() / leftMm * way : m_wanted;
+        m_leftMm = std::max(0.0, leftMm - strideMm());
         if (mesh.hasVertex(m_dragged) && m_parts[m_dragged].last == mesh.position(m_dragged))
             return;
         // The structure changed there: the vertex that is nearest now takes its part.
@@ -62,7 +64,13 @@ public:
         Part& part = m_parts[point.vertex];
         if (part.weight <= 0.0 || !(part.last == point.positionLps))
             return std::nullopt;
-        part.last = part.start + part.weight * m_shift;
+        const glm::dvec3 wanted = part.start + part.weight * m_shift;
+        // One that was held up by another part of the surface does not leap after the others.
+        const double wayMm = glm::distance(wanted, point.positionLps);
+        const double mostMm = longestShare * strideMm();
+        part.last = m_scale.isApart && wayMm > mostMm
+            ? point.positionLps + mostMm / wayMm * (wanted - point.positionLps)
+            : wanted;
         return Grip{.placeLps = part.last, .leftMm = part.weight * m_leftMm};
     }
 
@@ -88,6 +96,12 @@ public:
         part.start = part.last - part.weight * m_shift;
     }
 
+    void stopped(const SimplexMesh& mesh, VertexId id) override
+    {
+        if (id < m_parts.size())
+            m_parts[id].last = mesh.position(id);
+    }
+
     VertexId dragged() const override { return m_dragged; }
 
 private:
@@ -98,6 +112,8 @@ private:
         double weight = 0.0;
     };
 
+    /// How far it goes in a step.
+    [[nodiscard]] double strideMm() const { return 0.35 * m_scale.edgeMm; }
     void grow(const SimplexMesh& mesh)
     {
         m_parts.resize(std::max<std::size_t>(m_parts.size(), mesh.vertexSlots()));

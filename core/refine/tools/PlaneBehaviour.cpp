@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/tools/ToolBehaviour.h"
+#include "core/refine/tools/ToolSheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,22 +30,36 @@ public:
         const glm::dvec3 normal =
             sample.normalLps == glm::dvec3(0.0) ? m_tool.normalLps : sample.normalLps;
         const double length = glm::length(normal);
-        m_normal = length > 0.0 ? normal / length : glm::dvec3(0.0);
+        if (m_tool.acrossLps == glm::dvec3(0.0) || m_way.empty())
+            m_normal = length > 0.0 ? normal / length : glm::dvec3(0.0);
+        if (m_tool.acrossLps != glm::dvec3(0.0))
+            turnAlong(sample.placeLps);
         m_centre = sample.placeLps;
         m_radiusMm = m_tool.radiusMm * sample.pressure;
+        beginStep(mesh);
         std::vector<VertexId> reached;
         for (VertexId id = 0; id < mesh.vertexSlots(); ++id) {
             if (mesh.hasVertex(id) && mesh.mark(id) != SurfaceMark::Green
-                && isReached(mesh.position(id)))
+                && isReached(mesh.position(id)) && isOfSheet(id))
                 reached.push_back(id);
         }
         return reached;
     }
 
+    void beginStep(const SimplexMesh& mesh) override
+    {
+        // What lies on the plane already connects what stands on it.
+        if (m_scale.isApart)
+            m_sheet.find(mesh, m_centre, [this](const glm::dvec3& place) {
+                return isInCylinder(place, -m_scale.edgeMm, m_tool.heightMm);
+            });
+    }
+
     std::optional<Grip> gripOf(
         const SurfacePoint& point, const Past& past, const glm::dvec3& placeLps) override
     {
-        if (!isReached(point.positionLps) && !isDrawnBelow(point.positionLps, past))
+        if (!isOfSheet(point.vertex)
+            || (!isReached(point.positionLps) && !isDrawnBelow(point.positionLps, past)))
             return std::nullopt;
         const double height = glm::dot(point.positionLps - m_centre, m_normal);
         const double leftMm = std::abs(height);
@@ -65,6 +80,23 @@ public:
     }
 
 private:
+    /// The way of the last half radius tells the direction: the last bit of it alone trembles.
+    void turnAlong(const glm::dvec3& placeLps)
+    {
+        m_way.push_back(placeLps);
+        const double baseMm = 0.5 * m_tool.radiusMm;
+        while (m_way.size() > 2 && glm::distance(m_way[1], placeLps) >= baseMm)
+            m_way.erase(m_way.begin());
+        const glm::dvec3 way = placeLps - m_way.front();
+        const glm::dvec3 normal = glm::cross(m_tool.acrossLps, way);
+        const double length = glm::length(normal);
+        if (glm::length(way) < 0.5 * baseMm || !(length > 0.0))
+            return;
+        const double side = glm::dot(normal, m_normal);
+        // Straight on along what it looked at, there is no telling.
+        if (side != 0.0)
+            m_normal = (side > 0.0 ? 1.0 : -1.0) / length * normal;
+    }
     /// Whether forces, or a change of structure, took it past the plane with what is on it.
     [[nodiscard]] bool isDrawnBelow(const glm::dvec3& positionLps, const Past& past) const
     {
@@ -76,14 +108,26 @@ private:
     }
     [[nodiscard]] bool isReached(const glm::dvec3& positionLps) const
     {
+        return isInCylinder(positionLps, skinMm, m_tool.heightMm);
+    }
+    /// Above the one height, up to the other.
+    [[nodiscard]] bool isInCylinder(
+        const glm::dvec3& positionLps, double aboveMm, double mostMm) const
+    {
         const glm::dvec3 from = positionLps - m_centre;
         const double height = glm::dot(from, m_normal);
-        return height > skinMm && height <= m_tool.heightMm
+        return height > aboveMm && height <= mostMm
             && glm::dot(from, from) - height * height <= m_radiusMm * m_radiusMm;
+    }
+    [[nodiscard]] bool isOfSheet(VertexId id) const
+    {
+        return !m_scale.isApart || m_sheet.contains(id);
     }
 
     PlaneTool m_tool;
+    ToolSheet m_sheet; ///< if it holds no more than that
     glm::dvec3 m_normal{0.0};
+    std::vector<glm::dvec3> m_way; ///< the last places, if it turns along them
     glm::dvec3 m_centre{0.0};
     double m_radiusMm = 0.0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/mesh/InternalForces.h"
 #include "core/refine/tools/ToolBehaviour.h"
+#include "core/refine/tools/ToolSheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,13 +33,14 @@ public:
     {
         m_centre = sample.placeLps;
         m_radiusMm = m_toolRadiusMm * sample.pressure;
+        beginStep(mesh);
         std::vector<VertexId> reached;
         glm::dvec3 normals(0.0);
         double outside = 0.0;
         std::size_t within = 0;
         for (VertexId id = 0; id < mesh.vertexSlots(); ++id) {
             const glm::dvec3 way = mesh.position(id) - m_centre;
-            if (!mesh.hasVertex(id) || !isWithin(way))
+            if (!mesh.hasVertex(id) || !isWithin(way) || !isOfSheet(id))
                 continue;
             const glm::dvec3 normal = frameAt(mesh, id).normalLps;
             normals += normal;
@@ -56,11 +58,18 @@ public:
         return reached;
     }
 
+    void beginStep(const SimplexMesh& mesh) override
+    {
+        if (m_scale.isApart)
+            m_sheet.find(mesh, m_centre,
+                [this](const glm::dvec3& place) { return isWithin(place - m_centre); });
+    }
+
     std::optional<Grip> gripOf(
         const SurfacePoint& point, const Past& /*past*/, const glm::dvec3& placeLps) override
     {
         const glm::dvec3 from = point.positionLps - m_centre;
-        if (!isWithin(from))
+        if (!isWithin(from) || !isOfSheet(point.vertex))
             return std::nullopt;
         const glm::dvec3 way = wayOut(from);
         // |from + t way| = radius
@@ -85,6 +94,10 @@ public:
     }
 
 private:
+    [[nodiscard]] bool isOfSheet(VertexId id) const
+    {
+        return !m_scale.isApart || m_sheet.contains(id);
+    }
     [[nodiscard]] bool isWithin(const glm::dvec3& fromCentre) const
     {
         return glm::dot(fromCentre, fromCentre) < m_radiusMm * m_radiusMm * (1.0 - skin);
@@ -104,6 +117,7 @@ private:
     }
 
     double m_toolRadiusMm;
+    ToolSheet m_sheet; ///< if it holds no more than that
     glm::dvec3 m_centre{0.0};
     double m_radiusMm = 0.0;
     double m_side = 0.0; ///< 1: the centre is within the body; −1: outside; 0: it meets nothing

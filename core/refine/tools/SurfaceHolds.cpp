@@ -27,6 +27,23 @@ void SurfaceHolds::learn(const SimplexMesh& mesh, std::span<const VertexId> acti
     }
 }
 
+void SurfaceHolds::stopped(const SimplexMesh& mesh, std::span<const VertexId> vertices)
+{
+    for (const VertexId id : vertices) {
+        if (id >= m_holds.size() || !m_holds[id].isKnown)
+            continue;
+        Hold& hold = m_holds[id];
+        hold.last = mesh.position(id);
+        // The tool does not wait for it, and what it was to lie on holds it no longer.
+        if (hold.gripped == m_step) {
+            hold.home = hold.last;
+            hold.normal = glm::dvec3(0.0);
+            hold.leftMm = 0.0;
+        }
+        m_tool.stopped(mesh, id);
+    }
+}
+
 bool SurfaceHolds::isSame(const SimplexMesh& mesh, VertexId id) const
 {
     return id < m_holds.size() && m_holds[id].isKnown && m_holds[id].last == mesh.position(id);

@@ -3,6 +3,7 @@
 
 #include "core/refine/deform/BoundaryForce.h"
 #include "core/refine/deform/Deformation.h"
+#include "core/refine/repair/CrossingGuard.h"
 #include "core/refine/repair/MeshRestructuring.h"
 #include "core/refine/tools/MarkPaint.h"
 #include "core/refine/tools/SurfaceHolds.h"
@@ -18,11 +19,66 @@ namespace {
 constexpr double hexagonEdge = 0.6204032394013997;
 /// As long as the tool has something to move, and then until all is at rest.
 constexpr int mostStepsToMove = 600;
+/// What is kept apart and was moved by a tool of the pen: when the pen is lifted, most of it is
+/// done.
+constexpr int mostStepsAfterPen = 160;
 constexpr int mostStepsToRest = 100;
+/// What a stroke has stretched more than this is split in the end, of the intended face.
+constexpr double largestFace = 4.0;
+constexpr double longestEdge = 4.0;
 /// The last steps change no structure, so that they can come to an end.
 constexpr int stepsWithStructure = 40;
+/// What may move before it is looked whether the surface passes through itself, in edges.
+constexpr double movedUnseen = 0.5;
+/// How far beyond the tool, where it was, vertices are moved at all, in edges: what moves wakes
+/// what is beside it, and in a rugged surface that would go on and on.
+constexpr double reachAround = 8.0;
+/// What other parts of the surface hold up is not waited for: so many steps in which nothing comes
+/// nearer to where the tool wants it, by a share of an edge, are enough.
+constexpr int mostInVain = 4;
+constexpr int mostInVainAfterPen = 20;
+constexpr double leastNearer = 0.02;
 /// How far from where the tool wants them vertices may be left on the way, in edges.
 constexpr double leftOnTheWay = 0.25;
+
+/// How far from the pen a tool works; none: its region is given.
+struct ToolReach {
+    template <typename Tool> std::optional<double> operator()(const Tool& tool) const
+    {
+        return tool.radiusMm;
+    }
+    std::optional<double> operator()(const PlaneTool& tool) const
+    {
+        return tool.radiusMm + tool.heightMm;
+    }
+    std::optional<double> operator()(const TemplateTool&) const { return std::nullopt; }
+};
+
+/// Whether it still pays to wait for what a tool moves.
+class Patience {
+public:
+    Patience(double leastMm, int mostVain)
+        : m_leastMm(leastMm)
+        , m_mostVain(mostVain)
+    {
+    }
+    /// @param leftMm how far it still has to go
+    [[nodiscard]] bool lasts(double leftMm)
+    {
+        if (leftMm < m_nearestMm - m_leastMm) {
+            m_nearestMm = leftMm;
+            m_inVain = 0;
+            return true;
+        }
+        return ++m_inVain < m_mostVain;
+    }
+
+private:
+    double m_leastMm;
+    int m_mostVain;
+    double m_nearestMm = 1e300;
+    int m_inVain = 0;
+};
 
 } // namespace
 
@@ -41,11 +97,15 @@ public:
         , m_settings(settings)
     {
         m_structure.areaMm2 = settings.areaMm2 > 0.0 ? settings.areaMm2 : meanFaceAreaMm2(mesh);
-        m_scale = {.areaMm2 = m_structure.areaMm2, .edgeMm = edgeMmOf(mesh, m_structure.areaMm2)};
+        m_scale = {.areaMm2 = m_structure.areaMm2,
+            .edgeMm = edgeMmOf(mesh, m_structure.areaMm2),
+            .isApart = settings.apartOn != nullptr};
         m_deformation = Deformation({.negligibleMm = 0.01 * m_scale.edgeMm,
             .stirringMm = 0.25 * m_scale.edgeMm,
             .shares = settings.shares});
         std::visit([this](const auto& kind) { take(kind); }, tool);
+        if (settings.apartOn)
+            m_reachMm = std::visit(ToolReach(), tool);
         if (const auto* brush = std::get_if<MarkBrush>(&tool))
             m_brush = *brush;
         m_holds = std::make_unique<SurfaceHolds>(*m_tool, boundary != nullptr);
@@ -67,6 +127,7 @@ public:
                         .normalLps = from.normalLps + share * (sample.normalLps - from.normalLps)});
         }
         m_last = sample;
+        keepApart();
     }
 
     void settle()
@@ -77,12 +138,22 @@ public:
         m_tool->lift();
         m_holds->letYellowGo();
         const double nearMm = leftOnTheWay * m_scale.edgeMm;
+        Patience patience(leastNearer * m_scale.edgeMm, mostInVainAfterPen);
+        bool isPatient = true;
+        const int most = m_scale.isApart && m_reachMm ? mostStepsAfterPen : mostStepsToMove;
         for (int i = 0, since = 0;
-             i < mostStepsToMove && since < mostStepsToRest && !m_deformation.active().empty();
-             ++i) {
+             i < most && since < mostStepsToRest && !m_deformation.active().empty(); ++i) {
             step(since < stepsWithStructure);
-            since = m_holds->leftMm(m_deformation.active()) > nearMm ? 0 : since + 1;
+            const double leftMm = m_holds->leftMm(m_deformation.active());
+            isPatient = isPatient && (!m_scale.isApart || patience.lasts(leftMm));
+            const bool waits = leftMm > nearMm && isPatient;
+            since = waits ? 0 : since + 1;
         }
+        keepApart();
+        if (m_guard)
+            splitStretched(m_edit, m_everActive,
+                {.areaMm2 = largestFace * m_scale.areaMm2, .edgeMm = longestEdge * m_scale.edgeMm},
+                &*m_guard);
         const VertexId dragged = m_tool->dragged();
         if (dragged != noId)
             m_edit.setMark(dragged, SurfaceMark::Green);
@@ -106,17 +177,59 @@ private:
 
     void visit(const SurfaceSample& sample)
     {
+        if (m_reachMm)
+            noteVisit(sample);
         if (m_brush)
             paint(sample);
         m_deformation.activate(m_mesh, m_tool->moveTo(m_mesh, sample));
         freeDragged();
-        const double leftMm = leftOnTheWay * m_scale.edgeMm;
+        const double nearMm = leftOnTheWay * m_scale.edgeMm;
+        Patience patience(leastNearer * m_scale.edgeMm, mostInVain);
         for (int i = 0; i < m_tool->mostStepsAtPlace() && !m_deformation.active().empty(); ++i) {
             step(true);
-            if (i + 1 >= m_tool->stepsAtPlace()
-                && m_holds->leftMm(m_deformation.active()) <= leftMm)
+            const double leftMm = m_holds->leftMm(m_deformation.active());
+            const bool waits = leftMm > nearMm && (!m_scale.isApart || patience.lasts(leftMm));
+            if (i + 1 >= m_tool->stepsAtPlace() && !waits)
                 return;
         }
+    }
+
+    void noteActive()
+    {
+        m_isNoted.resize(std::max<std::size_t>(m_isNoted.size(), m_mesh.vertexSlots()), false);
+        for (const VertexId id : m_deformation.active()) {
+            if (m_isNoted[id])
+                continue;
+            m_isNoted[id] = true;
+            m_everActive.push_back(id);
+        }
+    }
+
+    /// One place stands for those within half a reach.
+    void noteVisit(const SurfaceSample& sample)
+    {
+        m_pressure = std::max(m_pressure, sample.pressure);
+        if (m_visited.empty()
+            || glm::distance(m_visited.back(), sample.placeLps) > 0.5 * *m_reachMm)
+            m_visited.push_back(sample.placeLps);
+    }
+
+    /// What was woken far from where the tool was goes back to rest.
+    void restFar()
+    {
+        if (!m_reachMm)
+            return;
+        const double farMm = (m_pressure + 0.5) * *m_reachMm + reachAround * m_scale.edgeMm;
+        std::vector<VertexId> far;
+        for (const VertexId id : m_deformation.active()) {
+            if (m_mesh.hasVertex(id)
+                && std::none_of(m_visited.begin(), m_visited.end(), [&](const glm::dvec3& place) {
+                       const glm::dvec3 way = m_mesh.position(id) - place;
+                       return glm::dot(way, way) < farMm * farMm;
+                   }))
+                far.push_back(id);
+        }
+        m_deformation.rest(far);
     }
 
     void paint(const SurfaceSample& sample)
@@ -135,17 +248,38 @@ private:
             forces.push_back(m_boundary);
         m_tool->beginStep(m_mesh);
         freeDragged();
+        restFar();
         m_holds->learn(m_mesh, m_deformation.active());
         forces.push_back(m_holds.get());
+        if (m_settings.apartOn && !m_guard)
+            m_guard.emplace(m_mesh, *m_settings.apartOn);
+        // Some may be at rest after it.
+        if (m_guard) {
+            m_guard->moved(m_deformation.active());
+            noteActive();
+        }
         m_deformation.step(m_edit, forces, m_holds.get());
         ++m_steps;
         if (m_settings.reddens)
             redden();
-        if (structure && m_settings.restructureEvery > 0
-            && m_steps % m_settings.restructureEvery == 0) {
-            const Restructured done = restructure(m_edit, m_deformation.active(), m_structure);
-            m_deformation.restructured(m_mesh, done.vertices);
-        }
+        const bool restructures = structure && m_settings.restructureEvery > 0
+            && m_steps % m_settings.restructureEvery == 0;
+        if (m_guard && (restructures || m_guard->movedMm() > movedUnseen * m_scale.edgeMm))
+            keepApart();
+        if (!restructures)
+            return;
+        const Restructured done =
+            restructure(m_edit, m_deformation.active(), m_structure, m_guard ? &*m_guard : nullptr);
+        m_deformation.restructured(m_mesh, done.vertices);
+    }
+
+    void keepApart()
+    {
+        if (!m_guard)
+            return;
+        const std::vector<VertexId> stopped = m_guard->keepApart(m_edit);
+        m_deformation.stop(stopped);
+        m_holds->stopped(m_mesh, stopped);
     }
 
     /// The mask has no say in it, nor that it may have been dragged before.
@@ -173,10 +307,16 @@ private:
     RestructuringSettings m_structure;
     ToolScale m_scale;
     Deformation m_deformation{{}};
+    std::optional<CrossingGuard> m_guard; ///< from the first step on
     std::optional<MarkBrush> m_brush;
     std::unique_ptr<ToolBehaviour> m_tool;
     std::unique_ptr<SurfaceHolds> m_holds;
     std::optional<SurfaceSample> m_last;
+    std::optional<double> m_reachMm; ///< of the tool; none: what is woken may be anywhere
+    double m_pressure = 0.0; ///< the greatest so far
+    std::vector<glm::dvec3> m_visited; ///< about where the tool was
+    std::vector<VertexId> m_everActive; ///< in a stroke that is kept apart
+    std::vector<bool> m_isNoted; ///< by vertex: it is among them
     bool m_isSettled = false;
     int m_steps = 0;
 };

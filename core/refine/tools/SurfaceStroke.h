@@ -9,6 +9,7 @@
 namespace core {
 
 class BoundaryForce;
+struct VolumeGeometry;
 
 /// Parameters of a stroke.
 struct SurfaceStrokeSettings {
@@ -19,6 +20,10 @@ struct SurfaceStrokeSettings {
     bool reddens = false;
     int restructureEvery = 5; ///< steps; 0: never
     int shares = 0; ///< number of parts for threads (DeformationSettings)
+    /// The surface never passes through itself, as judged on the lattice of this grid
+    /// (SelfIntersections.h), and sphere and plane hold only the sheet under the pen; must outlive
+    /// the stroke. Null: it may, as rows of before did.
+    const VolumeGeometry* apartOn = nullptr;
 };
 
 /// A stroke of a tool, from pen down to pen up, sample by sample: one transaction.

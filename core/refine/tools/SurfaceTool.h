@@ -37,6 +37,10 @@ struct PlaneTool {
     glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< points to the side that is removed, of any length
     double radiusMm = 10.0;
     double heightMm = 20.0; ///< of the cylinder; nothing beyond it is moved
+    /// The normal of the plane in which the pen is moved, of any length. Then the scraper turns
+    /// with the pen: it stands across that plane, along the pen's way, and looks the way that it
+    /// did before. 0: it keeps its normal.
+    glm::dvec3 acrossLps{0.0};
 };
 
 /// Moves the vertex that is nearest to the first sample with the pen. Its surroundings follow like

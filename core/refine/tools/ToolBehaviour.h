@@ -14,6 +14,9 @@ namespace core {
 struct ToolScale {
     double areaMm2 = 1.0; ///< intended area of a face
     double edgeMm = 1.0; ///< of a regular face of that area
+    /// Whether the surface is kept from passing through itself. Then sphere and plane hold only the
+    /// sheet under the pen: what is connected, within the tool, with the vertex nearest to it.
+    bool isApart = false;
     /// The greatest distance that a vertex moves in one step; its neighbours could not follow a
     /// longer one.
     [[nodiscard]] double strideMm(const SurfacePoint& point) const
@@ -74,6 +77,9 @@ public:
     [[nodiscard]] virtual VertexId dragged() const { return noId; }
     /// Registers a new vertex.
     virtual void adopt(const SimplexMesh& /*mesh*/, VertexId /*id*/) { }
+    /// Registers that a vertex is not where the last step put it, since it would have met another
+    /// part of the surface.
+    virtual void stopped(const SimplexMesh& /*mesh*/, VertexId /*id*/) { }
 
 protected:
     ToolScale m_scale;

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/refine/mesh/SimplexMeshEdit.h"
+#include "core/refine/repair/FaceGrid.h"
+
+#include <set>
+#include <span>
+
+namespace core {
+
+/// Keeps a surface from passing through itself while it is deformed. Exact: what it lets pass has
+/// no pair of faces that SelfIntersections.h finds, apart from pairs that the surface had before.
+///
+/// It remembers where the vertices were when no new pair was there. After a move it looks at the
+/// faces that moved and what lies around them. Vertices of faces that cross then go only half of
+/// their way, or not at all, until no face crosses: this ends, since two faces that did not move at
+/// all do not cross. The result does not depend on the number of threads.
+class CrossingGuard {
+public:
+    /// @param mesh, geometry must outlive this; the mesh is written only through edits that are
+    /// reported here. Cost ∝ the faces.
+    CrossingGuard(const SimplexMesh& mesh, const VolumeGeometry& geometry);
+
+    /// Reports vertices that may have moved since the last call of keepApart().
+    void moved(std::span<const VertexId> vertices);
+    /// Takes back of the moves as much as needed. Returns the vertices that were moved less far
+    /// than they should have been, ascending.
+    [[nodiscard]] std::vector<VertexId> keepApart(SimplexMeshEdit& edit);
+    /// The greatest distance that a reported vertex has moved since keepApart(), mm.
+    [[nodiscard]] double movedMm() const;
+
+    /// Carries out a change of structure, or a move of a few vertices, unless faces would cross
+    /// afterwards. To be called directly after keepApart(). False: it was refused, or the change
+    /// itself did, and nothing is changed.
+    template <typename Change> bool attempt(SimplexMeshEdit& edit, const Change& change)
+    {
+        edit.beginTrial();
+        return concludes(edit, change());
+    }
+
+private:
+    [[nodiscard]] bool concludes(SimplexMeshEdit& edit, bool isChanged);
+    /// Of these, the pairs that were not there before.
+    void forgetKnown(std::vector<CrossingFaces>& crossings) const;
+    [[nodiscard]] std::vector<FaceId> facesAt(std::span<const VertexId> vertices) const;
+    void remember(std::span<const FaceId> faces);
+
+    const SimplexMesh& m_mesh;
+    FaceGrid m_grid;
+    std::vector<glm::dvec3> m_safe; ///< by vertex: where it was when no new pair was there
+    std::vector<VertexId> m_moved; ///< since keepApart()
+    std::set<CrossingFaces> m_known; ///< the surface had them before
+};
+
+} // namespace core
