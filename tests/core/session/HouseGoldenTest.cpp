@@ -59,8 +59,6 @@ private Q_SLOTS:
                     kinds.insert(edit->kind());
             }
         }
-        // What came later than the recordings is held by tests of its own.
-        kinds.insert(editPlace<InvertSegment>);
         QCOMPARE(kinds.size(), AllEdits::count);
     }
 
