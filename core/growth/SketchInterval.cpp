@@ -321,7 +321,8 @@ SketchedCodes SketchInterval::look(const std::vector<int>& codes) const
     tell(darker, result.darker);
     tell(brighter, result.brighter);
     result.centre = spread.centre;
-    result.deviation256 = int(std::max(spread.deviation256, 256 * contrast / leastContrast));
+    result.deviation256 = int(std::max(spread.deviation256,
+        std::min(256 * contrast / leastContrast, 5 * spread.deviation256 / 2)));
     result.voxels = int(places.size());
     return result;
 }

@@ -39,9 +39,10 @@ struct SketchedCodes {
 /// 3. The centre is the median, the deviation the median distance from it, scaled to that of a
 ///    normal distribution, and at least the noise: what second differences along the axes say of
 ///    it, and half a code.
-/// 4. What lies within `reach` and is farther than three deviations from the centre is another
-///    tissue, if it is a tenth of all voxels there or more. The deviation is at least a 24th of the
-///    distance to the nearer one: in the middle of a structure values differ less than in the rest.
+/// 4. What lies within `reach` and is farther than two deviations from the centre is another
+///    tissue, if it is a tenth of all voxels there or more. In the middle of a structure values
+///    differ less than in the rest: the deviation becomes a 16th of the distance to the nearer
+///    tissue if that is more, but at most 2½ times as large.
 ///
 /// Pure functions; at most some hundred thousand voxels are read, for sketches of any length.
 class SketchInterval {
