@@ -5,6 +5,7 @@
 #include "core/session/EditSession.h"
 
 #include <cmath>
+#include <utility>
 
 namespace ui {
 
@@ -17,9 +18,9 @@ glm::ivec3 voxelAt(const glm::dvec3& lps, const core::VolumeGeometry& geometry)
 
 } // namespace
 
-std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label)
+std::vector<std::vector<glm::ivec3>> sketchedVoxels(const core::EditSession& session, int label)
 {
-    std::vector<glm::ivec3> voxels;
+    std::vector<std::vector<glm::ivec3>> sketches;
     const core::VolumeGeometry& geometry = session.document().volumes.front().geometry;
     const core::History& history = session.history();
     for (const core::RowId id : history.standing()) {
@@ -27,16 +28,29 @@ std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label)
         if (!stroke || stroke->segment != label)
             continue;
         if (stroke->takenLps) {
-            for (const glm::dvec3& point : *stroke->takenLps)
-                std::erase(voxels, voxelAt(point, geometry));
+            for (const glm::dvec3& point : *stroke->takenLps) {
+                for (std::vector<glm::ivec3>& voxels : sketches)
+                    std::erase(voxels, voxelAt(point, geometry));
+            }
         }
+        std::vector<glm::ivec3> voxels;
         for (const glm::dvec3& point : stroke->pointsLps) {
             const glm::ivec3 voxel = voxelAt(point, geometry);
             if (geometry.contains(voxel))
                 voxels.push_back(voxel);
         }
+        sketches.push_back(std::move(voxels));
     }
-    return voxels;
+    std::erase_if(sketches, [](const std::vector<glm::ivec3>& voxels) { return voxels.empty(); });
+    return sketches;
+}
+
+std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label)
+{
+    std::vector<glm::ivec3> all;
+    for (const std::vector<glm::ivec3>& voxels : sketchedVoxels(session, label))
+        all.insert(all.end(), voxels.begin(), voxels.end());
+    return all;
 }
 
 int sketchedSeeds(const core::EditSession& session)

@@ -11,6 +11,10 @@ class EditSession;
 
 namespace ui {
 
+/// The voxels of the seeds of a segment, by the sketch that set them, on the history's line up to
+/// its present position; without sketches of which nothing is left.
+[[nodiscard]] std::vector<std::vector<glm::ivec3>> sketchedVoxels(
+    const core::EditSession& session, int label);
 /// The voxels of all seeds of a segment, on the history's line up to its present position.
 [[nodiscard]] std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label);
 /// The number of seed voxels of all segments that were sketched on that line.

@@ -120,7 +120,10 @@ PendingSeeds::PendingSeeds(Workspace& workspace)
     , m_workspace(workspace)
     , m_seeds(std::make_shared<const std::vector<gpu::SceneSeed>>())
 {
-    connect(&workspace, &Workspace::sessionChanged, this, &PendingSeeds::update);
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_seenAlong.clear();
+        update();
+    });
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::History
@@ -143,6 +146,18 @@ PendingSeeds::Sketched PendingSeeds::seedsOf(const core::EditSession& session)
         });
     }
     return sketched;
+}
+
+void PendingSeeds::noteSeenAlong(const std::vector<glm::ivec3>& voxels, const glm::dvec3& direction)
+{
+    m_seenAlong.emplace_back(voxels, direction);
+}
+
+std::optional<glm::dvec3> PendingSeeds::seenAlong(const std::vector<glm::ivec3>& voxels) const
+{
+    const auto found = std::find_if(m_seenAlong.rbegin(), m_seenAlong.rend(),
+        [&voxels](const auto& sketch) { return sketch.first == voxels; });
+    return found == m_seenAlong.rend() ? std::nullopt : std::optional(found->second);
 }
 
 void PendingSeeds::update()

@@ -6,7 +6,11 @@
 #include <QObject>
 
 #include <cstdint>
+#include <glm/glm.hpp>
+
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace core {
@@ -36,6 +40,12 @@ public:
         return m_seeds;
     }
 
+    /// Remembers along which direction of the volume's index space the user looked when sketching
+    /// these voxels on the 3D view; until another session is opened.
+    void noteSeenAlong(const std::vector<glm::ivec3>& voxels, const glm::dvec3& direction);
+    /// The direction for such a sketch; none: it was drawn on a slice, or before.
+    [[nodiscard]] std::optional<glm::dvec3> seenAlong(const std::vector<glm::ivec3>& voxels) const;
+
 Q_SIGNALS:
     void changed();
 
@@ -52,6 +62,7 @@ private:
     Workspace& m_workspace;
     std::shared_ptr<const std::vector<gpu::SceneSeed>> m_seeds;
     std::vector<gpu::SceneSeed> m_hollow;
+    std::vector<std::pair<std::vector<glm::ivec3>, glm::dvec3>> m_seenAlong;
     std::uint64_t m_asked = 0; ///< number of questions; only the answer to the last one counts
 };
 

@@ -126,6 +126,7 @@ void GrowthPanel::build()
     m_fromSeeds = new SeedInterval(m_workspace, this);
     connect(m_fromSeeds, &SeedInterval::valuesChanged, this, [this] {
         m_range->setMarkers(m_fromSeeds->values());
+        m_range->showRange();
         showState();
     });
     connect(m_fromSeeds, &SeedInterval::intervalTaken, this, [this] {
@@ -133,7 +134,6 @@ void GrowthPanel::build()
         followInterval();
         settleInterval();
     });
-    m_range->setMiddleWidget(m_fromSeeds);
     m_step = transportButton(this, QStringLiteral("growStep"), QStringLiteral("step"), tr("Step"));
     m_step->setToolTip(tr("Grow by one generation"));
     m_play = transportButton(this, QStringLiteral("growPlay"), QStringLiteral("play"), tr("Grow"));
@@ -178,6 +178,13 @@ void GrowthPanel::build()
     m_advice->setObjectName(QStringLiteral("growAdvice"));
     m_advice->setFont(theme::smallFont());
     m_advice->setWordWrap(true);
+    m_outside = new QLabel(this);
+    m_outside->setObjectName(QStringLiteral("growOutside"));
+    m_outside->setFont(theme::smallFont());
+    m_outside->setWordWrap(true);
+    m_outside->setTextFormat(Qt::RichText);
+    m_outside->setStyleSheet(QStringLiteral("color: %1").arg(theme::caution.name()));
+    connect(m_outside, &QLabel::linkActivated, m_fromSeeds, &SeedInterval::use);
     m_leak = new LeakSection(m_workspace, this);
     connect(m_leak, &LeakSection::goOnRequested, this, &GrowthPanel::playOrPause);
     m_progress = new FittingLabel(Qt::AlignLeft, this);
@@ -212,14 +219,16 @@ void GrowthPanel::build()
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, theme::padding);
     layout->setSpacing(theme::smallPadding);
+    layout->addWidget(m_advice);
+    layout->addWidget(m_fromSeeds);
     layout->addWidget(m_range);
-    layout->addWidget(m_criteria);
-    layout->addWidget(new ToleranceSection(m_workspace, this));
     layout->addLayout(transport);
+    layout->addWidget(m_outside);
+    layout->addWidget(m_leak);
     layout->addLayout(back);
     layout->addLayout(again);
-    layout->addWidget(m_advice);
-    layout->addWidget(m_leak);
+    layout->addWidget(m_criteria);
+    layout->addWidget(new ToleranceSection(m_workspace, this));
     layout->addLayout(pace);
     layout->addWidget(m_progress);
     layout->addWidget(m_generations);
@@ -248,7 +257,6 @@ void GrowthPanel::showVolume()
 {
     m_watch.stop();
     m_running = false;
-    m_fromSeeds->forget();
     m_fronts.clear();
     const core::Volume* volume = m_workspace.volume();
     setEnabled(volume != nullptr);
@@ -266,6 +274,7 @@ void GrowthPanel::showVolume()
         }
         takeRecentCriteria();
     }
+    m_fromSeeds->forget();
     showSettings();
     m_range->showRange();
     m_fromSeeds->ask();
@@ -310,7 +319,7 @@ void GrowthPanel::takeSettings()
 
 void GrowthPanel::followInterval()
 {
-    if (m_live->isChecked() && !m_running && m_liveInterval->possible())
+    if (m_live->isChecked() && !m_running && activeHasGrown() && m_liveInterval->possible())
         m_liveInterval->move(m_range->lower(), m_range->upper());
 }
 
@@ -318,6 +327,14 @@ void GrowthPanel::settleInterval()
 {
     if (m_liveInterval->follows())
         m_liveInterval->settle();
+}
+
+bool GrowthPanel::activeHasGrown() const
+{
+    const core::EditSession* session = m_workspace.session();
+    const core::Segment* segment =
+        session ? session->document().segment(m_workspace.activeSegment()) : nullptr;
+    return !segment || segment->voxels > 0;
 }
 
 bool GrowthPanel::begin(const core::Edit& growth, double generationsPerSecond)
@@ -456,12 +473,28 @@ void GrowthPanel::showState()
         m_advice->setText(m_fromSeeds->text(seeds));
     }
 
+    showOutside();
     const core::GrowthProgress progress =
         session ? session->growthProgress() : core::GrowthProgress();
     if (progress.open)
         m_fronts = progress.frontSizes;
     m_progress->setText(progressText(progress));
     m_generations->show(progress);
+}
+
+void GrowthPanel::showOutside()
+{
+    const auto seeds = int(m_fromSeeds->values().size());
+    const int outside = m_running ? 0 : m_fromSeeds->seedsOutside();
+    // A few edge voxels of a sketch are always outside; growth has enough to begin with.
+    m_outside->setVisible(seeds > 0 && 4 * (seeds - outside) < seeds);
+    if (m_outside->isHidden())
+        return;
+    const QString link = QStringLiteral("<a href=\"use\" style=\"color: %1\">%2</a>")
+                             .arg(theme::accent.name(), tr("Use\u00a0the\u00a0seeds"));
+    m_outside->setText((outside == seeds
+            ? tr("No seed lies in the interval: nothing would grow. %1").arg(link)
+            : tr("%1 of %2 seeds lie outside the interval. %3").arg(outside).arg(seeds).arg(link)));
 }
 
 QString GrowthPanel::progressText(const core::GrowthProgress& progress) const

@@ -1,20 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QToolButton>
+#include "core/growth/SketchInterval.h"
+
+#include <QWidget>
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
 #include <vector>
+
+class QLabel;
+class QSlider;
+class QToolButton;
 
 namespace ui {
 
 class Workspace;
 
-/// A button that sets the growth's interval around the values under the active segment's seeds. It
-/// also knows these values.
-class SeedInterval : public QToolButton {
+/// The tolerance of a growth, from tight to loose: it sets the interval around what was sketched
+/// for the active segment (core/growth/SketchInterval.h). After a sketch for a segment that has no
+/// voxels the interval is set by itself, unless the user has set it for that segment. Each segment
+/// keeps its own interval. It also knows the values under the seeds.
+class SeedInterval : public QWidget {
     Q_OBJECT
 
 public:
@@ -22,26 +34,51 @@ public:
 
     /// Asks the engine for the values if seeds have been added or removed.
     void ask();
-    /// Forgets the values, because another study was opened.
+    /// Forgets everything, because another study was opened; the intervals of segments that it has
+    /// already are left as they are.
     void forget();
     /// The values under the seeds, in modality units.
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }
     /// "12 seed voxels · 41.0 ± 3.2 HU" for the active segment. If it has no seeds the text tells
     /// that there are @p seeds of others.
     [[nodiscard]] QString text(int seeds) const;
+    /// How many of the seeds lie outside the interval, and so would not grow.
+    [[nodiscard]] int seedsOutside() const;
+
+public Q_SLOTS:
+    /// Sets the interval by the seeds and the tolerance.
+    void use();
 
 Q_SIGNALS:
     void valuesChanged();
-    /// The interval in the growth's settings was changed.
+    /// The user has changed the interval in the growth's settings.
     void intervalTaken();
 
 private:
-    void take(double deviations);
+    void build();
+    void switchSegment();
+    void followSettings();
+    void take(const std::vector<core::SeedSketch>& sketches, const std::vector<int>& codes,
+        std::size_t seeds);
+    void set(std::pair<double, double> interval);
+    [[nodiscard]] std::vector<core::SeedSketch> sketches() const;
+    [[nodiscard]] bool maySetItself() const;
+    [[nodiscard]] std::optional<std::pair<double, double>> offered() const;
+    void showState();
 
     Workspace& m_workspace;
-    std::vector<glm::ivec3> m_voxels; ///< the voxels asked about last
+    QToolButton* m_use = nullptr;
+    QSlider* m_tolerance = nullptr;
+    QLabel* m_text = nullptr;
+    std::vector<glm::ivec3> m_voxels; ///< the seeds asked about last
     std::vector<double> m_values; ///< the values at m_voxels
+    std::optional<core::SketchedCodes> m_sketched;
     std::uint64_t m_asked = 0; ///< number of questions; only the answer to the last one counts
+    int m_segment = 0; ///< the active segment's label
+    std::set<int> m_byHand; ///< segments whose interval was set otherwise; 0: before there was one
+    std::map<int, std::pair<double, double>> m_intervals; ///< by segment
+    std::pair<double, double> m_last; ///< the interval in the settings
+    bool m_setting = false;
 };
 
 } // namespace ui

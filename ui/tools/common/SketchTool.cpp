@@ -15,6 +15,15 @@ namespace ui {
 
 namespace {
 
+/// In the volume's index space; none where the voxels that are picked are inside what is seen.
+std::optional<glm::dvec3> lookingDirection(
+    const gpu::VolumeScene& scene, const core::VolumeGeometry& geometry)
+{
+    if (scene.mode != gpu::RenderMode::Surface && scene.mode != gpu::RenderMode::Dvr)
+        return std::nullopt;
+    return geometry.toIndex(scene.targetLps) - geometry.toIndex(scene.eyeLps);
+}
+
 glm::dvec2 pixelOf(const PointerSample& sample)
 {
     return {sample.position.x(), sample.position.y()};
@@ -132,14 +141,17 @@ void SketchTool::askWhatIsSeen()
     const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
     ui::askWhatIsSeen(m_workspace, scene,
         planePointsUnder(m_path, *m_strokeView, *m_workspace.volume()),
-        [tool = QPointer<SketchTool>(this), modifiers = m_modifiers, eraser = m_withEraser](
+        [tool = QPointer<SketchTool>(this), modifiers = m_modifiers, eraser = m_withEraser,
+            along = lookingDirection(scene, m_workspace.volume()->geometry)](
             const core::Result<SeenVoxels>& seen) {
             if (!tool)
                 return;
             // The next sketch may have begun, with other keys.
             const auto nextModifiers = std::exchange(tool->m_modifiers, modifiers);
             const bool nextEraser = std::exchange(tool->m_withEraser, eraser);
+            tool->m_seenAlong = along;
             tool->commitSeen(seen);
+            tool->m_seenAlong.reset();
             tool->m_modifiers = nextModifiers;
             tool->m_withEraser = nextEraser;
             if (!tool->drawing())

@@ -62,6 +62,9 @@ protected:
     /// The modifiers at pen-down of the sketch that is drawn or committed.
     [[nodiscard]] Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
     [[nodiscard]] bool withEraser() const { return m_withEraser; }
+    /// While a sketch is committed: along which direction of the volume's index space the user saw
+    /// a surface under it; none: the sketch was drawn on a slice or on brightest voxels.
+    [[nodiscard]] const std::optional<glm::dvec3>& seenAlong() const { return m_seenAlong; }
     [[nodiscard]] bool drawing() const { return m_strokeView.has_value(); }
 
 private:
@@ -74,6 +77,7 @@ private:
     std::vector<glm::dvec2> m_path; ///< logical pixels
     Qt::KeyboardModifiers m_modifiers;
     bool m_withEraser = false;
+    std::optional<glm::dvec3> m_seenAlong;
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
 };

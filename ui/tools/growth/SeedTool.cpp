@@ -220,6 +220,8 @@ void SeedTool::commit(const std::vector<glm::ivec3>& voxels)
         workspace().fail(label.error());
         return;
     }
+    if (seenAlong())
+        workspace().seeds().noteSeenAlong(voxels, *seenAlong());
     core::SeedStroke stroke;
     stroke.segment = *label;
     for (const glm::ivec3& voxel : voxels)
