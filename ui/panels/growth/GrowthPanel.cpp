@@ -178,13 +178,6 @@ void GrowthPanel::build()
     m_advice->setObjectName(QStringLiteral("growAdvice"));
     m_advice->setFont(theme::smallFont());
     m_advice->setWordWrap(true);
-    m_outside = new QLabel(this);
-    m_outside->setObjectName(QStringLiteral("growOutside"));
-    m_outside->setFont(theme::smallFont());
-    m_outside->setWordWrap(true);
-    m_outside->setTextFormat(Qt::RichText);
-    m_outside->setStyleSheet(QStringLiteral("color: %1").arg(theme::caution.name()));
-    connect(m_outside, &QLabel::linkActivated, m_fromSeeds, &SeedInterval::use);
     m_leak = new LeakSection(m_workspace, this);
     connect(m_leak, &LeakSection::goOnRequested, this, &GrowthPanel::playOrPause);
     m_progress = new FittingLabel(Qt::AlignLeft, this);
@@ -223,7 +216,7 @@ void GrowthPanel::build()
     layout->addWidget(m_fromSeeds);
     layout->addWidget(m_range);
     layout->addLayout(transport);
-    layout->addWidget(m_outside);
+    layout->addWidget(m_fromSeeds->note());
     layout->addWidget(m_leak);
     layout->addLayout(back);
     layout->addLayout(again);
@@ -319,7 +312,7 @@ void GrowthPanel::takeSettings()
 
 void GrowthPanel::followInterval()
 {
-    if (m_live->isChecked() && !m_running && activeHasGrown() && m_liveInterval->possible())
+    if (m_live->isChecked() && !m_running && m_fromSeeds->hasGrown() && m_liveInterval->possible())
         m_liveInterval->move(m_range->lower(), m_range->upper());
 }
 
@@ -327,14 +320,6 @@ void GrowthPanel::settleInterval()
 {
     if (m_liveInterval->follows())
         m_liveInterval->settle();
-}
-
-bool GrowthPanel::activeHasGrown() const
-{
-    const core::EditSession* session = m_workspace.session();
-    const core::Segment* segment =
-        session ? session->document().segment(m_workspace.activeSegment()) : nullptr;
-    return !segment || segment->voxels > 0;
 }
 
 bool GrowthPanel::begin(const core::Edit& growth, double generationsPerSecond)
@@ -473,28 +458,13 @@ void GrowthPanel::showState()
         m_advice->setText(m_fromSeeds->text(seeds));
     }
 
-    showOutside();
+    m_fromSeeds->showNote(!m_running);
     const core::GrowthProgress progress =
         session ? session->growthProgress() : core::GrowthProgress();
     if (progress.open)
         m_fronts = progress.frontSizes;
     m_progress->setText(progressText(progress));
     m_generations->show(progress);
-}
-
-void GrowthPanel::showOutside()
-{
-    const auto seeds = int(m_fromSeeds->values().size());
-    const int outside = m_running ? 0 : m_fromSeeds->seedsOutside();
-    // A few edge voxels of a sketch are always outside; growth has enough to begin with.
-    m_outside->setVisible(seeds > 0 && 4 * (seeds - outside) < seeds);
-    if (m_outside->isHidden())
-        return;
-    const QString link = QStringLiteral("<a href=\"use\" style=\"color: %1\">%2</a>")
-                             .arg(theme::accent.name(), tr("Use\u00a0the\u00a0seeds"));
-    m_outside->setText((outside == seeds
-            ? tr("No seed lies in the interval: nothing would grow. %1").arg(link)
-            : tr("%1 of %2 seeds lie outside the interval. %3").arg(outside).arg(seeds).arg(link)));
 }
 
 QString GrowthPanel::progressText(const core::GrowthProgress& progress) const

@@ -57,9 +57,6 @@ private:
     void showSettings();
     void takeSettings();
     void showState();
-    void showOutside();
-    /// Whether the growth is of the active segment, so that a change of its interval is meant.
-    [[nodiscard]] bool activeHasGrown() const;
     [[nodiscard]] QString progressText(const core::GrowthProgress& progress) const;
     void poll();
     bool begin(const core::Edit& growth, double generationsPerSecond);
@@ -85,7 +82,6 @@ private:
     QComboBox* m_pace = nullptr;
     QCheckBox* m_overwrite = nullptr;
     QLabel* m_advice = nullptr;
-    QLabel* m_outside = nullptr; ///< seeds that would not grow
     LeakSection* m_leak = nullptr;
     QLabel* m_progress = nullptr;
     GenerationSection* m_generations = nullptr;

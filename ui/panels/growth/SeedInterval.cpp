@@ -85,6 +85,13 @@ void SeedInterval::build()
     m_use->setText(tr("Use the seeds"));
     m_use->setToolTip(tr("Set the interval around what was sketched, at this tolerance"));
     m_use->setFixedHeight(theme::controlHeight);
+    m_note = new QLabel(parentWidget());
+    m_note->setObjectName(QStringLiteral("growOutside"));
+    m_note->setFont(theme::smallFont());
+    m_note->setWordWrap(true);
+    m_note->setTextFormat(Qt::RichText);
+    m_note->setStyleSheet(QStringLiteral("color: %1").arg(theme::caution.name()));
+    connect(m_note, &QLabel::linkActivated, this, &SeedInterval::use);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
@@ -250,11 +257,29 @@ void SeedInterval::use()
     Q_EMIT intervalTaken();
 }
 
-int SeedInterval::seedsOutside() const
+bool SeedInterval::hasGrown() const
+{
+    const core::EditSession* session = m_workspace.session();
+    const core::Segment* segment = session ? session->document().segment(m_segment) : nullptr;
+    return !segment || segment->voxels > 0;
+}
+
+void SeedInterval::showNote(bool wanted)
 {
     const GrowSettings& settings = m_workspace.growSettings();
-    return int(std::count_if(m_values.begin(), m_values.end(),
+    const auto seeds = int(m_values.size());
+    const auto outside = int(std::count_if(m_values.begin(), m_values.end(),
         [&settings](double value) { return value < settings.lower || value > settings.upper; }));
+    // Edge voxels of a sketch are always outside; growth has enough to begin with.
+    const bool shown = wanted && seeds > 0 && 4 * (seeds - outside) < seeds;
+    m_note->setVisible(shown);
+    if (!shown)
+        return;
+    const QString link = QStringLiteral("<a href=\"use\" style=\"color: %1\">%2</a>")
+                             .arg(theme::accent.name(), tr("Use\u00a0the\u00a0seeds"));
+    m_note->setText(outside == seeds
+            ? tr("No seed lies in the interval: nothing would grow. %1").arg(link)
+            : tr("%1 of %2 seeds lie outside the interval. %3").arg(outside).arg(seeds).arg(link));
 }
 
 void SeedInterval::showState()

@@ -42,8 +42,12 @@ public:
     /// "12 seed voxels · 41.0 ± 3.2 HU" for the active segment. If it has no seeds the text tells
     /// that there are @p seeds of others.
     [[nodiscard]] QString text(int seeds) const;
-    /// How many of the seeds lie outside the interval, and so would not grow.
-    [[nodiscard]] int seedsOutside() const;
+    /// The line that tells, with a link, that most seeds lie outside the interval; for a layout.
+    [[nodiscard]] QLabel* note() const { return m_note; }
+    /// @param wanted false: it is hidden in any case
+    void showNote(bool wanted);
+    /// Whether the active segment has voxels, so that a change of the interval is one of a growth.
+    [[nodiscard]] bool hasGrown() const;
 
 public Q_SLOTS:
     /// Sets the interval by the seeds and the tolerance.
@@ -70,6 +74,7 @@ private:
     QToolButton* m_use = nullptr;
     QSlider* m_tolerance = nullptr;
     QLabel* m_text = nullptr;
+    QLabel* m_note = nullptr;
     std::vector<glm::ivec3> m_voxels; ///< the seeds asked about last
     std::vector<double> m_values; ///< the values at m_voxels
     std::optional<core::SketchedCodes> m_sketched;
