@@ -216,11 +216,16 @@ SketchInterval::SketchInterval(
 {
     const std::size_t seeds = seedCount(sketches);
     const std::size_t every = (seeds + mostSeeds - 1) / mostSeeds;
+    std::size_t place = 0; // among the seeds of all sketches
     m_reach = seeds <= fewSeeds ? reachOfFew : reachOfMany;
     for (const SeedSketch& sketch : sketches) {
         SeedSketch thin{.inward = sketch.inward};
-        for (std::size_t i = 0; i < sketch.voxels.size(); i += every)
-            thin.voxels.push_back(sketch.voxels[i]);
+        for (const glm::ivec3& voxel : sketch.voxels) {
+            if (place++ % every == 0)
+                thin.voxels.push_back(voxel);
+        }
+        if (thin.voxels.empty())
+            continue;
         // One more than is looked at, for differences.
         const int around = m_reach + 1 + (sketch.inward ? mostInward : 0);
         for (const glm::ivec3& seed : thin.voxels) {
@@ -331,7 +336,8 @@ CodeInterval offeredInterval(const SketchedCodes& sketched, int sigmas256)
 {
     if (sketched.voxels == 0)
         return {};
-    const std::int64_t reach = std::int64_t(sigmas256) * sketched.deviation256 / 65536;
+    // A code stands for values that are up to half a code away.
+    const std::int64_t reach = (std::int64_t(sigmas256) * sketched.deviation256 + 32768) / 65536;
     std::int64_t low = sketched.centre - reach;
     std::int64_t high = sketched.centre + reach;
     if (sketched.darker)

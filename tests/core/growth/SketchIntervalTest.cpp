@@ -160,6 +160,14 @@ private Q_SLOTS:
                 all.emplace_back((y * 7 + z * 3) % 40, y, z);
         }
         QVERIFY(SketchInterval({{.voxels = all}}, size).voxels().size() <= 64 * 9 * 9 * 9);
+        // Many short ones do not, either.
+        std::vector<SeedSketch> sketches;
+        for (const glm::ivec3& voxel : all)
+            sketches.push_back({.voxels = {voxel}});
+        const SketchInterval many(sketches, size);
+        QVERIFY(many.voxels().size() <= 64 * 9 * 9 * 9);
+        QVERIFY(
+            many.look(std::vector<int>(many.voxels().size(), 7)).seeds.size() <= std::size_t(64));
     }
 };
 
