@@ -4,7 +4,9 @@
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/session/EditSession.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace ui {
@@ -14,6 +16,23 @@ namespace {
 glm::ivec3 voxelAt(const glm::dvec3& lps, const core::VolumeGeometry& geometry)
 {
     return glm::ivec3(glm::round(geometry.toIndex(lps)));
+}
+
+/// An end of the interval beyond which so little of the volume lies is open: nothing else is there.
+constexpr double openBeyond = 0.005;
+
+/// The parts of the volume below and above a value.
+std::pair<double, double> beside(const core::Histogram& histogram, double value)
+{
+    const double all = std::accumulate(histogram.counts.begin(), histogram.counts.end(), 0.0);
+    const double range = histogram.maximum - histogram.minimum;
+    if (all == 0.0 || range <= 0.0)
+        return {1.0, 1.0};
+    const double at = (value - histogram.minimum) / range * double(histogram.counts.size());
+    double below = 0.0;
+    for (std::size_t i = 0; i < histogram.counts.size(); ++i)
+        below += histogram.counts[i] * std::clamp(at - double(i), 0.0, 1.0);
+    return {below / all, (all - below) / all};
 }
 
 } // namespace
@@ -77,6 +96,27 @@ SeedStatistics seedStatistics(const std::vector<double>& values)
         squares += (value - result.mean) * (value - result.mean);
     result.deviation = std::sqrt(squares / double(values.size() - 1));
     return result;
+}
+
+std::optional<std::pair<double, double>> offeredValues(
+    const core::Volume& volume, const core::SketchedCodes& sketched, double tolerance)
+{
+    const core::CodeInterval codes =
+        core::offeredInterval(sketched, int(std::lround(tolerance * 256.0)));
+    if (codes.low > codes.high)
+        return std::nullopt;
+    double lower = volume.encoding.value(codes.low);
+    double upper = volume.encoding.value(codes.high);
+    // Outwards to numbers with few digits: history and report name them.
+    const double spread = std::max(upper - lower, 1e-9);
+    const double step = std::pow(10.0, std::floor(std::log10(spread / 50.0)));
+    lower = std::floor(lower / step) * step;
+    upper = std::ceil(upper / step) * step;
+    if (lower <= volume.minimum || beside(volume.histogram, lower).first < openBeyond)
+        lower = volume.minimum;
+    if (upper >= volume.maximum || beside(volume.histogram, upper).second < openBeyond)
+        upper = volume.maximum;
+    return std::pair(lower, upper);
 }
 
 } // namespace ui

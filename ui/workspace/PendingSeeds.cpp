@@ -76,8 +76,11 @@ private:
         for (const glm::dvec3& point : stroke.pointsLps)
             m_pending.push_back({point, std::uint8_t(stroke.segment)});
     }
-    void take(const core::GrowSteps&, std::uint32_t) { comeToAll(); }
-    void take(const core::ChangeInterval&, std::uint32_t) { comeToAll(); }
+    void take(const core::GrowSteps& grow, std::uint32_t) { comeTo(grow.criteria.segments); }
+    void take(const core::ChangeInterval& change, std::uint32_t)
+    {
+        comeTo(change.criteria.segments);
+    }
     /// By steps it sends back those that came later; to the seeds it keeps all.
     void take(const core::ShrinkSteps& shrink, std::uint32_t generation)
     {
@@ -95,11 +98,18 @@ private:
         forget([&](const gpu::SceneSeed& seed) { return seed.label == removed.segment; });
     }
 
-    void comeToAll()
+    /// @param segments none: all
+    void comeTo(const std::optional<std::vector<int>>& segments)
     {
-        for (const gpu::SceneSeed& seed : m_pending)
-            m_grown.push_back({.since = m_generation + 1, .seed = seed});
-        m_pending.clear();
+        const auto rests = std::stable_partition(
+            m_pending.begin(), m_pending.end(), [&segments](const gpu::SceneSeed& seed) {
+                return !segments
+                    || std::find(segments->begin(), segments->end(), int(seed.label))
+                    != segments->end();
+            });
+        for (auto seed = m_pending.begin(); seed != rests; ++seed)
+            m_grown.push_back({.since = m_generation + 1, .seed = *seed});
+        m_pending.erase(m_pending.begin(), rests);
     }
     template <class Which> void forget(const Which& which)
     {
@@ -122,6 +132,7 @@ PendingSeeds::PendingSeeds(Workspace& workspace)
 {
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_seenAlong.clear();
+        m_intervals.clear();
         update();
     });
     connect(
@@ -148,21 +159,26 @@ PendingSeeds::Sketched PendingSeeds::seedsOf(const core::EditSession& session)
     return sketched;
 }
 
-void PendingSeeds::noteSeenAlong(const std::vector<glm::ivec3>& voxels, const glm::dvec3& direction)
+void PendingSeeds::noteSketch(int label, const std::vector<glm::ivec3>& voxels,
+    const std::vector<std::pair<glm::ivec3, glm::dvec3>>& seenAlong)
 {
-    m_seenAlong.emplace_back(voxels, direction);
+    for (const glm::ivec3& voxel : voxels)
+        m_seenAlong.erase({label, voxel.x, voxel.y, voxel.z});
+    for (const auto& [voxel, direction] : seenAlong)
+        m_seenAlong.try_emplace({label, voxel.x, voxel.y, voxel.z}, direction);
 }
 
-std::optional<glm::dvec3> PendingSeeds::seenAlong(const std::vector<glm::ivec3>& voxels) const
+std::optional<glm::dvec3> PendingSeeds::seenAlong(int label, const glm::ivec3& voxel) const
 {
-    const auto found = std::find_if(m_seenAlong.rbegin(), m_seenAlong.rend(),
-        [&voxels](const auto& sketch) { return sketch.first == voxels; });
-    return found == m_seenAlong.rend() ? std::nullopt : std::optional(found->second);
+    const auto found = m_seenAlong.find({label, voxel.x, voxel.y, voxel.z});
+    return found == m_seenAlong.end() ? std::nullopt : std::optional(found->second);
 }
 
 void PendingSeeds::update()
 {
     const core::EditSession* session = m_workspace.session();
+    if (session)
+        m_intervals.follow(*session);
     show(session ? seedsOf(*session) : Sketched());
 }
 

@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/SeedInterval.h"
 
-#include "core/session/questions/VoxelQuestions.h"
+#include "core/session/EditSession.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/settings/SeedValues.h"
+#include "ui/tasks/SketchLook.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPointer>
 #include <QScopedValueRollback>
 #include <QSlider>
 #include <QToolButton>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace ui {
 
@@ -27,9 +25,8 @@ namespace {
 constexpr int stepsPerDeviation = 4; ///< of the slider
 constexpr int tight = 4; ///< steps: one deviation
 constexpr int loose = 20;
-constexpr int usual = 10; ///< two and a half: of a normal distribution, 99 %
-/// An end of the interval beyond which so little of the volume lies is open: nothing else is there.
-constexpr double openBeyond = 0.005;
+constexpr int usual = int(usualTolerance * stepsPerDeviation);
+constexpr int takenMilliseconds = 500;
 
 QLabel* word(const QString& text, QWidget* parent)
 {
@@ -39,27 +36,25 @@ QLabel* word(const QString& text, QWidget* parent)
     return label;
 }
 
-/// The parts of the volume below and above a value.
-std::pair<double, double> beside(const core::Histogram& histogram, double value)
-{
-    const double all = std::accumulate(histogram.counts.begin(), histogram.counts.end(), 0.0);
-    const double range = histogram.maximum - histogram.minimum;
-    if (all == 0.0 || range <= 0.0)
-        return {1.0, 1.0};
-    const double at = (value - histogram.minimum) / range * double(histogram.counts.size());
-    double below = 0.0;
-    for (std::size_t i = 0; i < histogram.counts.size(); ++i)
-        below += histogram.counts[i] * std::clamp(at - double(i), 0.0, 1.0);
-    return {below / all, (all - below) / all};
-}
-
 } // namespace
+
+std::pair<double, double> shownValues(const Workspace& workspace)
+{
+    const core::Volume& volume = *workspace.volume();
+    return {std::clamp(workspace.volumeDisplay().surfaceThreshold, volume.minimum, volume.maximum),
+        volume.maximum};
+}
 
 SeedInterval::SeedInterval(Workspace& workspace, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
+    , m_look(new SketchLook(workspace, this))
 {
     build();
+    m_taken.setSingleShot(true);
+    m_taken.setInterval(takenMilliseconds);
+    connect(&m_taken, &QTimer::timeout, this, &SeedInterval::intervalTaken);
+    connect(m_look, &SketchLook::found, this, &SeedInterval::take);
     m_segment = workspace.activeSegment();
     m_last = {workspace.growSettings().lower, workspace.growSettings().upper};
     connect(&workspace, &Workspace::growSettingsChanged, this, &SeedInterval::followSettings);
@@ -101,36 +96,43 @@ void SeedInterval::build()
     layout->addWidget(m_text);
     layout->addWidget(m_use);
     connect(m_use, &QToolButton::clicked, this, &SeedInterval::use);
-    connect(m_tolerance, &QSlider::valueChanged, this, &SeedInterval::use);
+    connect(m_tolerance, &QSlider::valueChanged, this, &SeedInterval::moveTolerance);
+    connect(m_tolerance, &QSlider::sliderReleased, this, &SeedInterval::use);
 }
 
 void SeedInterval::forget()
 {
-    ++m_asked;
+    m_look->drop();
+    m_taken.stop();
     m_voxels.clear();
     m_values.clear();
     m_sketched.reset();
-    m_byHand.clear();
-    m_intervals.clear();
     m_segment = m_workspace.activeSegment();
-    if (const core::EditSession* session = m_workspace.session()) {
-        for (const core::Segment& segment : session->document().segments)
-            m_byHand.insert(segment.label);
-    }
+    m_last = {m_workspace.growSettings().lower, m_workspace.growSettings().upper};
     showState();
+}
+
+SegmentIntervals& SeedInterval::intervals() const
+{
+    return m_workspace.seeds().intervals();
 }
 
 void SeedInterval::switchSegment()
 {
     const int before = m_segment;
     m_segment = m_workspace.activeSegment();
-    if (before == m_segment)
+    const core::EditSession* session = m_workspace.session();
+    if (before == m_segment || !session || !m_workspace.volume())
         return;
-    if (before == 0 && m_byHand.erase(0) > 0 && !m_intervals.contains(m_segment))
-        m_byHand.insert(m_segment);
-    const auto known = m_intervals.find(m_segment);
-    if (known != m_intervals.end())
-        set(known->second);
+    m_taken.stop();
+    if (const auto first = before == 0 ? intervals().takeFirst() : std::nullopt;
+        first && !intervals().of(m_segment))
+        intervals().set(m_segment, *first);
+    const core::Segment* segment = session->document().segment(m_segment);
+    if (const auto known = intervals().of(m_segment))
+        show({known->lower, known->upper});
+    else if (before != 0 && (!segment || segment->voxels == 0))
+        show(shownValues(m_workspace));
 }
 
 void SeedInterval::followSettings()
@@ -140,9 +142,9 @@ void SeedInterval::followSettings()
     if (interval == m_last)
         return;
     m_last = interval;
-    m_intervals[m_segment] = interval;
     if (!m_setting)
-        m_byHand.insert(m_segment);
+        intervals().set(
+            m_segment, {.lower = interval.first, .upper = interval.second, .byHand = true});
     Q_EMIT valuesChanged();
 }
 
@@ -152,58 +154,47 @@ std::vector<core::SeedSketch> SeedInterval::sketches() const
     const core::EditSession* session = m_workspace.session();
     if (!session)
         return sketches;
-    for (std::vector<glm::ivec3>& voxels : sketchedVoxels(*session, m_segment)) {
-        const std::optional<glm::dvec3> inward = m_workspace.seeds().seenAlong(voxels);
-        sketches.push_back({.voxels = std::move(voxels), .inward = inward});
+    for (const std::vector<glm::ivec3>& voxels : sketchedVoxels(*session, m_segment)) {
+        // Pieces in different poses are looked at along different ways.
+        const std::size_t first = sketches.size();
+        for (const glm::ivec3& voxel : voxels) {
+            const auto inward = m_workspace.seeds().seenAlong(m_segment, voxel);
+            auto alike = std::find_if(sketches.begin() + std::ptrdiff_t(first), sketches.end(),
+                [&inward](const core::SeedSketch& each) { return each.inward == inward; });
+            if (alike == sketches.end())
+                alike = sketches.insert(alike, {.voxels = {}, .inward = inward});
+            alike->voxels.push_back(voxel);
+        }
     }
     return sketches;
 }
 
 void SeedInterval::ask()
 {
-    const std::vector<core::SeedSketch> sketched = sketches();
+    std::vector<core::SeedSketch> sketched = sketches();
     std::vector<glm::ivec3> voxels;
     for (const core::SeedSketch& sketch : sketched)
         voxels.insert(voxels.end(), sketch.voxels.begin(), sketch.voxels.end());
     if (voxels == m_voxels)
         return;
-    ++m_asked;
-    m_voxels = voxels;
+    m_look->drop();
+    m_voxels = std::move(voxels);
     m_values.clear();
     m_sketched.reset();
     showState();
     Q_EMIT valuesChanged();
-    if (voxels.empty())
-        return;
-    const std::size_t seeds = voxels.size();
-    const core::SketchInterval around(sketched, m_workspace.volume()->geometry.size);
-    voxels.insert(voxels.end(), around.voxels().begin(), around.voxels().end());
-    m_workspace.session()->questions().probe(std::move(voxels),
-        [interval = QPointer<SeedInterval>(this), asked = m_asked, sketched, seeds](
-            const core::Result<std::vector<core::ProbedVoxel>>& probes) {
-            if (!interval || interval->m_asked != asked || !probes)
-                return;
-            std::vector<int> codes;
-            codes.reserve(probes->size());
-            for (const core::ProbedVoxel& probe : *probes)
-                codes.push_back(probe.code);
-            interval->take(sketched, codes, seeds);
-        });
+    if (!m_voxels.empty())
+        m_look->ask(std::move(sketched));
 }
 
-void SeedInterval::take(
-    const std::vector<core::SeedSketch>& sketches, const std::vector<int>& codes, std::size_t seeds)
+void SeedInterval::take(const core::SketchedCodes& sketched, const std::vector<int>& seeds)
 {
-    const core::Volume& volume = *m_workspace.volume();
-    for (std::size_t i = 0; i < seeds; ++i)
-        m_values.push_back(volume.encoding.value(codes[i]));
-    m_sketched = core::SketchInterval(sketches, volume.geometry.size)
-                     .look({codes.begin() + std::ptrdiff_t(seeds), codes.end()});
+    for (const int code : seeds)
+        m_values.push_back(m_workspace.volume()->encoding.value(code));
+    m_sketched = sketched;
     showState();
-    if (maySetItself()) {
-        if (const auto interval = offered())
-            set(*interval);
-    }
+    if (maySetItself())
+        takeOffered();
     Q_EMIT valuesChanged();
 }
 
@@ -211,7 +202,8 @@ bool SeedInterval::maySetItself() const
 {
     const core::EditSession* session = m_workspace.session();
     const core::Segment* segment = session ? session->document().segment(m_segment) : nullptr;
-    return segment && segment->voxels == 0 && !m_byHand.contains(m_segment);
+    const auto known = intervals().of(m_segment);
+    return segment && segment->voxels == 0 && !(known && known->byHand);
 }
 
 std::optional<std::pair<double, double>> SeedInterval::offered() const
@@ -219,25 +211,10 @@ std::optional<std::pair<double, double>> SeedInterval::offered() const
     const core::Volume* volume = m_workspace.volume();
     if (!volume || !m_sketched)
         return std::nullopt;
-    const core::CodeInterval codes =
-        core::offeredInterval(*m_sketched, m_tolerance->value() * 256 / stepsPerDeviation);
-    if (codes.low > codes.high)
-        return std::nullopt;
-    double lower = volume->encoding.value(codes.low);
-    double upper = volume->encoding.value(codes.high);
-    // Outwards to numbers with few digits: history and report name them.
-    const double spread = std::max(upper - lower, 1e-9);
-    const double step = std::pow(10.0, std::floor(std::log10(spread / 50.0)));
-    lower = std::floor(lower / step) * step;
-    upper = std::ceil(upper / step) * step;
-    if (lower <= volume->minimum || beside(volume->histogram, lower).first < openBeyond)
-        lower = volume->minimum;
-    if (upper >= volume->maximum || beside(volume->histogram, upper).second < openBeyond)
-        upper = volume->maximum;
-    return std::pair(lower, upper);
+    return offeredValues(*volume, *m_sketched, double(m_tolerance->value()) / stepsPerDeviation);
 }
 
-void SeedInterval::set(std::pair<double, double> interval)
+void SeedInterval::show(std::pair<double, double> interval)
 {
     const QScopedValueRollback<bool> setting(m_setting, true);
     GrowSettings settings = m_workspace.growSettings();
@@ -246,22 +223,50 @@ void SeedInterval::set(std::pair<double, double> interval)
     m_workspace.setGrowSettings(settings);
 }
 
-void SeedInterval::use()
-{
-    showState();
-    const auto interval = offered();
-    if (!interval)
-        return;
-    m_byHand.erase(m_segment);
-    set(*interval);
-    Q_EMIT intervalTaken();
-}
-
 bool SeedInterval::hasGrown() const
 {
     const core::EditSession* session = m_workspace.session();
     const core::Segment* segment = session ? session->document().segment(m_segment) : nullptr;
     return !segment || segment->voxels > 0;
+}
+
+void SeedInterval::follow(
+    double lower, double upper, const std::optional<std::vector<int>>& segments)
+{
+    const bool grewInIt = segments
+        ? std::find(segments->begin(), segments->end(), m_segment) != segments->end()
+        : hasGrown();
+    if (!grewInIt)
+        return;
+    const auto known = intervals().of(m_segment);
+    intervals().set(m_segment, {.lower = lower, .upper = upper, .byHand = !known || known->byHand});
+    show({lower, upper});
+    Q_EMIT valuesChanged();
+}
+
+bool SeedInterval::takeOffered()
+{
+    const auto interval = offered();
+    if (!interval)
+        return false;
+    intervals().set(
+        m_segment, {.lower = interval->first, .upper = interval->second, .byHand = false});
+    show(*interval);
+    return true;
+}
+
+void SeedInterval::moveTolerance()
+{
+    showState();
+    if (takeOffered() && !m_tolerance->isSliderDown())
+        m_taken.start();
+}
+
+void SeedInterval::use()
+{
+    m_taken.stop();
+    if (takeOffered())
+        Q_EMIT intervalTaken();
 }
 
 void SeedInterval::showNote(bool wanted)

@@ -3,14 +3,12 @@
 
 #include "core/growth/SketchInterval.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <glm/glm.hpp>
 
-#include <cstdint>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -20,12 +18,20 @@ class QToolButton;
 
 namespace ui {
 
+class SegmentIntervals;
+class SketchLook;
 class Workspace;
+
+/// The values that the 3D view shows: the interval where no other is known.
+[[nodiscard]] std::pair<double, double> shownValues(const Workspace& workspace);
 
 /// The tolerance of a growth, from tight to loose: it sets the interval around what was sketched
 /// for the active segment (core/growth/SketchInterval.h). After a sketch for a segment that has no
 /// voxels the interval is set by itself, unless the user has set it for that segment. Each segment
-/// keeps its own interval. It also knows the values under the seeds.
+/// keeps its own interval (SegmentIntervals). It also knows the values under the seeds.
+///
+/// While the slider is held only the interval is shown; it counts as changed once, when the slider
+/// is released, or a moment after the last of several steps by keys.
 class SeedInterval : public QWidget {
     Q_OBJECT
 
@@ -34,8 +40,7 @@ public:
 
     /// Asks the engine for the values if seeds have been added or removed.
     void ask();
-    /// Forgets everything, because another study was opened; the intervals of segments that it has
-    /// already are left as they are.
+    /// Forgets everything, because another study was opened.
     void forget();
     /// The values under the seeds, in modality units.
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }
@@ -46,12 +51,17 @@ public:
     [[nodiscard]] QLabel* note() const { return m_note; }
     /// @param wanted false: it is hidden in any case
     void showNote(bool wanted);
+    /// Sets the interval in the growth's settings, not as one that the user has chosen.
+    void show(std::pair<double, double> interval);
     /// Whether the active segment has voxels, so that a change of the interval is one of a growth.
     [[nodiscard]] bool hasGrown() const;
 
 public Q_SLOTS:
     /// Sets the interval by the seeds and the tolerance.
     void use();
+    /// A growth with these bounds is back: they are set if the active segment grew in it.
+    /// @param segments that it grew (GrowCriteria::segments)
+    void follow(double lower, double upper, const std::optional<std::vector<int>>& segments);
 
 Q_SIGNALS:
     void valuesChanged();
@@ -62,9 +72,10 @@ private:
     void build();
     void switchSegment();
     void followSettings();
-    void take(const std::vector<core::SeedSketch>& sketches, const std::vector<int>& codes,
-        std::size_t seeds);
-    void set(std::pair<double, double> interval);
+    void take(const core::SketchedCodes& sketched, const std::vector<int>& seeds);
+    bool takeOffered();
+    void moveTolerance();
+    [[nodiscard]] SegmentIntervals& intervals() const;
     [[nodiscard]] std::vector<core::SeedSketch> sketches() const;
     [[nodiscard]] bool maySetItself() const;
     [[nodiscard]] std::optional<std::pair<double, double>> offered() const;
@@ -75,13 +86,12 @@ private:
     QSlider* m_tolerance = nullptr;
     QLabel* m_text = nullptr;
     QLabel* m_note = nullptr;
+    SketchLook* m_look = nullptr;
+    QTimer m_taken; ///< one change after several steps in quick succession
     std::vector<glm::ivec3> m_voxels; ///< the seeds asked about last
     std::vector<double> m_values; ///< the values at m_voxels
     std::optional<core::SketchedCodes> m_sketched;
-    std::uint64_t m_asked = 0; ///< number of questions; only the answer to the last one counts
     int m_segment = 0; ///< the active segment's label
-    std::set<int> m_byHand; ///< segments whose interval was set otherwise; 0: before there was one
-    std::map<int, std::pair<double, double>> m_intervals; ///< by segment
     std::pair<double, double> m_last; ///< the interval in the settings
     bool m_setting = false;
 };

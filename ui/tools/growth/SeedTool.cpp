@@ -220,8 +220,7 @@ void SeedTool::commit(const std::vector<glm::ivec3>& voxels)
         workspace().fail(label.error());
         return;
     }
-    if (seenAlong())
-        workspace().seeds().noteSeenAlong(voxels, *seenAlong());
+    workspace().seeds().noteSketch(*label, voxels, seenAlong());
     core::SeedStroke stroke;
     stroke.segment = *label;
     for (const glm::ivec3& voxel : voxels)

@@ -300,7 +300,10 @@ private Q_SLOTS:
         SeededPanel fixture;
         // Two more seeds, in brain: the mean lies between, the spread reaches both.
         fixture.apply(test::seedAt(1, {{8.0, 0.0, 0.0}, {-8.0, 0.0, 0.0}}));
-        QTRY_VERIFY(button(fixture.panel, "intervalFromSeeds").isEnabled());
+        QVERIFY(QTest::qWaitFor([&fixture] {
+            fixture.settle();
+            return button(fixture.panel, "intervalFromSeeds").isEnabled();
+        }));
         const auto& settings = fixture.workspace.growSettings();
         QCOMPARE(settings.upper, 20.0); // set by hand, and left
         click(button(fixture.panel, "intervalFromSeeds"));
