@@ -299,9 +299,12 @@ private Q_SLOTS:
             user.waitForRow(4); // the segment and its seeds
             user.mouseStroke(user.window().views().axial(), {-70, -6}, {70, 8});
             user.waitForRow(5);
+            auto* useSeeds = user.window().findChild<QAbstractButton*>(text("intervalFromSeeds"));
+            User::wait([useSeeds] { return useSeeds->isEnabled(); }, "no interval is offered");
             user.look("3-seeded");
 
             // Grow: a step, a while at a pace until paused, the rest at once.
+            user.type("rangeUpper", user.workspace().volume()->maximum);
             user.type("rangeLower", 226.0);
             user.click("growStep");
             user.waitForRow(6);

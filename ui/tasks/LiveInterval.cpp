@@ -44,9 +44,10 @@ bool LiveInterval::possible() const
         && core::recentCriteria(session->history()).has_value();
 }
 
-void LiveInterval::move(double lower, double upper)
+void LiveInterval::move(double lower, double upper, const std::optional<std::vector<int>>& segments)
 {
     m_wanted = {lower, upper};
+    m_segments = segments;
     send(false);
 }
 
@@ -85,7 +86,7 @@ void LiveInterval::followHistory()
         m_stands = {criteria->lower, criteria->upper};
     // A new step has the bounds that were asked for; those may have been moved on since.
     if (walked && !m_open && m_stands && m_stands != before)
-        Q_EMIT returned(m_stands->first, m_stands->second);
+        Q_EMIT returned(m_stands->first, m_stands->second, criteria->segments);
 }
 
 void LiveInterval::send(bool atOnce)
@@ -97,6 +98,12 @@ void LiveInterval::send(bool atOnce)
         m_open = false; // something else has closed it
     if (!m_open) {
         core::ChangeInterval change;
+        if (const auto recent = core::recentCriteria(session->history());
+            recent && recent->segments != m_segments) {
+            change.criteria = *recent;
+            change.criteria.segments = m_segments;
+            change.asBefore = false;
+        }
         change.criteria.lower = m_wanted->first;
         change.criteria.upper = m_wanted->second;
         change.guard = growthOf(m_workspace.growSettings()).guard;

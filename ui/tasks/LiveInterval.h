@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace ui {
 
@@ -29,7 +30,8 @@ public:
     /// Whether it is following at present.
     [[nodiscard]] bool follows() const { return m_open; }
 
-    void move(double lower, double upper);
+    /// @param segments whose growth follows (GrowCriteria::segments); what counts is the first move
+    void move(double lower, double upper, const std::optional<std::vector<int>>& segments = {});
     /// To be called when the bounds are released.
     void settle();
     /// Restores the state before the bounds were moved.
@@ -38,7 +40,8 @@ public:
 Q_SIGNALS:
     void progressed();
     /// Undo, redo or going to another step brought back a growth with other bounds.
-    void returned(double lower, double upper);
+    /// @param segments that it grew (GrowCriteria::segments)
+    void returned(double lower, double upper, const std::optional<std::vector<int>>& segments);
 
 private:
     void send(bool atOnce);
@@ -50,6 +53,7 @@ private:
     Workspace& m_workspace;
     /// Bounds that were not sent to the session yet.
     std::optional<std::pair<double, double>> m_wanted;
+    std::optional<std::vector<int>> m_segments;
     /// Bounds of the growth at the history's position.
     std::optional<std::pair<double, double>> m_stands;
     std::size_t m_rows = 0; ///< number of history rows when it was last checked

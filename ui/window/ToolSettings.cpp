@@ -5,6 +5,7 @@
 #include "ui/input/Tool.h"
 #include "ui/tools/common/BrushTool.h"
 #include "ui/tools/sculpt/DrillOptions.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 
 #include <algorithm>
@@ -91,12 +92,29 @@ void read(const QJsonValue& json, Workspace::BrushSettings& brush)
     read(json[QLatin1String("overwriteUnlocked")], brush.overwriteUnlocked);
 }
 
+/// Sessions of old have one interval for all segments, which is left as it is.
+void readIntervals(const QJsonObject& state, Workspace& workspace)
+{
+    const core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    SegmentIntervals& intervals = workspace.seeds().intervals();
+    intervals.read(state[QLatin1String("intervals")].toArray(), *session);
+    if (state.contains(QLatin1String("intervals")) || !state.contains(QLatin1String("growth")))
+        return;
+    const Workspace::GrowSettings& growth = workspace.growSettings();
+    for (const core::Segment& segment : session->document().segments)
+        intervals.set(
+            segment.label, {.lower = growth.lower, .upper = growth.upper, .byHand = true});
+}
+
 } // namespace
 
 QJsonObject toolSettings(const Workspace& workspace, const std::vector<Tool*>& tools)
 {
     QJsonObject settings{{QStringLiteral("drill"), toJson(workspace.drillSettings())},
-        {QStringLiteral("growth"), growSettingsJson(workspace.growSettings())}};
+        {QStringLiteral("growth"), growSettingsJson(workspace.growSettings())},
+        {QStringLiteral("intervals"), workspace.seeds().intervals().json()}};
     for (const auto& [name, brush] : brushes)
         settings[QLatin1String(name)] = toJson(workspace.brushSettings(brush));
     QJsonObject own;
@@ -122,6 +140,7 @@ void applyToolSettings(
     Workspace::GrowSettings growth = workspace.growSettings();
     readGrowSettings(state[QLatin1String("growth")].toObject(), growth);
     workspace.setGrowSettings(growth);
+    readIntervals(state, workspace);
     const QJsonValue own = state[QLatin1String("tools")];
     for (Tool* tool : tools)
         tool->applySettings(own[tool->iconName()].toObject());

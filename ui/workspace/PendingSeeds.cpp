@@ -76,8 +76,11 @@ private:
         for (const glm::dvec3& point : stroke.pointsLps)
             m_pending.push_back({point, std::uint8_t(stroke.segment)});
     }
-    void take(const core::GrowSteps&, std::uint32_t) { comeToAll(); }
-    void take(const core::ChangeInterval&, std::uint32_t) { comeToAll(); }
+    void take(const core::GrowSteps& grow, std::uint32_t) { comeTo(grow.criteria.segments); }
+    void take(const core::ChangeInterval& change, std::uint32_t)
+    {
+        comeTo(change.criteria.segments);
+    }
     /// By steps it sends back those that came later; to the seeds it keeps all.
     void take(const core::ShrinkSteps& shrink, std::uint32_t generation)
     {
@@ -95,11 +98,18 @@ private:
         forget([&](const gpu::SceneSeed& seed) { return seed.label == removed.segment; });
     }
 
-    void comeToAll()
+    /// @param segments none: all
+    void comeTo(const std::optional<std::vector<int>>& segments)
     {
-        for (const gpu::SceneSeed& seed : m_pending)
-            m_grown.push_back({.since = m_generation + 1, .seed = seed});
-        m_pending.clear();
+        const auto rests = std::stable_partition(
+            m_pending.begin(), m_pending.end(), [&segments](const gpu::SceneSeed& seed) {
+                return !segments
+                    || std::find(segments->begin(), segments->end(), int(seed.label))
+                    != segments->end();
+            });
+        for (auto seed = m_pending.begin(); seed != rests; ++seed)
+            m_grown.push_back({.since = m_generation + 1, .seed = *seed});
+        m_pending.erase(m_pending.begin(), rests);
     }
     template <class Which> void forget(const Which& which)
     {
@@ -120,7 +130,11 @@ PendingSeeds::PendingSeeds(Workspace& workspace)
     , m_workspace(workspace)
     , m_seeds(std::make_shared<const std::vector<gpu::SceneSeed>>())
 {
-    connect(&workspace, &Workspace::sessionChanged, this, &PendingSeeds::update);
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_seenAlong.clear();
+        m_intervals.clear();
+        update();
+    });
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::History
@@ -145,9 +159,26 @@ PendingSeeds::Sketched PendingSeeds::seedsOf(const core::EditSession& session)
     return sketched;
 }
 
+void PendingSeeds::noteSketch(int label, const std::vector<glm::ivec3>& voxels,
+    const std::vector<std::pair<glm::ivec3, glm::dvec3>>& seenAlong)
+{
+    for (const glm::ivec3& voxel : voxels)
+        m_seenAlong.erase({label, voxel.x, voxel.y, voxel.z});
+    for (const auto& [voxel, direction] : seenAlong)
+        m_seenAlong.try_emplace({label, voxel.x, voxel.y, voxel.z}, direction);
+}
+
+std::optional<glm::dvec3> PendingSeeds::seenAlong(int label, const glm::ivec3& voxel) const
+{
+    const auto found = m_seenAlong.find({label, voxel.x, voxel.y, voxel.z});
+    return found == m_seenAlong.end() ? std::nullopt : std::optional(found->second);
+}
+
 void PendingSeeds::update()
 {
     const core::EditSession* session = m_workspace.session();
+    if (session)
+        m_intervals.follow(*session);
     show(session ? seedsOf(*session) : Sketched());
 }
 

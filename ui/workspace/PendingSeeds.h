@@ -2,11 +2,18 @@
 #pragma once
 
 #include "gpu/scene/Scene.h"
+#include "ui/settings/SegmentIntervals.h"
 
 #include <QObject>
 
+#include <glm/glm.hpp>
+
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace core {
@@ -36,6 +43,17 @@ public:
         return m_seeds;
     }
 
+    /// Remembers of the seeds of a sketch, until another session is opened, along which direction
+    /// of the volume's index space the user looked at them on the 3D view.
+    /// @param seenAlong the directions; voxels without one were sketched on a slice
+    void noteSketch(int label, const std::vector<glm::ivec3>& voxels,
+        const std::vector<std::pair<glm::ivec3, glm::dvec3>>& seenAlong);
+    /// The direction for such a seed; none: it was sketched on a slice, or before.
+    [[nodiscard]] std::optional<glm::dvec3> seenAlong(int label, const glm::ivec3& voxel) const;
+
+    /// The interval of each segment; it follows which segments there are.
+    [[nodiscard]] SegmentIntervals& intervals() { return m_intervals; }
+
 Q_SIGNALS:
     void changed();
 
@@ -52,6 +70,8 @@ private:
     Workspace& m_workspace;
     std::shared_ptr<const std::vector<gpu::SceneSeed>> m_seeds;
     std::vector<gpu::SceneSeed> m_hollow;
+    std::map<std::array<int, 4>, glm::dvec3> m_seenAlong; ///< by label, x, y, z
+    SegmentIntervals m_intervals;
     std::uint64_t m_asked = 0; ///< number of questions; only the answer to the last one counts
 };
 

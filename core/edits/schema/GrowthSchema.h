@@ -78,6 +78,8 @@ template <class Visitor> void visitOtherCriteria(Visitor& visit, GrowCriteria& c
         "everywhere in the volume");
     visit.field("overwriteUnlocked", Presence::Optional, criteria.overwriteUnlocked,
         editFields::Flag{}, "whether growth takes voxels of other segments that are not locked");
+    visit.maybe("segments", criteria.segments, editFields::SegmentList{},
+        "those that grow; all others stay as they are", "all that are not locked");
 }
 
 template <class Visitor> void visitInterval(Visitor& visit, GrowCriteria& criteria)

@@ -35,14 +35,14 @@ std::bitset<256> segmentsWithSeeds(const History& history)
 
 /// Whether more than one segment has seeds and may grow: then the order in which they come decides
 /// who gets a voxel, and only growing anew gives what would have been.
-bool segmentsCompete(const History& history, const Document& document)
+bool segmentsCompete(const GrowCriteria& criteria, const History& history, const Document& document)
 {
-    std::bitset<256> growing = segmentsWithSeeds(history);
-    for (std::size_t label = 0; label < growing.size(); ++label) {
-        const Segment* segment = growing[label] ? document.segment(int(label)) : nullptr;
-        growing[label] = segment && !segment->locked;
-    }
-    return growing.count() > 1;
+    const std::bitset<256> growing = growingSegments(history, document);
+    if (!criteria.segments)
+        return growing.count() > 1;
+    return std::count_if(criteria.segments->begin(), criteria.segments->end(),
+               [&growing](int label) { return growing.test(std::size_t(label)); })
+        > 1;
 }
 
 bool asksPassage(const GrowCriteria& criteria, const Document& document)
@@ -74,6 +74,16 @@ std::optional<Rules> recentRules(const History& history)
 }
 
 } // namespace
+
+std::bitset<256> growingSegments(const History& history, const Document& document)
+{
+    std::bitset<256> growing = segmentsWithSeeds(history);
+    for (std::size_t label = 0; label < growing.size(); ++label) {
+        const Segment* segment = growing[label] ? document.segment(int(label)) : nullptr;
+        growing[label] = segment && !segment->locked;
+    }
+    return growing;
+}
 
 std::optional<GrowCriteria> recentCriteria(const History& history)
 {
@@ -111,7 +121,7 @@ Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Docum
     if (change->fromSeeds)
         return {};
     change->fromSeeds = change->criteria.sigmas || asksPassage(change->criteria, document)
-        || segmentsCompete(history, document);
+        || segmentsCompete(change->criteria, history, document);
     // As many generations again as there are, of which the seeds are the first, and those asked
     // for.
     const Growth* growth = document.growth(0);

@@ -5,6 +5,7 @@
 #include "core/document/Document.h"
 #include "core/history/History.h"
 
+#include <bitset>
 #include <optional>
 
 namespace core {
@@ -14,6 +15,10 @@ struct GrowCriteria;
 /// The criteria of the last growth in effect, including changes of its interval; none: nothing has
 /// grown.
 [[nodiscard]] std::optional<GrowCriteria> recentCriteria(const History& history);
+
+/// The labels of the segments that have seeds, sketched or painted, and may grow: they exist and
+/// are not locked.
+[[nodiscard]] std::bitset<256> growingSegments(const History& history, const Document& document);
 
 /// Whether an edit changes how later growths continue, even if it changes no voxel: its criteria
 /// are new, and there are sketched seeds that may still be admitted.

@@ -5,6 +5,7 @@
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/session/EditSession.h"
 #include "ui/base/CountText.h"
 #include "ui/models/SegmentListModel.h"
 
@@ -42,6 +43,25 @@ QString generationText(std::uint32_t generation, const core::HistoryRow* row, do
     if (row)
         core::visitAmong(tell, row->edit, Telling());
     return text;
+}
+
+QString generationText(const core::EditSession& session, const std::vector<std::uint32_t>& fronts)
+{
+    const core::GrowthProgress progress = session.growthProgress();
+    const core::Document& document = session.document();
+    const double voxelMm3 = document.volumes.front().geometry.voxelVolumeMm3();
+    if (progress.open && progress.members > 0)
+        return QObject::tr("Generation %1 · front %2 · +%3")
+            .arg(countText(progress.generation),
+                countText(fronts.empty() ? 0 : qlonglong(fronts.back())),
+                millilitreText(progress.members, voxelMm3));
+    const std::uint32_t generation = progress.open ? progress.generation
+        : document.growths.empty()                 ? 0
+                                                   : document.growths.front().generation;
+    const core::History& history = session.history();
+    const core::HistoryRow* row =
+        progress.open || history.position() == 0 ? nullptr : &history.row(history.position());
+    return generationText(generation, row, voxelMm3);
 }
 
 } // namespace ui

@@ -5,14 +5,14 @@
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/past/RecentGrowth.h"
-#include "ui/base/CountText.h"
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
-#include "ui/models/SegmentListModel.h"
 #include "ui/overlays/SeedBand.h"
 #include "ui/panels/growth/GenerationSection.h"
 #include "ui/panels/growth/GenerationText.h"
 #include "ui/panels/growth/GrowCriteriaSection.h"
+#include "ui/panels/growth/GrowthButtons.h"
+#include "ui/panels/growth/GrowthTurns.h"
 #include "ui/panels/growth/LeakSection.h"
 #include "ui/panels/growth/SeedInterval.h"
 #include "ui/panels/growth/SpreadBar.h"
@@ -39,31 +39,6 @@ namespace {
 
 constexpr int watchMilliseconds = 40;
 
-QPushButton* transportButton(
-    QWidget* parent, const QString& name, const QString& icon, const QString& text)
-{
-    auto* button = new QPushButton(stateIcon(icon), text, parent);
-    button->setObjectName(name);
-    button->setFixedHeight(theme::rowHeight);
-    return button;
-}
-
-QPushButton* narrowButton(QWidget* parent, const QString& name, const QString& text)
-{
-    auto* button = new QPushButton(text, parent);
-    button->setObjectName(name);
-    button->setProperty("role", QStringLiteral("narrow"));
-    button->setFixedHeight(theme::rowHeight);
-    return button;
-}
-
-bool everySegmentLocked(const core::Document& document)
-{
-    return !document.segments.empty()
-        && std::all_of(document.segments.begin(), document.segments.end(),
-            [](const core::Segment& segment) { return segment.locked; });
-}
-
 } // namespace
 
 GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
@@ -83,13 +58,7 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::followInterval);
     connect(m_range, &HistogramRange::rangeSettled, this, &GrowthPanel::settleInterval);
     connect(m_range, &HistogramRange::rangeCancelled, m_liveInterval, &LiveInterval::cancel);
-    connect(m_liveInterval, &LiveInterval::returned, this, [this](double lower, double upper) {
-        Workspace::GrowSettings settings = m_workspace.growSettings();
-        settings.lower = lower;
-        settings.upper = upper;
-        m_workspace.setGrowSettings(settings);
-        m_range->showRange();
-    });
+    connect(m_liveInterval, &LiveInterval::returned, m_fromSeeds, &SeedInterval::follow);
     connect(m_pace, &QComboBox::activated, this, &GrowthPanel::takeSettings);
     connect(m_overwrite, &QCheckBox::toggled, this, &GrowthPanel::takeSettings);
     connect(m_step, &QPushButton::clicked, this, &GrowthPanel::step);
@@ -126,6 +95,7 @@ void GrowthPanel::build()
     m_fromSeeds = new SeedInterval(m_workspace, this);
     connect(m_fromSeeds, &SeedInterval::valuesChanged, this, [this] {
         m_range->setMarkers(m_fromSeeds->values());
+        m_range->showRange();
         showState();
     });
     connect(m_fromSeeds, &SeedInterval::intervalTaken, this, [this] {
@@ -133,7 +103,6 @@ void GrowthPanel::build()
         followInterval();
         settleInterval();
     });
-    m_range->setMiddleWidget(m_fromSeeds);
     m_step = transportButton(this, QStringLiteral("growStep"), QStringLiteral("step"), tr("Step"));
     m_step->setToolTip(tr("Grow by one generation"));
     m_play = transportButton(this, QStringLiteral("growPlay"), QStringLiteral("play"), tr("Grow"));
@@ -178,8 +147,12 @@ void GrowthPanel::build()
     m_advice->setObjectName(QStringLiteral("growAdvice"));
     m_advice->setFont(theme::smallFont());
     m_advice->setWordWrap(true);
+    m_turnsText = new QLabel(this);
+    m_turnsText->setObjectName(QStringLiteral("growTurns"));
+    m_turnsText->setFont(theme::smallFont());
+    m_turnsText->setWordWrap(true);
     m_leak = new LeakSection(m_workspace, this);
-    connect(m_leak, &LeakSection::goOnRequested, this, &GrowthPanel::playOrPause);
+    connect(m_leak, &LeakSection::goOnRequested, this, &GrowthPanel::goOn);
     m_progress = new FittingLabel(Qt::AlignLeft, this);
     m_progress->setObjectName(QStringLiteral("growProgress"));
     m_progress->setFont(theme::smallFont());
@@ -212,14 +185,17 @@ void GrowthPanel::build()
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, theme::padding);
     layout->setSpacing(theme::smallPadding);
+    layout->addWidget(m_advice);
+    layout->addWidget(m_fromSeeds);
     layout->addWidget(m_range);
-    layout->addWidget(m_criteria);
-    layout->addWidget(new ToleranceSection(m_workspace, this));
     layout->addLayout(transport);
+    layout->addWidget(m_turnsText);
+    layout->addWidget(m_fromSeeds->note());
+    layout->addWidget(m_leak);
     layout->addLayout(back);
     layout->addLayout(again);
-    layout->addWidget(m_advice);
-    layout->addWidget(m_leak);
+    layout->addWidget(m_criteria);
+    layout->addWidget(new ToleranceSection(m_workspace, this));
     layout->addLayout(pace);
     layout->addWidget(m_progress);
     layout->addWidget(m_generations);
@@ -241,31 +217,56 @@ QString GrowthPanel::summary() const
 
 core::GrowSteps GrowthPanel::growEdit() const
 {
-    return growthOf(m_workspace.growSettings());
+    return growEdit(growthTurns(m_workspace).front());
+}
+
+core::GrowSteps GrowthPanel::growEdit(const GrowthTurn& turn) const
+{
+    core::GrowSteps edit = growthOf(m_workspace.growSettings());
+    edit.criteria.lower = turn.lower;
+    edit.criteria.upper = turn.upper;
+    edit.criteria.segments = turn.segments;
+    return edit;
+}
+
+void GrowthPanel::beginTurns(std::vector<GrowthTurn> turns, double generationsPerSecond)
+{
+    m_turns.clear();
+    m_nextTurn = false;
+    if (turns.empty() || !begin(growEdit(turns.front()), generationsPerSecond))
+        return;
+    m_turns = std::move(turns);
+    m_turnPace = generationsPerSecond;
+}
+
+/// After an alarm: with the segment that raised it, which need not be the active one.
+void GrowthPanel::goOn()
+{
+    const bool ofOthers = !m_turns.empty() && !grows(m_turns.front(), m_workspace.activeSegment());
+    beginTurns(ofOthers ? m_turns : growthTurns(m_workspace),
+        m_workspace.growSettings().generationsPerSecond);
 }
 
 void GrowthPanel::showVolume()
 {
     m_watch.stop();
     m_running = false;
-    m_fromSeeds->forget();
+    m_turns.clear();
+    m_nextTurn = false;
     m_fronts.clear();
     const core::Volume* volume = m_workspace.volume();
     setEnabled(volume != nullptr);
     if (volume) {
         m_range->setHistogram(volume->histogram, volume->unit);
-        Workspace::GrowSettings settings = m_workspace.growSettings();
+        const Workspace::GrowSettings& settings = m_workspace.growSettings();
         // An interval of another study means nothing here: start with what the 3D view shows.
         const bool fits = settings.lower < settings.upper && settings.lower >= volume->minimum
             && settings.upper <= volume->maximum;
-        if (!fits) {
-            const double shown = m_workspace.volumeDisplay().surfaceThreshold;
-            settings.lower = std::clamp(shown, volume->minimum, volume->maximum);
-            settings.upper = volume->maximum;
-            m_workspace.setGrowSettings(settings);
-        }
+        if (!fits)
+            m_fromSeeds->show(shownValues(m_workspace));
         takeRecentCriteria();
     }
+    m_fromSeeds->forget();
     showSettings();
     m_range->showRange();
     m_fromSeeds->ask();
@@ -283,6 +284,7 @@ void GrowthPanel::takeRecentCriteria()
     if (const auto criteria = core::recentCriteria(session->history())) {
         Workspace::GrowSettings settings = m_workspace.growSettings();
         takeCriteria(*criteria, settings);
+        m_fromSeeds->show({criteria->lower, criteria->upper});
         m_workspace.setGrowSettings(settings);
     }
 }
@@ -310,14 +312,16 @@ void GrowthPanel::takeSettings()
 
 void GrowthPanel::followInterval()
 {
-    if (m_live->isChecked() && !m_running && m_liveInterval->possible())
-        m_liveInterval->move(m_range->lower(), m_range->upper());
+    if (m_live->isChecked() && !m_running && m_fromSeeds->hasGrown() && m_liveInterval->possible())
+        m_liveInterval->move(m_range->lower(), m_range->upper(), followingSegments(m_workspace));
 }
 
 void GrowthPanel::settleInterval()
 {
-    if (m_liveInterval->follows())
-        m_liveInterval->settle();
+    if (!m_liveInterval->follows())
+        return;
+    shareInterval(m_workspace);
+    m_liveInterval->settle();
 }
 
 bool GrowthPanel::begin(const core::Edit& growth, double generationsPerSecond)
@@ -354,22 +358,25 @@ void GrowthPanel::playOrPause()
 {
     if (m_running) {
         m_workspace.session()->pauseGrowth();
+        m_turns.clear();
         finish();
     } else {
-        begin(growEdit(), m_workspace.growSettings().generationsPerSecond);
+        beginTurns(growthTurns(m_workspace), m_workspace.growSettings().generationsPerSecond);
     }
 }
 
 void GrowthPanel::resume()
 {
-    if (!m_running)
-        begin(core::ResumeGrowth{}, m_workspace.growSettings().generationsPerSecond);
+    if (m_running)
+        return;
+    m_turns.clear();
+    begin(core::ResumeGrowth{}, m_workspace.growSettings().generationsPerSecond);
 }
 
 void GrowthPanel::runToClosure()
 {
     if (!m_running)
-        begin(growEdit(), 0.0);
+        beginTurns(growthTurns(m_workspace), 0.0);
 }
 
 void GrowthPanel::shrinkStep()
@@ -395,6 +402,7 @@ void GrowthPanel::finish()
 {
     m_watch.stop();
     m_running = false;
+    m_nextTurn = false;
     if (core::EditSession* session = m_workspace.session(); session && session->transactionOpen())
         session->end(core::Ending::Commit);
     showState();
@@ -403,21 +411,34 @@ void GrowthPanel::finish()
 void GrowthPanel::poll()
 {
     core::EditSession* session = m_workspace.session();
+    if (session && m_nextTurn) {
+        // The progress is that of the turn before until its row is there.
+        if (session->transactionOpen() || !session->idle())
+            return;
+        return beginTurns(m_turns, m_turnPace);
+    }
     // Another edit, undo or export closes a running burst by itself.
     if (!session || !session->transactionOpen()) {
+        m_turns.clear();
         finish();
         return;
     }
     const core::GrowthProgress progress = session->growthProgress();
     if (progress.open && progress.alarm) {
-        const std::optional<core::LeakAlarm> alarm = progress.alarm;
         finish();
-        m_leak->showAlarm(alarm);
+        m_leak->showAlarm(progress.alarm);
         m_workspace.say(tr("The growth has stopped: it may have begun to leak"));
         return;
     }
     if (progress.open && progress.atClosure) {
         finish();
+        m_turns.erase(m_turns.begin(), m_turns.empty() ? m_turns.begin() : m_turns.begin() + 1);
+        if (!m_turns.empty()) {
+            m_nextTurn = true;
+            m_running = true;
+            m_watch.start();
+            return showState();
+        }
         m_workspace.say(tr("The growth is complete: nothing is left within the interval"));
         return;
     }
@@ -456,35 +477,20 @@ void GrowthPanel::showState()
         m_advice->setText(m_fromSeeds->text(seeds));
     }
 
+    m_fromSeeds->showNote(!m_running);
+    const QString turns =
+        canGrow && !m_running ? textOf(growthTurns(m_workspace), m_workspace) : QString();
+    m_turnsText->setText(turns);
+    m_turnsText->setVisible(!turns.isEmpty());
     const core::GrowthProgress progress =
         session ? session->growthProgress() : core::GrowthProgress();
     if (progress.open)
         m_fronts = progress.frontSizes;
-    m_progress->setText(progressText(progress));
+    const QString scrub = m_generations->scrubText();
+    m_progress->setText(!scrub.isEmpty() ? scrub
+            : session                    ? generationText(*session, m_fronts)
+                                         : QString());
     m_generations->show(progress);
-}
-
-QString GrowthPanel::progressText(const core::GrowthProgress& progress) const
-{
-    const core::EditSession* session = m_workspace.session();
-    if (!session)
-        return {};
-    const core::Document& document = session->document();
-    const double voxelMm3 = document.volumes.front().geometry.voxelVolumeMm3();
-    if (!m_generations->scrubText().isEmpty())
-        return m_generations->scrubText();
-    if (progress.open && progress.members > 0)
-        return tr("Generation %1 · front %2 · +%3")
-            .arg(countText(progress.generation),
-                countText(m_fronts.empty() ? 0 : qlonglong(m_fronts.back())),
-                millilitreText(progress.members, voxelMm3));
-    const std::uint32_t generation = progress.open ? progress.generation
-        : document.growths.empty()                 ? 0
-                                                   : document.growths.front().generation;
-    const core::History& history = session->history();
-    const core::HistoryRow* row =
-        progress.open || history.position() == 0 ? nullptr : &history.row(history.position());
-    return generationText(generation, row, voxelMm3);
 }
 
 } // namespace ui

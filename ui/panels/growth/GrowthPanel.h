@@ -4,6 +4,7 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/growth/GrowthProgress.h"
 #include "ui/frame/Panel.h"
+#include "ui/panels/growth/GrowthTurns.h"
 
 #include <QTimer>
 
@@ -38,7 +39,8 @@ public:
     [[nodiscard]] QString title() const override;
     [[nodiscard]] QString summary() const override;
 
-    /// The edit that the settings describe; the buttons add the number of steps.
+    /// The edit that the settings describe, of the segments that begin (GrowthTurns.h); the buttons
+    /// add the number of steps.
     [[nodiscard]] core::GrowSteps growEdit() const;
     [[nodiscard]] bool running() const { return m_running; }
 
@@ -57,8 +59,10 @@ private:
     void showSettings();
     void takeSettings();
     void showState();
-    [[nodiscard]] QString progressText(const core::GrowthProgress& progress) const;
     void poll();
+    [[nodiscard]] core::GrowSteps growEdit(const GrowthTurn& turn) const;
+    void beginTurns(std::vector<GrowthTurn> turns, double generationsPerSecond);
+    void goOn();
     bool begin(const core::Edit& growth, double generationsPerSecond);
     void followInterval();
     void settleInterval();
@@ -82,12 +86,16 @@ private:
     QComboBox* m_pace = nullptr;
     QCheckBox* m_overwrite = nullptr;
     QLabel* m_advice = nullptr;
+    QLabel* m_turnsText = nullptr;
     LeakSection* m_leak = nullptr;
     QLabel* m_progress = nullptr;
     GenerationSection* m_generations = nullptr;
     QTimer m_watch; ///< only updates what is shown; has no influence on voxels
     std::vector<std::uint32_t> m_fronts; ///< front sizes of the last burst that was watched
     bool m_running = false;
+    std::vector<GrowthTurn> m_turns; ///< the one that grows, or raised an alarm, and those after it
+    bool m_nextTurn = false; ///< the first of them begins as soon as the session is idle
+    double m_turnPace = 0.0; ///< generations per second; 0: as fast as it goes
 };
 
 } // namespace ui

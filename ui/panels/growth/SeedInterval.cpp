@@ -1,89 +1,299 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/SeedInterval.h"
 
-#include "core/session/questions/VoxelQuestions.h"
+#include "core/session/EditSession.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/settings/SeedValues.h"
+#include "ui/tasks/SketchLook.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QLocale>
-#include <QMenu>
-#include <QPointer>
+#include <QScopedValueRollback>
+#include <QSlider>
+#include <QToolButton>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ui {
 
-SeedInterval::SeedInterval(Workspace& workspace, QWidget* parent)
-    : QToolButton(parent)
-    , m_workspace(workspace)
+namespace {
+
+constexpr int stepsPerDeviation = 4; ///< of the slider
+constexpr int tight = 4; ///< steps: one deviation
+constexpr int loose = 20;
+constexpr int usual = int(usualTolerance * stepsPerDeviation);
+constexpr int takenMilliseconds = 500;
+
+QLabel* word(const QString& text, QWidget* parent)
 {
-    setObjectName(QStringLiteral("intervalFromSeeds"));
-    setFont(theme::smallFont());
-    setText(tr("From seeds"));
-    setToolTip(tr("Set the interval around the mean of the values under the seeds"));
-    setPopupMode(QToolButton::InstantPopup);
-    setFixedHeight(theme::controlHeight);
-    auto* menu = new QMenu(this);
-    for (const double deviations : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0})
-        menu->addAction(tr("mean ± %1 σ").arg(QLocale().toString(deviations)), this,
-            [this, deviations] { take(deviations); });
-    setMenu(menu);
-    setEnabled(false);
+    auto* label = new QLabel(text, parent);
+    label->setFont(theme::smallFont());
+    label->setProperty("role", QStringLiteral("secondary"));
+    return label;
+}
+
+} // namespace
+
+std::pair<double, double> shownValues(const Workspace& workspace)
+{
+    const core::Volume& volume = *workspace.volume();
+    return {std::clamp(workspace.volumeDisplay().surfaceThreshold, volume.minimum, volume.maximum),
+        volume.maximum};
+}
+
+SeedInterval::SeedInterval(Workspace& workspace, QWidget* parent)
+    : QWidget(parent)
+    , m_workspace(workspace)
+    , m_look(new SketchLook(workspace, this))
+{
+    build();
+    m_taken.setSingleShot(true);
+    m_taken.setInterval(takenMilliseconds);
+    connect(&m_taken, &QTimer::timeout, this, &SeedInterval::intervalTaken);
+    connect(m_look, &SketchLook::found, this, &SeedInterval::take);
+    m_segment = workspace.activeSegment();
+    m_last = {workspace.growSettings().lower, workspace.growSettings().upper};
+    connect(&workspace, &Workspace::growSettingsChanged, this, &SeedInterval::followSettings);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &SeedInterval::switchSegment);
+    forget();
+}
+
+void SeedInterval::build()
+{
+    m_tolerance = new QSlider(Qt::Horizontal, this);
+    m_tolerance->setObjectName(QStringLiteral("growTolerance"));
+    m_tolerance->setRange(tight, loose);
+    m_tolerance->setValue(usual);
+    m_tolerance->setPageStep(2);
+    m_tolerance->setToolTip(
+        tr("How far values may lie from what was sketched: moves both ends of the interval"));
+    m_tolerance->setAccessibleName(tr("Tolerance, tight to loose"));
+    m_text = word({}, this);
+    m_text->setObjectName(QStringLiteral("growToleranceText"));
+    m_use = new QToolButton(this);
+    m_use->setObjectName(QStringLiteral("intervalFromSeeds"));
+    m_use->setFont(theme::smallFont());
+    m_use->setText(tr("Use the seeds"));
+    m_use->setToolTip(tr("Set the interval around what was sketched, at this tolerance"));
+    m_use->setFixedHeight(theme::controlHeight);
+    m_note = new QLabel(parentWidget());
+    m_note->setObjectName(QStringLiteral("growOutside"));
+    m_note->setFont(theme::smallFont());
+    m_note->setWordWrap(true);
+    m_note->setTextFormat(Qt::RichText);
+    m_note->setStyleSheet(QStringLiteral("color: %1").arg(theme::caution.name()));
+    connect(m_note, &QLabel::linkActivated, this, &SeedInterval::use);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(theme::smallPadding);
+    layout->addWidget(word(tr("tight"), this));
+    layout->addWidget(m_tolerance, 1);
+    layout->addWidget(word(tr("loose"), this));
+    layout->addWidget(m_text);
+    layout->addWidget(m_use);
+    connect(m_use, &QToolButton::clicked, this, &SeedInterval::use);
+    connect(m_tolerance, &QSlider::valueChanged, this, &SeedInterval::moveTolerance);
+    connect(m_tolerance, &QSlider::sliderReleased, this, &SeedInterval::use);
 }
 
 void SeedInterval::forget()
 {
-    ++m_asked;
+    m_look->drop();
+    m_taken.stop();
     m_voxels.clear();
     m_values.clear();
-    setEnabled(false);
+    m_sketched.reset();
+    m_segment = m_workspace.activeSegment();
+    m_last = {m_workspace.growSettings().lower, m_workspace.growSettings().upper};
+    showState();
+}
+
+SegmentIntervals& SeedInterval::intervals() const
+{
+    return m_workspace.seeds().intervals();
+}
+
+void SeedInterval::switchSegment()
+{
+    const int before = m_segment;
+    m_segment = m_workspace.activeSegment();
+    const core::EditSession* session = m_workspace.session();
+    if (before == m_segment || !session || !m_workspace.volume())
+        return;
+    m_taken.stop();
+    if (const auto first = before == 0 ? intervals().takeFirst() : std::nullopt;
+        first && !intervals().of(m_segment))
+        intervals().set(m_segment, *first);
+    const core::Segment* segment = session->document().segment(m_segment);
+    if (const auto known = intervals().of(m_segment))
+        show({known->lower, known->upper});
+    else if (before != 0 && (!segment || segment->voxels == 0))
+        show(shownValues(m_workspace));
+}
+
+void SeedInterval::followSettings()
+{
+    const GrowSettings& settings = m_workspace.growSettings();
+    const std::pair<double, double> interval(settings.lower, settings.upper);
+    if (interval == m_last)
+        return;
+    m_last = interval;
+    if (!m_setting)
+        intervals().set(
+            m_segment, {.lower = interval.first, .upper = interval.second, .byHand = true});
+    Q_EMIT valuesChanged();
+}
+
+std::vector<core::SeedSketch> SeedInterval::sketches() const
+{
+    std::vector<core::SeedSketch> sketches;
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return sketches;
+    for (const std::vector<glm::ivec3>& voxels : sketchedVoxels(*session, m_segment)) {
+        // Pieces in different poses are looked at along different ways.
+        const std::size_t first = sketches.size();
+        for (const glm::ivec3& voxel : voxels) {
+            const auto inward = m_workspace.seeds().seenAlong(m_segment, voxel);
+            auto alike = std::find_if(sketches.begin() + std::ptrdiff_t(first), sketches.end(),
+                [&inward](const core::SeedSketch& each) { return each.inward == inward; });
+            if (alike == sketches.end())
+                alike = sketches.insert(alike, {.voxels = {}, .inward = inward});
+            alike->voxels.push_back(voxel);
+        }
+    }
+    return sketches;
 }
 
 void SeedInterval::ask()
 {
-    core::EditSession* session = m_workspace.session();
+    std::vector<core::SeedSketch> sketched = sketches();
     std::vector<glm::ivec3> voxels;
-    if (session)
-        voxels = seedVoxels(*session, m_workspace.activeSegment());
+    for (const core::SeedSketch& sketch : sketched)
+        voxels.insert(voxels.end(), sketch.voxels.begin(), sketch.voxels.end());
     if (voxels == m_voxels)
         return;
-    forget();
+    m_look->drop();
+    m_voxels = std::move(voxels);
+    m_values.clear();
+    m_sketched.reset();
+    showState();
     Q_EMIT valuesChanged();
-    if (voxels.empty())
-        return;
-    m_voxels = voxels;
-    session->questions().probe(std::move(voxels),
-        [button = QPointer<SeedInterval>(this), asked = m_asked](
-            const core::Result<std::vector<core::ProbedVoxel>>& probes) {
-            if (!button || button->m_asked != asked || !probes)
-                return;
-            const core::VoxelEncoding& encoding = button->m_workspace.volume()->encoding;
-            for (const core::ProbedVoxel& probe : *probes)
-                button->m_values.push_back(encoding.value(probe.code));
-            button->setEnabled(!button->m_values.empty());
-            Q_EMIT button->valuesChanged();
-        });
+    if (!m_voxels.empty())
+        m_look->ask(std::move(sketched));
 }
 
-void SeedInterval::take(double deviations)
+void SeedInterval::take(const core::SketchedCodes& sketched, const std::vector<int>& seeds)
+{
+    for (const int code : seeds)
+        m_values.push_back(m_workspace.volume()->encoding.value(code));
+    m_sketched = sketched;
+    showState();
+    if (maySetItself())
+        takeOffered();
+    Q_EMIT valuesChanged();
+}
+
+bool SeedInterval::maySetItself() const
+{
+    const core::EditSession* session = m_workspace.session();
+    const core::Segment* segment = session ? session->document().segment(m_segment) : nullptr;
+    const auto known = intervals().of(m_segment);
+    return segment && segment->voxels == 0 && !(known && known->byHand);
+}
+
+std::optional<std::pair<double, double>> SeedInterval::offered() const
 {
     const core::Volume* volume = m_workspace.volume();
-    if (!volume || m_values.empty())
-        return;
-    const SeedStatistics seeds = seedStatistics(m_values);
-    // One seed, or seeds of one value, have no spread to go by: take a hundredth of the range.
-    const double spread = seeds.deviation > 0.0 ? deviations * seeds.deviation
-                                                : 0.01 * (volume->maximum - volume->minimum);
-    // Outwards to numbers with few digits: history and report name them.
-    const double step = std::pow(10.0, std::floor(std::log10(spread / 50.0)));
+    if (!volume || !m_sketched)
+        return std::nullopt;
+    return offeredValues(*volume, *m_sketched, double(m_tolerance->value()) / stepsPerDeviation);
+}
+
+void SeedInterval::show(std::pair<double, double> interval)
+{
+    const QScopedValueRollback<bool> setting(m_setting, true);
     GrowSettings settings = m_workspace.growSettings();
-    settings.lower = std::max(std::floor((seeds.mean - spread) / step) * step, volume->minimum);
-    settings.upper = std::min(std::ceil((seeds.mean + spread) / step) * step, volume->maximum);
+    settings.lower = interval.first;
+    settings.upper = interval.second;
     m_workspace.setGrowSettings(settings);
-    Q_EMIT intervalTaken();
+}
+
+bool SeedInterval::hasGrown() const
+{
+    const core::EditSession* session = m_workspace.session();
+    const core::Segment* segment = session ? session->document().segment(m_segment) : nullptr;
+    return !segment || segment->voxels > 0;
+}
+
+void SeedInterval::follow(
+    double lower, double upper, const std::optional<std::vector<int>>& segments)
+{
+    const bool grewInIt = segments
+        ? std::find(segments->begin(), segments->end(), m_segment) != segments->end()
+        : hasGrown();
+    if (!grewInIt)
+        return;
+    const auto known = intervals().of(m_segment);
+    intervals().set(m_segment, {.lower = lower, .upper = upper, .byHand = !known || known->byHand});
+    show({lower, upper});
+    Q_EMIT valuesChanged();
+}
+
+bool SeedInterval::takeOffered()
+{
+    const auto interval = offered();
+    if (!interval)
+        return false;
+    intervals().set(
+        m_segment, {.lower = interval->first, .upper = interval->second, .byHand = false});
+    show(*interval);
+    return true;
+}
+
+void SeedInterval::moveTolerance()
+{
+    showState();
+    if (takeOffered() && !m_tolerance->isSliderDown())
+        m_taken.start();
+}
+
+void SeedInterval::use()
+{
+    m_taken.stop();
+    if (takeOffered())
+        Q_EMIT intervalTaken();
+}
+
+void SeedInterval::showNote(bool wanted)
+{
+    const GrowSettings& settings = m_workspace.growSettings();
+    const auto seeds = int(m_values.size());
+    const auto outside = int(std::count_if(m_values.begin(), m_values.end(),
+        [&settings](double value) { return value < settings.lower || value > settings.upper; }));
+    // Edge voxels of a sketch are always outside; growth has enough to begin with.
+    const bool shown = wanted && seeds > 0 && 4 * (seeds - outside) < seeds;
+    m_note->setVisible(shown);
+    if (!shown)
+        return;
+    const QString link = QStringLiteral("<a href=\"use\" style=\"color: %1\">%2</a>")
+                             .arg(theme::accent.name(), tr("Use\u00a0the\u00a0seeds"));
+    m_note->setText(outside == seeds
+            ? tr("No seed lies in the interval: nothing would grow. %1").arg(link)
+            : tr("%1 of %2 seeds lie outside the interval. %3").arg(outside).arg(seeds).arg(link));
+}
+
+void SeedInterval::showState()
+{
+    const bool known = m_sketched && m_sketched->voxels > 0;
+    m_use->setEnabled(known);
+    m_tolerance->setEnabled(known);
+    m_text->setText(
+        tr("± %1 σ").arg(QLocale().toString(double(m_tolerance->value()) / stepsPerDeviation)));
 }
 
 QString SeedInterval::text(int seeds) const

@@ -1,20 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QToolButton>
+#include "core/growth/SketchInterval.h"
+
+#include <QTimer>
+#include <QWidget>
 
 #include <glm/glm.hpp>
 
-#include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
+
+class QLabel;
+class QSlider;
+class QToolButton;
 
 namespace ui {
 
+class SegmentIntervals;
+class SketchLook;
 class Workspace;
 
-/// A button that sets the growth's interval around the values under the active segment's seeds. It
-/// also knows these values.
-class SeedInterval : public QToolButton {
+/// The values that the 3D view shows: the interval where no other is known.
+[[nodiscard]] std::pair<double, double> shownValues(const Workspace& workspace);
+
+/// The tolerance of a growth, from tight to loose: it sets the interval around what was sketched
+/// for the active segment (core/growth/SketchInterval.h). After a sketch for a segment that has no
+/// voxels the interval is set by itself, unless the user has set it for that segment. Each segment
+/// keeps its own interval (SegmentIntervals). It also knows the values under the seeds.
+///
+/// While the slider is held only the interval is shown; it counts as changed once, when the slider
+/// is released, or a moment after the last of several steps by keys.
+class SeedInterval : public QWidget {
     Q_OBJECT
 
 public:
@@ -22,26 +40,60 @@ public:
 
     /// Asks the engine for the values if seeds have been added or removed.
     void ask();
-    /// Forgets the values, because another study was opened.
+    /// Forgets everything, because another study was opened.
     void forget();
     /// The values under the seeds, in modality units.
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }
     /// "12 seed voxels · 41.0 ± 3.2 HU" for the active segment. If it has no seeds the text tells
     /// that there are @p seeds of others.
     [[nodiscard]] QString text(int seeds) const;
+    /// The line that tells, with a link, that most seeds lie outside the interval; for a layout.
+    [[nodiscard]] QLabel* note() const { return m_note; }
+    /// @param wanted false: it is hidden in any case
+    void showNote(bool wanted);
+    /// Sets the interval in the growth's settings, not as one that the user has chosen.
+    void show(std::pair<double, double> interval);
+    /// Whether the active segment has voxels, so that a change of the interval is one of a growth.
+    [[nodiscard]] bool hasGrown() const;
+
+public Q_SLOTS:
+    /// Sets the interval by the seeds and the tolerance.
+    void use();
+    /// A growth with these bounds is back: they are set if the active segment grew in it.
+    /// @param segments that it grew (GrowCriteria::segments)
+    void follow(double lower, double upper, const std::optional<std::vector<int>>& segments);
 
 Q_SIGNALS:
     void valuesChanged();
-    /// The interval in the growth's settings was changed.
+    /// The user has changed the interval in the growth's settings.
     void intervalTaken();
 
 private:
-    void take(double deviations);
+    void build();
+    void switchSegment();
+    void followSettings();
+    void take(const core::SketchedCodes& sketched, const std::vector<int>& seeds);
+    bool takeOffered();
+    void moveTolerance();
+    [[nodiscard]] SegmentIntervals& intervals() const;
+    [[nodiscard]] std::vector<core::SeedSketch> sketches() const;
+    [[nodiscard]] bool maySetItself() const;
+    [[nodiscard]] std::optional<std::pair<double, double>> offered() const;
+    void showState();
 
     Workspace& m_workspace;
-    std::vector<glm::ivec3> m_voxels; ///< the voxels asked about last
+    QToolButton* m_use = nullptr;
+    QSlider* m_tolerance = nullptr;
+    QLabel* m_text = nullptr;
+    QLabel* m_note = nullptr;
+    SketchLook* m_look = nullptr;
+    QTimer m_taken; ///< one change after several steps in quick succession
+    std::vector<glm::ivec3> m_voxels; ///< the seeds asked about last
     std::vector<double> m_values; ///< the values at m_voxels
-    std::uint64_t m_asked = 0; ///< number of questions; only the answer to the last one counts
+    std::optional<core::SketchedCodes> m_sketched;
+    int m_segment = 0; ///< the active segment's label
+    std::pair<double, double> m_last; ///< the interval in the settings
+    bool m_setting = false;
 };
 
 } // namespace ui

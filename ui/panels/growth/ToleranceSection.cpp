@@ -257,7 +257,13 @@ void ToleranceSection::makeReal(int tolerance)
     Workspace::GrowSettings settings = m_workspace.growSettings();
     settings.lower = volume->encoding.value(std::max(m_centre - tolerance, 0));
     settings.upper = volume->encoding.value(std::min(m_centre + tolerance, lastCode));
-    const core::GrowCriteria criteria = criteriaOf(settings);
+    core::GrowCriteria criteria = criteriaOf(settings);
+    // The others keep what they have: the tolerance was traced for this one alone.
+    const int active = m_workspace.activeSegment();
+    if (core::growingSegments(session->history(), session->document())
+            .reset(std::size_t(active))
+            .any())
+        criteria.segments = std::vector<int>{active};
     core::Edit edit = core::GrowSteps{.criteria = criteria};
     if (core::recentCriteria(session->history()))
         edit = core::ChangeInterval{.criteria = criteria, .asBefore = false};
@@ -268,21 +274,6 @@ void ToleranceSection::makeReal(int tolerance)
     }
     m_workspace.setGrowSettings(settings);
     follow();
-}
-
-bool ToleranceSection::othersGrowAlong() const
-{
-    const core::EditSession* session = m_workspace.session();
-    if (!session)
-        return false;
-    const std::vector<gpu::SceneSeed>& seeds = m_workspace.seeds().seeds();
-    const std::vector<core::Segment>& segments = session->document().segments;
-    return std::any_of(segments.begin(), segments.end(), [&](const core::Segment& segment) {
-        return !segment.locked && segment.label != m_workspace.activeSegment()
-            && (segment.voxels > 0
-                || std::any_of(seeds.begin(), seeds.end(),
-                    [&segment](const auto& seed) { return seed.label == segment.label; }));
-    });
 }
 
 void ToleranceSection::showText()
@@ -299,8 +290,6 @@ void ToleranceSection::showText()
         const auto next = std::upper_bound(jumps.begin(), jumps.end(), at);
         if (at >= 0 && next != jumps.end() && m_workspace.volume())
             text += tr(" · jumps at %1").arg(toleranceText(*next, *m_workspace.volume()));
-        if (othersGrowAlong())
-            text += tr("\nOther segments grow along when you let go: lock those that are done.");
     }
     m_text->setText(text);
     m_text->setVisible(!text.isEmpty());

@@ -48,7 +48,6 @@ private:
     void showText();
     void refuse(const core::Error& error);
     [[nodiscard]] core::Result<core::ToleranceRule> rule() const;
-    [[nodiscard]] bool othersGrowAlong() const;
 
     Workspace& m_workspace;
     QPushButton* m_trace = nullptr;

@@ -2,6 +2,7 @@
 #include "ui/tools/common/SketchTool.h"
 
 #include "ui/tools/aim/CursorLabel.h"
+#include "ui/tools/aim/LookingDirection.h"
 #include "ui/tools/aim/SeenVoxels.h"
 #include "ui/tools/aim/SketchedVoxels.h"
 #include "ui/workspace/Workspace.h"
@@ -130,14 +131,15 @@ void SketchTool::askWhatIsSeen()
     const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
     ui::askWhatIsSeen(m_workspace, scene,
         planePointsUnder(m_path, *m_strokeView, *m_workspace.volume()),
-        [tool = QPointer<SketchTool>(this), modifiers = m_modifiers, eraser = m_withEraser](
+        [tool = QPointer<SketchTool>(this), modifiers = m_modifiers, eraser = m_withEraser, scene](
             const core::Result<SeenVoxels>& seen) {
             if (!tool)
                 return;
             // The next sketch may have begun, with other keys.
             const auto nextModifiers = std::exchange(tool->m_modifiers, modifiers);
             const bool nextEraser = std::exchange(tool->m_withEraser, eraser);
-            tool->commitSeen(seen);
+            tool->commitSeen(seen, scene);
+            tool->m_seenAlong.clear();
             tool->m_modifiers = nextModifiers;
             tool->m_withEraser = nextEraser;
             if (!tool->drawing())
@@ -145,14 +147,17 @@ void SketchTool::askWhatIsSeen()
         });
 }
 
-void SketchTool::commitSeen(const core::Result<SeenVoxels>& seen)
+void SketchTool::commitSeen(const core::Result<SeenVoxels>& seen, const gpu::VolumeScene& scene)
 {
     if (!seen)
         return m_workspace.fail(seen.error());
     std::vector<glm::ivec3> voxels;
     for (const auto& pick : *seen) {
-        if (pick)
-            voxels.push_back(pick->voxel);
+        if (!pick)
+            continue;
+        voxels.push_back(pick->voxel);
+        if (const auto along = lookingDirection(scene, pick->piece, m_workspace.volume()->geometry))
+            m_seenAlong.emplace_back(pick->voxel, *along);
     }
     if (voxels.empty())
         m_workspace.say(nothingSeenText());

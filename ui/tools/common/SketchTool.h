@@ -62,18 +62,24 @@ protected:
     /// The modifiers at pen-down of the sketch that is drawn or committed.
     [[nodiscard]] Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
     [[nodiscard]] bool withEraser() const { return m_withEraser; }
+    /// Voxels on which the user saw a surface, each with the direction of view
+    /// (LookingDirection.h), while a sketch is committed; empty: it was drawn on a slice or on
+    /// brightest voxels.
+    using SeenAlong = std::vector<std::pair<glm::ivec3, glm::dvec3>>;
+    [[nodiscard]] const SeenAlong& seenAlong() const { return m_seenAlong; }
     [[nodiscard]] bool drawing() const { return m_strokeView.has_value(); }
 
 private:
     [[nodiscard]] bool commitOnSlice(); ///< returns whether the view is a slice
     void askWhatIsSeen();
-    void commitSeen(const core::Result<SeenVoxels>& seen);
+    void commitSeen(const core::Result<SeenVoxels>& seen, const gpu::VolumeScene& scene);
 
     Workspace& m_workspace;
     std::optional<ViewContext> m_strokeView; ///< the view at pen-down, used for the whole sketch
     std::vector<glm::dvec2> m_path; ///< logical pixels
     Qt::KeyboardModifiers m_modifiers;
     bool m_withEraser = false;
+    SeenAlong m_seenAlong;
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
 };

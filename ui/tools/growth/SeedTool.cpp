@@ -220,6 +220,7 @@ void SeedTool::commit(const std::vector<glm::ivec3>& voxels)
         workspace().fail(label.error());
         return;
     }
+    workspace().seeds().noteSketch(*label, voxels, seenAlong());
     core::SeedStroke stroke;
     stroke.segment = *label;
     for (const glm::ivec3& voxel : voxels)

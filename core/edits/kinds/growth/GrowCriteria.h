@@ -4,6 +4,7 @@
 #include "core/edits/kinds/growth/GrowBox.h"
 
 #include <optional>
+#include <vector>
 
 namespace core {
 
@@ -31,6 +32,9 @@ struct GrowCriteria {
     bool onlyVisible = false; ///< excludes what is carved
     std::optional<GrowBox> box{};
     bool overwriteUnlocked = false;
+    /// Only these segments grow; the others stay as they are, as if they were locked, but unlocked
+    /// ones may be overwritten. None: all that are not locked.
+    std::optional<std::vector<int>> segments{};
     bool operator==(const GrowCriteria&) const = default;
 };
 

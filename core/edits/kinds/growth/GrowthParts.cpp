@@ -62,6 +62,21 @@ Result<GrowBurst> burstOf(
     burst.lockedLabels = document.lockedLabels(plane);
     if (nothingMayChange(document, plane))
         return failure(ErrorCode::SegmentLocked, QString());
+    if (!criteria.segments)
+        return burst;
+    std::bitset<256> resting;
+    resting.set();
+    resting.reset(0);
+    for (const int label : *criteria.segments) {
+        const Segment* segment = document.segment(label);
+        if (!segment)
+            return failure(ErrorCode::UnknownSegment, QString::number(label),
+                QStringLiteral("in field '%1.segments'").arg(edit));
+        if (segment->locked)
+            return failure(ErrorCode::SegmentLocked, segment->name);
+        resting.reset(std::size_t(label));
+    }
+    burst.lockedLabels |= resting;
     return burst;
 }
 

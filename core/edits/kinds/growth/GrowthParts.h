@@ -25,7 +25,8 @@ struct GrowGuard;
 [[nodiscard]] bool nothingMayChange(const Document& document, int plane);
 
 /// @param edit its name, for messages Errors: InvalidField (connectivity other than 6, 18 and 26,
-/// lower > upper, a box outside the volume), SegmentLocked (no segment may change).
+/// lower > upper, a box outside the volume), UnknownSegment, SegmentLocked (no segment may change,
+/// or one that is to grow).
 [[nodiscard]] Result<GrowBurst> burstOf(
     const GrowCriteria& criteria, const Document& document, const QString& edit);
 

@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/session/EditSession.h"
@@ -173,6 +174,34 @@ private Q_SLOTS:
         QVERIFY(one.voxels(1) > 0);
         QCOMPARE(two.voxels(1), one.voxels(1));
         QCOMPARE(two.session->document().growth(0)->generation, 9u);
+    }
+
+    /// Segments with intervals of their own: each grows, is changed and goes on by itself.
+    void oneSegmentGrowsWhileAnotherRests()
+    {
+        Bench bench;
+        bench.run(Bench::seed(1, 3));
+        bench.run(Bench::seed(2, 30));
+        GrowSteps first{.criteria = {.lower = 0.0, .upper = 18.0, .segments = std::vector<int>{1}}};
+        bench.run(first);
+        QCOMPARE(bench.voxels(1), slices(10));
+        QCOMPARE(bench.voxels(2), std::int64_t(0));
+        GrowSteps second{
+            .criteria = {.lower = 50.0, .upper = 100.0, .segments = std::vector<int>{2}}};
+        bench.run(second);
+        QCOMPARE(bench.voxels(1), slices(10));
+        QCOMPARE(bench.voxels(2), slices(15));
+        // The change is that of the last growth's segment; it need not begin at the seeds.
+        bench.run(ChangeInterval{.criteria = {.lower = 56.0, .upper = 100.0}});
+        QCOMPARE(bench.voxels(1), slices(10));
+        QCOMPARE(bench.voxels(2), slices(12));
+        const auto& change = bench.session->history().rows().back().edit.get<ChangeInterval>();
+        QCOMPARE(change.fromSeeds, std::optional(false));
+        QCOMPARE(change.criteria.segments, std::optional(std::vector<int>{2}));
+        for (int undo = 0; undo < 3; ++undo)
+            QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.voxels(1), std::int64_t(0));
     }
 
     void namesCountStepsThatWereAskedFor()

@@ -208,6 +208,69 @@ std::optional<RealGrowth> realGrowth(RealStructure structure)
     return growth;
 }
 
+std::optional<RealSketch> realSketch(SketchedStructure structure)
+{
+    using Stroke = std::vector<glm::ivec3>;
+    const auto sketched = [](RealStructure known,
+                              const std::vector<Stroke>& strokes) -> std::optional<RealSketch> {
+        std::optional<RealGrowth> growth = realGrowth(known);
+        if (!growth)
+            return std::nullopt;
+        RealSketch sketch{.study = std::move(growth->study),
+            .reference = std::move(growth->reference),
+            .sketch = {}};
+        for (const Stroke& corners : strokes) {
+            const Stroke voxels = strokeVoxels(corners);
+            sketch.sketch.voxels.insert(sketch.sketch.voxels.end(), voxels.begin(), voxels.end());
+        }
+        return sketch;
+    };
+    const auto file = [](const char* name, const char* path) {
+        return sharedCase(QString::fromLatin1(name)).source + QLatin1String(path);
+    };
+    std::optional<RealSketch> sketch;
+    switch (structure) {
+    case SketchedStructure::Ventricles:
+        return sketched(RealStructure::Ventricles,
+            {{{34, 25, 51}, {33, 45, 51}}, {{48, 25, 51}, {48, 45, 51}}});
+    case SketchedStructure::Aorta:
+        return sketched(RealStructure::Aorta,
+            {{{60, 46, 90}, {60, 44, 107}, {60, 55, 129}, {60, 72, 140}, {60, 88, 125},
+                {60, 97, 99}}});
+    case SketchedStructure::Liver:
+        return sketched(RealStructure::Liver, {{{95, 45, 104}, {75, 78, 104}}});
+    case SketchedStructure::Tooth:
+        return sketched(RealStructure::Tooth, {{{160, 178, 1}, {160, 178, 7}}});
+    case SketchedStructure::Lung:
+        sketch = sketched(RealStructure::Liver, {{{74, 27, 109}, {87, 27, 108}}});
+        if (sketch)
+            sketch->reference =
+                maskOf(labelsIn(file("ct_totalseg_body_3mm", "/ct_3mm_labels.nii.gz")), 14);
+        return sketch;
+    case SketchedStructure::Bone:
+        sketch = sketched(RealStructure::Tooth, {});
+        if (!sketch)
+            return sketch;
+        sketch->reference =
+            maskOf(labelsIn(file("ct_cranium_inv3", "/mask_bone_226_3071.nii.gz")), 1);
+        break;
+    }
+    const LoadedVolume& study = sketch->study;
+    const glm::ivec3 size = study.volume.geometry.size;
+    for (int x = 100; x <= 156; ++x) {
+        const std::size_t row = (std::size_t(70) * std::size_t(size.y)) * std::size_t(size.x);
+        for (int y = 0; y < size.y; ++y) {
+            const std::size_t place = row + std::size_t(y) * std::size_t(size.x) + std::size_t(x);
+            if (study.volume.encoding.value(study.codes[place]) < 300.0)
+                continue;
+            sketch->sketch.voxels.emplace_back(x, y, 70);
+            break;
+        }
+    }
+    sketch->sketch.inward = glm::dvec3(0.0, 1.0, 0.0);
+    return sketch;
+}
+
 std::vector<glm::ivec3> strokeVoxels(const std::vector<glm::ivec3>& corners)
 {
     std::vector<glm::ivec3> voxels{corners.front()};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/Edit.h"
+#include "core/growth/SketchInterval.h"
 #include "core/volume/Volume.h"
 
 #include <cstdint>
@@ -28,6 +29,23 @@ struct RealGrowth {
 /// label liver, by a network. Tooth: a molar of ct_cranium_inv3, for which there is no mask; its
 /// outline was drawn by eye, voxel by voxel on magnified slices, before anything was grown.
 [[nodiscard]] std::optional<RealGrowth> realGrowth(RealStructure structure);
+
+/// A structure as a user sketches it first, before anything has grown.
+struct RealSketch {
+    core::LoadedVolume study;
+    std::vector<std::uint8_t> reference; ///< 1 in the structure's voxels, x fastest
+    core::SeedSketch sketch;
+};
+
+enum class SketchedStructure { Ventricles, Aorta, Liver, Tooth, Bone, Lung };
+
+/// None if there are no shared data.
+///
+/// The first four are those of RealGrowth: a stroke in each ventricle, along the aorta, across the
+/// liver, down the crown. Bone: the skull of ct_cranium_inv3, sketched on the forehead as the 3D
+/// view shows it from the front; reference: the bone that another program marked by 226 … 3071 HU.
+/// Lung: label lung_lower_lobe_right of ct_totalseg_body_3mm, a stroke across it.
+[[nodiscard]] std::optional<RealSketch> realSketch(SketchedStructure structure);
 
 /// The voxels of a stroke on a slice that goes straight from corner to corner, each voxel once.
 [[nodiscard]] std::vector<glm::ivec3> strokeVoxels(const std::vector<glm::ivec3>& corners);

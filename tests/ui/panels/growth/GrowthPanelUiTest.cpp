@@ -300,20 +300,61 @@ private Q_SLOTS:
         SeededPanel fixture;
         // Two more seeds, in brain: the mean lies between, the spread reaches both.
         fixture.apply(test::seedAt(1, {{8.0, 0.0, 0.0}, {-8.0, 0.0, 0.0}}));
-        QTRY_VERIFY(button(fixture.panel, "intervalFromSeeds").isEnabled());
-        auto& fromSeeds = static_cast<QToolButton&>(button(fixture.panel, "intervalFromSeeds"));
-        for (QAction* action : fromSeeds.menu()->actions()) {
-            if (action->text().contains(QLocale().toString(2.0) + QStringLiteral(" σ")))
-                action->trigger();
-        }
+        QVERIFY(QTest::qWaitFor([&fixture] {
+            fixture.settle();
+            return button(fixture.panel, "intervalFromSeeds").isEnabled();
+        }));
         const auto& settings = fixture.workspace.growSettings();
-        const double mean = (8.0 + 40.0 + 40.0) / 3.0;
-        QVERIFY(std::abs(0.5 * (settings.lower + settings.upper) - mean) < 0.6);
+        QCOMPARE(settings.upper, 20.0); // set by hand, and left
+        click(button(fixture.panel, "intervalFromSeeds"));
+        // Most of what was sketched, and what is around it, is brain.
+        QVERIFY(settings.lower <= 40.0 && settings.upper >= 40.0);
+        QVERIFY(settings.lower > -500.0 && settings.upper < 600.0);
         QCOMPARE(settings.lower * 10.0, std::round(settings.lower * 10.0)); // few digits
-        QVERIFY(settings.lower < 8.0 && settings.upper > 40.0);
         const auto* range =
             fixture.panel.findChild<ui::HistogramRange*>(QStringLiteral("growthInterval"));
         QVERIFY(std::abs(range->lower() - settings.lower) < 0.1);
+    }
+
+    /// After a sketch the interval is that of what was sketched; each segment has its own.
+    void eachSketchSetsTheIntervalOfItsSegment()
+    {
+        WorkspaceFixture fixture;
+        GrowthPanel panel(fixture.workspace);
+        panel.show();
+        const auto holds = [&](double value) {
+            const auto& settings = fixture.workspace.growSettings();
+            return settings.lower <= value && value <= settings.upper;
+        };
+        const auto waitsFor = [&](auto condition) {
+            return QTest::qWaitFor([&] {
+                fixture.settle();
+                return condition();
+            });
+        };
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        QVERIFY(waitsFor([&] { return holds(8.0) && !holds(40.0); }));
+        const ui::GrowSettings first = fixture.workspace.growSettings();
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.apply(test::seedAt(2, {{8.0, 0.0, 0.0}}));
+        QVERIFY(waitsFor([&] { return holds(40.0) && !holds(8.0) && !holds(900.0); }));
+        fixture.workspace.setActiveSegment(1);
+        QCOMPARE(fixture.workspace.growSettings(), first);
+
+        // Set by hand: it stays, and tells that nothing would grow.
+        ui::GrowSettings byHand = first;
+        byHand.lower = 500.0;
+        byHand.upper = 1500.0;
+        fixture.workspace.setGrowSettings(byHand);
+        auto* outside = panel.findChild<QLabel*>(QStringLiteral("growOutside"));
+        QVERIFY(waitsFor([&] { return outside->isVisible(); }));
+        fixture.apply(test::seedAt(1, {{0.0, 0.0, 1.5}}));
+        QVERIFY(waitsFor([&] { return button(panel, "intervalFromSeeds").isEnabled(); }));
+        QCOMPARE(fixture.workspace.growSettings().lower, 500.0);
+        Q_EMIT outside->linkActivated(QStringLiteral("use"));
+        QVERIFY(holds(8.0) && !holds(40.0));
+        QVERIFY(!outside->isVisible());
     }
 
     /// What is told of seeds is told of those that the interval would be set by.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/ToleranceSection.h"
 
+#include "core/edits/kinds/growth/GrowSteps.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/overlays/Readout.h"
 #include "ui/panels/growth/ToleranceBar.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/SegmentActions.h"
 
 #include <QLabel>
@@ -248,13 +250,24 @@ private Q_SLOTS:
         QVERIFY(fixture.bar.isVisible());
     }
 
-    void saysThatOthersGrowAlong()
+    /// The tolerance was traced for one segment: seeds of others go on waiting.
+    void othersStayAsTheyAre()
     {
         Traced fixture;
-        QVERIFY(!fixture.text().contains(QStringLiteral("lock")));
         fixture.apply(test::seedAt(2, {{-19.0, -19.0, -28.0}}));
         fixture.wait();
-        QVERIFY(fixture.text().contains(QStringLiteral("lock")));
+        fixture.drag({900, 40});
+        fixture.settle();
+        QCOMPARE(fixture.voxels(),
+            smallHead::voxelsOf(smallHead::ventricleHu) + smallHead::voxelsOf(smallHead::brainHu));
+        const core::History& history = fixture.session().history();
+        QCOMPARE(history.row(history.position()).edit.get<core::GrowSteps>().criteria.segments,
+            std::optional(std::vector<int>{1}));
+        QVERIFY(QTest::qWaitFor([&fixture] {
+            fixture.settle();
+            return fixture.workspace.seeds().seeds().size() == 1
+                && fixture.workspace.seeds().hollow().empty();
+        }));
     }
 };
 

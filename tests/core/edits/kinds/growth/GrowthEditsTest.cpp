@@ -53,6 +53,31 @@ private Q_SLOTS:
         cut = cutGrowth(plug, document);
         QVERIFY(!cut && cut.error().code == ErrorCode::SegmentLocked);
     }
+    /// Without a list all grow that are not locked, as before; with one all others rest.
+    void aGrowthNamesWhoGrows()
+    {
+        Document document = test::smallDocument();
+        GrowSteps grow{.criteria = {.lower = 0.0, .upper = 10.0, .overwriteUnlocked = true}};
+        Result<GrowBurst> burst = growBurst(grow, document);
+        QVERIFY(burst && burst->lockedLabels.none());
+        QVERIFY(!editToJson(grow).contains(QStringLiteral("segments")));
+        const int label = document.segments[1].label;
+        grow.criteria.segments = std::vector<int>{label};
+        burst = growBurst(grow, document);
+        QVERIFY(burst);
+        QVERIFY(!burst->lockedLabels.test(std::size_t(label)));
+        QVERIFY(burst->lockedLabels.test(document.segments[0].label));
+        QVERIFY(burst->overwritable.test(document.segments[0].label));
+        const Result<Edit> read = editFromJson(editToJson(grow));
+        QVERIFY(read && read->get<GrowSteps>().criteria == grow.criteria);
+
+        document.segments[1].locked = true;
+        burst = growBurst(grow, document);
+        QVERIFY(!burst && burst.error().code == ErrorCode::SegmentLocked);
+        grow.criteria.segments = std::vector<int>{250};
+        burst = growBurst(grow, document);
+        QVERIFY(!burst && burst.error().code == ErrorCode::UnknownSegment);
+    }
     void guardsAreWholeNumbers()
     {
         GrowSteps grow{.criteria = {.lower = 0.0, .upper = 10.0}, .guard = {.factor = 1.5}};

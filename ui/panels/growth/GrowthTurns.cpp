@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/GrowthTurns.h"
+
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/session/EditSession.h"
+#include "core/session/past/RecentGrowth.h"
+#include "ui/base/StudyTexts.h"
+#include "ui/workspace/PendingSeeds.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(GrowthTurns)
+};
+
+bool haveSameInterval(const SeededSegment& a, const SeededSegment& b)
+{
+    return a.lower == b.lower && a.upper == b.upper;
+}
+
+/// Whether two intervals have at least half of their union in common.
+bool compete(const SeededSegment& a, const SeededSegment& b)
+{
+    const double common = std::min(a.upper, b.upper) - std::max(a.lower, b.lower);
+    const double all = std::max(a.upper, b.upper) - std::min(a.lower, b.lower);
+    return 2.0 * common >= all;
+}
+
+bool holds(const std::optional<std::vector<int>>& segments, int label)
+{
+    return segments && std::find(segments->begin(), segments->end(), label) != segments->end();
+}
+
+/// @param together other than an empty list
+GrowthTurn turnOf(const std::vector<SeededSegment>& together)
+{
+    GrowthTurn turn{.segments = std::vector<int>(),
+        .lower = together.front().lower,
+        .upper = together.front().upper};
+    for (const SeededSegment& segment : together) {
+        turn.segments->push_back(segment.label);
+        turn.lower = std::min(turn.lower, segment.lower);
+        turn.upper = std::max(turn.upper, segment.upper);
+    }
+    std::sort(turn.segments->begin(), turn.segments->end());
+    return turn;
+}
+
+/// All with seeds that are not locked; the active one has the interval that the panel shows.
+std::vector<SeededSegment> seededSegments(const Workspace& workspace)
+{
+    std::vector<SeededSegment> seeded;
+    const core::EditSession& session = *workspace.session();
+    const GrowSettings& settings = workspace.growSettings();
+    const auto growing = core::growingSegments(session.history(), session.document());
+    for (const core::Segment& segment : session.document().segments) {
+        if (!growing.test(segment.label))
+            continue;
+        SeededSegment each{.label = segment.label,
+            .lower = settings.lower,
+            .upper = settings.upper,
+            .isFresh = segment.voxels == 0};
+        const auto known = workspace.seeds().intervals().of(segment.label);
+        if (known && segment.label != workspace.activeSegment()) {
+            each.lower = known->lower;
+            each.upper = known->upper;
+        }
+        seeded.push_back(each);
+    }
+    return seeded;
+}
+
+QString namesOf(const GrowthTurn& turn, const core::Document& document)
+{
+    QStringList names;
+    for (const int label : *turn.segments) {
+        const core::Segment* segment = document.segment(label);
+        names += segment ? segment->name : QString::number(label);
+    }
+    return names.join(Texts::tr(" and "));
+}
+
+} // namespace
+
+std::vector<GrowthTurn> growthTurns(const std::vector<SeededSegment>& seeded, int active,
+    const std::optional<std::vector<int>>& last)
+{
+    if (seeded.empty())
+        return {};
+    auto first = std::find_if(seeded.begin(), seeded.end(),
+        [active](const SeededSegment& each) { return each.label == active; });
+    if (first == seeded.end())
+        first = std::find_if(
+            seeded.begin(), seeded.end(), [](const SeededSegment& each) { return each.isFresh; });
+    if (first == seeded.end())
+        first = seeded.begin();
+    if (std::all_of(seeded.begin(), seeded.end(),
+            [&first](const SeededSegment& each) { return haveSameInterval(each, *first); }))
+        return {{.lower = first->lower, .upper = first->upper}};
+
+    std::vector<SeededSegment> waiting{*first};
+    for (const SeededSegment& each : seeded) {
+        const bool goesOn = !first->isFresh && holds(last, first->label) && holds(last, each.label);
+        if (each.label != first->label
+            && (each.isFresh || goesOn || haveSameInterval(each, *first)))
+            waiting.push_back(each);
+    }
+    std::vector<GrowthTurn> turns;
+    while (!waiting.empty()) {
+        const SeededSegment leader = waiting.front();
+        const auto rest = std::stable_partition(
+            waiting.begin(), waiting.end(), [&leader](const SeededSegment& each) {
+                return each.label == leader.label || compete(each, leader);
+            });
+        turns.push_back(turnOf({waiting.begin(), rest}));
+        waiting.erase(waiting.begin(), rest);
+    }
+    return turns;
+}
+
+std::vector<GrowthTurn> growthTurns(const Workspace& workspace)
+{
+    std::vector<GrowthTurn> turns;
+    if (const core::EditSession* session = workspace.session()) {
+        const auto criteria = core::recentCriteria(session->history());
+        turns = growthTurns(seededSegments(workspace), workspace.activeSegment(),
+            criteria ? criteria->segments : std::nullopt);
+    }
+    const GrowSettings& settings = workspace.growSettings();
+    if (turns.empty())
+        turns.push_back({.lower = settings.lower, .upper = settings.upper});
+    return turns;
+}
+
+std::optional<std::vector<int>> followingSegments(const Workspace& workspace)
+{
+    const core::EditSession& session = *workspace.session();
+    const int active = workspace.activeSegment();
+    const auto criteria = core::recentCriteria(session.history());
+    if (!criteria)
+        return std::nullopt;
+    if (holds(criteria->segments, active))
+        return criteria->segments;
+    const std::vector<SeededSegment> seeded = seededSegments(workspace);
+    const bool grewTogether = !criteria->segments
+        && std::all_of(seeded.begin(), seeded.end(), [&](const SeededSegment& each) {
+               return each.label == active
+                   || (!each.isFresh && each.lower == criteria->lower
+                       && each.upper == criteria->upper);
+           });
+    const bool known = std::any_of(seeded.begin(), seeded.end(),
+        [active](const SeededSegment& each) { return each.label == active; });
+    if (grewTogether || !known)
+        return criteria->segments;
+    return std::vector<int>{active};
+}
+
+void shareInterval(Workspace& workspace)
+{
+    const auto following = followingSegments(workspace);
+    const GrowSettings& settings = workspace.growSettings();
+    for (const SeededSegment& each : seededSegments(workspace)) {
+        if (each.label == workspace.activeSegment() || (following && !holds(following, each.label)))
+            continue;
+        workspace.seeds().intervals().set(
+            each.label, {.lower = settings.lower, .upper = settings.upper, .byHand = true});
+    }
+}
+
+bool grows(const GrowthTurn& turn, int label)
+{
+    return !turn.segments || holds(turn.segments, label);
+}
+
+bool everySegmentLocked(const core::Document& document)
+{
+    return !document.segments.empty()
+        && std::all_of(document.segments.begin(), document.segments.end(),
+            [](const core::Segment& segment) { return segment.locked; });
+}
+
+QString textOf(const std::vector<GrowthTurn>& turns, const Workspace& workspace)
+{
+    if (turns.empty() || !turns.front().segments || !workspace.session())
+        return {};
+    const core::Document& document = workspace.session()->document();
+    if (turns.size() > 1) {
+        QStringList names;
+        for (const GrowthTurn& turn : turns)
+            names += namesOf(turn, document);
+        return Texts::tr("One after the other, each in its own interval: %1.")
+            .arg(names.join(QStringLiteral(", ")));
+    }
+    const GrowthTurn& turn = turns.front();
+    if (turn.segments->size() == 1)
+        return Texts::tr("Only %1 grows: the others have intervals of their own.")
+            .arg(namesOf(turn, document));
+    return Texts::tr("%1 grow together, in an interval that holds those of each: %2 … %3 %4")
+        .arg(namesOf(turn, document), numberText(turn.lower, 1), numberText(turn.upper, 1),
+            workspace.volume()->unit)
+        .trimmed();
+}
+
+} // namespace ui
