@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/settings/TransferPresets.h"
 
+#include "core/volume/SurfaceThreshold.h"
+
 #include <QObject>
+
+#include <algorithm>
 
 namespace ui {
 
@@ -21,15 +25,28 @@ double quantile(const core::Histogram& histogram, double share)
     return histogram.maximum;
 }
 
+double quantileAbove(const core::Histogram& histogram, double from, double share)
+{
+    core::Histogram above = histogram;
+    const double width = (histogram.maximum - histogram.minimum)
+        / double(std::max<std::size_t>(histogram.counts.size(), 1));
+    for (std::size_t bin = 0; bin < above.counts.size(); ++bin) {
+        if (histogram.minimum + (double(bin) + 0.5) * width < from)
+            above.counts[bin] = 0;
+    }
+    return quantile(above, share);
+}
+
 std::vector<TransferPreset> transferPresets(const core::Volume& volume)
 {
     if (volume.unit == QLatin1String("HU")) {
         return {
-            // Skin faint, soft tissue warm, contrast and bone bright and dense.
+            // Skin and soft tissue are a haze that a quarter of a metre of it does not close;
+            // contrast and bone are bright and dense.
             {QObject::tr("Standard"),
-                {{{-400.0, 0x6b3b2a, 0.0}, {-150.0, 0xc98f6a, 0.004}, {20.0, 0xb5654c, 0.012},
-                    {90.0, 0xc76a54, 0.03}, {220.0, 0xe3c08e, 0.12}, {450.0, 0xf3e3c4, 0.45},
-                    {1200.0, 0xffffff, 0.9}}}},
+                {{{-400.0, 0x6b4a38, 0.0}, {-150.0, 0xc9a184, 0.001}, {20.0, 0xc58a6e, 0.0025},
+                    {90.0, 0xcf8f70, 0.005}, {150.0, 0xdca27c, 0.03}, {220.0, 0xe3c08e, 0.12},
+                    {450.0, 0xf3e3c4, 0.45}, {1200.0, 0xffffff, 0.9}}}},
             {QObject::tr("Bone"),
                 {{{150.0, 0x8a4b32, 0.0}, {250.0, 0xd9a066, 0.05}, {600.0, 0xf2e4c4, 0.35},
                     {1800.0, 0xffffff, 0.8}}}},
@@ -44,16 +61,26 @@ std::vector<TransferPreset> transferPresets(const core::Volume& volume)
                     {250.0, 0xf2e4c4, 0.3}}}},
         };
     }
-    // Half of the voxels of a study are air around the patient; tissue starts beyond them.
-    const double low = quantile(volume.histogram, 0.55);
-    const double high = quantile(volume.histogram, 0.999);
-    const auto at = [low, high](double share) { return low + (high - low) * share; };
+    // Air, which half of the voxels of a study are, and the few brightest voxels say nothing of how
+    // bright tissue is: of a vessel, or of an artefact, they are several times as bright.
+    const core::Histogram& histogram = volume.histogram;
+    const double air = core::usualSurfaceThreshold(volume);
+    const double tissue = core::otsuThreshold(histogram);
+    const double least = 1e-6 * std::max(volume.maximum - volume.minimum, 1e-6);
+    const auto among = [&histogram, tissue](
+                           double share) { return quantileAbove(histogram, tissue, share); };
+    const auto ramp = [least](std::vector<gpu::TransferFunction::Point> points) {
+        for (std::size_t i = 1; i < points.size(); ++i)
+            points[i].value = std::max(points[i].value, points[i - 1].value + least);
+        return gpu::TransferFunction{std::move(points)};
+    };
     return {
         {QObject::tr("Tissue"),
-            {{{at(0.0), 0x3a2a24, 0.0}, {at(0.25), 0x9a6a55, 0.03}, {at(0.6), 0xd9b090, 0.15},
-                {at(1.0), 0xffffff, 0.5}}}},
+            ramp({{air, 0x3a2a24, 0.0}, {tissue, 0x8a5f4c, 0.015}, {among(0.5), 0xcf9f80, 0.06},
+                {among(0.9), 0xead0b4, 0.18}, {among(0.995), 0xffffff, 0.5}})},
         {QObject::tr("Bright structures"),
-            {{{at(0.55), 0x7a3a2a, 0.0}, {at(0.75), 0xe0a070, 0.15}, {at(1.0), 0xffffff, 0.6}}}},
+            ramp({{among(0.8), 0x7a3a2a, 0.0}, {among(0.93), 0xe0a070, 0.15},
+                {among(0.998), 0xffffff, 0.6}})},
     };
 }
 

@@ -11,21 +11,6 @@ namespace ui {
 
 namespace {
 
-gpu::TransferFunction ctTransferFunction()
-{
-    // Skin faint, soft tissue warm, contrast and bone bright and dense.
-    return {{{-400.0, 0x6b3b2a, 0.0}, {-150.0, 0xc98f6a, 0.004}, {20.0, 0xb5654c, 0.012},
-        {90.0, 0xc76a54, 0.03}, {220.0, 0xe3c08e, 0.12}, {450.0, 0xf3e3c4, 0.45},
-        {1200.0, 0xffffff, 0.9}}};
-}
-
-gpu::TransferFunction rampTransferFunction(double from, double to)
-{
-    const double span = std::max(to - from, 1e-6);
-    return {{{from, 0x3a2a20, 0.0}, {from + 0.3 * span, 0xa8694c, 0.01},
-        {from + 0.6 * span, 0xd9ab7c, 0.05}, {to, 0xffffff, 0.35}}};
-}
-
 /// From where tissue begins to what nearly nothing exceeds.
 core::WindowLevel mipWindow(const core::Volume& volume)
 {
@@ -62,9 +47,7 @@ Workspace::VolumeDisplay initialVolumeDisplay(const core::Volume& volume)
     display.mipWindow = mipWindow(volume);
     display.xrayWindow = xrayWindow(volume.histogram);
     display.surfaceThreshold = core::usualSurfaceThreshold(volume);
-    display.transferFunction = volume.unit == QLatin1String("HU")
-        ? ctTransferFunction()
-        : rampTransferFunction(display.surfaceThreshold, volume.maximum);
+    display.transferFunction = transferPresets(volume).front().function;
     return display;
 }
 

@@ -3,10 +3,12 @@
 #include "ui/frame/TransferFunctionEditor.h"
 
 #include "ui/settings/TransferPresets.h"
+#include "ui/workspace/InitialDisplay.h"
 
 #include <QSignalSpy>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 using ui::TransferFunctionEditor;
@@ -90,6 +92,53 @@ private Q_SLOTS:
                 QVERIFY(point.opacity >= 0.0 && point.opacity <= 1.0);
         }
         QCOMPARE(ui::quantile(volume.histogram, 0.5), 500.0);
+    }
+    /// A few voxels that are ten times as bright as tissue do not darken it: a value in its middle
+    /// is seen within centimetres, in a bright colour.
+    void outliersDoNotDarkenTissue()
+    {
+        core::Volume volume;
+        volume.minimum = 0.0;
+        volume.maximum = 4000.0;
+        volume.histogram = {0.0, 4000.0, std::vector<std::uint32_t>(400, 0)};
+        for (std::size_t bin = 0; bin < 400; ++bin)
+            volume.histogram.counts[bin] = bin < 4 ? 100000 : bin >= 20 && bin < 40 ? 9000 : 0;
+        volume.histogram.counts[399] = 40;
+        for (const ui::TransferPreset& preset : ui::transferPresets(volume))
+            QVERIFY2(preset.function.points.back().value < 500.0, qPrintable(preset.name));
+        const std::vector<gpu::TransferFunction::Point> points =
+            ui::transferPresets(volume).front().function.points;
+        QVERIFY(points.front().value > 0.0 && points.front().value < 200.0);
+        const auto middle = std::find_if(points.begin(), points.end(),
+            [](const gpu::TransferFunction::Point& point) { return point.value >= 300.0; });
+        QVERIFY(middle != points.end() && middle->opacity >= 0.03);
+        QVERIFY((middle->rgb >> 16 & 255) > 180);
+        QVERIFY(ui::initialVolumeDisplay(volume).transferFunction
+            == ui::transferPresets(volume).front().function);
+        // To a bin, and apart from the outliers.
+        QVERIFY(std::abs(ui::quantileAbove(volume.histogram, 200.0, 0.5) - 300.0) <= 10.0);
+    }
+
+    /// A quarter of a metre of soft tissue is a haze through which bone is seen.
+    void softTissueOfCtIsAHaze()
+    {
+        core::Volume volume;
+        volume.unit = QStringLiteral("HU");
+        const std::vector<gpu::TransferFunction::Point> points =
+            ui::transferPresets(volume).front().function.points;
+        const auto opacity = [&points](double hu) {
+            double found = 0.0;
+            for (std::size_t i = 1; i < points.size(); ++i) {
+                const auto& [from, fromRgb, fromOpacity] = points[i - 1];
+                const auto& [to, toRgb, toOpacity] = points[i];
+                if (hu >= from && hu <= to)
+                    found = fromOpacity + (toOpacity - fromOpacity) * (hu - from) / (to - from);
+            }
+            return found;
+        };
+        for (const double hu : {-100.0, 0.0, 40.0})
+            QVERIFY(std::pow(1.0 - opacity(hu), 250.0) > 0.35);
+        QVERIFY(std::pow(1.0 - opacity(400.0), 4.0) < 0.2);
     }
 };
 
