@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/growth/GrowthAnswers.h"
 
 #include <algorithm>
 #include <array>
@@ -255,7 +256,7 @@ std::vector<EngineCase> growLimitCases(int randomCount)
     cases.push_back(refused);
 
     for (int number = 0; number < randomCount; ++number)
-        cases.push_back(randomCase(number));
+        cases.push_back(daily(randomCase(number), std::size_t(number)));
     return cases;
 }
 

@@ -2,6 +2,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/growth/GrowthAnswers.h"
 
 #include <algorithm>
 #include <array>
@@ -211,7 +212,7 @@ std::vector<EngineCase> passageCases(int randomCount)
     cases.push_back(refused);
 
     for (int number = 0; number < randomCount; ++number)
-        cases.push_back(randomCase(number));
+        cases.push_back(daily(randomCase(number)));
     return cases;
 }
 

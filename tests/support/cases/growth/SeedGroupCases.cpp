@@ -3,6 +3,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/growth/GrowthAnswers.h"
 
 #include <algorithm>
 #include <array>
@@ -292,7 +293,7 @@ std::vector<EngineCase> seedGroupCases(int randomCount)
         cases.push_back(made);
     }
     for (int number = 0; number < randomCount; ++number)
-        cases.push_back(randomCase(number));
+        cases.push_back(daily(randomCase(number)));
     return cases;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/growth/GrowthAnswers.h"
 
 #include <array>
 
@@ -69,7 +70,7 @@ std::vector<EngineCase> wideGrowthCases(int randomCount)
 {
     std::vector<EngineCase> cases;
     for (int number = 0; number < randomCount; ++number)
-        cases.push_back(wide(number));
+        cases.push_back(daily(wide(number)));
     return cases;
 }
 

@@ -4,6 +4,7 @@
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/growth/GrowthAnswers.h"
 
 #include <algorithm>
 #include <array>
@@ -264,7 +265,7 @@ std::vector<EngineCase> overwrittenCases(int randomCount)
         Scene scene("random taking " + QByteArray::number(number), std::uint32_t(64000 + number));
         for (int edit = 0; edit < 24; ++edit)
             scene.appendAnything();
-        cases.push_back(scene.take());
+        cases.push_back(daily(scene.take()));
     }
     return cases;
 }

@@ -15,6 +15,7 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/views/Bookmarks.h"
+#include "tests/support/cases/growth/GrowthAnswers.h"
 #include "tests/support/cases/strokes/StrokeScene.h"
 #include "tests/support/scenes/CutEdits.h"
 
@@ -65,6 +66,11 @@ core::GrowSteps randomGrowth(const core::Document& document, Random& random)
     Random limits(std::uint32_t(grow.criteria.lower * 1009.0 + grow.criteria.upper));
     if (limits() % 2)
         addRandomLimits(grow.criteria, document.volumes.front().geometry, limits);
+    const core::VolumeGeometry& geometry = document.volumes.front().geometry;
+    answerAsDaily(grow.criteria,
+        {geometry.toWorld(glm::dvec3(geometry.size / 9)),
+            geometry.toWorld(glm::dvec3(geometry.size - 2))},
+        geometry.spacingMm().x);
     return grow;
 }
 
