@@ -19,6 +19,18 @@ const SimplexMesh* SessionSurface::mesh() const
     return m_queue.idle() && state.document.surface ? &state.surface.mesh : nullptr;
 }
 
+void SessionSurface::abort()
+{
+    if (SurfaceOperation* operation = m_queue.runningSurface())
+        operation->abort();
+}
+
+bool SessionSurface::isAbortable() const
+{
+    const SurfaceOperation* operation = m_queue.runningSurface();
+    return operation && operation->isAbortable();
+}
+
 void SessionSurface::setListener(std::function<void(SurfaceUpdate)> listener)
 {
     m_queue.submit(std::make_unique<ShowSurface>(std::move(listener)));

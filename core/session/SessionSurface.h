@@ -22,6 +22,12 @@ public:
     /// live as long as the session, or until another listener is set.
     void setListener(std::function<void(SurfaceUpdate)> listener);
 
+    /// Abandons the laying of a surface, or the following of a mask, that is running. It is
+    /// reported as Cancelled, and the surface and the history stay as they were.
+    void abort();
+    /// Whether there is something that abort() would end.
+    [[nodiscard]] bool isAbortable() const;
+
 private:
     OperationQueue& m_queue;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/base/ErrorText.h"
 
+#include "core/edits/kinds/surface/SurfaceRules.h"
 #include "core/recipe/RecipeStep.h"
 #include "ui/texts/SessionTexts.h"
 
@@ -70,6 +71,10 @@ QString errorText(const core::Error& error)
     case ErrorCode::UnknownEdit:
         return ErrorTexts::tr("unknown edit '%1'%2").arg(first, reason);
     case ErrorCode::InvalidField:
+        if (first == QLatin1String(core::crossingSurface))
+            return ErrorTexts::tr("the surface passes through itself at %1 pairs of faces, and "
+                                  "nothing was changed: smooth it there, or lay it again")
+                .arg(error.arguments.value(1));
         return isStep(first) ? first + reason : ErrorTexts::tr("field '%1'%2").arg(first, reason);
     case ErrorCode::SegmentLocked:
         return first.isEmpty() ? ErrorTexts::tr("every segment is locked")

@@ -178,7 +178,8 @@ void Refinement::previewTemplate()
     core::EditSession* session = m_workspace.session();
     if (!session || m_contours.empty() || isPreviewing())
         return;
-    const auto begun = session->begin(core::ApplyTemplate{.contoursLps = m_contours});
+    const auto begun = session->begin(
+        core::ApplyTemplate{.contoursLps = m_contours, .rules = core::newestSurfaceRules});
     if (!begun)
         return m_workspace.fail(begun.error());
     Q_EMIT contoursChanged();
@@ -207,17 +208,33 @@ void Refinement::lay(int vertices)
     if (!session || !session->document().segment(m_workspace.activeSegment()))
         return m_workspace.say(tr("No segment is chosen: choose the one to repair in the list"));
     m_workspace.say(tr("The surface is being laid …"));
-    apply(core::LaySurface{.segment = m_workspace.activeSegment(), .vertices = vertices});
+    apply(core::LaySurface{.segment = m_workspace.activeSegment(),
+        .vertices = vertices,
+        .rules = core::newestSurfaceRules});
+    Q_EMIT changed();
+}
+
+void Refinement::abort()
+{
+    if (core::EditSession* session = m_workspace.session())
+        session->surface().abort();
+}
+
+bool Refinement::isAbortable() const
+{
+    core::EditSession* session = m_workspace.session();
+    return session && session->surface().isAbortable();
 }
 
 void Refinement::writeBack()
 {
-    apply(core::WriteBack{});
+    apply(core::WriteBack{.rules = core::newestSurfaceRules});
 }
 
 void Refinement::followMask()
 {
-    apply(core::FollowMask{});
+    apply(core::FollowMask{.rules = core::newestSurfaceRules});
+    Q_EMIT changed();
 }
 
 void Refinement::makeBarrier(bool erase)

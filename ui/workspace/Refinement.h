@@ -87,6 +87,10 @@ public:
     /// Makes the surface of the active segment.
     /// @param vertices how many it has
     void lay(int vertices);
+    /// Ends the laying of a surface that is running; isAbortable() tells whether there is one, or a
+    /// following of the mask.
+    void abort();
+    [[nodiscard]] bool isAbortable() const;
     void writeBack();
     void followMask();
     /// Makes the surface a barrier for growth; with @p erase, opens it again.

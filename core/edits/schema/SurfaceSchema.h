@@ -21,6 +21,15 @@ namespace core::editSchema {
 
 inline constexpr editFields::WholeNumber surfaceVertices{0, 400'000};
 
+/// By which rules the surface is moved, in every edit that moves it or takes it as it is.
+template <class Visitor> void visitRules(Visitor& visit, SurfaceRules& rules)
+{
+    visit.maybe("rules", rules, editFields::WholeNumber{1, newestSurfaceRules},
+        "by which rules; 2: the surface never passes through itself, and sphere and plane hold "
+        "only the sheet under the pen",
+        "1: those of before");
+}
+
 template <> inline constexpr const char* editName<LaySurface> = "surface";
 template <>
 inline constexpr const char* editMeaning<LaySurface> =
@@ -31,6 +40,7 @@ template <class Visitor> void visitFields(Visitor& visit, LaySurface& edit)
     visit.field("vertices", Presence::Optional, edit.vertices, surfaceVertices,
         "about how many vertices the surface has, from 100; 0: as many as it takes to enclose what "
         "the segment holds, but for a thousandth of its voxels, or 200000");
+    visitRules(visit, edit.rules);
 }
 
 template <> inline constexpr const char* editName<DropSurface> = "dropSurface";
@@ -43,7 +53,10 @@ template <> inline constexpr const char* editName<FollowMask> = "followMask";
 template <>
 inline constexpr const char* editMeaning<FollowMask> =
     "Has the yellow parts of the surface follow the boundary of what the segment holds now.";
-template <class Visitor> void visitFields(Visitor&, FollowMask&) { }
+template <class Visitor> void visitFields(Visitor& visit, FollowMask& edit)
+{
+    visitRules(visit, edit.rules);
+}
 
 /// The path of a tool of the surface, in every edit that has one.
 template <class Visitor> void visitSurfacePath(Visitor& visit, SurfacePath& path)
@@ -52,6 +65,7 @@ template <class Visitor> void visitSurfacePath(Visitor& visit, SurfacePath& path
         "of the ball in which the tool works");
     visit.field("pointsLps", Presence::Required, path.pointsLps, editFields::PointList{positionLps},
         "the middle of the ball, straight from point to point, patient coordinates (LPS)");
+    visitRules(visit, path.rules);
 }
 
 template <> inline constexpr const char* editName<MarkSurface> = "mark";
@@ -103,6 +117,11 @@ template <class Visitor> void visitFields(Visitor& visit, PlaneScrape& edit)
     visit.field("normalLps", Presence::Required, edit.normalLps,
         editFields::Point{editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}},
         "across the plane, outwards; the plane holds the point that the pen is at");
+    visit.maybe("acrossLps", edit.acrossLps,
+        editFields::Point{editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}},
+        "the normal of the slice on which the pen is moved; the plane stands across it and turns "
+        "with the pen's way",
+        "the plane keeps its normal");
 }
 
 template <> inline constexpr const char* editName<PointDrag> = "pointDrag";
@@ -123,6 +142,7 @@ template <class Visitor> void visitFields(Visitor& visit, ApplyTemplate& edit)
 {
     visit.field("contoursLps", Presence::Required, edit.contoursLps,
         editFields::ContourList{positionLps}, "the contours, patient coordinates (LPS)");
+    visitRules(visit, edit.rules);
 }
 
 template <> inline constexpr const char* editName<SmoothSurface> = "smooth";
@@ -151,6 +171,7 @@ inline constexpr const char* editMeaning<WriteBack> =
 template <class Visitor> void visitFields(Visitor& visit, WriteBack& edit)
 {
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitRules(visit, edit.rules);
 }
 
 template <> inline constexpr const char* editName<SurfaceBarrier> = "surfaceBarrier";

@@ -2,9 +2,11 @@
 #include "core/refine/deform/FollowBoundary.h"
 
 #include "core/refine/deform/Deformation.h"
+#include "core/refine/repair/CrossingGuard.h"
 #include "core/refine/repair/MeshRestructuring.h"
 
 #include <array>
+#include <optional>
 
 namespace core {
 
@@ -22,15 +24,25 @@ std::vector<VertexId> yellowOf(const SimplexMesh& mesh)
 
 } // namespace
 
-void followBoundary(SimplexMeshEdit& edit, const BoundaryForce& boundary)
+Result<void> followBoundary(SimplexMeshEdit& edit, const BoundaryForce& boundary,
+    const Progress& progress, const VolumeGeometry* apartOn)
 {
     const SimplexMesh& mesh = edit.mesh();
     const std::array<const ExternalForce*, 1> forces{&boundary};
     const RestructuringSettings structure{.areaMm2 = meanFaceAreaMm2(mesh)};
     Deformation deformation({});
     deformation.activate(mesh, yellowOf(mesh));
+    std::optional<CrossingGuard> guard;
+    if (apartOn)
+        guard.emplace(mesh, *apartOn);
     for (int step = 1; step <= steps && !deformation.active().empty(); ++step) {
+        if (progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        if (guard)
+            guard->moved(deformation.active());
         deformation.step(edit, forces);
+        if (guard)
+            deformation.stop(guard->keepApart(edit));
         // A vertex that moves wakes those beside it, whatever they are marked.
         std::vector<VertexId> others = deformation.active();
         std::erase_if(
@@ -38,9 +50,11 @@ void followBoundary(SimplexMeshEdit& edit, const BoundaryForce& boundary)
         deformation.rest(others);
         if (step % restructureEvery != 0 || step == steps)
             continue;
-        const Restructured done = restructure(edit, deformation.active(), structure);
+        const Restructured done =
+            restructure(edit, deformation.active(), structure, guard ? &*guard : nullptr);
         deformation.restructured(mesh, done.vertices);
     }
+    return {};
 }
 
 } // namespace core

@@ -3,6 +3,7 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/session/operations/SurfaceOperation.h"
 
 #include <utility>
 
@@ -93,6 +94,13 @@ OpenOperation* OperationQueue::interactive() const
             return stroke;
     }
     return nullptr;
+}
+
+SurfaceOperation* OperationQueue::runningSurface() const
+{
+    return m_started && !m_operations.empty()
+        ? dynamic_cast<SurfaceOperation*>(m_operations.front().get())
+        : nullptr;
 }
 
 VoxelOperation* OperationQueue::interactiveVoxels() const

@@ -12,6 +12,8 @@
 
 namespace core {
 
+class SurfaceOperation;
+
 /// The queue of everything that a session was asked to do: edits, walks through the history and
 /// questions. It carries them out one after the other as engine and worker answer, and notifies
 /// listeners. Only settle(), waitForEngine() and the destructor block. Part of EditSession; one
@@ -32,6 +34,8 @@ public:
     [[nodiscard]] OpenOperation* interactive() const;
     /// The same if it edits voxels.
     [[nodiscard]] VoxelOperation* interactiveVoxels() const;
+    /// The edit of the surface that is running; null: another operation, or none.
+    [[nodiscard]] SurfaceOperation* runningSurface() const;
     void end(OpenOperation& stroke, Ending ending);
     /// Commits a running growth at its generation and an open peel at its depth, and takes a
     /// preview back.

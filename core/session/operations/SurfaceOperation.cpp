@@ -3,6 +3,7 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/surface/FollowMask.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 
@@ -77,8 +78,24 @@ void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
     }
 }
 
+void SurfaceOperation::abort()
+{
+    if (!isAbortable())
+        return;
+    m_isAborted = true;
+    if (m_work)
+        m_work->cancel();
+}
+
+bool SurfaceOperation::isAbortable() const
+{
+    return !m_done && (m_edit.is<LaySurface>() || m_edit.is<FollowMask>());
+}
+
 void SurfaceOperation::work(SessionState& state)
 {
+    if (m_isAborted)
+        return giveUp(state, {ErrorCode::Cancelled, {}});
     if (m_edit.is<WriteBack>())
         m_read.past = surfacePast(state.history, state.surface);
     m_work = std::make_shared<SurfaceWork>(

@@ -30,6 +30,10 @@ public:
     [[nodiscard]] bool done() const override { return m_done; }
     [[nodiscard]] bool foresee(Document& document) const override;
 
+    /// For an edit that is abortable: it ends with Cancelled and changes nothing.
+    void abort();
+    [[nodiscard]] bool isAbortable() const;
+
     [[nodiscard]] bool isTemplate() const { return m_edit.is<ApplyTemplate>(); }
     [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] bool standsOpen() const override { return isTemplate() && open(); }
@@ -55,6 +59,7 @@ private:
     std::shared_ptr<SurfaceWork> m_work; ///< from when it continues on the side thread
     std::optional<Ending> m_ending;
     std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
+    bool m_isAborted = false;
     bool m_reported = false; ///< the reason for the failure was reported
     bool m_done = false;
 };

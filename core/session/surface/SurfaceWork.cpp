@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/surface/SurfaceWork.h"
 
-#include "core/base/Progress.h"
 #include "core/brick/LabelRuns.h"
 #include "core/edits/kinds/IsOneOf.h"
 #include "core/refine/deform/FollowBoundary.h"
 #include "core/refine/fit/MeasuredFit.h"
 #include "core/refine/mesh/SurfaceDelta.h"
 #include "core/refine/repair/MeshRestructuring.h"
+#include "core/refine/repair/SelfIntersections.h"
 #include "core/refine/tools/MarkPaint.h"
 #include "core/refine/tools/TemplateShape.h"
 #include "core/refine/voxels/GreyBox.h"
@@ -89,7 +89,8 @@ struct Tools {
     {
         return PlaneTool{.normalLps = scrape.normalLps,
             .radiusMm = scrape.path.radiusMm,
-            .heightMm = 2.0 * scrape.path.radiusMm};
+            .heightMm = 2.0 * scrape.path.radiusMm,
+            .acrossLps = scrape.acrossLps.value_or(glm::dvec3(0.0))};
     }
     std::optional<SurfaceTool> operator()(const PointDrag& drag) const
     {
@@ -114,6 +115,24 @@ struct Tools {
         std::optional<SurfaceTool>
     operator()(const E&) const { return std::nullopt; }
 };
+
+/// Whether the tool of an edit keeps the surface from passing through itself.
+struct KeepsApart {
+    bool operator()(const ApplyTemplate& shape) const { return keepsApart(shape.rules); }
+    template <class Stroke>
+    requires requires(const Stroke& stroke) { stroke.path; }
+    bool operator()(const Stroke& stroke) const { return keepsApart(stroke.path.rules); }
+    template <class E> bool operator()(const E&) const { return false; }
+};
+
+Result<void> keptApart(const SimplexMesh& mesh, const VolumeGeometry& geometry)
+{
+    const std::size_t crossings = selfIntersections(mesh, geometry).size();
+    if (crossings > 0)
+        return failure(
+            ErrorCode::InvalidField, QLatin1String(crossingSurface), QString::number(crossings));
+    return {};
+}
 
 } // namespace
 
@@ -182,7 +201,9 @@ Result<void> SurfaceWork::begin()
     }
     m_stroke =
         std::make_unique<SurfaceStroke>(m_surface.mesh, &m_surface.target->boundary(), *chosen,
-            SurfaceStrokeSettings{.areaMm2 = m_surface.target->faceAreaMm2(), .reddens = true});
+            SurfaceStrokeSettings{.areaMm2 = m_surface.target->faceAreaMm2(),
+                .reddens = true,
+                .apartOn = std::visit(KeepsApart(), m_edit) ? &m_surface.geometry() : nullptr});
     if (std::holds_alternative<TemplateTool>(*chosen)) {
         m_stroke->add({}); // it has no way of the pen, but begins with a sample as all do
         settle();
@@ -264,9 +285,14 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const LaySurface& edit, Endin
         return failure(ErrorCode::InvalidField, QStringLiteral("surface.segment"),
             QStringLiteral("'%1' has no voxels").arg(m_segment.name));
     Result<MeasuredFit> fit = measuredFit(voxels, m_surface.geometry(),
-        edit.vertices == 0 ? std::nullopt : std::optional(edit.vertices), {});
+        edit.vertices == 0 ? std::nullopt : std::optional(edit.vertices), m_progress,
+        keepsApart(edit.rules));
     if (!fit)
         return tl::unexpected(fit.error());
+    if (keepsApart(edit.rules)) {
+        if (const Result<void> apart = keptApart(fit->mesh, m_surface.geometry()); !apart)
+            return tl::unexpected(apart.error());
+    }
     SimplexMeshDelta delta = replacement(m_surface.mesh, fit->mesh);
     m_surface.mesh = std::move(fit->mesh);
     m_surface.showAll(true);
@@ -278,7 +304,7 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const LaySurface& edit, Endin
     return outcome;
 }
 
-Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const FollowMask&, Ending)
+Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const FollowMask& edit, Ending)
 {
     VoxelRuns voxels = labelRuns(m_labels, m_segment.label);
     if (voxels.empty())
@@ -289,10 +315,16 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const FollowMask&, Ending)
     SurfaceStep::TargetChange target{.before = m_surface.followed(),
         .after = {.voxels = std::move(voxels), .faceAreaMm2 = m_surface.target->faceAreaMm2()}};
     const SurfaceTarget next(target.after.voxels, m_surface.geometry(), target.after.faceAreaMm2);
-    SimplexMeshEdit edit(m_surface.mesh);
-    followBoundary(edit, next.boundary());
-    m_surface.show(updateOf(m_surface.mesh, edit.takeWritten()));
-    return stepOf(edit.commit(), std::move(target));
+    SimplexMeshEdit writing(m_surface.mesh);
+    const Result<void> followed = followBoundary(writing, next.boundary(), m_progress,
+        keepsApart(edit.rules) ? &m_surface.geometry() : nullptr);
+    if (!followed) {
+        writing.rollback();
+        m_surface.showAll(true);
+        return tl::unexpected(followed.error());
+    }
+    m_surface.show(updateOf(m_surface.mesh, writing.takeWritten()));
+    return stepOf(writing.commit(), std::move(target));
 }
 
 std::vector<VertexId> SurfaceWork::markedVertices(const ChangeMarks& edit) const
@@ -340,8 +372,12 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const ChangeMarks& edit, Endi
     return stepOf(std::move(delta));
 }
 
-Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const WriteBack&, Ending)
+Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const WriteBack& edit, Ending)
 {
+    if (keepsApart(edit.rules)) {
+        if (const Result<void> apart = keptApart(m_surface.mesh, m_surface.geometry()); !apart)
+            return tl::unexpected(apart.error());
+    }
     const Result<EnclosedVoxels> enclosed =
         enclosedVoxels(m_surface.mesh, m_read.past, m_surface.geometry(), m_overwritable.any());
     if (!enclosed)

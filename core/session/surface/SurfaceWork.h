@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Progress.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/kinds/SurfaceEdit.h"
@@ -56,6 +57,9 @@ public:
     Result<void> begin();
     void add(const std::vector<glm::dvec3>& pointsLps);
     [[nodiscard]] Result<Outcome> end(Ending ending);
+    /// Ends the laying of a surface, or the following of a mask, as early as possible, with
+    /// Cancelled. Any thread.
+    void cancel() { m_progress.cancel(); }
     /// Marks it as failed after one of the functions above has thrown.
     void fail(const Error& error) { m_error = error; }
 
@@ -84,6 +88,7 @@ private:
     Read m_read;
     std::vector<std::uint8_t> m_labels;
     std::unique_ptr<const GreyBox> m_grey;
+    Progress m_progress; ///< only to be cancelled
     std::optional<Error> m_error; ///< why it failed
     std::unique_ptr<SurfaceStroke> m_stroke; ///< after m_grey, which it reads
     bool m_settled = false; ///< the stroke is settled, and that is shown

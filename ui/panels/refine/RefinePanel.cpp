@@ -2,6 +2,8 @@
 #include "ui/panels/refine/RefinePanel.h"
 
 #include "core/refine/deform/RefineSurface.h"
+#include "core/refine/mesh/SurfaceFile.h"
+#include "core/session/SessionSurface.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
@@ -11,6 +13,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -54,6 +57,15 @@ RefinePanel::RefinePanel(Workspace& workspace, QWidget* parent)
     layout->addWidget(m_pages);
     m_pages->addWidget(buildLaying());
     m_pages->addWidget(buildRefining());
+    m_abort = new QPushButton(tr("Abort"), this);
+    m_abort->setObjectName(QStringLiteral("abortSurface"));
+    m_abort->setToolTip(tr("Nothing changes"));
+    m_abort->hide();
+    layout->addWidget(m_abort);
+    connect(m_abort, &QPushButton::clicked, this, [this] { m_workspace.refinement().abort(); });
+    constexpr int watchMs = 100;
+    m_watching.setInterval(watchMs);
+    connect(&m_watching, &QTimer::timeout, this, &RefinePanel::watch);
     connect(&workspace.refinement(), &Refinement::changed, this, &RefinePanel::show);
     connect(&workspace.refinement(), &Refinement::lookChanged, this, &RefinePanel::show);
     connect(&workspace, &Workspace::activeSegmentChanged, this, &RefinePanel::show);
@@ -128,6 +140,10 @@ QWidget* RefinePanel::buildRefining()
     buttons->addWidget(m_drop, 1, 1);
     buttons->addWidget(barrierButton, 2, 0);
     buttons->addWidget(open, 2, 1);
+    m_save = button(tr("Save surface …"), "saveSurface",
+        tr("Writes the surface itself as STL, PLY, OBJ or glTF, in patient coordinates"));
+    buttons->addWidget(m_save, 3, 0, 1, 2);
+    connect(m_save, &QPushButton::clicked, this, &RefinePanel::askWhereToSave);
     layout->addLayout(buttons);
 
     auto* grid = new QGridLayout;
@@ -238,6 +254,8 @@ void RefinePanel::show()
     const core::EditSession* session = m_workspace.session();
     const std::optional<core::RefinedSurface> surface = refinement.surface();
     m_pages->setCurrentIndex(surface ? 1 : 0);
+    if (session && !session->idle())
+        m_watching.start();
     const core::Segment* segment = session
         ? session->document().segment(surface ? surface->segment : m_workspace.activeSegment())
         : nullptr;
@@ -296,6 +314,47 @@ void RefinePanel::showErrors()
     const int rowHeight = std::max(m_errors->sizeHintForRow(0), theme::controlHeight);
     m_errors->setFixedHeight(
         rowHeight * std::clamp(m_errors->count(), 1, mostRows) + 2 * m_errors->frameWidth());
+}
+
+/// Until what was asked for is done: the session tells of its end only where something changed.
+void RefinePanel::watch()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || session->idle())
+        m_watching.stop();
+    m_abort->setVisible(m_workspace.refinement().isAbortable());
+}
+
+void RefinePanel::askWhereToSave()
+{
+    QStringList patterns;
+    for (const QString& ending : core::surfaceFileEndings())
+        patterns += QStringLiteral("*.") + ending;
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save surface"),
+        QStringLiteral("surface.stl"), tr("Surfaces (%1)").arg(patterns.join(u' ')));
+    if (!path.isEmpty())
+        save(path);
+}
+
+void RefinePanel::save(const QString& path)
+{
+    core::EditSession* session = m_workspace.session();
+    const core::SimplexMesh* mesh = session ? session->surface().mesh() : nullptr;
+    const std::optional<core::RefinedSurface> surface = m_workspace.refinement().surface();
+    const core::Segment* segment =
+        mesh && surface ? session->document().segment(surface->segment) : nullptr;
+    if (!segment)
+        return m_workspace.say(tr("The surface is still being changed; save it in a moment"));
+    const core::SurfaceFileFacts facts{
+        .name = segment->name, .rgb = segment->rgb, .label = segment->label};
+    m_saver.start(
+        this, [copy = *mesh, facts, path] { return writeSurfaceFile(copy, facts, path, true); },
+        [this, path](const core::Result<void>& written) {
+            if (written)
+                m_workspace.say(tr("The surface is in %1").arg(path));
+            else
+                m_workspace.fail(written.error());
+        });
 }
 
 void RefinePanel::takeLook()

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Background.h"
 #include "ui/frame/Panel.h"
+
+#include <QTimer>
 
 class QCheckBox;
 class QComboBox;
@@ -29,6 +32,9 @@ public:
     [[nodiscard]] QString summary() const override;
     [[nodiscard]] bool foldedAtFirst() const override { return true; }
 
+    /// Writes the surface to a file, in the format that its ending names; one of that name goes.
+    void save(const QString& path);
+
 private:
     QWidget* buildLaying();
     QWidget* buildRefining();
@@ -36,6 +42,8 @@ private:
     void show();
     void showErrors();
     void takeLook();
+    void watch();
+    void askWhereToSave();
 
     Workspace& m_workspace;
     QStackedWidget* m_pages = nullptr;
@@ -55,6 +63,10 @@ private:
     QListWidget* m_errors = nullptr;
     QPushButton* m_signOff = nullptr;
     DoubtsSection* m_doubts = nullptr;
+    QPushButton* m_save = nullptr;
+    QPushButton* m_abort = nullptr; ///< while a surface is being laid, or follows the mask
+    QTimer m_watching;
+    core::Background m_saver; ///< last: its results are delivered to all of the above
 };
 
 } // namespace ui

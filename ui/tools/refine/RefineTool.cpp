@@ -153,7 +153,9 @@ std::optional<glm::dvec3> RefineTool::placeOf(Stroke& stroke, const QPointF& pix
 
 core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) const
 {
-    const core::SurfacePath path{.radiusMm = stroke.settings.radiusMm, .pointsLps = {placeLps}};
+    const core::SurfacePath path{.radiusMm = stroke.settings.radiusMm,
+        .pointsLps = {placeLps},
+        .rules = core::newestSurfaceRules};
     switch (stroke.settings.mode) {
     case Refinement::Mode::Mark:
         return core::MarkSurface{
@@ -164,13 +166,15 @@ core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) 
     case Refinement::Mode::Scrape: {
         const core::VertexId near = stroke.surface.nearestVertex(placeLps);
         glm::dvec3 normal = stroke.surface.vertex(near).normalLps;
+        std::optional<glm::dvec3> across;
         if (const auto* slice = std::get_if<gpu::SliceScene>(&stroke.view.scene)) {
-            const glm::dvec3 across = glm::cross(slice->rightLps, slice->downLps);
-            normal -= glm::dot(normal, across) * across;
+            across = glm::cross(slice->rightLps, slice->downLps);
+            normal -= glm::dot(normal, *across) * *across;
         }
         const double length = glm::length(normal);
-        return core::PlaneScrape{
-            .path = path, .normalLps = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0)};
+        return core::PlaneScrape{.path = path,
+            .normalLps = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0),
+            .acrossLps = across};
     }
     case Refinement::Mode::Drag:
         return core::PointDrag{.path = path};

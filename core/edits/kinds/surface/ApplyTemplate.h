@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/surface/SurfaceRules.h"
 
 #include <glm/glm.hpp>
 
@@ -12,6 +13,7 @@ namespace core {
 /// Fit the red part of the surface to contours that were drawn on planes.
 struct ApplyTemplate {
     std::vector<std::vector<glm::dvec3>> contoursLps{};
+    SurfaceRules rules{};
 };
 
 [[nodiscard]] Result<void> check(const ApplyTemplate& edit, const Document& document);

@@ -2,12 +2,15 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/surface/SurfaceRules.h"
 
 namespace core {
 
 /// Fit the yellow parts of the surface to the boundary of the segment's present voxels. Red and
 /// green parts stay.
-struct FollowMask { };
+struct FollowMask {
+    SurfaceRules rules{};
+};
 
 [[nodiscard]] Result<void> check(const FollowMask& edit, const Document& document);
 Result<bool> apply(const FollowMask& edit, Document& document);

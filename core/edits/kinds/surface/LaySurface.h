@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/surface/SurfaceRules.h"
 
 namespace core {
 
@@ -14,6 +15,7 @@ struct LaySurface {
     /// Approximate number; 0: as many as are needed for the surface to enclose the segment's voxels
     /// (core/refine/fit/MeasuredFit.h).
     int vertices = 0;
+    SurfaceRules rules{};
 };
 
 [[nodiscard]] Result<void> check(const LaySurface& edit, const Document& document);

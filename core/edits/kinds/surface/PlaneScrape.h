@@ -6,12 +6,17 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
+
 namespace core {
 
 /// Remove what stands out beyond a plane.
 struct PlaneScrape {
     SurfacePath path{};
     glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< points outwards; approximately a unit vector
+    /// The normal of the slice or cutting plane on which the stroke is drawn: the plane stands
+    /// across it and turns with the stroke (seed B §4.4). None: the plane keeps its normal.
+    std::optional<glm::dvec3> acrossLps{};
 };
 
 [[nodiscard]] Result<void> check(const PlaneScrape& edit, const Document& document);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/surface/SurfaceRules.h"
+
 #include <glm/glm.hpp>
 
 #include <vector>
@@ -12,6 +14,7 @@ namespace core {
 struct SurfacePath {
     double radiusMm = 8.0;
     std::vector<glm::dvec3> pointsLps{};
+    SurfaceRules rules{};
 };
 
 } // namespace core

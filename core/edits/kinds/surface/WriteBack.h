@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/surface/SurfaceRules.h"
 
 namespace core {
 
@@ -12,6 +13,7 @@ namespace core {
 /// rim of what was moved and for changes of the mask in the meantime.
 struct WriteBack {
     bool overwriteUnlocked = false;
+    SurfaceRules rules{};
 };
 
 [[nodiscard]] Result<void> check(const WriteBack& edit, const Document& document);

@@ -339,7 +339,8 @@ private Q_SLOTS:
             fixture.at(fixture.slice, from), fixture.at(fixture.slice, to)};
         const ui::ViewContext context = fixture.slice.context();
         draw(fixture, fixture.slice, way);
-        core::MarkSurface expected{.mark = SurfaceMark::Red, .path = {.radiusMm = 5.0}};
+        core::MarkSurface expected{.mark = SurfaceMark::Red,
+            .path = {.radiusMm = 5.0, .pointsLps = {}, .rules = core::newestSurfaceRules}};
         expected.path.pointsLps = {context.toLps(way[0]), context.toLps(way[1])};
         QCOMPARE(canonical(fixture.lastRow().edit), canonical(expected));
         QVERIFY(fixture.marked(SurfaceMark::Red) > 5);
@@ -512,7 +513,9 @@ private Q_SLOTS:
         QVERIFY(!fixture.refinement().isPreviewing());
         QVERIFY(fixture.apartFrom(top) < 1.5);
         const core::Edit taken = fixture.lastRow().edit;
-        QCOMPARE(canonical(taken), canonical(core::ApplyTemplate{.contoursLps = contours}));
+        QCOMPARE(canonical(taken),
+            canonical(
+                core::ApplyTemplate{.contoursLps = contours, .rules = core::newestSurfaceRules}));
         // As a recipe does it at once, to the bit.
         const QByteArray after = fixture.session().stateHash();
         QVERIFY(after != before);

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/surface/SurfaceRules.h"
+#include "core/edits/EditJson.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/PointDrag.h"
+#include "core/edits/kinds/surface/WriteBack.h"
+#include "core/refine/repair/SelfIntersections.h"
+#include "core/session/EditSession.h"
+#include "core/session/SessionSurface.h"
+#include "core/session/questions/VoxelQuestions.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/cases/SurfaceCases.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include <memory>
+
+using namespace core;
+
+namespace {
+
+const VolumeGeometry geometry = test::smallStudy().volume.geometry;
+
+/// From one wall of the ball through the one across from it.
+PointDrag dragThrough(SurfaceRules rules)
+{
+    const glm::dvec3 middle = (glm::dvec3(geometry.size) - 1.0) / 2.0;
+    PointDrag drag{.path = {.radiusMm = 4.0, .pointsLps = {}, .rules = rules}};
+    for (double x = 9.0; x >= -13.0; x -= 2.0)
+        drag.path.pointsLps.push_back(geometry.toWorld(middle + glm::dvec3(x, 0.0, 0.0)));
+    return drag;
+}
+
+} // namespace
+
+/// By which rules a surface is moved is a part of the edit that moves it.
+class SurfaceRulesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        m_session = *EditSession::create(m_engine, test::smallStudy(), {});
+        run(test::ballMask(geometry.size, 9.0));
+    }
+    void whoNamesNoneWritesNone();
+    void whatCrossesIsNotWrittenBack();
+    void aDragStopsBeforeTheWall();
+    void layingIsAborted();
+
+private:
+    void run(const Edit& edit)
+    {
+        const Result<void> applied = m_session->apply(edit);
+        QVERIFY2(applied, qPrintable(applied ? QString() : applied.error().arguments.join(u' ')));
+        QVERIFY(m_session->settle());
+    }
+    [[nodiscard]] std::size_t crossings() const
+    {
+        return selfIntersections(*m_session->surface().mesh(), geometry).size();
+    }
+
+    reference::ReferenceEngine m_engine;
+    std::unique_ptr<EditSession> m_session;
+};
+
+void SurfaceRulesTest::whoNamesNoneWritesNone()
+{
+    // Rows and recipes of before keep their bytes, and so their hashes.
+    const auto namesThem = [](const Edit& edit) {
+        return QJsonDocument(editToJson(edit)).toJson().contains("rules");
+    };
+    QVERIFY(!namesThem(LaySurface{.segment = 1}));
+    QVERIFY(namesThem(LaySurface{.segment = 1, .rules = newestSurfaceRules}));
+    QVERIFY(!namesThem(dragThrough({})));
+    QVERIFY(namesThem(dragThrough(newestSurfaceRules)));
+}
+
+void SurfaceRulesTest::whatCrossesIsNotWrittenBack()
+{
+    run(LaySurface{.segment = 1, .vertices = 600});
+    run(dragThrough({}));
+    QVERIFY(crossings() > 0);
+    const QByteArray before = m_session->stateHash();
+    const int row = m_session->history().position();
+    QVERIFY(m_session->apply(WriteBack{.rules = newestSurfaceRules}));
+    const Result<void> written = m_session->settle();
+    QVERIFY(!written);
+    QCOMPARE(written.error().code, ErrorCode::InvalidField);
+    QCOMPARE(written.error().arguments,
+        QStringList({QString::fromLatin1(crossingSurface), QString::number(crossings())}));
+    QCOMPARE(m_session->history().position(), row);
+    QCOMPARE(m_session->stateHash(), before);
+    run(WriteBack{});
+}
+
+void SurfaceRulesTest::aDragStopsBeforeTheWall()
+{
+    run(LaySurface{.segment = 1, .vertices = 600, .rules = newestSurfaceRules});
+    run(dragThrough(newestSurfaceRules));
+    QCOMPARE(crossings(), std::size_t(0));
+    run(WriteBack{.rules = newestSurfaceRules});
+}
+
+void SurfaceRulesTest::layingIsAborted()
+{
+    const QByteArray before = m_session->stateHash();
+    QVERIFY(!m_session->surface().isAbortable());
+    QVERIFY(m_session->apply(LaySurface{.segment = 1, .vertices = 5000}));
+    QVERIFY(m_session->surface().isAbortable());
+    m_session->surface().abort();
+    const Result<void> laid = m_session->settle();
+    QVERIFY(!laid);
+    QCOMPARE(laid.error().code, ErrorCode::Cancelled);
+    QVERIFY(!m_session->surface().isAbortable());
+    QCOMPARE(m_session->stateHash(), before);
+    QVERIFY(!m_session->document().surface.has_value());
+    run(LaySurface{.segment = 1, .vertices = 600});
+}
+
+BURIN_TEST(SurfaceRulesTest)
+#include "SurfaceRulesTest.moc"

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "tests/support/cases/SurfaceCases.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/panels/refine/RefinePanel.h"
+#include "ui/workspace/Refinement.h"
+
+#include <QFileInfo>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QtTest>
+
+namespace {
+
+/// A ball as segment 1, and the panel.
+class PanelFixture : public test::WorkspaceFixture {
+public:
+    PanelFixture()
+        : panel(workspace)
+    {
+        apply(test::ballMask(glm::ivec3(test::smallHead::side), 10.0));
+        workspace.setActiveSegment(1);
+    }
+    [[nodiscard]] QPushButton& button(const char* name) const
+    {
+        return *panel.findChild<QPushButton*>(QLatin1String(name));
+    }
+
+    ui::RefinePanel panel;
+};
+
+} // namespace
+
+/// What the panel has of the surface as a whole.
+class RefinePanelUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void layingIsAborted()
+    {
+        PanelFixture fixture;
+        QVERIFY(fixture.button("abortSurface").isHidden());
+        fixture.workspace.refinement().lay(20000);
+        QTRY_VERIFY(!fixture.button("abortSurface").isHidden());
+        const int row = fixture.session().history().position();
+        fixture.button("abortSurface").click();
+        const auto settled = fixture.session().settle();
+        QVERIFY(!settled);
+        QCOMPARE(settled.error().code, core::ErrorCode::Cancelled);
+        QCOMPARE(fixture.session().history().position(), row);
+        QVERIFY(!fixture.workspace.refinement().surface());
+        QTRY_VERIFY(fixture.button("abortSurface").isHidden());
+    }
+
+    void theSurfaceIsSaved_data()
+    {
+        QTest::addColumn<QString>("ending");
+        for (const char* ending : {"stl", "ply", "obj", "glb"})
+            QTest::newRow(ending) << QString::fromLatin1(ending);
+    }
+    void theSurfaceIsSaved()
+    {
+        QFETCH(QString, ending);
+        PanelFixture fixture;
+        fixture.apply(core::LaySurface{.segment = 1, .vertices = 800});
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("ball.") + ending);
+        fixture.panel.save(path);
+        QTRY_VERIFY(QFileInfo(path).size() > 10000);
+    }
+};
+
+BURIN_WINDOW_TEST(RefinePanelUiTest)
+#include "RefinePanelUiTest.moc"
