@@ -97,6 +97,32 @@ bool bringsNewCriteria(const Edit& edit, const History& history)
     return rules && recentCriteria(history) != rules->criteria && segmentsWithSeeds(history).any();
 }
 
+namespace {
+
+/// Of the segments that a growth named, those that are gone or locked by now rest. Errors: that of
+/// the first one, if none is left.
+Result<void> dropGone(GrowCriteria& criteria, const Document& document)
+{
+    if (!criteria.segments)
+        return {};
+    std::vector<int> left;
+    for (const int label : *criteria.segments) {
+        const Segment* segment = document.segment(label);
+        if (segment && !segment->locked)
+            left.push_back(label);
+    }
+    if (!left.empty()) {
+        criteria.segments = std::move(left);
+        return {};
+    }
+    const int first = criteria.segments->front();
+    const Segment* segment = document.segment(first);
+    return segment ? failure(ErrorCode::SegmentLocked, segment->name)
+                   : failure(ErrorCode::UnknownSegment, QString::number(first));
+}
+
+} // namespace
+
 Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Document& document)
 {
     const auto* resume = edit.as<ResumeGrowth>();
@@ -108,6 +134,8 @@ Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Docum
         if (!rules)
             return failure(ErrorCode::InvalidField, editName(edit),
                 QStringLiteral("nothing has grown before"));
+        if (const Result<void> left = dropGone(rules->criteria, document); !left)
+            return left;
         if (resume) {
             edit = GrowSteps{
                 .criteria = rules->criteria, .steps = resume->steps, .guard = rules->guard};

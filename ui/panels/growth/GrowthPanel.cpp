@@ -312,7 +312,8 @@ void GrowthPanel::takeSettings()
 
 void GrowthPanel::followInterval()
 {
-    if (m_live->isChecked() && !m_running && m_fromSeeds->hasGrown() && m_liveInterval->possible())
+    const bool grown = m_fromSeeds->hasGrown() || m_liveInterval->follows();
+    if (m_live->isChecked() && !m_running && grown && m_liveInterval->possible())
         m_liveInterval->move(m_range->lower(), m_range->upper(), followingSegments(m_workspace));
 }
 
@@ -415,6 +416,13 @@ void GrowthPanel::poll()
         // The progress is that of the turn before until its row is there.
         if (session->transactionOpen() || !session->idle())
             return;
+        // The turns are those of the press; who has gone back or changed something has other plans.
+        const core::History& history = session->history();
+        if (std::size_t(history.position()) != history.rows().size()
+            || history.rows().size() > m_mostRows) {
+            m_turns.clear();
+            return finish();
+        }
         return beginTurns(m_turns, m_turnPace);
     }
     // Another edit, undo or export closes a running burst by itself.
@@ -435,6 +443,7 @@ void GrowthPanel::poll()
         m_turns.erase(m_turns.begin(), m_turns.empty() ? m_turns.begin() : m_turns.begin() + 1);
         if (!m_turns.empty()) {
             m_nextTurn = true;
+            m_mostRows = session->history().rows().size() + 1;
             m_running = true;
             m_watch.start();
             return showState();

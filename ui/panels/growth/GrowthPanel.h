@@ -95,6 +95,7 @@ private:
     bool m_running = false;
     std::vector<GrowthTurn> m_turns; ///< the one that grows, or raised an alarm, and those after it
     bool m_nextTurn = false; ///< the first of them begins as soon as the session is idle
+    std::size_t m_mostRows = 0; ///< that there may be when the next turn begins
     double m_turnPace = 0.0; ///< generations per second; 0: as fast as it goes
 };
 

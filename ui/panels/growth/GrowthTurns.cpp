@@ -34,6 +34,14 @@ bool compete(const SeededSegment& a, const SeededSegment& b)
     return 2.0 * common >= all;
 }
 
+/// Whether at least half of a turn's interval lies in that of a wider one.
+bool liesIn(const GrowthTurn& turn, const GrowthTurn& wider)
+{
+    const double width = turn.upper - turn.lower;
+    const double common = std::min(turn.upper, wider.upper) - std::max(turn.lower, wider.lower);
+    return width < wider.upper - wider.lower && 2.0 * common >= width;
+}
+
 bool holds(const std::optional<std::vector<int>>& segments, int label)
 {
     return segments && std::find(segments->begin(), segments->end(), label) != segments->end();
@@ -120,7 +128,10 @@ std::vector<GrowthTurn> growthTurns(const std::vector<SeededSegment>& seeded, in
             waiting.begin(), waiting.end(), [&leader](const SeededSegment& each) {
                 return each.label == leader.label || compete(each, leader);
             });
-        turns.push_back(turnOf({waiting.begin(), rest}));
+        const GrowthTurn turn = turnOf({waiting.begin(), rest});
+        turns.insert(std::find_if(turns.begin(), turns.end(),
+                         [&turn](const GrowthTurn& other) { return liesIn(turn, other); }),
+            turn);
         waiting.erase(waiting.begin(), rest);
     }
     return turns;
@@ -147,9 +158,16 @@ std::optional<std::vector<int>> followingSegments(const Workspace& workspace)
     const auto criteria = core::recentCriteria(session.history());
     if (!criteria)
         return std::nullopt;
-    if (holds(criteria->segments, active))
-        return criteria->segments;
     const std::vector<SeededSegment> seeded = seededSegments(workspace);
+    if (holds(criteria->segments, active)) {
+        // Who is gone or locked by now rests.
+        std::vector<int> left;
+        for (const SeededSegment& each : seeded) {
+            if (holds(criteria->segments, each.label))
+                left.push_back(each.label);
+        }
+        return left;
+    }
     const bool grewTogether = !criteria->segments
         && std::all_of(seeded.begin(), seeded.end(), [&](const SeededSegment& each) {
                return each.label == active

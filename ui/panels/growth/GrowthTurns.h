@@ -36,8 +36,9 @@ struct GrowthTurn {
 /// If all have the same interval, all grow together. Otherwise the active one begins, and those
 /// that have no voxels yet follow, one after the other, each in its own interval. Segments whose
 /// intervals have at least half in common compete for the same tissue: they grow together, in an
-/// interval that holds those of each, and go on together. What has grown in another interval stays
-/// as it is.
+/// interval that holds those of each, and go on together. One whose interval lies mostly within
+/// another's grows before it, since the other would claim its seeds. What has grown in another
+/// interval stays as it is.
 /// @param last the segments of the last growth (GrowCriteria::segments)
 [[nodiscard]] std::vector<GrowthTurn> growthTurns(const std::vector<SeededSegment>& seeded,
     int active, const std::optional<std::vector<int>>& last);

@@ -2,6 +2,7 @@
 #include "ui/panels/growth/SeedInterval.h"
 
 #include "core/session/EditSession.h"
+#include "core/session/past/RecentGrowth.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/settings/SeedValues.h"
@@ -15,6 +16,7 @@
 #include <QScopedValueRollback>
 #include <QSlider>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -87,14 +89,21 @@ void SeedInterval::build()
     m_note->setTextFormat(Qt::RichText);
     m_note->setStyleSheet(QStringLiteral("color: %1").arg(theme::caution.name()));
     connect(m_note, &QLabel::linkActivated, this, &SeedInterval::use);
-    auto* layout = new QHBoxLayout(this);
+    // In a narrow panel the slider needs a row of its own.
+    auto* slider = new QHBoxLayout;
+    slider->setSpacing(theme::smallPadding);
+    slider->addWidget(word(tr("tight"), this));
+    slider->addWidget(m_tolerance, 1);
+    slider->addWidget(word(tr("loose"), this));
+    auto* below = new QHBoxLayout;
+    below->setSpacing(theme::smallPadding);
+    below->addWidget(m_text, 1);
+    below->addWidget(m_use);
+    auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    layout->addWidget(word(tr("tight"), this));
-    layout->addWidget(m_tolerance, 1);
-    layout->addWidget(word(tr("loose"), this));
-    layout->addWidget(m_text);
-    layout->addWidget(m_use);
+    layout->addLayout(slider);
+    layout->addLayout(below);
     connect(m_use, &QToolButton::clicked, this, &SeedInterval::use);
     connect(m_tolerance, &QSlider::valueChanged, this, &SeedInterval::moveTolerance);
     connect(m_tolerance, &QSlider::sliderReleased, this, &SeedInterval::use);
@@ -105,6 +114,7 @@ void SeedInterval::forget()
     m_look->drop();
     m_taken.stop();
     m_voxels.clear();
+    m_asked = 0;
     m_values.clear();
     m_sketched.reset();
     m_segment = m_workspace.activeSegment();
@@ -178,6 +188,8 @@ void SeedInterval::ask()
     if (voxels == m_voxels)
         return;
     m_look->drop();
+    m_sketchedAnew = m_asked == m_segment;
+    m_asked = m_segment;
     m_voxels = std::move(voxels);
     m_values.clear();
     m_sketched.reset();
@@ -193,17 +205,23 @@ void SeedInterval::take(const core::SketchedCodes& sketched, const std::vector<i
         m_values.push_back(m_workspace.volume()->encoding.value(code));
     m_sketched = sketched;
     showState();
-    if (maySetItself())
+    // Whoever only comes back to a segment finds the interval that it had.
+    if (maySetItself() && (m_sketchedAnew || !intervals().of(m_segment)))
         takeOffered();
     Q_EMIT valuesChanged();
 }
 
 bool SeedInterval::maySetItself() const
 {
+    const auto known = intervals().of(m_segment);
+    return isFresh() && !(known && known->byHand);
+}
+
+bool SeedInterval::isFresh() const
+{
     const core::EditSession* session = m_workspace.session();
     const core::Segment* segment = session ? session->document().segment(m_segment) : nullptr;
-    const auto known = intervals().of(m_segment);
-    return segment && segment->voxels == 0 && !(known && known->byHand);
+    return segment && segment->voxels == 0;
 }
 
 std::optional<std::pair<double, double>> SeedInterval::offered() const
@@ -227,7 +245,10 @@ bool SeedInterval::hasGrown() const
 {
     const core::EditSession* session = m_workspace.session();
     const core::Segment* segment = session ? session->document().segment(m_segment) : nullptr;
-    return !segment || segment->voxels > 0;
+    if (!segment || segment->voxels == 0)
+        return !segment;
+    // One that was painted or imported, or is locked, has no growth that could follow.
+    return core::growingSegments(session->history(), session->document()).test(segment->label);
 }
 
 void SeedInterval::follow(
@@ -283,7 +304,9 @@ void SeedInterval::showNote(bool wanted)
     const QString link = QStringLiteral("<a href=\"use\" style=\"color: %1\">%2</a>")
                              .arg(theme::accent.name(), tr("Use\u00a0the\u00a0seeds"));
     m_note->setText(outside == seeds
-            ? tr("No seed lies in the interval: nothing would grow. %1").arg(link)
+            ? (isFresh() ? tr("No seed lies in the interval: nothing would grow. %1")
+                         : tr("No seed lies in the interval. %1"))
+                  .arg(link)
             : tr("%1 of %2 seeds lie outside the interval. %3").arg(outside).arg(seeds).arg(link));
 }
 

@@ -78,6 +78,7 @@ private:
     [[nodiscard]] SegmentIntervals& intervals() const;
     [[nodiscard]] std::vector<core::SeedSketch> sketches() const;
     [[nodiscard]] bool maySetItself() const;
+    [[nodiscard]] bool isFresh() const; ///< the segment has no voxels yet
     [[nodiscard]] std::optional<std::pair<double, double>> offered() const;
     void showState();
 
@@ -89,6 +90,8 @@ private:
     SketchLook* m_look = nullptr;
     QTimer m_taken; ///< one change after several steps in quick succession
     std::vector<glm::ivec3> m_voxels; ///< the seeds asked about last
+    int m_asked = 0; ///< the segment whose seeds they are; 0: nobody was asked about
+    bool m_sketchedAnew = false; ///< they are of the segment that was asked about before, too
     std::vector<double> m_values; ///< the values at m_voxels
     std::optional<core::SketchedCodes> m_sketched;
     int m_segment = 0; ///< the active segment's label

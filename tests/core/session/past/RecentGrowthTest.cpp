@@ -6,6 +6,7 @@
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -202,6 +203,30 @@ private Q_SLOTS:
             QVERIFY(bench.session->undo());
         QVERIFY(bench.session->settle());
         QCOMPARE(bench.voxels(1), std::int64_t(0));
+    }
+
+    /// Who is gone or locked by now rests; the others go on.
+    void goingOnWithoutThoseThatAreGone()
+    {
+        Bench bench;
+        bench.run(Bench::seed(1, 3));
+        bench.run(Bench::seed(2, 30));
+        GrowSteps both{
+            .criteria = {.lower = 0.0, .upper = 100.0, .segments = std::vector<int>{1, 2}}};
+        both.steps = 2;
+        bench.run(both);
+        const std::int64_t first = bench.voxels(1);
+        const std::int64_t second = bench.voxels(2);
+        bench.run(ChangeSegment{.segment = 2, .locked = true});
+        bench.run(ResumeGrowth{.steps = 1});
+        QVERIFY(bench.voxels(1) > first);
+        QCOMPARE(bench.voxels(2), second);
+        const auto& resumed = bench.session->history().rows().back().edit.get<GrowSteps>();
+        QCOMPARE(resumed.criteria.segments, std::optional(std::vector<int>{1}));
+        // With nobody left it says why.
+        bench.run(ChangeSegment{.segment = 1, .locked = true});
+        const Result<void> refused = bench.session->apply(ResumeGrowth{.steps = 1});
+        QVERIFY(!refused || !bench.session->settle());
     }
 
     void namesCountStepsThatWereAskedFor()

@@ -100,6 +100,16 @@ private Q_SLOTS:
                 {.segments = Segments{1}, .lower = 0.0, .upper = 10.0}}));
     }
 
+    /// Bone would claim the seeds of a vessel whose interval lies within its own.
+    void theInnerIntervalGrowsFirst()
+    {
+        const std::vector<GrowthTurn> turns{
+            {.segments = Segments{2}, .lower = 250.0, .upper = 450.0},
+            {.segments = Segments{1}, .lower = 226.0, .upper = 3071.0}};
+        QCOMPARE(growthTurns({{1, 226.0, 3071.0}, {2, 250.0, 450.0}}, 1, {}), turns);
+        QCOMPARE(growthTurns({{1, 226.0, 3071.0}, {2, 250.0, 450.0}}, 2, {}), turns);
+    }
+
     void thoseThatCompeteGrowTogether()
     {
         const std::vector<GrowthTurn> together{
