@@ -28,7 +28,14 @@ CrossingGuard::CrossingGuard(const SimplexMesh& mesh, const VolumeGeometry& geom
 
 void CrossingGuard::moved(std::span<const VertexId> vertices)
 {
-    m_moved.insert(m_moved.end(), vertices.begin(), vertices.end());
+    m_isMoved.resize(std::max<std::size_t>(m_isMoved.size(), m_mesh.vertexSlots()), false);
+    for (const VertexId id : vertices) {
+        // A vertex that is no longer there may be beyond the slots.
+        if (id >= m_isMoved.size() || m_isMoved[id])
+            continue;
+        m_isMoved[id] = true;
+        m_moved.push_back(id);
+    }
 }
 
 double CrossingGuard::movedMm() const
@@ -55,9 +62,23 @@ void CrossingGuard::forgetKnown(std::vector<CrossingFaces>& crossings) const
     std::erase_if(crossings, [this](const CrossingFaces& pair) { return m_known.count(pair) > 0; });
 }
 
+void CrossingGuard::dropKnown(
+    std::span<const FaceId> written, std::span<const CrossingFaces> crossings)
+{
+    const auto isWritten = [written](FaceId face) {
+        return std::binary_search(written.begin(), written.end(), face);
+    };
+    std::erase_if(m_known, [&](const CrossingFaces& pair) {
+        return (isWritten(pair.one) || isWritten(pair.other))
+            && !std::binary_search(crossings.begin(), crossings.end(), pair);
+    });
+}
+
 std::vector<VertexId> CrossingGuard::keepApart(SimplexMeshEdit& edit)
 {
-    sortUnique(m_moved);
+    for (const VertexId id : m_moved)
+        m_isMoved[id] = false;
+    std::sort(m_moved.begin(), m_moved.end());
     std::erase_if(m_moved,
         [this](VertexId id) { return !m_mesh.hasVertex(id) || m_mesh.position(id) == m_safe[id]; });
     if (m_moved.empty())
@@ -120,7 +141,8 @@ bool CrossingGuard::concludes(SimplexMeshEdit& edit, bool isChanged)
     std::vector<FaceId> faces = written;
     std::erase_if(faces, [this](FaceId face) { return !m_mesh.hasFace(face); });
     m_grid.refresh(written);
-    std::vector<CrossingFaces> crossings = m_grid.crossingsOf(faces);
+    const std::vector<CrossingFaces> all = m_grid.crossingsOf(faces);
+    std::vector<CrossingFaces> crossings = all;
     forgetKnown(crossings);
     if (!crossings.empty()) {
         edit.revertTrial();
@@ -128,6 +150,7 @@ bool CrossingGuard::concludes(SimplexMeshEdit& edit, bool isChanged)
         return false;
     }
     edit.keepTrial();
+    dropKnown(written, all);
     remember(faces);
     return true;
 }

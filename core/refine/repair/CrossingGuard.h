@@ -30,9 +30,10 @@ public:
     /// The greatest distance that a reported vertex has moved since keepApart(), mm.
     [[nodiscard]] double movedMm() const;
 
-    /// Carries out a change of structure, or a move of a few vertices, unless faces would cross
-    /// afterwards. To be called directly after keepApart(). False: it was refused, or the change
-    /// itself did, and nothing is changed.
+    /// Carries out a change of structure unless faces would cross afterwards. Only faces whose ring
+    /// it writes are looked at: other faces must not have a vertex that it moves. To be called
+    /// directly after keepApart(). False: it was refused, or the change itself did, and nothing is
+    /// changed.
     template <typename Change> bool attempt(SimplexMeshEdit& edit, const Change& change)
     {
         edit.beginTrial();
@@ -44,12 +45,16 @@ private:
     /// Of these, the pairs that were not there before.
     void forgetKnown(std::vector<CrossingFaces>& crossings) const;
     [[nodiscard]] std::vector<FaceId> facesAt(std::span<const VertexId> vertices) const;
+    /// Forgets known pairs of faces that were written, unless they still cross: ids of faces are
+    /// used again. Both ascending.
+    void dropKnown(std::span<const FaceId> written, std::span<const CrossingFaces> crossings);
     void remember(std::span<const FaceId> faces);
 
     const SimplexMesh& m_mesh;
     FaceGrid m_grid;
     std::vector<glm::dvec3> m_safe; ///< by vertex: where it was when no new pair was there
-    std::vector<VertexId> m_moved; ///< since keepApart()
+    std::vector<VertexId> m_moved; ///< since keepApart(), each once
+    std::vector<bool> m_isMoved; ///< by vertex: it is among them
     std::set<CrossingFaces> m_known; ///< the surface had them before
 };
 

@@ -15,6 +15,8 @@ namespace {
 constexpr int shares = 16;
 /// Fewer faces than this are not worth a thread.
 constexpr std::size_t fewFaces = 256;
+/// In the mean: where faces have grown beyond it, looking through their cells takes too long.
+constexpr std::size_t mostEntriesOfAFace = 16;
 
 } // namespace
 
@@ -27,26 +29,39 @@ FaceGrid::FaceGrid(const SimplexMesh& mesh, const VolumeGeometry& geometry)
 {
     for (const VertexId id : mesh.vertexIds())
         place(id);
-    const std::vector<FaceId> faces = mesh.faceIds();
+    for (const FaceId face : mesh.faceIds())
+        measure(face);
+    build();
+}
+
+void FaceGrid::build()
+{
+    std::size_t count = 0;
     std::int64_t extent = 0;
     std::int64_t greatest = 0;
-    for (const FaceId face : faces) {
-        measure(face);
-        const glm::ivec3 size = m_boxes[face].high - m_boxes[face].low;
+    for (const FaceBox& box : m_boxes) {
+        if (box.empty())
+            continue;
+        const glm::ivec3 size = box.high - box.low;
         const std::int64_t longest = std::max({size.x, size.y, size.z});
+        ++count;
         extent += longest;
         greatest = std::max(greatest, longest);
     }
     // About a quarter as wide again as a face; a huge one is not to fill the grid.
     constexpr std::int64_t least = 256;
     constexpr std::int64_t mostCells = 64;
-    const std::int64_t mean = extent / std::max<std::int64_t>(std::int64_t(faces.size()), 1);
+    const std::int64_t mean = extent / std::max<std::int64_t>(std::int64_t(count), 1);
     const std::int64_t wanted = std::max({least, mean + mean / 4, greatest / mostCells});
     m_cellBits = int(std::bit_width(std::uint64_t(wanted - wanted / 4)));
-    m_firsts.resize(std::bit_ceil(std::max<std::size_t>(2 * faces.size(), 64)), noEntry);
-    m_entries.reserve(6 * faces.size());
-    for (const FaceId face : faces)
+    m_firsts.assign(std::bit_ceil(std::max<std::size_t>(2 * count, 64)), noEntry);
+    m_entries.clear();
+    m_entries.reserve(6 * count);
+    m_free = noEntry;
+    for (FaceId face = 0; face < m_boxes.size(); ++face)
         enter(face);
+    // Twice what there is now, or a few huge faces would have it built again and again.
+    m_mostEntries = std::max(mostEntriesOfAFace * count, 2 * m_entries.size());
 }
 
 void FaceGrid::refresh(std::span<const FaceId> faces)
@@ -72,6 +87,8 @@ void FaceGrid::refresh(std::span<const FaceId> faces)
         m_boxes[face] = after;
         enter(face);
     }
+    if (m_entries.size() > m_mostEntries)
+        build();
 }
 
 void FaceGrid::place(VertexId id)

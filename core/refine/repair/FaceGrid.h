@@ -40,6 +40,8 @@ private:
             }
         }
     }
+    /// Chooses the width of a cell for the faces as they are, and enters them.
+    void build();
     void enter(FaceId face);
     void leave(FaceId face);
     void place(VertexId id);
@@ -62,6 +64,7 @@ private:
     static constexpr std::uint32_t noEntry = ~std::uint32_t(0);
     std::vector<Entry> m_entries;
     std::uint32_t m_free = noEntry; ///< the first that is not used
+    std::size_t m_mostEntries = 0; ///< of more than these the cells are too narrow
     /// The first by a hash of the cell, so that entries of several cells may follow each other.
     std::vector<std::uint32_t> m_firsts;
     std::vector<std::uint64_t> m_asked; ///< by face: the last question that was about it

@@ -205,13 +205,21 @@ private:
         }
     }
 
-    /// One place stands for those within half a reach.
+    /// One place stands for those within half a reach, whenever the tool was there.
     void noteVisit(const SurfaceSample& sample)
     {
         m_pressure = std::max(m_pressure, sample.pressure);
-        if (m_visited.empty()
-            || glm::distance(m_visited.back(), sample.placeLps) > 0.5 * *m_reachMm)
+        if (!isVisited(sample.placeLps, 0.5 * *m_reachMm))
             m_visited.push_back(sample.placeLps);
+    }
+
+    /// Whether the tool was within this distance of a place. From the newest: what moves is near.
+    [[nodiscard]] bool isVisited(const glm::dvec3& placeLps, double withinMm) const
+    {
+        return std::any_of(m_visited.rbegin(), m_visited.rend(), [&](const glm::dvec3& visited) {
+            const glm::dvec3 way = placeLps - visited;
+            return glm::dot(way, way) < withinMm * withinMm;
+        });
     }
 
     /// What was woken far from where the tool was goes back to rest.
@@ -222,11 +230,7 @@ private:
         const double farMm = (m_pressure + 0.5) * *m_reachMm + reachAround * m_scale.edgeMm;
         std::vector<VertexId> far;
         for (const VertexId id : m_deformation.active()) {
-            if (m_mesh.hasVertex(id)
-                && std::none_of(m_visited.begin(), m_visited.end(), [&](const glm::dvec3& place) {
-                       const glm::dvec3 way = m_mesh.position(id) - place;
-                       return glm::dot(way, way) < farMm * farMm;
-                   }))
+            if (m_mesh.hasVertex(id) && !isVisited(m_mesh.position(id), farMm))
                 far.push_back(id);
         }
         m_deformation.rest(far);
