@@ -21,7 +21,7 @@ constexpr unsigned atTolerance = 16;
 constexpr unsigned cutPreview = 32;
 constexpr unsigned chunked = 64;
 constexpr unsigned pieces = 128;
-constexpr std::size_t mostPieces = 16; // slice.frag
+constexpr std::size_t mostPieces = 64; // slice.frag; as many as a document has
 constexpr unsigned seldom = warned;
 
 /// Pieces that layers have cut out; those of segments are seen as segments.

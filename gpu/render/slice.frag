@@ -28,7 +28,7 @@ uniform float chunkOpacity;
 #endif
 
 #if PIECES
-const int mostPieces = 16; // gpu/render/SlicePass.cpp
+const int mostPieces = 64; // gpu/render/SlicePass.cpp
 layout(binding = 9) uniform sampler3D footprints; // ≥ 0.5: belongs to the piece
 uniform int pieceCount;
 uniform vec4 pieceLow[mostPieces]; // index, xyz: the box that a piece fills
@@ -116,7 +116,7 @@ float footprintAt(int piece, vec3 index)
     const vec3 high = pieceHigh[piece].xyz;
     const bool within = all(greaterThanEqual(index, low - 0.5)) && all(lessThan(index, high - 0.5));
     const vec3 texel = clamp(index, low, high - 1.0) + pieceShift[piece].xyz + 0.5;
-    return within ? texture(footprints, texel / vec3(textureSize(footprints, 0))).r : 0.0;
+    return within ? textureLod(footprints, texel / vec3(textureSize(footprints, 0)), 0.0).r : 0.0;
 }
 #endif
 
@@ -201,11 +201,12 @@ void main()
     // What has been lifted lies here, wherever it is shown in the 3D view.
     for (int k = 0; k < pieceCount; ++k) {
         const float held = footprintAt(k, index);
+        if (held < 0.5)
+            continue; // its line lies inside of it, too
         float rest = held;
         for (int i = 0; i < 8; i += 2)
             rest = min(rest, footprintAt(k, indexAt(pixel + around(i) * pieceWidth)));
-        const float strength = rest < 0.5 ? 0.95 : 0.16;
-        result = mix(result, pieceColour, held >= 0.5 ? strength : 0.0);
+        result = mix(result, pieceColour, rest < 0.5 ? 0.95 : 0.16);
     }
 #endif
 #if BARRIERS

@@ -205,6 +205,36 @@ private Q_SLOTS:
         QCOMPARE(*m_fixture->draw(slice, {64, 64}).rgba, *hidden.rgba);
     }
 
+    /// A slice outlines all of them, however many.
+    void slicesOutlineSeventeen()
+    {
+        openPotato();
+        VolumeScene view = scene(RenderMode::Surface);
+        const auto cornerOf = [](int i) { return glm::ivec3(2 + i % 5 * 12, 2 + i / 5 * 12, 28); };
+        for (int i = 0; i < 17; ++i) {
+            const glm::ivec3 corner = cornerOf(i);
+            fillBox(m_state.coverage(std::uint8_t(i + 1)), {corner, corner + 9}, 255);
+            view.pieces.push_back(
+                {.id = i + 1, .layer = i + 1, .shownFromTrue = pose({0, -200, 0})});
+        }
+        m_fixture->put(m_state);
+        SliceScene slice;
+        slice.window = {1500.0, 3000.0};
+        slice.cubic = false;
+        const Frame plain = m_fixture->draw(slice, {64, 64});
+        m_fixture->draw(view, frameSize);
+        const Frame outlined = m_fixture->draw(slice, {64, 64});
+        for (int i = 0; i < 17; ++i) {
+            const glm::ivec3 corner = cornerOf(i);
+            QVERIFY2(test::pixel(outlined, corner.x, corner.y + 4).b > 200,
+                qPrintable(QString::number(i)));
+            QVERIFY(test::pixel(outlined, corner.x + 4, corner.y + 4)
+                != test::pixel(plain, corner.x + 4, corner.y + 4));
+            QVERIFY(test::pixel(outlined, corner.x + 10, corner.y + 4)
+                == test::pixel(plain, corner.x + 10, corner.y + 4));
+        }
+    }
+
     void aMoveIsADisplacement_data() { addModes(); }
 
     /// What is moved by so many pixels is found so many pixels away.
