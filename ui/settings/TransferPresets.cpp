@@ -6,6 +6,8 @@
 #include <QObject>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 namespace ui {
 
@@ -34,7 +36,9 @@ double quantileAbove(const core::Histogram& histogram, double from, double share
         if (histogram.minimum + (double(bin) + 0.5) * width < from)
             above.counts[bin] = 0;
     }
-    return quantile(above, share);
+    const bool nothing = std::all_of(
+        above.counts.begin(), above.counts.end(), [](std::uint32_t count) { return count == 0; });
+    return nothing ? std::max(from, histogram.maximum) : quantile(above, share);
 }
 
 std::vector<TransferPreset> transferPresets(const core::Volume& volume)
@@ -66,7 +70,9 @@ std::vector<TransferPreset> transferPresets(const core::Volume& volume)
     const core::Histogram& histogram = volume.histogram;
     const double air = core::usualSurfaceThreshold(volume);
     const double tissue = core::otsuThreshold(histogram);
-    const double least = 1e-6 * std::max(volume.maximum - volume.minimum, 1e-6);
+    // A constant volume has no range, and its value may be so great that less is nothing.
+    const double least =
+        1e-6 * std::max({volume.maximum - volume.minimum, std::abs(volume.maximum), 1e-6});
     const auto among = [&histogram, tissue](
                            double share) { return quantileAbove(histogram, tissue, share); };
     const auto ramp = [least](std::vector<gpu::TransferFunction::Point> points) {

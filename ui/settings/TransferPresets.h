@@ -23,7 +23,8 @@ struct TransferPreset {
 
 /// The value below which @p share (0 … 1) of the voxels lie, by the histogram.
 [[nodiscard]] double quantile(const core::Histogram& histogram, double share);
-/// The same, of the voxels with values from @p from on.
+/// The same, of the voxels with values from @p from on; at least @p from and the maximum if there
+/// are none.
 [[nodiscard]] double quantileAbove(const core::Histogram& histogram, double from, double share);
 
 } // namespace ui

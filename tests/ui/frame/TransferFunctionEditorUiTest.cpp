@@ -119,6 +119,41 @@ private Q_SLOTS:
         QVERIFY(std::abs(ui::quantileAbove(volume.histogram, 200.0, 0.5) - 300.0) <= 10.0);
     }
 
+    void aConstantVolumeIsNotSeen_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("range");
+        for (const double value : {0.0, 1000.0, -1000.0, 3e9}) {
+            QTest::addRow("%g, no range", value) << value << 0.0;
+            QTest::addRow("%g, a range of 1", value) << value << 1.0;
+        }
+    }
+    void aConstantVolumeIsNotSeen()
+    {
+        QFETCH(double, value);
+        QFETCH(double, range);
+        core::Volume volume;
+        volume.minimum = value;
+        volume.maximum = value + range;
+        volume.histogram = {value, value + range, std::vector<std::uint32_t>(256, 0)};
+        volume.histogram.counts[0] = 5000;
+        for (const ui::TransferPreset& preset : ui::transferPresets(volume)) {
+            const std::vector<gpu::TransferFunction::Point>& points = preset.function.points;
+            // Up to the first point the opacity is that of the first.
+            QVERIFY2(points[0].value >= value && points[0].opacity == 0.0, qPrintable(preset.name));
+            for (std::size_t i = 1; i < points.size(); ++i)
+                QVERIFY2(points[i - 1].value < points[i].value, qPrintable(preset.name));
+        }
+    }
+
+    void aboveAllValuesIsTheMaximum()
+    {
+        core::Histogram histogram{0.0, 100.0, std::vector<std::uint32_t>(10, 0)};
+        histogram.counts[0] = 7;
+        QCOMPARE(ui::quantileAbove(histogram, 50.0, 0.5), 100.0);
+        QCOMPARE(ui::quantileAbove(histogram, 200.0, 0.5), 200.0);
+    }
+
     /// A quarter of a metre of soft tissue is a haze through which bone is seen.
     void softTissueOfCtIsAHaze()
     {
