@@ -124,6 +124,11 @@ void ContextSwitch::setBefore(std::optional<gpu::Context> before)
     if (choiceOf(m_before) == Both)
         m_both = m_before;
     showState();
+    // Without a surface nothing would bring it back.
+    if (m_steppedBack && !m_workspace.refinement().surface()) {
+        m_steppedBack = false;
+        choose(m_before);
+    }
 }
 
 void ContextSwitch::choose(gpu::Context context)

@@ -11,6 +11,7 @@
 #include "ui/tools/sculpt/DrillTool.h"
 #include "ui/views/ContextSwitch.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/workspace/Refinement.h"
 
 #include <QAction>
 #include <QSlider>
@@ -203,6 +204,22 @@ private Q_SLOTS:
         look.opacity = 0.0f;
         fixture.workspace.refinement().setLook(look);
         QCOMPARE(fixture.asked().bodiless, 0);
+    }
+
+    /// A stored display tells that the volume has stepped back, but the session has no surface:
+    /// then nothing is refined, and the volume comes back at once.
+    void withoutASurfaceNothingStaysHidden()
+    {
+        ContextFixture fixture;
+        fixture.show(Context::Hidden);
+        fixture.control().setBefore(Context::CutAway);
+        QCOMPARE(fixture.shown(), Context::CutAway);
+        QVERIFY(!fixture.control().before());
+        QVERIFY(fixture.button("contextCutAway").isChecked());
+        // Who has chosen segments alone still sees them alone.
+        fixture.show(Context::Hidden);
+        fixture.control().setBefore(std::nullopt);
+        QCOMPARE(fixture.shown(), Context::Hidden);
     }
 
     /// What cannot be seen is not worked on: tools for the volume rest in the 3D view.
