@@ -100,7 +100,11 @@ void readIntervals(const QJsonObject& state, Workspace& workspace)
         return;
     SegmentIntervals& intervals = workspace.seeds().intervals();
     intervals.read(state[QLatin1String("intervals")].toArray(), *session);
-    if (state.contains(QLatin1String("intervals")) || !state.contains(QLatin1String("growth")))
+    const QJsonObject old = state[QLatin1String("growth")].toObject();
+    const QJsonValue lower = old[QLatin1String("lower")];
+    const QJsonValue upper = old[QLatin1String("upper")];
+    const bool sound = lower.isDouble() && upper.isDouble() && lower.toDouble() <= upper.toDouble();
+    if (state.contains(QLatin1String("intervals")) || !sound)
         return;
     const Workspace::GrowSettings& growth = workspace.growSettings();
     for (const core::Segment& segment : session->document().segments)

@@ -306,6 +306,8 @@ Result<void> OperationQueue::waitUntilSettled()
         poll();
     }
     m_state.worker->finish();
+    m_state.chunks->finishPreparing();
+    poll();
     m_state.engine.finish(); // also what nobody waits for: layers that were muted on the way
     poll();
     Result<void> onDisk;

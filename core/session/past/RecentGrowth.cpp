@@ -91,6 +91,23 @@ std::optional<GrowCriteria> recentCriteria(const History& history)
     return rules ? std::optional(rules->criteria) : std::nullopt;
 }
 
+bool hasGrown(const History& history, int segment)
+{
+    bool seeded = false;
+    for (const RowId id : history.standing()) {
+        const Edit& edit = history.row(id).edit;
+        seeded = seeded || segmentOfSeeds(edit) == segment;
+        const GrowCriteria* criteria = growCriteriaOf(edit);
+        const bool named = criteria
+            && (!criteria->segments
+                || std::find(criteria->segments->begin(), criteria->segments->end(), segment)
+                    != criteria->segments->end());
+        if (seeded && named)
+            return true;
+    }
+    return false;
+}
+
 bool bringsNewCriteria(const Edit& edit, const History& history)
 {
     const std::optional<Rules> rules = rulesOf(edit);

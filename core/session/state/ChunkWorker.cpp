@@ -99,6 +99,12 @@ void ChunkWorker::want(RowId row, const DivideSegment& edit)
         [this, job = m_job](const Error& error) { setOutcome(*job, tl::unexpected(error)); });
 }
 
+void ChunkWorker::finishPreparing()
+{
+    if (m_job && m_job->asked == 0)
+        m_thread.finish();
+}
+
 /// On the worker's thread: what the edit holds is unpacked, of millions of voxels perhaps.
 void ChunkWorker::prepare(Job& job, const DivideSegment& edit) const
 {

@@ -245,10 +245,11 @@ bool SeedInterval::hasGrown() const
 {
     const core::EditSession* session = m_workspace.session();
     const core::Segment* segment = session ? session->document().segment(m_segment) : nullptr;
-    if (!segment || segment->voxels == 0)
-        return !segment;
-    // One that was painted or imported, or is locked, has no growth that could follow.
-    return core::growingSegments(session->history(), session->document()).test(segment->label);
+    if (!segment)
+        return true;
+    // One that was painted or imported, or is locked, has no growth that could follow; one that a
+    // change has withdrawn to nothing has.
+    return !segment->locked && core::hasGrown(session->history(), segment->label);
 }
 
 void SeedInterval::follow(
