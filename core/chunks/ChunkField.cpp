@@ -16,7 +16,7 @@ namespace {
 
 using Owner = std::uint8_t;
 constexpr std::uint8_t outside = ChunkSource::outside;
-constexpr int most = ChunkField::most;
+constexpr int mostDeviations = ChunkField::most;
 constexpr std::size_t ownersAtOnce = 8; ///< each takes as much memory as half the codes
 
 /// A sum of whole numbers, slice by slice, on all cores.
@@ -147,8 +147,8 @@ struct Likelihoods {
     std::vector<std::uint8_t> others;
 
     explicit Likelihoods(std::size_t voxels)
-        : own(voxels, std::uint8_t(most))
-        , others(voxels, std::uint8_t(most))
+        : own(voxels, std::uint8_t(mostDeviations))
+        , others(voxels, std::uint8_t(mostDeviations))
     {
     }
     void take(const ChunkSource& source, const BorderedBox& box, Owner owner,
@@ -178,7 +178,7 @@ std::vector<std::int16_t> mappedLikelihoods(const ChunkSource& source)
     parallelFor(source.size.z, [&](int z) {
         for (std::size_t voxel = std::size_t(z) * slice; voxel < std::size_t(z + 1) * slice;
              ++voxel) {
-            const int likely = 2 * int(source.probabilities[voxel]) - most;
+            const int likely = 2 * int(source.probabilities[voxel]) - mostDeviations;
             const Owner owner = source.owners[voxel];
             likelihoods[voxel] = std::int16_t(owner == outside ? 0
                     : owner == source.likely                   ? likely

@@ -10,8 +10,8 @@ namespace core {
 
 namespace {
 
-constexpr int most = ChunkField::most;
-constexpr int greatestCode = std::numeric_limits<std::uint16_t>::max();
+constexpr int highestCost = ChunkField::most;
+constexpr int highestCode = std::numeric_limits<std::uint16_t>::max();
 constexpr std::size_t voxelsBetweenReports = std::size_t(1) << 13;
 
 /// inDeviations() of every difference up to the first that is clamped, and of that.
@@ -20,7 +20,7 @@ std::vector<std::uint8_t> deviationsTable(int greatest, int deviation)
     std::vector<std::uint8_t> table;
     for (int difference = 0; difference <= greatest; ++difference) {
         table.push_back(std::uint8_t(inDeviations(difference, deviation)));
-        if (table.back() == most)
+        if (table.back() == highestCost)
             break;
     }
     return table;
@@ -30,7 +30,7 @@ std::vector<std::uint8_t> deviationsTable(int greatest, int deviation)
 
 int inDeviations(int difference, int deviation)
 {
-    return std::min(most, difference * ChunkField::deviation / deviation);
+    return std::min(highestCost, difference * ChunkField::deviation / deviation);
 }
 
 BorderedBox::BorderedBox(const ChunkSource& source)
@@ -44,7 +44,8 @@ BorderedBox::BorderedBox(const ChunkSource& source)
             std::size_t to = rowAt(y, z);
             for (int x = 0; x < size.x; ++x, ++from, ++to) {
                 codes[to] = source.codes[from];
-                costs[to] = std::uint8_t(source.owners[from] == ChunkSource::outside ? 0 : most);
+                costs[to] =
+                    std::uint8_t(source.owners[from] == ChunkSource::outside ? 0 : highestCost);
             }
         }
     }
@@ -53,15 +54,15 @@ BorderedBox::BorderedBox(const ChunkSource& source)
 std::vector<std::uint8_t> OwnerCosts::of(
     const BorderedBox& box, int noise, const std::function<bool(std::size_t)>& goOn) const
 {
-    const std::vector<std::uint8_t> apart = deviationsTable(greatestCode, noise);
-    const std::vector<std::uint8_t> fromMean = deviationsTable(2 * greatestCode, 2 * spread);
+    const std::vector<std::uint8_t> apart = deviationsTable(highestCode, noise);
+    const std::vector<std::uint8_t> fromMean = deviationsTable(2 * highestCode, 2 * spread);
     const auto stepOf = [&](const std::vector<std::uint8_t>& table, int difference) {
         return int(table[std::min(std::size_t(std::abs(difference)), table.size() - 1)]);
     };
     std::vector<std::uint8_t> costs = box.costs;
     // A bucket for each cost, so the order within one does not matter; the last comes first, since
     // it lies near the one before.
-    std::array<std::vector<std::uint32_t>, std::size_t(most)> buckets;
+    std::array<std::vector<std::uint32_t>, std::size_t(highestCost)> buckets;
     for (const std::uint32_t voxel : cores)
         costs[voxel] = 0;
     buckets[0] = cores;
@@ -69,7 +70,7 @@ std::vector<std::uint8_t> OwnerCosts::of(
     const auto slice = std::ptrdiff_t(box.slice());
     const std::array<std::ptrdiff_t, 6> neighbours{-slice, slice, -row, row, -1, 1};
     std::size_t settled = 0;
-    for (int level = 0; level < most; ++level) {
+    for (int level = 0; level < highestCost; ++level) {
         auto& bucket = buckets[std::size_t(level)];
         while (!bucket.empty()) {
             const std::uint32_t voxel = bucket.back();

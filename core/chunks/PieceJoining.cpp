@@ -14,7 +14,7 @@ namespace core {
 namespace {
 
 constexpr std::uint64_t greatest = std::numeric_limits<std::uint64_t>::max();
-constexpr std::int64_t mostDeviations = 1023;
+constexpr std::int64_t mostTaken = 1023;
 constexpr std::size_t fetchedAhead = 32;
 
 std::uint64_t timesAtMost(std::uint64_t a, std::uint64_t b)
@@ -70,10 +70,10 @@ PieceJoining::PieceJoining(
 {
     constexpr std::int64_t greatestCode = std::numeric_limits<std::uint16_t>::max();
     for (std::int64_t apart = 0;
-         apart <= greatestCode && (m_deviations.empty() || m_deviations.back() < mostDeviations);
+         apart <= greatestCode && (m_deviations.empty() || m_deviations.back() < mostTaken);
          ++apart)
         m_deviations.push_back(
-            std::uint16_t(std::min(mostDeviations, apart * ChunkField::deviation / noise)));
+            std::uint16_t(std::min(mostTaken, apart * ChunkField::deviation / noise)));
     // Each join leaves one piece less and makes one.
     m_pieces.reserve(2 * m_pieces.size());
     m_nodes.reserve(2 * m_pieces.size());
@@ -104,7 +104,7 @@ std::uint64_t PieceJoining::priceOf(const Node& one, const Node& other, std::uin
     const auto difference = std::size_t(std::abs(one.code - other.code));
     const std::int64_t values = m_deviations[std::min(difference, m_deviations.size() - 1)];
     const std::int64_t likelihoods = std::abs(one.likelihood - other.likelihood);
-    const auto apart = std::uint64_t(std::min(mostDeviations, values + likelihoods));
+    const auto apart = std::uint64_t(std::min(mostTaken, values + likelihoods));
     const auto all = std::uint64_t(one.voxels + other.voxels);
     const std::uint64_t size =
         divided(std::uint64_t(one.voxels) * std::uint64_t(other.voxels), all) + 1;

@@ -13,7 +13,7 @@ namespace core {
 
 namespace {
 
-QByteArray pathOf(const QString& studyUid, const QString& seriesUid)
+QByteArray pathOfSeries(const QString& studyUid, const QString& seriesUid)
 {
     return "/studies/" + studyUid.toLatin1() + "/series/" + seriesUid.toLatin1();
 }
@@ -34,7 +34,7 @@ Result<void> fetch(WebConnection& connection, const QByteArray& path, WebIntake&
 Result<void> fetchSeries(WebConnection& connection, const QString& studyUid,
     const RetrievePlan::Series& series, WebIntake& intake)
 {
-    const QByteArray path = pathOf(studyUid, series.seriesUid);
+    const QByteArray path = pathOfSeries(studyUid, series.seriesUid);
     const auto isMissing = [&](const QString& uid) { return intake.missing().contains(uid); };
     const bool isWhole =
         series.asWhole() && std::all_of(series.missing.begin(), series.missing.end(), isMissing);

@@ -15,15 +15,15 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t voxels = BrickGrid::voxelsPerBrick;
+constexpr std::size_t voxelsPerBrick = BrickGrid::voxelsPerBrick;
 constexpr std::size_t wordBytes = 4;
 
 /// A brick's bytes, whether it has any or not.
 const std::uint8_t* bytesOf(const BrickBytes& image, Field field)
 {
     static const std::array<std::vector<std::uint8_t>, 2> empty{
-        std::vector<std::uint8_t>(voxels, 0),
-        std::vector<std::uint8_t>(wordBytes * voxels, emptyByte(Field::SeedWords))};
+        std::vector<std::uint8_t>(voxelsPerBrick, 0),
+        std::vector<std::uint8_t>(wordBytes * voxelsPerBrick, emptyByte(Field::SeedWords))};
     return image.empty() ? empty[field == Field::SeedWords ? 1 : 0].data() : image.read().data();
 }
 
@@ -42,7 +42,7 @@ struct Sums {
         const std::uint8_t* before = bytesOf(change.before, change.key.field);
         const std::uint8_t* after = bytesOf(change.after, change.key.field);
         ++facts.bricks;
-        for (std::size_t i = 0; i < voxels; ++i)
+        for (std::size_t i = 0; i < voxelsPerBrick; ++i)
             facts.voxelsChanged += before[i] != after[i] ? 1 : 0;
     }
 
@@ -57,7 +57,7 @@ struct Sums {
         const std::uint8_t* lies =
             overwritten ? bytesOf(overwritten->after, Field::Overwritten) : nullptr;
         std::array<Flow, 256>& flow = flows[change.key.plane];
-        for (std::size_t i = 0; i < voxels; ++i) {
+        for (std::size_t i = 0; i < voxelsPerBrick; ++i) {
             if (before[i] == after[i])
                 continue;
             ++flow[after[i]].gained;
@@ -71,7 +71,7 @@ struct Sums {
     {
         const std::uint8_t* before = bytesOf(change.before, Field::SeedWords);
         const std::uint8_t* after = bytesOf(change.after, Field::SeedWords);
-        for (std::size_t i = 0; i < voxels; ++i) {
+        for (std::size_t i = 0; i < voxelsPerBrick; ++i) {
             const std::uint32_t word = seedWord::wordAt(after + wordBytes * i);
             facts.seedWordsChanged += word != seedWord::wordAt(before + wordBytes * i) ? 1 : 0;
             if (!seedWord::isMember(word))

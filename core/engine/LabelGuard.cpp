@@ -11,12 +11,12 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t voxels = BrickGrid::voxelsPerBrick;
+constexpr std::size_t voxelsInBrick = BrickGrid::voxelsPerBrick;
 
 /// Of a field of bytes; all 0 where there are none.
 const std::vector<std::uint8_t>& valuesOf(const BrickBytes& bytes)
 {
-    static const std::vector<std::uint8_t> empty(voxels, 0);
+    static const std::vector<std::uint8_t> empty(voxelsInBrick, 0);
     return bytes.empty() ? empty : bytes.read();
 }
 
@@ -29,7 +29,7 @@ Result<void> checkKept(const std::bitset<256>& kept, const BrickBytes& now, cons
 {
     const std::vector<std::uint8_t>& held = valuesOf(now);
     const std::vector<std::uint8_t>& coming = valuesOf(then);
-    for (std::size_t voxel = 0; voxel < voxels; ++voxel) {
+    for (std::size_t voxel = 0; voxel < voxelsInBrick; ++voxel) {
         if (held[voxel] == coming[voxel])
             continue;
         if (kept[held[voxel]])
@@ -46,7 +46,7 @@ Result<void> checkUncarved(const std::bitset<256>& uncarved, const BrickBytes& l
     const std::vector<std::uint8_t>& label = valuesOf(labels);
     const std::vector<std::uint8_t>& held = valuesOf(now);
     const std::vector<std::uint8_t>& coming = valuesOf(then);
-    for (std::size_t voxel = 0; voxel < voxels; ++voxel) {
+    for (std::size_t voxel = 0; voxel < voxelsInBrick; ++voxel) {
         if (coming[voxel] > held[voxel] && uncarved[label[voxel]])
             return refused(ErrorCode::SegmentProtected, label[voxel]);
     }

@@ -257,10 +257,10 @@ QString contradiction(const ImageJWords& words, std::size_t pages)
 bool isTiff(const QByteArray& begin)
 {
     for (const char* order : {"II*", "MM", "II+"}) {
-        const QByteArray mark = order;
-        if (!begin.startsWith(mark))
+        const QByteArray orderMark = order;
+        if (!begin.startsWith(orderMark))
             continue;
-        if (mark != "MM")
+        if (orderMark != "MM")
             return begin.size() > 3 && begin[3] == 0;
         return begin.size() > 3 && begin[2] == 0 && (begin[3] == 42 || begin[3] == 43);
     }

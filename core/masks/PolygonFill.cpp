@@ -9,26 +9,26 @@ namespace core {
 
 namespace {
 
-constexpr std::int64_t one = std::int64_t(1) << SlicePolygon::bits;
+constexpr std::int64_t onePixel = std::int64_t(1) << SlicePolygon::bits;
 
 std::int64_t ceilQuotient(std::int64_t number, std::int64_t by)
 {
     return number >= 0 ? (number + by - 1) / by : -(-number / by);
 }
 
-/// An edge that goes up, for the rows from its lower end to below its upper one.
+/// An edge that goes up, for the rows from its lower end to below its upper onePixel.
 struct Edge {
     glm::i64vec2 low;
     glm::i64vec2 high;
 
-    [[nodiscard]] std::int64_t firstRow() const { return ceilQuotient(low.y, one); }
-    [[nodiscard]] std::int64_t endRow() const { return ceilQuotient(high.y, one); }
+    [[nodiscard]] std::int64_t firstRow() const { return ceilQuotient(low.y, onePixel); }
+    [[nodiscard]] std::int64_t endRow() const { return ceilQuotient(high.y, onePixel); }
     /// The first column whose centre does not lie before the edge.
     [[nodiscard]] std::int64_t columnAt(std::int64_t row) const
     {
         const std::int64_t height = high.y - low.y;
-        const std::int64_t across = (row * one - low.y) * (high.x - low.x);
-        return ceilQuotient(low.x * height + across, one * height);
+        const std::int64_t across = (row * onePixel - low.y) * (high.x - low.x);
+        return ceilQuotient(low.x * height + across, onePixel * height);
     }
 };
 
@@ -51,8 +51,9 @@ std::vector<Edge> edgesOf(const std::vector<SlicePolygon>& polygons)
 glm::ivec2 slicePoint(const glm::dvec2& place)
 {
     const auto fixed = [](double part) {
-        constexpr double farthest = 65536.0;
-        return int(std::llround(std::clamp(part, -farthest, farthest) * double(one)));
+        constexpr double farthestPixel = 65536.0;
+        return int(
+            std::llround(std::clamp(part, -farthestPixel, farthestPixel) * double(onePixel)));
     };
     return {fixed(place.x), fixed(place.y)};
 }

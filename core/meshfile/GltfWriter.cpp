@@ -61,7 +61,7 @@ std::vector<glm::vec3> normalsOf(const MeshPart& part)
     return normals;
 }
 
-struct Document {
+struct GltfDocument {
     QJsonArray views;
     QJsonArray accessors;
     QJsonArray materials;
@@ -160,7 +160,7 @@ struct Document {
 Result<void> writeGltf(
     const QString& path, const std::vector<MeshPart>& parts, const QString& space)
 {
-    Document document;
+    GltfDocument document;
     for (const MeshPart& part : parts)
         document.add(part);
     const QByteArray json = document.json(space);

@@ -10,7 +10,7 @@ namespace {
 
 const QString spacingStart = QStringLiteral("spacing=");
 const QString splitWord = QStringLiteral("gap=split:");
-constexpr int mostParts = 9999;
+constexpr int highestPart = 9999;
 
 /// As short as says the very number.
 QString numberText(double value)
@@ -66,7 +66,7 @@ QString take(const QString& word, SeriesRepair& repair)
     } else if (word.startsWith(splitWord)) {
         bool isNumber = false;
         const int part = word.mid(splitWord.size()).toInt(&isNumber);
-        if (!isNumber || part < 1 || part > mostParts)
+        if (!isNumber || part < 1 || part > highestPart)
             return QStringLiteral("'%1' does not say which part").arg(word);
         if (repair.part != 0 && repair.part != part)
             return again();

@@ -8,7 +8,7 @@ namespace core {
 
 namespace {
 
-int round14(std::int64_t value)
+int rounded14(std::int64_t value)
 {
     return int((value + (1 << 13)) >> 14);
 }
@@ -35,7 +35,7 @@ glm::ivec3 strokeBase(const CapsuleFrame& frame, const glm::ivec3& firstVoxel)
     glm::ivec3 base;
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = std::size_t(axis);
-        base[axis] = round14(frame.origin[i] + firstVoxel.x * frame.perI[i]
+        base[axis] = rounded14(frame.origin[i] + firstVoxel.x * frame.perI[i]
             + firstVoxel.y * frame.perJ[i] + firstVoxel.z * frame.perK[i]);
     }
     return base;
@@ -43,7 +43,7 @@ glm::ivec3 strokeBase(const CapsuleFrame& frame, const glm::ivec3& firstVoxel)
 
 glm::ivec3 strokeStep(const Fixed3& perVoxel)
 {
-    return {round14(perVoxel[0]), round14(perVoxel[1]), round14(perVoxel[2])};
+    return {rounded14(perVoxel[0]), rounded14(perVoxel[1]), rounded14(perVoxel[2])};
 }
 
 std::vector<std::uint32_t> bricksNear(

@@ -24,7 +24,7 @@ Fixed3 scaled(const Fixed3& v, std::int64_t factor, std::int64_t divisor)
         divided(v[2] * factor, divisor)};
 }
 
-std::int64_t dot(const Fixed3& a, const Fixed3& b)
+std::int64_t dotFixed(const Fixed3& a, const Fixed3& b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -68,7 +68,7 @@ LaserBeam laserBeam(const CutFrame& frame, const glm::ivec2& element, std::int32
     glm::ivec3 m(gradient.x, gradient.y, std::max(gradient.z, 0));
     if (m == glm::ivec3(0))
         m.z = 1;
-    const std::int64_t squared = dot({m.x, m.y, m.z}, {m.x, m.y, m.z});
+    const std::int64_t squared = dotFixed({m.x, m.y, m.z}, {m.x, m.y, m.z});
     const std::int64_t length = fixedPoint::squareRoot(squared << 32);
     Fixed3 n;
     for (int axis = 0; axis < 3; ++axis)
@@ -89,10 +89,10 @@ LaserBeam laserBeam(const CutFrame& frame, const glm::ivec2& element, std::int32
     }
     const std::int64_t halfElement = std::int64_t(frame.pitch / 2) * 16384;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        beam.perI[axis] = dot(axes[axis], frame.planePerI) >> 24;
-        beam.perJ[axis] = dot(axes[axis], frame.planePerJ) >> 24;
-        beam.perK[axis] = dot(axes[axis], frame.planePerK) >> 24;
-        beam.origin[axis] = (dot(axes[axis], apart) >> 18) + (axis < 2 ? halfElement : 0);
+        beam.perI[axis] = dotFixed(axes[axis], frame.planePerI) >> 24;
+        beam.perJ[axis] = dotFixed(axes[axis], frame.planePerJ) >> 24;
+        beam.perK[axis] = dotFixed(axes[axis], frame.planePerK) >> 24;
+        beam.origin[axis] = (dotFixed(axes[axis], apart) >> 18) + (axis < 2 ? halfElement : 0);
     }
     return beam;
 }
@@ -102,7 +102,7 @@ glm::ivec4 hiddenAround(
 {
     constexpr std::int64_t far = std::int64_t(1) << 30;
     const auto along = [&half](const glm::ivec3& v) {
-        return dot({half.perVoxel.x, half.perVoxel.y, half.perVoxel.z}, {v.x, v.y, v.z});
+        return dotFixed({half.perVoxel.x, half.perVoxel.y, half.perVoxel.z}, {v.x, v.y, v.z});
     };
     return {int(std::clamp((along(foot) - half.offset * 65536) >> 16, -far, far)),
         int(along(lattice.u) >> 16), int(along(lattice.v) >> 16), int(along(lattice.w) >> 16)};

@@ -166,7 +166,7 @@ void VoxelFields::noteChanged(core::Field field, std::span<const std::uint32_t> 
 std::vector<RadiationKernel::Region> VoxelFields::around(
     std::span<const core::VoxelBox> boxes) const
 {
-    constexpr int side = core::BrickGrid::side;
+    constexpr int brickSide = core::BrickGrid::side;
     const glm::ivec3 bricks = m_grid.bricks();
     constexpr std::uint32_t absent = 0xFFFFFFFFu;
     std::vector<std::uint32_t> places(std::size_t(m_grid.brickCount()), absent);
@@ -174,14 +174,14 @@ std::vector<RadiationKernel::Region> VoxelFields::around(
     for (const core::VoxelBox& box : boxes) {
         const glm::ivec3 low = glm::max(box.minimum - RadiationKernel::reach, glm::ivec3(0));
         const glm::ivec3 high = glm::min(box.maximum + RadiationKernel::reach, m_grid.volumeSize);
-        const glm::ivec3 first = low / side;
-        const glm::ivec3 last = (high - 1) / side;
+        const glm::ivec3 first = low / brickSide;
+        const glm::ivec3 last = (high - 1) / brickSide;
         for (int z = first.z; z <= last.z; ++z) {
             for (int y = first.y; y <= last.y; ++y) {
                 for (int x = first.x; x <= last.x; ++x) {
-                    const glm::ivec3 origin = glm::ivec3(x, y, z) * side;
+                    const glm::ivec3 origin = glm::ivec3(x, y, z) * brickSide;
                     const glm::ivec3 localLow = glm::max(low - origin, glm::ivec3(0));
-                    const glm::ivec3 localHigh = glm::min(high - origin, glm::ivec3(side));
+                    const glm::ivec3 localHigh = glm::min(high - origin, glm::ivec3(brickSide));
                     const auto brick = std::uint32_t(x + bricks.x * (y + bricks.y * z));
                     if (places[brick] == absent) {
                         places[brick] = std::uint32_t(regions.size());

@@ -28,7 +28,7 @@ namespace ui {
 
 namespace {
 
-const QString lastKey = QStringLiteral("pacs/lastSource");
+const QString lastSourceKey = QStringLiteral("pacs/lastSource");
 constexpr int mostStudies = 500;
 
 } // namespace
@@ -153,7 +153,7 @@ void PacsBrowserDialog::fillSources()
     for (const core::PacsSource& one : m_sources)
         m_source->addItem(QStringLiteral("%1  ·  %2").arg(one.name, one.address()), one.name);
     m_source->setCurrentIndex(
-        std::max(0, m_source->findData(QSettings().value(lastKey).toString())));
+        std::max(0, m_source->findData(QSettings().value(lastSourceKey).toString())));
     m_source->setPlaceholderText(QStringLiteral("none yet"));
     m_state->say(m_sources.empty()
             ? QStringLiteral("There is no source yet: add one by Sources … at the right.")
@@ -192,7 +192,7 @@ void PacsBrowserDialog::search()
     const core::PacsSource* one = source();
     if (!one || m_downloadJob.running() || !m_form->problem().isEmpty())
         return;
-    QSettings().setValue(lastKey, one->name);
+    QSettings().setValue(lastSourceKey, one->name);
     m_searched = *one;
     m_seriesJob.cancel();
     m_hits->showStudies({});

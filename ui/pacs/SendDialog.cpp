@@ -23,7 +23,7 @@ namespace ui {
 
 namespace {
 
-const QString lastKey = QStringLiteral("pacs/lastTarget");
+const QString lastTargetKey = QStringLiteral("pacs/lastTarget");
 
 } // namespace
 
@@ -95,7 +95,7 @@ void SendDialog::fillSources()
     for (const core::PacsSource& one : m_sources)
         m_source->addItem(QStringLiteral("%1  ·  %2").arg(one.name, one.address()), one.name);
     m_source->setCurrentIndex(
-        std::max(0, m_source->findData(QSettings().value(lastKey).toString())));
+        std::max(0, m_source->findData(QSettings().value(lastTargetKey).toString())));
     m_send->setEnabled(!m_sources.empty());
     m_state->say(m_sources.empty() ? QStringLiteral("There is no source yet: add one by Sources …")
                                    : QString());
@@ -107,7 +107,7 @@ void SendDialog::send()
     if (row < 0 || m_job.running())
         return;
     const core::PacsSource source = m_sources[std::size_t(row)];
-    QSettings().setValue(lastKey, source.name);
+    QSettings().setValue(lastTargetKey, source.name);
     m_state->say(QStringLiteral("Sending to %1 …").arg(source.address()));
     m_progress->setRange(0, 0);
     m_job.start(

@@ -18,7 +18,7 @@ namespace {
 // Millimetres on A4.
 constexpr double pageWidth = 210.0;
 constexpr double left = 15.0;
-constexpr double width = 180.0;
+constexpr double textWidth = 180.0;
 constexpr double top = 24.0;
 constexpr double bottom = 276.0;
 constexpr double headerAt = 12.0;
@@ -96,7 +96,7 @@ double AuditPages::points(double count) const
 
 QRectF AuditPages::contentBox() const
 {
-    return {mm(left), mm(top), mm(width), mm(bottom - top)};
+    return {mm(left), mm(top), mm(textWidth), mm(bottom - top)};
 }
 
 void AuditPages::add(Block block)
@@ -109,13 +109,15 @@ void AuditPages::add(Block block)
 void AuditPages::addTitle(const AuditTexts& texts)
 {
     const double point = points(1.0);
-    const PaperText title(texts.title, mm(width), point, {.sizePoints = 22.0, .bold = true});
-    const PaperText words(texts.subtitle, mm(width), point, {.sizePoints = 9.5, .colour = quiet});
+    const PaperText title(texts.title, mm(textWidth), point, {.sizePoints = 22.0, .bold = true});
+    const PaperText words(
+        texts.subtitle, mm(textWidth), point, {.sizePoints = 9.5, .colour = quiet});
     const Texts placed{{{0.0, 0.0}, title}, {{0.0, title.height() + mm(1.0)}, words}};
     const double height = heightOf(placed) + mm(4.0);
     add({.height = height, .paint = [this, placed, height](QPainter& painter, double at) {
              paintTexts(painter, placed, {mm(left), at});
-             painter.fillRect(QRectF(mm(left), at + height - mm(0.6), mm(width), mm(0.6)), accent);
+             painter.fillRect(
+                 QRectF(mm(left), at + height - mm(0.6), mm(textWidth), mm(0.6)), accent);
          }});
 }
 
@@ -127,7 +129,7 @@ void AuditPages::addFacts(const AuditTexts& texts)
         addHeading(heading);
         for (const AuditTexts::Fact& fact : facts) {
             const PaperText name(fact.name, mm(nameWidth), point, {.colour = quiet});
-            const PaperText value(fact.value, mm(width - nameWidth), point,
+            const PaperText value(fact.value, mm(textWidth - nameWidth), point,
                 {.sizePoints = fact.isHash ? 8.0 : 8.5, .fixedPitch = fact.isHash});
             const Texts placed{{{0.0, 0.0}, name}, {{mm(nameWidth), 0.0}, value}};
             add({.height = heightOf(placed) + mm(0.8),
@@ -147,16 +149,16 @@ void AuditPages::addVerdict(const AuditTexts& texts)
     const QColor ground = texts.sound ? QColor(0xee, 0xf7, 0xf0) : QColor(0xfc, 0xef, 0xed);
     const QColor bar = texts.sound ? QColor(0x2c, 0x8a, 0x4b) : QColor(0xc2, 0x3b, 0x2c);
     constexpr double inset = 5.0;
-    const PaperText verdict(texts.verdict, mm(width - 2.0 * inset), point,
+    const PaperText verdict(texts.verdict, mm(textWidth - 2.0 * inset), point,
         {.sizePoints = 10.0, .colour = strong, .bold = true});
-    const PaperText words(texts.explanation, mm(width - 2.0 * inset), point, {});
+    const PaperText words(texts.explanation, mm(textWidth - 2.0 * inset), point, {});
     const Texts placed{
         {{mm(inset), mm(3.0)}, verdict}, {{mm(inset), mm(4.0) + verdict.height()}, words}};
     const double height = heightOf(placed) + mm(3.0);
     add({.height = height,
         .spaceBefore = mm(6.0),
         .paint = [this, placed, height, ground, bar](QPainter& painter, double at) {
-            painter.fillRect(QRectF(mm(left), at, mm(width), height), ground);
+            painter.fillRect(QRectF(mm(left), at, mm(textWidth), height), ground);
             painter.fillRect(QRectF(mm(left), at, mm(1.2), height), bar);
             paintTexts(painter, placed, {mm(left), at});
         }});
@@ -165,7 +167,7 @@ void AuditPages::addVerdict(const AuditTexts& texts)
 void AuditPages::addHeading(const QString& text)
 {
     const PaperText words(
-        text, mm(width), points(1.0), {.sizePoints = 11.0, .colour = ink, .bold = true});
+        text, mm(textWidth), points(1.0), {.sizePoints = 11.0, .colour = ink, .bold = true});
     add({.height = words.height() + mm(2.0),
         .spaceBefore = mm(6.0),
         .paint =
@@ -177,7 +179,7 @@ void AuditPages::addHeading(const QString& text)
 
 void AuditPages::addSentence(const QString& text)
 {
-    const PaperText words(text, mm(width), points(1.0), {.colour = quiet});
+    const PaperText words(text, mm(textWidth), points(1.0), {.colour = quiet});
     add({.height = words.height(), .paint = [this, words](QPainter& painter, double at) {
              words.paint(painter, {mm(left), at});
          }});
@@ -196,7 +198,7 @@ AuditPages::Block AuditPages::tableHead() const
             [this, placed, height](QPainter& painter, double at) {
                 paintTexts(painter, placed, {mm(left), at});
                 painter.fillRect(
-                    QRectF(mm(left), at + height - mm(0.3), mm(width), mm(0.3)), quiet);
+                    QRectF(mm(left), at + height - mm(0.3), mm(textWidth), mm(0.3)), quiet);
             },
         .keepWithNext = true};
 }
@@ -230,7 +232,8 @@ AuditPages::Block AuditPages::stepBlock(const AuditTexts::Step& step) const
         .paint =
             [this, placed, height](QPainter& painter, double at) {
                 paintTexts(painter, placed, {mm(left), at});
-                painter.fillRect(QRectF(mm(left), at + height - mm(0.2), mm(width), mm(0.2)), rule);
+                painter.fillRect(
+                    QRectF(mm(left), at + height - mm(0.2), mm(textWidth), mm(0.2)), rule);
             },
         .isStep = true};
 }
@@ -249,7 +252,7 @@ void AuditPages::addPictures(const AuditTexts& texts)
     if (texts.pictures.empty())
         return addSentence(texts.noPictures);
     addSentence(texts.aboutPictures);
-    const double side = (width - pictureGap * (picturesPerRow - 1)) / picturesPerRow;
+    const double side = (textWidth - pictureGap * (picturesPerRow - 1)) / picturesPerRow;
     for (std::size_t first = 0; first < texts.pictures.size(); first += picturesPerRow) {
         struct Cell {
             QRectF box;
@@ -326,7 +329,8 @@ std::vector<AuditPages::Place> AuditPages::stepPlaces() const
     for (const Placed& placed : m_placed) {
         const Block& block = m_blocks[placed.block];
         if (block.isStep)
-            places.push_back({placed.page, QRectF(mm(left), placed.top, mm(width), block.height)});
+            places.push_back(
+                {placed.page, QRectF(mm(left), placed.top, mm(textWidth), block.height)});
     }
     return places;
 }
@@ -338,13 +342,13 @@ void AuditPages::paint(QPainter& painter, int page) const
     PaperText::Style smallRight = small;
     smallRight.alignment = Qt::AlignRight;
     const QPointF header(mm(left), mm(headerAt));
-    PaperText(m_runningTitle, mm(width), point, small).paint(painter, header);
-    PaperText(m_file, mm(width), point, smallRight).paint(painter, header);
+    PaperText(m_runningTitle, mm(textWidth), point, small).paint(painter, header);
+    PaperText(m_file, mm(textWidth), point, smallRight).paint(painter, header);
     const QPointF footer(mm(left), mm(footerAt));
-    painter.fillRect(QRectF(mm(left), mm(footerAt - 2.0), mm(width), mm(0.2)), rule);
-    PaperText(m_footer, mm(width), point, small).paint(painter, footer);
-    PaperText(
-        QStringLiteral("Page %1 of %2").arg(page + 1).arg(m_count), mm(width), point, smallRight)
+    painter.fillRect(QRectF(mm(left), mm(footerAt - 2.0), mm(textWidth), mm(0.2)), rule);
+    PaperText(m_footer, mm(textWidth), point, small).paint(painter, footer);
+    PaperText(QStringLiteral("Page %1 of %2").arg(page + 1).arg(m_count), mm(textWidth), point,
+        smallRight)
         .paint(painter, footer);
     for (const Placed& placed : m_placed) {
         if (placed.page == page)

@@ -9,7 +9,7 @@ namespace ui {
 
 namespace {
 
-const QString settingsKey = QStringLiteral("history/memoryMebibytes");
+const QString memoryKey = QStringLiteral("history/memoryMebibytes");
 
 int bounded(int mebibytes)
 {
@@ -21,13 +21,13 @@ int bounded(int mebibytes)
 int historyMebibytes()
 {
     bool isNumber = false;
-    const int kept = QSettings().value(settingsKey).toInt(&isNumber);
+    const int kept = QSettings().value(memoryKey).toInt(&isNumber);
     return isNumber ? bounded(kept) : usualHistoryMebibytes;
 }
 
 void setHistoryMebibytes(int mebibytes)
 {
-    QSettings().setValue(settingsKey, bounded(mebibytes));
+    QSettings().setValue(memoryKey, bounded(mebibytes));
 }
 
 } // namespace ui

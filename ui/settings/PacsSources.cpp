@@ -9,7 +9,7 @@ namespace ui {
 
 namespace {
 
-const QString settingsKey = QStringLiteral("pacs/sources");
+const QString sourcesKey = QStringLiteral("pacs/sources");
 
 /// By the address they are for.
 QHash<QString, core::WebLogin>& logins()
@@ -22,7 +22,7 @@ QHash<QString, core::WebLogin>& logins()
 
 std::vector<core::PacsSource> pacsSources()
 {
-    const QByteArray text = QSettings().value(settingsKey).toByteArray();
+    const QByteArray text = QSettings().value(sourcesKey).toByteArray();
     std::vector<core::PacsSource> sources =
         core::sourcesFromJson(QJsonDocument::fromJson(text).array());
     for (core::PacsSource& source : sources) {
@@ -41,7 +41,7 @@ void setPacsSources(const std::vector<core::PacsSource>& sources)
             logins().insert(source.name + u' ' + web->name(), web->login);
     }
     QSettings().setValue(
-        settingsKey, QJsonDocument(core::toJson(sources)).toJson(QJsonDocument::Compact));
+        sourcesKey, QJsonDocument(core::toJson(sources)).toJson(QJsonDocument::Compact));
 }
 
 } // namespace ui

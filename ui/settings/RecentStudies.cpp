@@ -9,7 +9,7 @@ namespace ui {
 
 namespace {
 
-const QLatin1String settingsKey("recentStudies");
+const QLatin1String recentKey("recentStudies");
 const QLatin1String seriesKey("recentSeries");
 
 } // namespace
@@ -17,7 +17,7 @@ const QLatin1String seriesKey("recentSeries");
 QStringList RecentStudies::paths()
 {
     QStringList present;
-    for (const QString& path : QSettings().value(settingsKey).toStringList()) {
+    for (const QString& path : QSettings().value(recentKey).toStringList()) {
         if (QFileInfo::exists(path))
             present += path;
     }
@@ -32,7 +32,7 @@ void RecentStudies::add(const QString& path, const QString& series)
     list.prepend(absolute);
     list = list.mid(0, kept);
     QSettings settings;
-    settings.setValue(settingsKey, QVariant(list));
+    settings.setValue(recentKey, QVariant(list));
     const QVariantMap before = settings.value(seriesKey).toMap();
     QVariantMap now;
     for (const QString& each : list) {

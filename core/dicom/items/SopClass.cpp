@@ -13,7 +13,7 @@ namespace core {
 
 namespace {
 
-struct Kind {
+struct NamedSopClass {
     const char* uid; ///< the class, or the beginning of a family of classes
     const char* name;
 };
@@ -21,7 +21,7 @@ struct Kind {
 constexpr const char* parametricMap = "1.2.840.10008.5.1.4.1.1.30";
 
 // PS3.4 annex B.5 and PS3.3 annex F.
-constexpr Kind kinds[] = {
+constexpr NamedSopClass kinds[] = {
     {"1.2.840.10008.1.3.10", "DICOMDIR"},
     {"1.2.840.10008.5.1.4.1.1.66.4", "DICOM SEG"},
     {"1.2.840.10008.5.1.4.1.1.66.7", "DICOM SEG"},
@@ -43,7 +43,7 @@ constexpr Kind kinds[] = {
 
 QString kindWithoutSlices(const ImageHeader& header)
 {
-    for (const Kind& kind : kinds) {
+    for (const NamedSopClass& kind : kinds) {
         const QLatin1String uid(kind.uid);
         if (header.sopClassUid == uid
             || (header.sopClassUid.startsWith(uid)

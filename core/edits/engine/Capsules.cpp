@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/EngineEdits.h"
 
+#include "core/edits/engine/CutFrames.h"
+
 #include "core/edits/kinds/parts/BrushPath.h"
 
 #include <algorithm>
@@ -10,19 +12,6 @@
 namespace core {
 
 namespace {
-
-constexpr double fixed16 = 65536.0;
-constexpr double fixed30 = 1073741824.0;
-
-std::int32_t mm16(double mm)
-{
-    return std::int32_t(std::llround(mm * fixed16));
-}
-
-Fixed3 toFixed30(const glm::dvec3& v)
-{
-    return {std::llround(v.x * fixed30), std::llround(v.y * fixed30), std::llround(v.z * fixed30)};
-}
 
 /// Where stroke coordinates lie in the patient.
 struct StrokeSpace {
@@ -178,7 +167,7 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
     const glm::dvec3* from, const std::vector<glm::dvec3>& points)
 {
     const StrokeSpace space = strokeSpace(path, geometry);
-    const double longestMm = longestCapsule(path, geometry) / fixed16;
+    const double longestMm = longestCapsule(path, geometry) / 65536.0;
     const double nearMm = space.volumeRadiusMm + path.radiusMm + longestMm;
     const auto turned = [&](const glm::dvec3& point) {
         const glm::dvec3 at = space.turned(point);

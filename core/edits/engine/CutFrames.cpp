@@ -18,11 +18,6 @@ constexpr double fixed30 = 1073741824.0;
 /// A pause in the material shorter than this (a suture, a marrow space, noise) is no gap.
 constexpr double gapMm = 2.0;
 
-Fixed3 toFixed30(const glm::dvec3& v)
-{
-    return {std::llround(v.x * fixed30), std::llround(v.y * fixed30), std::llround(v.z * fixed30)};
-}
-
 double finestMm(const VolumeGeometry& geometry)
 {
     const glm::dvec3 spacing = geometry.spacingMm();
@@ -30,6 +25,11 @@ double finestMm(const VolumeGeometry& geometry)
 }
 
 } // namespace
+
+Fixed3 toFixed30(const glm::dvec3& v)
+{
+    return {std::llround(v.x * fixed30), std::llround(v.y * fixed30), std::llround(v.z * fixed30)};
+}
 
 std::int32_t mm16(double mm)
 {

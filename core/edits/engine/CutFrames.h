@@ -35,5 +35,7 @@ struct CutFrameOptions {
 
 /// Nearest multiple of 2⁻¹⁶ mm.
 [[nodiscard]] std::int32_t mm16(double mm);
+/// Nearest multiples of 2⁻³⁰.
+[[nodiscard]] Fixed3 toFixed30(const glm::dvec3& v);
 
 } // namespace core

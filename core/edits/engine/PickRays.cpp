@@ -17,7 +17,7 @@ std::vector<HalfSpace> withinBorder(const glm::ivec3& size)
     return halfSpaces(border, {});
 }
 
-glm::ivec3 fixed16(const glm::dvec3& index)
+glm::ivec3 toFixed16(const glm::dvec3& index)
 {
     return glm::ivec3(glm::round(index * 65536.0));
 }
@@ -50,8 +50,8 @@ PickRays pickRays(const OrthographicView& view, const std::vector<glm::dvec2>& p
             // On the sample grid that counts from the target's plane, so that neighbouring rays
             // step through the volume together.
             const double first = std::ceil(inside->from);
-            ray.origin = fixed16(origin + perSample * first);
-            ray.step = fixed16(perSample);
+            ray.origin = toFixed16(origin + perSample * first);
+            ray.step = toFixed16(perSample);
             ray.samples = std::max(int(std::floor(inside->to) - first) + 1, 0);
         }
         result.rays.push_back(ray);

@@ -35,13 +35,6 @@ const char* faultOf(const SimplexMesh& mesh, VertexId id)
     return nullptr;
 }
 
-/// The face on the other side of the edge from ring[i] to the vertex that follows it.
-FaceId across(const SimplexMesh& mesh, const FaceRing& ring, std::size_t i)
-{
-    const VertexId next = ring[(i + 1) % ring.size()];
-    return mesh.facesAt(next)[std::size_t(mesh.slotOf(next, ring[i]))];
-}
-
 const char* faultOfFace(const SimplexMesh& mesh, FaceId id)
 {
     const FaceRing& ring = mesh.ring(id);
@@ -60,7 +53,7 @@ const char* faultOfFace(const SimplexMesh& mesh, FaceId id)
             return "a vertex does not know face %1";
     }
     for (std::size_t i = 0; i < ring.size(); ++i)
-        beside.push_back(across(mesh, ring, i));
+        beside.push_back(mesh.faceAcross(ring, i));
     std::sort(beside.begin(), beside.end());
     if (std::adjacent_find(beside.begin(), beside.end()) != beside.end())
         return "face %1 shares two edges with another";

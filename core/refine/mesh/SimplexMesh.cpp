@@ -102,6 +102,12 @@ int SimplexMesh::slotOf(VertexId id, VertexId neighbour) const
     return slot;
 }
 
+FaceId SimplexMesh::faceAcross(const FaceRing& ring, std::size_t i) const
+{
+    const VertexId next = ring[(i + 1) % ring.size()];
+    return m_faces[next][std::size_t(slotOf(next, ring[i]))];
+}
+
 std::vector<VertexId> SimplexMesh::vertexIds() const
 {
     std::vector<VertexId> ids;

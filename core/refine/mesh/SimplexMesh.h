@@ -81,6 +81,8 @@ public:
 
     /// The index of @p neighbour among the neighbours of @p id; 3: it is none.
     [[nodiscard]] int slotOf(VertexId id, VertexId neighbour) const;
+    /// The face on the other side of the edge from ring[i] to the vertex that follows it.
+    [[nodiscard]] FaceId faceAcross(const FaceRing& ring, std::size_t i) const;
     [[nodiscard]] std::vector<VertexId> vertexIds() const; ///< ascending
     [[nodiscard]] std::vector<FaceId> faceIds() const; ///< ascending
 

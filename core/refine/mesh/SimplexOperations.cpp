@@ -49,18 +49,11 @@ void enterRing(SimplexMeshEdit& edit, FaceId face, VertexId before, VertexId id)
     edit.setRing(face, std::move(ring));
 }
 
-/// The face on the other side of the edge that follows ring[i].
-FaceId across(const SimplexMesh& mesh, const FaceRing& ring, std::size_t i)
-{
-    const VertexId next = ring[(i + 1) % ring.size()];
-    return mesh.facesAt(next)[std::size_t(mesh.slotOf(next, ring[i]))];
-}
-
 bool areNeighbours(const SimplexMesh& mesh, FaceId one, FaceId other)
 {
     const FaceRing& ring = mesh.ring(one);
     for (std::size_t i = 0; i < ring.size(); ++i) {
-        if (across(mesh, ring, i) == other)
+        if (mesh.faceAcross(ring, i) == other)
             return true;
     }
     return false;
@@ -99,7 +92,7 @@ bool canMergeFaces(const SimplexMesh& mesh, const EdgeSurroundings& edge)
     // A face beside both, other than those at the ends, would share two edges with the new one.
     const FaceRing& left = mesh.ring(edge.left);
     for (std::size_t i = 0; i < left.size(); ++i) {
-        const FaceId beside = across(mesh, left, i);
+        const FaceId beside = mesh.faceAcross(left, i);
         if (beside != edge.right && beside != edge.behind && beside != edge.ahead
             && areNeighbours(mesh, beside, edge.right))
             return false;
@@ -154,7 +147,7 @@ std::optional<std::array<VertexId, 2>> splitFace(
     const std::array<std::size_t, 2> places{first, second};
     std::array<FaceId, 2> beyond{};
     for (std::size_t i = 0; i < 2; ++i)
-        beyond[i] = across(mesh, ring, places[i]);
+        beyond[i] = mesh.faceAcross(ring, places[i]);
     if (!isFree(mesh, face) || !isFree(mesh, beyond[0]) || !isFree(mesh, beyond[1]))
         return std::nullopt;
 

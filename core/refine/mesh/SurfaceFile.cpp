@@ -13,8 +13,8 @@ namespace core {
 
 namespace {
 
-using Writer = Result<void> (*)(const QString&, const std::vector<MeshPart>&, const QString&);
-constexpr std::array<Writer, 4> writers{writeStl, writePly, writeObj, writeGltf};
+using MeshWriter = Result<void> (*)(const QString&, const std::vector<MeshPart>&, const QString&);
+constexpr std::array<MeshWriter, 4> writers{writeStl, writePly, writeObj, writeGltf};
 
 } // namespace
 
@@ -41,7 +41,7 @@ Result<void> writeSurfaceFile(
     part.name = facts.name;
     part.rgb = facts.rgb;
     part.label = facts.label;
-    const Writer write = writers[std::size_t(known - endings.begin())];
+    const MeshWriter write = writers[std::size_t(known - endings.begin())];
     if (const Result<void> written = write(file->path(), {part}, QStringLiteral("LPS")); !written) {
         Error error = written.error();
         for (QString& argument : error.arguments)

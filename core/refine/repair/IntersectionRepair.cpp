@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/SortUnique.h"
 #include "core/refine/repair/FaceShape.h"
 #include "core/refine/repair/SelfIntersections.h"
 
@@ -20,12 +21,6 @@ constexpr double retreat = 0.15;
 /// They move inwards; where so many rounds gain nothing, outwards, and so on: a thin part may be
 /// turned over.
 constexpr int roundsPerWay = 8;
-
-void sortUnique(std::vector<VertexId>& ids)
-{
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
 
 std::vector<VertexId> verticesAround(
     const SimplexMesh& mesh, const std::vector<CrossingFaces>& crossings, int rings)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/repair/MeshRestructuring.h"
 
+#include "core/base/SortUnique.h"
 #include "core/refine/mesh/InternalForces.h"
 #include "core/refine/mesh/SimplexOperations.h"
 #include "core/refine/repair/CrossingGuard.h"
@@ -12,12 +13,6 @@
 namespace core {
 
 namespace {
-
-void sortUnique(std::vector<std::uint32_t>& ids)
-{
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
 
 /// A swapped edge grows about as long as the faces are wide; only short ones gain by it. In shares
 /// of the root of an area: that of a regular hexagon is 0.62.

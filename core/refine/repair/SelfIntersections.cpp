@@ -47,12 +47,12 @@ public:
 
     [[nodiscard]] std::vector<CrossingFaces> crossings() const
     {
-        constexpr int shares = 16;
-        std::array<std::vector<CrossingFaces>, shares> found;
-        parallelFor(shares, [&](int share) {
-            std::size_t begin = cellBegin(m_entries.size() * std::size_t(share) / shares);
+        constexpr int gridShares = 16;
+        std::array<std::vector<CrossingFaces>, gridShares> found;
+        parallelFor(gridShares, [&](int share) {
+            std::size_t begin = cellBegin(m_entries.size() * std::size_t(share) / gridShares);
             const std::size_t last =
-                cellBegin(m_entries.size() * (std::size_t(share) + 1) / shares);
+                cellBegin(m_entries.size() * (std::size_t(share) + 1) / gridShares);
             while (begin < last) {
                 std::size_t end = begin + 1;
                 while (end < m_entries.size() && m_entries[end].cell == m_entries[begin].cell)

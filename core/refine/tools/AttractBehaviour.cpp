@@ -11,9 +11,9 @@ namespace core {
 namespace {
 
 /// Of the way to the edge, in a step.
-constexpr double share = 0.5;
+constexpr double attractedShare = 0.5;
 
-/// Outwards, with a share of its neighbours' ones: of length 1, or 0.
+/// Outwards, with a attractedShare of its neighbours' ones: of length 1, or 0.
 glm::dvec3 evenNormal(const SimplexMesh& mesh, VertexId id)
 {
     glm::dvec3 sum = 3.0 * frameAt(mesh, id).normalLps;
@@ -67,8 +67,9 @@ public:
             return Grip{.placeLps = point.positionLps};
         const double lengthMm = glm::length(*leftMm);
         const double strideMm = std::min(lengthMm, m_scale.strideMm(point));
-        return Grip{.placeLps = lengthMm > 0.0 ? placeLps + share * strideMm / lengthMm * *leftMm
-                                               : placeLps};
+        return Grip{.placeLps = lengthMm > 0.0
+                ? placeLps + attractedShare * strideMm / lengthMm * *leftMm
+                : placeLps};
     }
 
     void adopt(const SimplexMesh& mesh, VertexId id) override

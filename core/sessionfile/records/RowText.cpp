@@ -17,7 +17,7 @@ namespace {
 
 constexpr QLatin1String tellsHeld("tellsHeld"); // GrowthSchema.h
 
-QString sha256(const QStringList& lines)
+QString sha256OfLines(const QStringList& lines)
 {
     const QByteArray message = lines.join(QLatin1Char('\n')).toUtf8();
     return QString::fromLatin1(
@@ -103,17 +103,17 @@ QString RowText::chain(const QString& previous) const
         statistics, QString::number(growthGeneration)};
     if (!at.isEmpty())
         lines += {at, author, program};
-    return sha256(lines);
+    return sha256OfLines(lines);
 }
 
 QString firstChain(const QString& source)
 {
-    return sha256({QStringLiteral("BurinSession1"), source});
+    return sha256OfLines({QStringLiteral("BurinSession1"), source});
 }
 
 QString seal(const QString& chain, const QString& stateHash, const QString& deltaSha256)
 {
-    return sha256({chain, stateHash, deltaSha256});
+    return sha256OfLines({chain, stateHash, deltaSha256});
 }
 
 QString sha256(const BrickDelta& delta)

@@ -12,18 +12,16 @@ namespace core {
 
 namespace {
 
-constexpr int codeCount = VoxelEncoding::codeCount;
-
 /// Smallest code with at least @p share of all voxels at or below it.
 int percentileCode(const CodeCounts& counts, std::uint64_t total, double share)
 {
     std::uint64_t below = 0;
-    for (int code = 0; code < codeCount; ++code) {
+    for (int code = 0; code < VoxelEncoding::codeCount; ++code) {
         below += counts[std::size_t(code)];
         if (double(below) >= share * double(total))
             return code;
     }
-    return codeCount - 1;
+    return VoxelEncoding::codeCount - 1;
 }
 
 /// From the least to the greatest value that is counted.
@@ -45,7 +43,7 @@ void forget(CodeCounts& counts, const CodeRange& range)
 {
     CodeCounts rest = counts;
     const int lowest = std::max(range.lowest, 0);
-    for (int code = lowest; code <= std::min(range.highest, codeCount - 1); ++code)
+    for (int code = lowest; code <= std::min(range.highest, VoxelEncoding::codeCount - 1); ++code)
         rest[std::size_t(code)] = 0;
     if (std::any_of(rest.begin(), rest.end(), [](std::uint64_t count) { return count > 0; }))
         counts = std::move(rest);
@@ -57,10 +55,10 @@ CodeCounts countCodes(const LoadedVolume& loaded)
 {
     const glm::ivec3& size = loaded.volume.geometry.size;
     const std::size_t each = std::size_t(size.x) * std::size_t(size.y);
-    CodeCounts counts(codeCount, 0);
+    CodeCounts counts(VoxelEncoding::codeCount, 0);
     std::mutex mutex;
     parallelFor(size.z, [&](int k) {
-        std::vector<std::uint32_t> own(codeCount, 0);
+        std::vector<std::uint32_t> own(VoxelEncoding::codeCount, 0);
         for (const std::uint16_t code :
             std::span(loaded.codes).subspan(std::size_t(k) * each, each))
             ++own[code];
@@ -80,7 +78,7 @@ void describeCounts(Volume& volume, const CodeCounts& counts, bool hasWindow)
         .minimum = minimum, .maximum = maximum, .counts = std::vector<std::uint32_t>(bins, 0)};
     const double range = maximum - minimum;
     std::uint64_t total = 0;
-    for (int code = 0; code < codeCount; ++code) {
+    for (int code = 0; code < VoxelEncoding::codeCount; ++code) {
         const std::uint64_t count = counts[std::size_t(code)];
         if (count == 0)
             continue;
@@ -103,9 +101,9 @@ void describeExactCounts(
     LoadedVolume& loaded, CodeCounts counts, const Uncounted& uncounted, bool hasWindow)
 {
     Volume& volume = loaded.volume;
-    int lowest = codeCount - 1;
+    int lowest = VoxelEncoding::codeCount - 1;
     int highest = 0;
-    for (int code = 0; code < codeCount; ++code) {
+    for (int code = 0; code < VoxelEncoding::codeCount; ++code) {
         if (counts[std::size_t(code)] == 0)
             continue;
         lowest = std::min(lowest, code);

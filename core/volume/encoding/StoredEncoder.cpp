@@ -13,7 +13,6 @@ namespace core {
 
 namespace {
 
-constexpr int codeCount = VoxelEncoding::codeCount;
 /// Counts are by stored value, from this one on to the greatest unsigned one.
 constexpr int leastStored = -0x8000;
 constexpr std::size_t storedCount = 0x8000 + 0x10000;
@@ -41,8 +40,8 @@ std::optional<int> wholeShift(const SliceRescale& scale)
 
 std::vector<float> valuesOfBits(const SliceRescale& scale, bool isSigned)
 {
-    std::vector<float> values(codeCount);
-    for (int bits = 0; bits < codeCount; ++bits)
+    std::vector<float> values(VoxelEncoding::codeCount);
+    for (int bits = 0; bits < VoxelEncoding::codeCount; ++bits)
         values[std::size_t(bits)] =
             float(scale.slope * storedValue(std::uint16_t(bits), isSigned) + scale.intercept);
     return values;
@@ -53,7 +52,7 @@ std::vector<float> valuesOfBits(const SliceRescale& scale, bool isSigned)
 void encodeSlice(Volume& volume, std::span<std::uint16_t> codes, const SliceRescale& rescale)
 {
     const int least = rescale.isSigned ? leastStored : 0;
-    const int greatest = least + codeCount - 1;
+    const int greatest = least + VoxelEncoding::codeCount - 1;
     const bool falling = rescale.slope < 0.0;
     for (std::uint16_t& code : codes) {
         const int stored = storedValue(code, rescale.isSigned);
@@ -138,7 +137,7 @@ void StoredEncoder::finish(bool hasWindow)
     const auto last = std::find_if(counts.rbegin(), counts.rend(), isCounted);
     const int least = leastStored + int(first - counts.begin());
     const int greatest = leastStored + int(counts.rend() - last) - 1;
-    if (greatest - least >= codeCount)
+    if (greatest - least >= VoxelEncoding::codeCount)
         return encodeOnCommonScale(hasWindow);
     encodeOneScale(least, greatest, counts, hasWindow);
 }
@@ -172,7 +171,7 @@ void StoredEncoder::encodeOneScale(int least, int greatest, const Counts& counts
         .storedAtCodeZero = falling ? greatest : least,
         .storedStep = falling ? -1 : 1};
     m_loaded.volume.voxelsSha256 = m_hash.takeHex();
-    CodeCounts ofCodes(codeCount, 0);
+    CodeCounts ofCodes(VoxelEncoding::codeCount, 0);
     for (int stored = least; stored <= greatest; ++stored)
         ofCodes[std::size_t(falling ? greatest - stored : stored - least)] =
             counts[std::size_t(stored - leastStored)];

@@ -9,8 +9,6 @@ namespace core {
 
 namespace {
 
-constexpr int codeCount = VoxelEncoding::codeCount;
-
 template <class Convert>
 void addConverted(Sha256& hash, std::span<const std::uint16_t> bits, Convert valueOf)
 {
@@ -35,8 +33,8 @@ void addFloats(Sha256& hash, std::span<const float> values)
 
 std::vector<float> valuesOfCodes(const VoxelEncoding& encoding)
 {
-    std::vector<float> values(codeCount);
-    for (int code = 0; code < codeCount; ++code)
+    std::vector<float> values(VoxelEncoding::codeCount);
+    for (int code = 0; code < VoxelEncoding::codeCount; ++code)
         values[std::size_t(code)] = float(encoding.value(code));
     return values;
 }

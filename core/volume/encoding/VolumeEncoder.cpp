@@ -20,8 +20,6 @@ namespace core {
 
 namespace {
 
-constexpr int codeCount = VoxelEncoding::codeCount;
-
 /// Whether it is a number that was measured. Programs mark what they have no value for with NaN,
 /// with infinity or with the largest number there is; on one scale with such a one all others
 /// would be the same, and what is worked out from it is beyond float or even double.
@@ -80,10 +78,11 @@ void encodeValues(LoadedVolume& loaded,
         greatest = 0.0;
     }
     // Whole numbers within 16 bits are their own exact scale.
-    const bool exact = whole && greatest - least < codeCount && std::abs(least) < 1e9;
+    const bool exact =
+        whole && greatest - least < VoxelEncoding::codeCount && std::abs(least) < 1e9;
     // What differs by less is the same: a step may be neither 0 nor beyond float.
     constexpr double leastStep = 1e-30;
-    const double spread = (greatest - least) / (codeCount - 1);
+    const double spread = (greatest - least) / (VoxelEncoding::codeCount - 1);
     const double step = exact || spread < leastStep ? 1.0 : spread;
     volume.encoding = exact ? VoxelEncoding{.storedAtCodeZero = int(least)}
                             : VoxelEncoding{.rescaleSlope = step, .rescaleIntercept = least};
@@ -101,7 +100,8 @@ void encodeValues(LoadedVolume& loaded,
             const bool isNumber = isMeasured(value);
             numbers = numbers && isNumber;
             const double position = isNumber ? std::round((value - least) / step) : 0.0;
-            code[voxel] = std::uint16_t(std::clamp(position, 0.0, double(codeCount - 1)));
+            code[voxel] =
+                std::uint16_t(std::clamp(position, 0.0, double(VoxelEncoding::codeCount - 1)));
             if (isNumber)
                 error = std::max(error, std::abs(volume.encoding.value(code[voxel]) - value));
         }

@@ -12,7 +12,7 @@ namespace gpu {
 
 namespace {
 
-std::size_t product(const glm::ivec3& size)
+std::size_t cellCount(const glm::ivec3& size)
 {
     return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
 }
@@ -22,7 +22,7 @@ std::vector<std::uint16_t> greatestOf(
     const glm::ivec3& size, const glm::ivec3& cells, std::span<const std::uint16_t> codes)
 {
     constexpr int side = MaximumCells::side;
-    std::vector<std::uint16_t> greatest(product(cells));
+    std::vector<std::uint16_t> greatest(cellCount(cells));
     core::parallelFor(cells.z, [&](int cz) {
         std::vector<std::uint16_t> row(std::size_t(cells.x));
         for (int z = cz * side; z <= std::min(cz * side + side, size.z - 1); ++z) {
@@ -59,7 +59,7 @@ glm::ivec3 MaximumCells::cellsFor(const glm::ivec3& volumeSize)
 std::size_t MaximumCells::bytesFor(const glm::ivec3& volumeSize)
 {
     constexpr std::size_t bytesPerCell = 8;
-    return product(cellsFor(volumeSize)) * bytesPerCell;
+    return cellCount(cellsFor(volumeSize)) * bytesPerCell;
 }
 
 MaximumCells::MaximumCells(const glm::ivec3& volumeSize, std::span<const std::uint16_t> codes)

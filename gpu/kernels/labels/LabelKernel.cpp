@@ -10,12 +10,12 @@ namespace gpu {
 
 namespace {
 
-constexpr std::uint32_t changedLabel = 1; // chooseLabel.comp
-constexpr std::uint32_t changedWord = 2;
-constexpr std::size_t bricksAtOnce = 1024; // storage blocks end at 128 MiB
+constexpr std::uint32_t changesLabel = 1; // chooseLabel.comp
+constexpr std::uint32_t changesWord = 2;
+constexpr std::size_t labelBricksAtOnce = 1024; // storage blocks end at 128 MiB
 
 /// Runs a kernel whose textures are bound over bricks. @return what it says of each
-std::vector<std::uint32_t> run(
+std::vector<std::uint32_t> runOver(
     Program& kernel, const std::vector<std::uint32_t>& bricks, bool write)
 {
     std::vector<std::uint32_t> found(bricks.size(), 0);
@@ -48,21 +48,21 @@ std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeIm
         seedWords.atlas().bindImage(1, GL_READ_WRITE);
     };
     std::vector<core::BrickKey> keys;
-    for (std::size_t first = 0; first < bricks.size(); first += bricksAtOnce) {
-        const std::size_t last = std::min(first + bricksAtOnce, bricks.size());
+    for (std::size_t first = 0; first < bricks.size(); first += labelBricksAtOnce) {
+        const std::size_t last = std::min(first + labelBricksAtOnce, bricks.size());
         const std::vector<std::uint32_t> batch(
             bricks.begin() + std::ptrdiff_t(first), bricks.begin() + std::ptrdiff_t(last));
         bind(batch);
-        const std::vector<std::uint32_t> found = run(kernel, batch, false);
-        const std::vector<std::uint32_t> labels = chosen(batch, found, changedLabel);
-        const std::vector<std::uint32_t> wordBricks = chosen(batch, found, changedWord);
-        const std::vector<std::uint32_t> either = chosen(batch, found, changedLabel | changedWord);
+        const std::vector<std::uint32_t> found = runOver(kernel, batch, false);
+        const std::vector<std::uint32_t> labels = chosen(batch, found, changesLabel);
+        const std::vector<std::uint32_t> wordBricks = chosen(batch, found, changesWord);
+        const std::vector<std::uint32_t> either = chosen(batch, found, changesLabel | changesWord);
         if (either.empty())
             continue;
         before.capture(core::Field::Labels, target.plane, labels);
         before.capture(core::Field::SeedWords, target.plane, wordBricks);
         bind(either); // capturing has bound textures of its own
-        run(kernel, either, true);
+        runOver(kernel, either, true);
         fields.noteChanged(core::Field::Labels, labels);
         fields.noteChanged(core::Field::SeedWords, wordBricks);
         for (const std::uint32_t brick : labels)
@@ -94,8 +94,8 @@ public:
     AskedBytes(const std::vector<Brick>& bricks, std::vector<std::uint8_t> Brick::*voxels)
         : m_bricks(bricks)
         , m_voxels(voxels)
-        , m_buffer(
-              {.label = "asked voxels", .bytes = bricksAtOnce * core::BrickGrid::voxelsPerBrick})
+        , m_buffer({.label = "asked voxels",
+              .bytes = labelBricksAtOnce * core::BrickGrid::voxelsPerBrick})
     {
     }
 

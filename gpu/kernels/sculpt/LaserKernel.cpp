@@ -29,7 +29,7 @@ struct GpuBeam {
     glm::ivec4 perK{0};
 };
 
-Program program(const ShaderLibrary& library, const char* path)
+Program laserProgram(const ShaderLibrary& library, const char* path)
 {
     return Program(library, ComputeProgramOptions{.label = path, .path = path, .defines = {}});
 }
@@ -37,10 +37,10 @@ Program program(const ShaderLibrary& library, const char* path)
 } // namespace
 
 LaserPrograms::LaserPrograms(const ShaderLibrary& library)
-    : cast(program(library, "kernels/cut/surfaceCast.comp"))
-    , gradient(program(library, "kernels/sculpt/laserGradient.comp"))
-    , exit(program(library, "kernels/sculpt/laserExit.comp"))
-    , cut(program(library, "kernels/sculpt/laserCut.comp"))
+    : cast(laserProgram(library, "kernels/cut/surfaceCast.comp"))
+    , gradient(laserProgram(library, "kernels/sculpt/laserGradient.comp"))
+    , exit(laserProgram(library, "kernels/sculpt/laserExit.comp"))
+    , cut(laserProgram(library, "kernels/sculpt/laserCut.comp"))
 {
 }
 

@@ -9,8 +9,8 @@ namespace gpu {
 
 namespace {
 
-constexpr std::uint32_t resting = 0xFFFFFFFFu; // tolerance.glsl
-constexpr std::size_t mostGroups = 65535; // the least that GL promises
+constexpr std::uint32_t notReached = 0xFFFFFFFFu; // tolerance.glsl
+constexpr std::size_t mostGroupsAtOnce = 65535; // the least that GL promises
 constexpr std::size_t sizeCount = 65536;
 /// Looking at what voxels are, and counting them, is so much less work than bringing to rest.
 constexpr std::size_t looksPerBrick = 8;
@@ -39,9 +39,9 @@ std::optional<int> centreOf(Program& kernel, VoxelFields& fields, const core::To
     fields.codes().bindUnit(0);
     words.pageTable().bindUnit(1);
     words.atlas().bindUnit(2);
-    for (std::size_t first = 0; first < bricks.size(); first += mostGroups) {
+    for (std::size_t first = 0; first < bricks.size(); first += mostGroupsAtOnce) {
         const std::span<const std::uint32_t> batch =
-            std::span(bricks).subspan(first, std::min(mostGroups, bricks.size() - first));
+            std::span(bricks).subspan(first, std::min(mostGroupsAtOnce, bricks.size() - first));
         Buffer list({.label = "tolerance seed bricks", .bytes = batch.size_bytes()});
         list.write(batch);
         const Buffer found(
@@ -150,7 +150,7 @@ void ToleranceKernel::take(Phase phase)
         m_pending = Buffer({.label = "tolerance pending", .bytes = bricks * sizeof(std::uint32_t)});
     if (phase == Phase::Init) {
         m_field.worked = false;
-        m_pending.fill(resting);
+        m_pending.fill(notReached);
     }
     if (phase == Phase::Count) {
         m_sizes = Buffer({.label = "tolerance sizes", .bytes = sizeCount * sizeof(std::uint32_t)});
@@ -184,7 +184,7 @@ void ToleranceKernel::advance(std::size_t bricks)
 void ToleranceKernel::look(std::size_t bricks)
 {
     const std::size_t all = std::size_t(m_fields.grid().brickCount());
-    const std::size_t count = std::min({bricks, all - m_next, mostGroups});
+    const std::size_t count = std::min({bricks, all - m_next, mostGroupsAtOnce});
     BrickField& words = m_fields.seedWords(m_field.rule.plane);
     m_criterion.setUniforms(m_init);
     m_criterion.bind(m_fields);
@@ -220,12 +220,12 @@ void ToleranceKernel::relax(std::size_t bricks)
     m_pending.read(std::span<std::uint32_t>(brought));
     std::vector<std::uint32_t> chosen;
     for (std::uint32_t brick = 0; brick < brought.size(); ++brick) {
-        if (brought[brick] != resting)
+        if (brought[brick] != notReached)
             chosen.push_back(brick);
     }
     if (chosen.empty())
         return take(Phase::Count);
-    const std::size_t most = std::min(bricks, mostGroups);
+    const std::size_t most = std::min(bricks, mostGroupsAtOnce);
     if (chosen.size() > most) {
         // Least first: what comes later is then seldom undercut.
         std::nth_element(chosen.begin(), chosen.begin() + std::ptrdiff_t(most), chosen.end(),
@@ -234,7 +234,7 @@ void ToleranceKernel::relax(std::size_t bricks)
         std::sort(chosen.begin(), chosen.end());
     }
     for (const std::uint32_t brick : chosen)
-        brought[brick] = resting;
+        brought[brick] = notReached;
     m_pending.write(std::span<const std::uint32_t>(brought));
     m_visits += chosen.size();
 
@@ -251,7 +251,7 @@ void ToleranceKernel::relax(std::size_t bricks)
 void ToleranceKernel::count(std::size_t bricks)
 {
     const std::size_t all = std::size_t(m_fields.grid().brickCount());
-    const std::size_t count = std::min({bricks, all - m_next, mostGroups});
+    const std::size_t count = std::min({bricks, all - m_next, mostGroupsAtOnce});
     Program& kernel = m_programs.count();
     kernel.set("firstBrick", unsigned(m_next));
     m_field.tolerances.bindImage(0, GL_READ_ONLY);

@@ -89,9 +89,10 @@ void ChunkTextures::takeColours(Colours& colours, const std::vector<std::uint32_
                 : ChunkBodies::Colour{std::uint8_t(colour >> 16), std::uint8_t(colour >> 8),
                     std::uint8_t(colour), alpha});
     }
-    const glm::ivec2 wide(int(colours.row.size()), 1);
-    if (colours.texture.size() != wide)
-        colours.texture = Texture2D({.label = "chunk colours", .size = wide, .format = GL_RGBA8});
+    const glm::ivec2 rowSize(int(colours.row.size()), 1);
+    if (colours.texture.size() != rowSize)
+        colours.texture =
+            Texture2D({.label = "chunk colours", .size = rowSize, .format = GL_RGBA8});
     colours.texture.upload(std::span<const ChunkBodies::Colour>(colours.row));
 }
 

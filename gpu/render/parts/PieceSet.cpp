@@ -17,7 +17,7 @@ namespace gpu {
 namespace {
 
 constexpr std::size_t mostPieces = 64; // pieces.glsl, core/edits/document/DocumentEdits.cpp
-constexpr int side = MacroCells::side;
+constexpr int cellSide = MacroCells::side;
 
 /// As in pieces.glsl.
 struct GpuPiece {
@@ -99,9 +99,10 @@ GpuPiece gpuPiece(
     result.colour = glm::vec4(float(piece.rgb >> 16 & 255u), float(piece.rgb >> 8 & 255u),
                         float(piece.rgb & 255u), 255.0f)
         / 255.0f;
-    result.cellLow = glm::vec4(glm::vec3(entry.box.minimum / side), 0.0f);
-    result.cellHigh = glm::vec4(glm::vec3((entry.box.maximum - 1) / side), 0.0f);
-    result.cells = glm::vec4(glm::vec3(entry.place / side - entry.box.minimum / side), 0.0f);
+    result.cellLow = glm::vec4(glm::vec3(entry.box.minimum / cellSide), 0.0f);
+    result.cellHigh = glm::vec4(glm::vec3((entry.box.maximum - 1) / cellSide), 0.0f);
+    result.cells =
+        glm::vec4(glm::vec3(entry.place / cellSide - entry.box.minimum / cellSide), 0.0f);
     return result;
 }
 

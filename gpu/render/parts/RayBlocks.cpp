@@ -87,7 +87,7 @@ public:
     {
         const glm::dvec3 from = centre - m_view.targetLps;
         glm::dvec2 place = m_view.placeOf(from);
-        double reach = radius * m_drawnOut;
+        double reachMm = radius * m_drawnOut;
         if (!m_view.orthographic) {
             const double depth = m_view.depthOf(from) * m_view.distanceMm;
             if (depth < -radius)
@@ -101,10 +101,10 @@ public:
             const glm::dvec2 aside = place - m_ahead;
             const double slant =
                 1.0 + glm::dot(aside, aside) / (m_view.distanceMm * m_view.distanceMm);
-            reach *= scale * slant * depth / (depth - radius);
+            reachMm *= scale * slant * depth / (depth - radius);
         }
         const glm::dvec2 pixel = m_view.middle + place / m_view.mmPerPixel;
-        const double pixels = reach / m_view.mmPerPixel + 1.0;
+        const double pixels = reachMm / m_view.mmPerPixel + 1.0;
         marks.add(
             (pixel - pixels) * m_perFramePixel - 1.0, (pixel + pixels) * m_perFramePixel + 1.0);
     }

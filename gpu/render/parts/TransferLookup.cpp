@@ -29,7 +29,7 @@ glm::dvec2 entryOf(double lowest, double highest, const core::VoxelEncoding& enc
     return {value.x * perValue, (value.y - lowest) * perValue + 0.5};
 }
 
-glm::dvec3 colourOf(std::uint32_t rgb)
+glm::dvec3 colourOfRgb(std::uint32_t rgb)
 {
     return glm::dvec3(rgb >> 16 & 255u, rgb >> 8 & 255u, rgb & 255u) / 255.0;
 }
@@ -39,13 +39,13 @@ glm::dvec4 sample(const std::vector<TransferFunction::Point>& points, double val
     const auto above = std::find_if(points.begin(), points.end(),
         [value](const TransferFunction::Point& point) { return point.value > value; });
     if (above == points.begin())
-        return {colourOf(above->rgb), above->opacity};
+        return {colourOfRgb(above->rgb), above->opacity};
     const auto below = above - 1;
     if (above == points.end())
-        return {colourOf(below->rgb), below->opacity};
+        return {colourOfRgb(below->rgb), below->opacity};
     const double part = (value - below->value) / (above->value - below->value);
-    return glm::mix(glm::dvec4(colourOf(below->rgb), below->opacity),
-        glm::dvec4(colourOf(above->rgb), above->opacity), part);
+    return glm::mix(glm::dvec4(colourOfRgb(below->rgb), below->opacity),
+        glm::dvec4(colourOfRgb(above->rgb), above->opacity), part);
 }
 
 } // namespace

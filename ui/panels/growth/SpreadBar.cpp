@@ -20,7 +20,7 @@ namespace ui {
 
 namespace {
 
-constexpr int watchMilliseconds = 40;
+constexpr int barMilliseconds = 40;
 
 QPushButton* button(QWidget* parent, const char* name, const QString& text, const QString& tip)
 {
@@ -39,7 +39,7 @@ SpreadBar::SpreadBar(Workspace& workspace, QWidget* parent)
     , m_workspace(workspace)
 {
     build();
-    m_watch.setInterval(watchMilliseconds);
+    m_watch.setInterval(barMilliseconds);
     connect(&m_watch, &QTimer::timeout, this, &SpreadBar::follow);
     connect(m_preview, &QPushButton::clicked, this, &SpreadBar::preview);
     connect(m_apply, &QPushButton::clicked, this, &SpreadBar::apply);

@@ -18,7 +18,7 @@ constexpr double indent = 18.0;
 constexpr int deepest = 4; ///< deeper branches are drawn like these: the panel is narrow
 constexpr double beadRadius = 4.0;
 constexpr int arrowSize = 14;
-constexpr double stroke = 1.5;
+constexpr double strokeWidth = 1.5;
 
 double lineX(const QRectF& row, int depth)
 {
@@ -27,7 +27,7 @@ double lineX(const QRectF& row, int depth)
 
 void drawVertical(QPainter& painter, double x, double top, double bottom, const QColor& colour)
 {
-    painter.setPen(QPen(colour, stroke, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(colour, strokeWidth, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(QPointF(x, top), QPointF(x, bottom));
 }
 
@@ -48,7 +48,7 @@ void drawLines(QPainter& painter, const QRectF& row, const QModelIndex& index)
     const bool undone = index.data(HistoryModel::UndoneRole).toBool();
     const QColor above = depth > 0 || undone ? theme::faint : theme::secondary;
     if (heading && depth <= deepest) {
-        painter.setPen(QPen(theme::faint, stroke, Qt::SolidLine, Qt::FlatCap));
+        painter.setPen(QPen(theme::faint, strokeWidth, Qt::SolidLine, Qt::FlatCap));
         painter.drawLine(
             QPointF(lineX(row, depth - 1), middle), QPointF(x - arrowSize / 2.0, middle));
     } else if (!heading && index.row() > 0) {
@@ -64,12 +64,12 @@ void drawBead(QPainter& painter, const QPointF& at, const QModelIndex& index)
     const bool branch = index.data(HistoryModel::DepthRole).toInt() > 0;
     const bool undone = index.data(HistoryModel::UndoneRole).toBool();
     const bool current = index.data(HistoryModel::CurrentRole).toBool();
-    painter.setPen(branch ? QPen(theme::secondary, stroke) : QPen(Qt::NoPen));
+    painter.setPen(branch ? QPen(theme::secondary, strokeWidth) : QPen(Qt::NoPen));
     painter.setBrush(branch ? theme::panel
             : current       ? theme::accent
             : undone        ? theme::faint
                             : theme::secondary);
-    const double radius = branch ? beadRadius - stroke / 2.0 : beadRadius;
+    const double radius = branch ? beadRadius - strokeWidth / 2.0 : beadRadius;
     painter.drawEllipse(at, radius, radius);
 }
 

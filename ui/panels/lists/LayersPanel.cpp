@@ -26,7 +26,7 @@ namespace ui {
 
 namespace {
 
-constexpr int mostRows = 4;
+constexpr int mostLayerRows = 4;
 
 } // namespace
 
@@ -95,7 +95,8 @@ QString LayersPanel::summary() const
 void LayersPanel::refresh()
 {
     m_add->setEnabled(m_workspace.session() != nullptr);
-    m_view->setFixedHeight(std::clamp(m_model->rowCount(), 1, mostRows) * LayerDelegate::rowHeight);
+    m_view->setFixedHeight(
+        std::clamp(m_model->rowCount(), 1, mostLayerRows) * LayerDelegate::rowHeight);
     const int active = m_model->rowOf(m_workspace.activeLayer());
     if (active >= 0 && m_view->currentIndex().row() != active)
         m_view->setCurrentIndex(m_model->index(active));

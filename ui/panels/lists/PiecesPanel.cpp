@@ -33,7 +33,7 @@ namespace ui {
 
 namespace {
 
-constexpr int mostRows = 5;
+constexpr int mostPieceRows = 5;
 
 QDoubleSpinBox* numberBox(QWidget* parent, double reach, int decimals, const QString& name)
 {
@@ -234,7 +234,8 @@ void PiecesPanel::refresh()
     const bool any = m_model->rowCount() > 0;
     m_empty->setVisible(!any);
     m_list->setVisible(any);
-    m_list->setFixedHeight(std::clamp(m_model->rowCount(), 1, mostRows) * PieceDelegate::rowHeight);
+    m_list->setFixedHeight(
+        std::clamp(m_model->rowCount(), 1, mostPieceRows) * PieceDelegate::rowHeight);
     const int row = m_model->rowOf(m_workspace.pieces().active());
     if (row >= 0 && m_list->currentIndex().row() != row)
         m_list->setCurrentIndex(m_model->index(row));

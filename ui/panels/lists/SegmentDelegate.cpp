@@ -13,14 +13,14 @@ namespace ui {
 
 namespace {
 
-constexpr int nameLeft = 66;
+constexpr int segmentNameLeft = 66;
 constexpr int lockWidth = 22;
 constexpr int volumeWidth = 74;
 
 QRect nameRect(const QRect& row)
 {
-    return {
-        row.left() + nameLeft, row.top() + 3, row.width() - nameLeft - volumeWidth - lockWidth, 18};
+    return {row.left() + segmentNameLeft, row.top() + 3,
+        row.width() - segmentNameLeft - volumeWidth - lockWidth, 18};
 }
 
 } // namespace
@@ -37,7 +37,8 @@ QRect SegmentDelegate::colourRect(const QRect& row)
 
 QRect SegmentDelegate::codeRect(const QRect& row)
 {
-    return {row.left() + nameLeft, row.top() + 21, row.width() - nameLeft - lockWidth - 8, 16};
+    return {row.left() + segmentNameLeft, row.top() + 21,
+        row.width() - segmentNameLeft - lockWidth - 8, 16};
 }
 
 QRect SegmentDelegate::lockRect(const QRect& row)

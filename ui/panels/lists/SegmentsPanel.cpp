@@ -26,7 +26,7 @@ namespace ui {
 
 namespace {
 
-constexpr int mostRows = 6;
+constexpr int mostSegmentRows = 6;
 
 } // namespace
 
@@ -104,7 +104,7 @@ void SegmentsPanel::refresh()
     m_view->setVisible(any);
     // As high as its rows, so that the history has what is left; many segments scroll.
     m_view->setFixedHeight(
-        std::clamp(m_model->rowCount(), 1, mostRows) * SegmentDelegate::rowHeight);
+        std::clamp(m_model->rowCount(), 1, mostSegmentRows) * SegmentDelegate::rowHeight);
     const int active = m_model->rowOf(m_workspace.activeSegment());
     if (active >= 0 && m_view->currentIndex().row() != active)
         m_view->setCurrentIndex(m_model->index(active));

@@ -18,7 +18,7 @@ namespace ui {
 
 namespace {
 
-constexpr int mostRows = 4;
+constexpr int mostDoubtRows = 4;
 
 QString textOf(const SurfaceDoubts::Doubt& doubt)
 {
@@ -83,7 +83,7 @@ void DoubtsSection::show()
     m_list->setVisible(!all.empty());
     const int rowHeight = std::max(m_list->sizeHintForRow(0), theme::controlHeight);
     m_list->setFixedHeight(
-        rowHeight * std::clamp(m_list->count(), 1, mostRows) + 2 * m_list->frameWidth());
+        rowHeight * std::clamp(m_list->count(), 1, mostDoubtRows) + 2 * m_list->frameWidth());
     m_look->setEnabled(!m_doubts.isLooking());
     m_found->setText(m_doubts.isLooking() ? tr("looking …")
             : m_looked && all.empty()     ? tr("none")

@@ -33,7 +33,7 @@ namespace ui {
 
 namespace {
 
-constexpr int mostRows = 4;
+constexpr int mostErrorRows = 4;
 constexpr int fewestVertices = 1000;
 constexpr int vertexStep = 1000;
 
@@ -313,7 +313,7 @@ void RefinePanel::showErrors()
     m_signOff->setEnabled(m_errors->currentRow() >= 0);
     const int rowHeight = std::max(m_errors->sizeHintForRow(0), theme::controlHeight);
     m_errors->setFixedHeight(
-        rowHeight * std::clamp(m_errors->count(), 1, mostRows) + 2 * m_errors->frameWidth());
+        rowHeight * std::clamp(m_errors->count(), 1, mostErrorRows) + 2 * m_errors->frameWidth());
 }
 
 /// Until what was asked for is done: the session tells of its end only where something changed.

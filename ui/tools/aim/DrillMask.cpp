@@ -4,6 +4,7 @@
 #include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "ui/tools/aim/CursorLabel.h"
+#include "ui/tools/aim/SweepAim.h"
 
 #include <QPainter>
 
@@ -15,20 +16,14 @@ namespace ui {
 namespace {
 
 constexpr double radian = 180.0 / 3.14159265358979323846; ///< degrees
-constexpr double steepestTiltDegrees = 70.0;
 /// A pen that leans less does so by chance: which way means nothing.
 constexpr double leastLean = 0.176; ///< tan 10°
 constexpr double outlineElementMm = 0.25;
 
-double tangent(double degrees)
-{
-    return std::tan(std::clamp(degrees, -steepestTiltDegrees, steepestTiltDegrees) / radian);
-}
-
 /// Where the pen's upper end leans to, right and up; as long as the tangent of its tilt.
 glm::dvec2 leanOf(const PointerSample& pen)
 {
-    return {tangent(pen.tiltDegrees.x()), -tangent(pen.tiltDegrees.y())};
+    return {tiltTangent(pen.tiltDegrees.x()), -tiltTangent(pen.tiltDegrees.y())};
 }
 
 /// Degrees counter-clockwise.

@@ -22,13 +22,13 @@ glm::dmat3 axesOf(const core::OrthographicView& view)
     return glm::dmat3(right, glm::cross(right, forward), forward);
 }
 
-double tangent(double degrees)
+} // namespace
+
+double tiltTangent(double degrees)
 {
     return std::tan(std::clamp(degrees, -steepestTiltDegrees, steepestTiltDegrees)
         * (3.14159265358979323846 / 180.0));
 }
-
-} // namespace
 
 SweepAim::SweepAim(
     const core::OrthographicView& drawnIn, const glm::dvec3& placeLps, const glm::dvec3& direction)
@@ -82,7 +82,7 @@ glm::dvec3 sweepDirection(Workspace::Sweep sweep, const core::OrthographicView& 
     case Workspace::Sweep::Pen:
         // Its upper end leans to the right and to the user, its tip points the other way.
         return glm::normalize(
-            axes * glm::dvec3(-tangent(tiltDegrees.x()), tangent(tiltDegrees.y()), 1.0));
+            axes * glm::dvec3(-tiltTangent(tiltDegrees.x()), tiltTangent(tiltDegrees.y()), 1.0));
     }
     return axes[2];
 }

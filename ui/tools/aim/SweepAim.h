@@ -38,6 +38,9 @@ private:
     glm::dmat3 m_axes{1.0};
 };
 
+/// The tangent of a pen's tilt; a pen that lies flatter than 70° counts as one of 70°.
+[[nodiscard]] double tiltTangent(double degrees);
+
 /// The direction in which a drill goes in; unit.
 /// @param normal of the surface under the pen, into the material
 [[nodiscard]] glm::dvec3 sweepDirection(Workspace::Sweep sweep, const core::OrthographicView& view,

@@ -5,6 +5,7 @@
 #include "ui/base/Theme.h"
 #include "ui/overlays/ClipOutline.h"
 #include "ui/tools/aim/CursorLabel.h"
+#include "ui/tools/view/HandleReach.h"
 #include "ui/workspace/ClipSteps.h"
 #include "ui/workspace/Workspace.h"
 
@@ -16,14 +17,7 @@ namespace ui {
 
 namespace {
 
-constexpr double handleRadius = 6.0;
-constexpr double reachPixels = 14.0;
-constexpr int boxFaces = 6;
-
-double distance(const QPointF& a, const QPointF& b)
-{
-    return std::hypot(a.x() - b.x(), a.y() - b.y());
-}
+constexpr int faceCount = 6;
 
 } // namespace
 
@@ -70,7 +64,7 @@ std::optional<ClipHandle> ClipTool::handleAt(const QPointF& pixel, const ViewCon
     for (const ClipHandle& handle :
         clipHandles(view, m_workspace.clip(), m_workspace.volume()->geometry)) {
         const double apart = distance(handle.pixel, pixel);
-        if (apart <= (nearest ? distance(nearest->pixel, pixel) : reachPixels))
+        if (apart <= (nearest ? distance(nearest->pixel, pixel) : handleReach))
             nearest = handle;
     }
     return nearest;
@@ -140,8 +134,8 @@ QString ClipTool::textOf(int face) const
 {
     const core::ClipRegion& clip = m_workspace.clip();
     const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
-    if (face >= boxFaces)
-        return tr("plane %1").arg(face - boxFaces + 1);
+    if (face >= faceCount)
+        return tr("plane %1").arg(face - faceCount + 1);
     const int axis = face / 2;
     const double index = face % 2 == 1 ? clip.box.maximum[axis] : clip.box.minimum[axis];
     return tr("%1 mm").arg(numberText((index + 0.5) * geometry.spacingMm()[axis], 1));
@@ -162,7 +156,7 @@ void ClipTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         const bool held = m_drag && m_drag->view == view.view && m_drag->handle.face == handle.face;
         const bool marked =
             held || (!m_drag && m_hoveredView == view.view && m_hovered == handle.face);
-        const QColor colour = handle.face < boxFaces ? theme::accent : theme::caution;
+        const QColor colour = handle.face < faceCount ? theme::accent : theme::caution;
         painter.setPen(QPen(QColor(0, 0, 0, 190), 1.6));
         painter.setBrush(marked ? theme::text : colour);
         painter.drawEllipse(handle.pixel, marked ? handleRadius + 1.5 : handleRadius,

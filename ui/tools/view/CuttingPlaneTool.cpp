@@ -3,6 +3,7 @@
 
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/SeenVoxels.h"
+#include "ui/tools/view/HandleReach.h"
 #include "ui/tools/view/PlaneOptions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -15,14 +16,7 @@ namespace ui {
 
 namespace {
 
-constexpr double handleRadius = 6.0;
-constexpr double reachPixels = 14.0;
 constexpr double degreesPerPixel = 0.4;
-
-double distance(const QPointF& a, const QPointF& b)
-{
-    return std::hypot(a.x() - b.x(), a.y() - b.y());
-}
 
 } // namespace
 
@@ -105,7 +99,7 @@ std::optional<PlaneHandle> CuttingPlaneTool::handleAt(
     std::optional<PlaneHandle> nearest;
     for (const PlaneHandle& handle : planeHandles(view, m_workspace.plane())) {
         const double apart = distance(handle.pixel, pixel);
-        if (apart <= (nearest ? distance(nearest->pixel, pixel) : reachPixels))
+        if (apart <= (nearest ? distance(nearest->pixel, pixel) : handleReach))
             nearest = handle;
     }
     return nearest;

@@ -12,7 +12,7 @@ namespace ui {
 
 namespace {
 
-constexpr double leastPixelsPerMm = 0.25; // of what the view shows of a millimetre across
+constexpr double leastPlanePixelsPerMm = 0.25; // of what the view shows of a millimetre across
 constexpr double leastPixelsPerRadian = 12.0;
 constexpr double small = 1e-3; // radians
 
@@ -46,7 +46,7 @@ std::optional<PlaneHandle> moving(const ViewContext& view, const CuttingPlane& p
         .axisLps = plane.pose().normalLps(),
         .pixel = pixel,
         .pixelsPerUnit = view.toPixel(placeLps + wayLps) - pixel};
-    if (lengthOf(handle.pixelsPerUnit) < leastPixelsPerMm / view.mmPerPixel())
+    if (lengthOf(handle.pixelsPerUnit) < leastPlanePixelsPerMm / view.mmPerPixel())
         return std::nullopt;
     return handle;
 }

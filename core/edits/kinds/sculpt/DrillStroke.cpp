@@ -17,7 +17,7 @@ namespace core {
 
 namespace {
 
-Result<void> checkRange(const char* field, double value, double minimum, double maximum)
+Result<void> checkDrillRange(const char* field, double value, double minimum, double maximum)
 {
     if (value >= minimum && value <= maximum)
         return {};
@@ -55,13 +55,13 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
 {
     const bool rate = stroke.mode == DrillMode::Rate;
     for (const Result<void>& check :
-        {checkRange("mask.radiusMm", stroke.mask.radiusMm, 0.01, 200.0),
-            checkRange("mask.softnessMm", stroke.mask.softnessMm, 0.0, 200.0),
-            checkRange("depthMm", stroke.depthMm, 0.0, 500.0),
-            checkRange("floorMm", stroke.floorMm, 0.0, 500.0),
-            checkRange("guardMm", stroke.guardMm, 0.0, 500.0),
-            checkRange("pressureExponent", stroke.pressureExponent, 1, 3),
-            checkRange("layer", stroke.layer, 1, 254)}) {
+        {checkDrillRange("mask.radiusMm", stroke.mask.radiusMm, 0.01, 200.0),
+            checkDrillRange("mask.softnessMm", stroke.mask.softnessMm, 0.0, 200.0),
+            checkDrillRange("depthMm", stroke.depthMm, 0.0, 500.0),
+            checkDrillRange("floorMm", stroke.floorMm, 0.0, 500.0),
+            checkDrillRange("guardMm", stroke.guardMm, 0.0, 500.0),
+            checkDrillRange("pressureExponent", stroke.pressureExponent, 1, 3),
+            checkDrillRange("layer", stroke.layer, 1, 254)}) {
         if (!check)
             return tl::unexpected(check.error());
     }

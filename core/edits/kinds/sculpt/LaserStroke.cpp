@@ -23,7 +23,7 @@ namespace {
 /// Beam coordinates are 64-bit products: farther corners would leave them.
 constexpr double largestVolumeMm = 8000.0;
 
-Result<void> checkRange(const char* field, double value, double minimum, double maximum)
+Result<void> checkLaserRange(const char* field, double value, double minimum, double maximum)
 {
     if (value >= minimum && value <= maximum)
         return {};
@@ -61,11 +61,11 @@ EditEffects effects(const LaserStroke&)
 Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document)
 {
     for (const Result<void>& check :
-        {checkRange("mask.softnessMm", stroke.mask.softnessMm, 0.0, 200.0),
-            checkRange("depthMm", stroke.depthMm, 0.0, 500.0),
-            checkRange("floorMm", stroke.floorMm, 0.0, 500.0),
-            checkRange("pressureExponent", stroke.pressureExponent, 1, 3),
-            checkRange("layer", stroke.layer, 1, 254)}) {
+        {checkLaserRange("mask.softnessMm", stroke.mask.softnessMm, 0.0, 200.0),
+            checkLaserRange("depthMm", stroke.depthMm, 0.0, 500.0),
+            checkLaserRange("floorMm", stroke.floorMm, 0.0, 500.0),
+            checkLaserRange("pressureExponent", stroke.pressureExponent, 1, 3),
+            checkLaserRange("layer", stroke.layer, 1, 254)}) {
         if (!check)
             return tl::unexpected(check.error());
     }

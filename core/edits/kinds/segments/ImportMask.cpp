@@ -21,7 +21,7 @@ using namespace rowWords;
 
 namespace {
 
-constexpr int lastLabel = 255;
+constexpr int highestLabel = 255;
 
 /// What importMask means by its "as": one that is there; none: a new one.
 Result<std::optional<int>> segmentMeant(const ImportMask& edit, const Document& document)
@@ -122,7 +122,7 @@ Result<ImportTargets> importTargets(const ImportMask& edit, const Document& docu
     if (!meant)
         return tl::unexpected(meant.error());
     ImportTargets result{.targets = {}, .isNew = !*meant};
-    const int room = lastLabel - document.lastLabelGiven();
+    const int room = highestLabel - document.lastLabelGiven();
     const auto wanted = std::ssize(*edit.segments);
     if (result.isNew && (edit.as ? 1 : wanted) > room)
         return wrong("importMask.segments",
