@@ -16,7 +16,7 @@ std::int64_t ceilQuotient(std::int64_t number, std::int64_t by)
     return number >= 0 ? (number + by - 1) / by : -(-number / by);
 }
 
-/// An edge that goes up, for the rows from its lower end to below its upper onePixel.
+/// An edge that goes up, for the rows from its lower end to below its upper one.
 struct Edge {
     glm::i64vec2 low;
     glm::i64vec2 high;

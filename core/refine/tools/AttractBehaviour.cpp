@@ -13,7 +13,7 @@ namespace {
 /// Of the way to the edge, in a step.
 constexpr double attractedShare = 0.5;
 
-/// Outwards, with a attractedShare of its neighbours' ones: of length 1, or 0.
+/// Outwards, with a share of its neighbours' ones: of length 1, or 0.
 glm::dvec3 evenNormal(const SimplexMesh& mesh, VertexId id)
 {
     glm::dvec3 sum = 3.0 * frameAt(mesh, id).normalLps;

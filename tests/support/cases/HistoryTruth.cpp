@@ -535,7 +535,7 @@ template <class List, class Id> void move(List& list, Id member, int id, int pla
     list.insert(list.begin() + std::min(std::ptrdiff_t(place) - 1, std::ssize(list)), moved);
 }
 
-template <class T> void take(T& target, const std::optional<T>& value)
+template <class T> void takeValue(T& target, const std::optional<T>& value)
 {
     target = value.value_or(target);
 }
@@ -589,10 +589,10 @@ void changePieces(const Edit& edit, Document& document)
             .pose = paste->pose});
     } else if (const auto* change = edit.as<ChangePiece>()) {
         Piece& piece = *with(pieces, &Piece::id, change->piece);
-        take(piece.name, change->name);
-        take(piece.pose.offsetMm, change->offsetMm);
-        take(piece.pose.rotationDegrees, change->rotationDegrees);
-        take(piece.pose.zoom, change->zoom);
+        takeValue(piece.name, change->name);
+        takeValue(piece.pose.offsetMm, change->offsetMm);
+        takeValue(piece.pose.rotationDegrees, change->rotationDegrees);
+        takeValue(piece.pose.zoom, change->zoom);
     } else if (edit.is<SendPiecesHome>()) {
         for (Piece& piece : pieces)
             piece.pose = PiecePose{};
@@ -619,11 +619,11 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
             .code = add->code});
     } else if (const auto* change = edit.as<ChangeSegment>()) {
         Segment& segment = *with(segments, &Segment::label, change->segment);
-        take(segment.name, change->name);
-        take(segment.rgb, change->rgb);
-        take(segment.code, change->code);
-        take(segment.locked, change->locked);
-        take(segment.uncarvable, change->uncarvable);
+        takeValue(segment.name, change->name);
+        takeValue(segment.rgb, change->rgb);
+        takeValue(segment.code, change->code);
+        takeValue(segment.locked, change->locked);
+        takeValue(segment.uncarvable, change->uncarvable);
     } else if (const auto* moved = edit.as<MoveSegment>()) {
         move(segments, &Segment::label, moved->segment, moved->place);
     } else if (const auto* remove = edit.as<RemoveSegment>()) {
@@ -646,9 +646,9 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
         layers.push_back({.id = std::uint8_t(id + 1), .name = layer->name});
     } else if (const auto* other = edit.as<ChangeLayer>()) {
         SculptLayer& target = *with(layers, &SculptLayer::id, other->layer);
-        take(target.name, other->name);
-        take(target.muted, other->muted);
-        take(target.solo, other->solo);
+        takeValue(target.name, other->name);
+        takeValue(target.muted, other->muted);
+        takeValue(target.solo, other->solo);
     } else if (const auto* order = edit.as<MoveLayer>()) {
         move(layers, &SculptLayer::id, order->layer, order->place);
     } else if (const auto* gone = edit.as<RemoveLayer>()) {

@@ -17,8 +17,8 @@ namespace test {
 namespace {
 
 constexpr std::size_t voxels = BrickGrid::voxelsPerBrick;
-constexpr BrickKey labels{Field::Labels, 0, 0};
-constexpr BrickKey coverage{Field::Coverage, 1, 0};
+constexpr BrickKey labelKey{Field::Labels, 0, 0};
+constexpr BrickKey coverageKey{Field::Coverage, 1, 0};
 
 /// Voxels of one value where @p holds says so, 0 elsewhere.
 std::vector<std::uint8_t> filled(std::uint8_t value, const std::function<bool(std::size_t)>& holds)
@@ -37,7 +37,7 @@ bool inSecondHalf(std::size_t voxel)
 {
     return voxel >= voxels / 2;
 }
-bool everywhere(std::size_t)
+bool inWhole(std::size_t)
 {
     return true;
 }
@@ -109,54 +109,54 @@ private:
 void layingTwiceIsNothing(Talk& talk)
 {
     const auto first = filled(3, inFirstHalf);
-    const auto all = filled(7, everywhere);
-    talk.put({{labels, first}});
-    const EngineResult laid = talk.lay({{labels, all}});
+    const auto all = filled(7, inWhole);
+    talk.put({{labelKey, first}});
+    const EngineResult laid = talk.lay({{labelKey, all}});
     talk.expect(laid.changes.size() == 1 && laid.facts.voxelsChanged == std::int64_t(voxels),
         "every voxel differs");
     talk.expect(laid.facts.flow(0, 3).lost == std::int64_t(voxels / 2), "3 is gone");
     talk.expect(laid.facts.flow(0, 4).gained == std::int64_t(voxels / 2), "3 xor 7 has come");
-    talk.expect(talk.lay({{labels, all}, {labels, all}}).changes.empty(),
+    talk.expect(talk.lay({{labelKey, all}, {labelKey, all}}).changes.empty(),
         "a difference that is laid over twice at once changes nothing");
-    talk.lay({{labels, all}});
-    talk.expectHeld(labels, first);
-    talk.lay({{labels, first}});
-    talk.expectHeld(labels, {});
+    talk.lay({{labelKey, all}});
+    talk.expectHeld(labelKey, first);
+    talk.lay({{labelKey, first}});
+    talk.expectHeld(labelKey, {});
 }
 
 void keptLabelsNeitherComeNorGo(Talk& talk)
 {
     const auto held = filled(3, inFirstHalf);
     const auto other = filled(5, inSecondHalf);
-    talk.put({{labels, held}});
+    talk.put({{labelKey, held}});
     LabelGuard guard;
     guard.kept.set(3);
-    talk.expectRefused(talk.put({{labels, {}}}, guard), ErrorCode::SegmentLocked, 3);
-    talk.expectRefused(talk.lay({{labels, held}}, guard), ErrorCode::SegmentLocked, 3);
+    talk.expectRefused(talk.put({{labelKey, {}}}, guard), ErrorCode::SegmentLocked, 3);
+    talk.expectRefused(talk.lay({{labelKey, held}}, guard), ErrorCode::SegmentLocked, 3);
     talk.expectRefused(
         talk.put({{{Field::Labels, 0, 1}, held}}, guard), ErrorCode::SegmentLocked, 3);
-    talk.expectHeld(labels, held);
-    talk.expect(!talk.lay({{labels, other}}, guard).error, "5 may come beside 3");
+    talk.expectHeld(labelKey, held);
+    talk.expect(!talk.lay({{labelKey, other}}, guard).error, "5 may come beside 3");
     guard.kept.set(5);
-    talk.expectRefused(talk.lay({{labels, other}}, guard), ErrorCode::SegmentLocked, 5);
+    talk.expectRefused(talk.lay({{labelKey, other}}, guard), ErrorCode::SegmentLocked, 5);
 }
 
 void protectedLabelsAreNotCarved(Talk& talk)
 {
-    talk.put({{labels, filled(3, inFirstHalf)}, {coverage, filled(100, inFirstHalf)}});
+    talk.put({{labelKey, filled(3, inFirstHalf)}, {coverageKey, filled(100, inFirstHalf)}});
     LabelGuard guard;
     guard.uncarved.set(3);
     talk.expectRefused(
-        talk.put({{coverage, filled(101, everywhere)}}, guard), ErrorCode::SegmentProtected, 3);
+        talk.put({{coverageKey, filled(101, inWhole)}}, guard), ErrorCode::SegmentProtected, 3);
     talk.expectRefused(
-        talk.lay({{coverage, filled(2, inFirstHalf)}}, guard), ErrorCode::SegmentProtected, 3);
-    talk.expectHeld(coverage, filled(100, inFirstHalf));
+        talk.lay({{coverageKey, filled(2, inFirstHalf)}}, guard), ErrorCode::SegmentProtected, 3);
+    talk.expectHeld(coverageKey, filled(100, inFirstHalf));
     // Less is no carving, nor is it where the label is not.
-    const EngineResult less = talk.lay({{coverage, filled(100, inFirstHalf)}}, guard);
+    const EngineResult less = talk.lay({{coverageKey, filled(100, inFirstHalf)}}, guard);
     talk.expect(!less.error && less.changes.size() == 1, "what was carved may be filled");
-    talk.expect(!talk.put({{coverage, filled(255, inSecondHalf)}}, guard).error,
+    talk.expect(!talk.put({{coverageKey, filled(255, inSecondHalf)}}, guard).error,
         "what is not protected may be carved");
-    talk.expect(!talk.put({{coverage, {}}}, guard).error, "all may be filled");
+    talk.expect(!talk.put({{coverageKey, {}}}, guard).error, "all may be filled");
 }
 
 void whatIsNotWholeIsRefused(Talk& talk)
@@ -165,14 +165,14 @@ void whatIsNotWholeIsRefused(Talk& talk)
         talk.expect(result.error && result.error->code == ErrorCode::InvalidField,
             "it is not refused as unsound");
     };
-    refuses(talk.lay({{labels, {}}})); // a difference has its bytes
-    refuses(talk.lay({{labels, std::vector<std::uint8_t>(17, 1)}}));
-    refuses(talk.put({{labels, std::vector<std::uint8_t>(17, 1)}}));
-    refuses(talk.lay({{{Field::Labels, 0, 2}, filled(1, everywhere)}}));
+    refuses(talk.lay({{labelKey, {}}})); // a difference has its bytes
+    refuses(talk.lay({{labelKey, std::vector<std::uint8_t>(17, 1)}}));
+    refuses(talk.put({{labelKey, std::vector<std::uint8_t>(17, 1)}}));
+    refuses(talk.lay({{{Field::Labels, 0, 2}, filled(1, inWhole)}}));
     refuses(talk.ask(ReadSeedWords{.voxels = {{32, 0, 0}}}));
     refuses(talk.ask(ReadSeedWords{.voxels = {{0, -1, 0}}}));
     talk.begin(SeedPlacement{.label = 1});
-    refuses(talk.lay({{labels, filled(1, everywhere)}}));
+    refuses(talk.lay({{labelKey, filled(1, inWhole)}}));
     talk.ask(EndEdit{.ending = Ending::Rollback});
 }
 

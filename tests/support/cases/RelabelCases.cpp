@@ -41,7 +41,7 @@ void appendGrowth(std::vector<EngineStep>& steps, int count)
 }
 
 /// Two segments that grow, a third that waits, and a seed in what another one has grown over.
-void appendGrown(std::vector<EngineStep>& steps, const glm::ivec3& size)
+void appendRelabelled(std::vector<EngineStep>& steps, const glm::ivec3& size)
 {
     appendWhole(steps, core::SeedPlacement{.label = 1, .voxels = {{0, 0, 0}, size / 2}});
     appendWhole(steps, core::SeedPlacement{.label = 2, .voxels = {{1, 0, 0}, size - 1}});
@@ -50,7 +50,7 @@ void appendGrown(std::vector<EngineStep>& steps, const glm::ivec3& size)
     appendWhole(steps, core::SeedPlacement{.label = 3, .voxels = {{size.x - 1, 0, 0}}});
 }
 
-RelabelListed randomList(const glm::ivec3& size, std::uint8_t plane, Random& random)
+RelabelListed randomRelabelList(const glm::ivec3& size, std::uint8_t plane, Random& random)
 {
     RelabelListed edit{.target = {.plane = plane, .label = std::uint8_t(randomInt(random, 1, 4))}};
     for (std::size_t label = 1; label < 6; ++label)
@@ -103,7 +103,7 @@ EngineCase randomRelabelling(int number)
             made.steps.push_back(random() % 2 ? EngineStep(Undo{}) : EngineStep(Redo{}));
             break;
         default:
-            appendWhole(made.steps, randomList(size, plane, random), {},
+            appendWhole(made.steps, randomRelabelList(size, plane, random), {},
                 random() % 5 ? core::Ending::Commit : core::Ending::Rollback);
             break;
         }
@@ -145,7 +145,7 @@ std::vector<EngineCase> relabelCases(int randomCount)
     for (const std::uint8_t label : {1, 2, 3}) {
         EngineCase grown{
             "relabelled among members and seeds of " + QByteArray::number(label), codes, {}};
-        appendGrown(grown.steps, size);
+        appendRelabelled(grown.steps, size);
         appendWhole(grown.steps, everywhere(size, targetOf(label), byTurns));
         grown.steps.push_back(Undo{});
         appendWhole(grown.steps, everywhere(size, targetOf(label, {1, 2}), byTurns));

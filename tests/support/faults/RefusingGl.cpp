@@ -13,7 +13,7 @@ namespace test {
 
 namespace {
 
-std::atomic<int> counted = 0;
+std::atomic<int> countedRefusals = 0;
 std::atomic<int> refusals = 0;
 std::atomic<int> firstRefused = 0;
 std::atomic<bool> onAndOn = false;
@@ -27,7 +27,7 @@ bool refuses()
 {
     if (paused)
         return false;
-    const int call = ++counted;
+    const int call = ++countedRefusals;
     const int first = firstRefused;
     const bool refused = first > 0 && (call == first || (onAndOn && call > first));
     if (refused && mostGap > 0)
@@ -85,7 +85,7 @@ void exchange(Function& pointer, Function& real, Function refusing, const char* 
 RefusingGl::RefusingGl(int first, From from)
 {
     Q_ASSERT(bufferStorage == nullptr);
-    counted = 0;
+    countedRefusals = 0;
     refusals = 0;
     firstRefused = first;
     onAndOn = from == From::OnAndOn;
@@ -128,7 +128,7 @@ RefusingGl::Pause::~Pause()
 
 int RefusingGl::calls() const
 {
-    return counted;
+    return countedRefusals;
 }
 
 int RefusingGl::refused() const

@@ -8,10 +8,10 @@ namespace test {
 
 namespace {
 
-const glm::ivec3 size(40, 36, 34);
+const glm::ivec3 smallSize(40, 36, 34);
 const glm::dvec3 spacing(1.0, 1.0, 1.5);
 const glm::dvec3 origin(-20.0, -18.0, 100.0);
-const glm::dvec3 middle = origin + spacing * (glm::dvec3(size) - 1.0) / 2.0;
+const glm::dvec3 middle = origin + spacing * (glm::dvec3(smallSize) - 1.0) / 2.0;
 
 } // namespace
 
@@ -19,7 +19,7 @@ core::LoadedVolume smallStudy()
 {
     core::LoadedVolume loaded;
     core::Volume& volume = loaded.volume;
-    volume.geometry.size = size;
+    volume.geometry.size = smallSize;
     volume.geometry.indexToWorld = glm::dmat4(glm::dvec4(spacing.x, 0, 0, 0),
         glm::dvec4(0, spacing.y, 0, 0), glm::dvec4(0, 0, spacing.z, 0), glm::dvec4(origin, 1));
     volume.encoding = {.rescaleSlope = 1.0, .rescaleIntercept = -1024.0};
@@ -30,9 +30,9 @@ core::LoadedVolume smallStudy()
     volume.identity.modality = QStringLiteral("CT");
     volume.sourcePath = QStringLiteral("/nowhere/small");
     volume.voxelsSha256 = QByteArray(64, 'a');
-    for (int k = 0; k < size.z; ++k) {
-        for (int j = 0; j < size.y; ++j) {
-            for (int i = 0; i < size.x; ++i) {
+    for (int k = 0; k < smallSize.z; ++k) {
+        for (int j = 0; j < smallSize.y; ++j) {
+            for (int i = 0; i < smallSize.x; ++i) {
                 const double radius = glm::length(volume.geometry.toWorld({i, j, k}) - middle);
                 const int value = radius < 11 ? 40 : (radius < 15 ? 1000 : -1000);
                 loaded.codes.push_back(std::uint16_t(value + 1024));

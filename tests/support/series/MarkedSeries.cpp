@@ -13,7 +13,7 @@ namespace test {
 
 namespace {
 
-void put(DcmItem& item, const DcmTag& tag, const char* value)
+void putText(DcmItem& item, const DcmTag& tag, const char* value)
 {
     if (item.putAndInsertString(tag, value).bad())
         throw std::runtime_error("markedSeries: " + std::string(value));
@@ -24,11 +24,11 @@ void mark(DcmDataset& set, int k)
     for (const DcmTagKey& tag : {DCM_PatientName, DCM_ReferringPhysicianName, DCM_OperatorsName,
              DCM_PerformingPhysicianName, DCM_PatientBirthName, DCM_PatientMotherBirthName,
              DCM_PhysiciansOfRecord, DCM_RequestingPhysician, DCM_NameOfPhysiciansReadingStudy})
-        put(set, tag, "MARKERNAME^Otto");
+        putText(set, tag, "MARKERNAME^Otto");
     for (const DcmTagKey& tag :
         {DCM_PatientID, DCM_AccessionNumber, DCM_StudyID, DCM_RETIRED_OtherPatientIDs,
             DCM_PerformedProcedureStepID, DCM_ScheduledProcedureStepID})
-        put(set, tag, "MARKERID");
+        putText(set, tag, "MARKERID");
     for (const DcmTagKey& tag : {DCM_PatientComments, DCM_InstitutionName, DCM_InstitutionAddress,
              DCM_PatientAddress, DCM_AdditionalPatientHistory, DCM_ImageComments, DCM_Allergies,
              DCM_Occupation, DCM_StudyDescription, DCM_SeriesDescription, DCM_ProtocolName,
@@ -36,33 +36,33 @@ void mark(DcmDataset& set, int k)
              DCM_PerformedProcedureStepDescription, DCM_RequestedProcedureDescription,
              DCM_ContrastBolusAgent, DCM_EthnicGroup, DCM_MedicalAlerts, DCM_Manufacturer,
              DCM_ManufacturerModelName, DCM_SoftwareVersions})
-        put(set, tag, tag == DCM_EthnicGroup ? "MARKERTEXT" : "Kopf MARKERTEXT von MARKERNAME");
-    put(set, DCM_Manufacturer, "Werk 7 MARKERNAME");
+        putText(set, tag, tag == DCM_EthnicGroup ? "MARKERTEXT" : "Kopf MARKERTEXT von MARKERNAME");
+    putText(set, DCM_Manufacturer, "Werk 7 MARKERNAME");
     for (const DcmTagKey& tag :
         {DCM_PatientBirthDate, DCM_StudyDate, DCM_SeriesDate, DCM_AcquisitionDate, DCM_ContentDate,
             DCM_InstanceCreationDate, DCM_PerformedProcedureStepStartDate})
-        put(set, tag, "19330214");
+        putText(set, tag, "19330214");
     for (const DcmTagKey& tag : {DCM_StationName, DCM_DeviceSerialNumber})
-        put(set, tag, "MARKERDEV");
-    put(set, DCM_AcquisitionDateTime, "19330214101112");
-    put(set, DCM_PatientAge, "077Y");
-    put(set, DCM_PatientWeight, "77.0770770770");
+        putText(set, tag, "MARKERDEV");
+    putText(set, DCM_AcquisitionDateTime, "19330214101112");
+    putText(set, DCM_PatientAge, "077Y");
+    putText(set, DCM_PatientWeight, "77.0770770770");
     for (const DcmTagKey& tag : {DCM_FrameOfReferenceUID, DCM_SynchronizationFrameOfReferenceUID})
-        put(set, tag, "2.25.7700770077003");
-    put(set, DCM_SOPInstanceUID, ("2.25.77007700770099" + std::to_string(k)).c_str());
+        putText(set, tag, "2.25.7700770077003");
+    putText(set, DCM_SOPInstanceUID, ("2.25.77007700770099" + std::to_string(k)).c_str());
     DcmItem* item = nullptr;
     for (const DcmTagKey& tag : {DCM_RequestAttributesSequence, DCM_ReferencedStudySequence,
              DCM_OtherPatientIDsSequence, DCM_ReferencedImageSequence}) {
         if (set.findOrCreateSequenceItem(tag, item, -2).bad())
             throw std::runtime_error("markedSeries: sequence");
-        put(*item, DCM_PatientID, "MARKERID");
-        put(*item, DCM_RequestedProcedureDescription, "MARKERTEXT");
-        put(*item, DCM_ReferencedSOPInstanceUID, "2.25.7700770077009");
+        putText(*item, DCM_PatientID, "MARKERID");
+        putText(*item, DCM_RequestedProcedureDescription, "MARKERTEXT");
+        putText(*item, DCM_ReferencedSOPInstanceUID, "2.25.7700770077009");
     }
-    put(set, DcmTag(0x0009, 0x0010, EVR_LO), "MARKERTEXT");
-    put(set, DcmTag(0x0009, 0x1001, EVR_LO), "MARKERNAME");
-    put(set, DcmTag(0x6000, 0x4000, EVR_LT), "MARKERTEXT");
-    put(set, DcmTag(0x5000, 0x0030, EVR_SH), "MARKERTEXT");
+    putText(set, DcmTag(0x0009, 0x0010, EVR_LO), "MARKERTEXT");
+    putText(set, DcmTag(0x0009, 0x1001, EVR_LO), "MARKERNAME");
+    putText(set, DcmTag(0x6000, 0x4000, EVR_LT), "MARKERTEXT");
+    putText(set, DcmTag(0x5000, 0x0030, EVR_SH), "MARKERTEXT");
     const std::array<Uint8, 12> bytes{'M', 'A', 'R', 'K', 'E', 'R', 'T', 'E', 'X', 'T', '0', '0'};
     set.putAndInsertUint8Array(DcmTag(0x0009, 0x1002, EVR_OB), bytes.data(), bytes.size());
     set.putAndInsertUint8Array(DcmTag(0x6000, 0x3000, EVR_OW), bytes.data(), bytes.size());

@@ -17,7 +17,7 @@ namespace test {
 
 namespace {
 
-std::string decimals(std::initializer_list<double> values)
+std::string decimalText(std::initializer_list<double> values)
 {
     QStringList texts;
     for (const double value : values)
@@ -121,16 +121,16 @@ core::Volume SmallSeries::writeMultiFrame(const QString& folder) const
     };
     macro(DCM_SharedFunctionalGroupsSequence, 0, DCM_PlaneOrientationSequence)
         ->putAndInsertString(DCM_ImageOrientationPatient,
-            decimals({rowDirection.x, rowDirection.y, rowDirection.z, columnDirection.x,
-                         columnDirection.y, columnDirection.z})
+            decimalText({rowDirection.x, rowDirection.y, rowDirection.z, columnDirection.x,
+                            columnDirection.y, columnDirection.z})
                 .c_str());
     macro(DCM_SharedFunctionalGroupsSequence, 0, DCM_PixelMeasuresSequence)
-        ->putAndInsertString(DCM_PixelSpacing, decimals({spacing.y, spacing.x}).c_str());
+        ->putAndInsertString(DCM_PixelSpacing, decimalText({spacing.y, spacing.x}).c_str());
     for (int frame = 0; frame < size.z; ++frame) {
         const int k = (frame + 2) % size.z;
         const glm::dvec3& p = positions[std::size_t(k)];
         macro(DCM_PerFrameFunctionalGroupsSequence, frame, DCM_PlanePositionSequence)
-            ->putAndInsertString(DCM_ImagePositionPatient, decimals({p.x, p.y, p.z}).c_str());
+            ->putAndInsertString(DCM_ImagePositionPatient, decimalText({p.x, p.y, p.z}).c_str());
         core::SourceSlice& slice = volume.sources[std::size_t(k)];
         QFile::remove(slice.file);
         slice = {.file = file,

@@ -43,7 +43,7 @@ std::vector<glm::ivec3> corners(const glm::ivec3& size)
     return all;
 }
 
-constexpr int closure = GrowAdvance::toClosure;
+constexpr int growthClosure = GrowAdvance::toClosure;
 const GrowBurst wholeRange{.lowCode = 0, .highCode = 65535};
 const GrowBurst tissue{.lowCode = tissueCode / 2, .highCode = tissueCode};
 
@@ -53,13 +53,13 @@ EngineCase oneSeed(
     EngineCase made{name, std::move(codes), {}};
     appendWhole(made.steps, SeedPlacement{.label = 1, .voxels = {seed}});
     made.steps.push_back(command(core::ProbeVoxels{{seed}, burst.plane})); // waits
-    appendGrowth(made.steps, burst, {closure});
+    appendGrowth(made.steps, burst, {growthClosure});
     made.steps.push_back(Undo{});
     made.steps.push_back(Redo{});
     return made;
 }
 
-Codes randomCodes(const glm::ivec3& size, Random& random)
+Codes randomGrowthCodes(const glm::ivec3& size, Random& random)
 {
     switch (random() % 6) {
     case 0:
@@ -75,7 +75,7 @@ Codes randomCodes(const glm::ivec3& size, Random& random)
     }
 }
 
-glm::ivec3 randomSize(Random& random)
+glm::ivec3 randomGrowthSize(Random& random)
 {
     switch (random() % 5) {
     case 0:
@@ -129,8 +129,9 @@ EngineCase randomGrowth(int number)
     Random locks(std::uint32_t(9000 + number));
     Random newer(std::uint32_t(17000 + number)); // older cases stay as they are
     Random cuts(std::uint32_t(25000 + number));
-    const glm::ivec3 size = randomSize(random);
-    EngineCase made{"random growth " + QByteArray::number(number), randomCodes(size, random), {}};
+    const glm::ivec3 size = randomGrowthSize(random);
+    EngineCase made{
+        "random growth " + QByteArray::number(number), randomGrowthCodes(size, random), {}};
     if (random() % 2)
         made.steps.push_back(command(
             core::SwapBricks{bricksOf(labelBoxes(size, 6, random), core::Field::Labels, 0)}));
@@ -183,7 +184,7 @@ EngineCase randomGrowth(int number)
             for (int i = randomInt(random, 0, 3); i > 0; --i)
                 portions.push_back(randomInt(random, 0, 4));
             if (random() % 2)
-                portions.push_back(closure);
+                portions.push_back(growthClosure);
             appendGrowth(made.steps, burst, portions,
                 random() % 5 ? core::Ending::Commit : core::Ending::Rollback);
             if (newer() % 2) {
@@ -249,7 +250,7 @@ std::vector<EngineCase> growthCases(int randomCount)
     appendWhole(competing.steps, SeedPlacement{.label = 200, .voxels = {{0, 8, 8}}});
     appendWhole(competing.steps, SeedPlacement{.label = 3, .voxels = {{32, 8, 8}, {16, 0, 0}}});
     appendWhole(competing.steps, SeedPlacement{.label = 255, .voxels = {{16, 16, 15}}});
-    appendGrowth(competing.steps, wholeRange, {closure});
+    appendGrowth(competing.steps, wholeRange, {growthClosure});
     cases.push_back(competing);
 
     EngineCase sameVoxel{"two labels on one voxel", constantVolume({20, 20, 20}, 7), {}};
@@ -262,7 +263,7 @@ std::vector<EngineCase> growthCases(int randomCount)
     const glm::ivec3 size(33, 18, 20);
     EngineCase atCorners{"seeds at all corners", balls(size, 5, random), {}};
     appendWhole(atCorners.steps, SeedPlacement{.label = 1, .voxels = corners(size)});
-    appendGrowth(atCorners.steps, wholeRange, {1, 2, closure});
+    appendGrowth(atCorners.steps, wholeRange, {1, 2, growthClosure});
     cases.push_back(atCorners);
 
     EngineCase thawed{"frozen, then thawed", constantVolume(size, tissueCode), {}};
@@ -276,7 +277,7 @@ std::vector<EngineCase> growthCases(int randomCount)
     appendGrowth(thawed.steps, frozen, {2});
     frozen.generation = 7;
     frozen.lockedLabels.reset();
-    appendGrowth(thawed.steps, frozen, {closure});
+    appendGrowth(thawed.steps, frozen, {growthClosure});
     cases.push_back(thawed);
 
     for (const int connectivity : {18, 26}) {
@@ -303,13 +304,13 @@ std::vector<EngineCase> growthCases(int randomCount)
         burst.overwritable.set(3);
         appendGrowth(shrunk.steps, burst, {5});
         appendWhole(shrunk.steps, SeedPlacement{.label = 3, .voxels = {{20, 4, 4}, {3, 9, 9}}});
-        appendGrowth(shrunk.steps, burst, {closure});
+        appendGrowth(shrunk.steps, burst, {growthClosure});
         for (int i = 0; i < 4; ++i)
             shrunk.steps.push_back(toSeeds ? Shrink{} : Shrink{.shrink = {}, .generations = 3});
         shrunk.steps.push_back(Undo{});
         shrunk.steps.push_back(Undo{});
         shrunk.steps.push_back(Redo{});
-        appendGrowth(shrunk.steps, burst, {2, closure});
+        appendGrowth(shrunk.steps, burst, {2, growthClosure});
         cases.push_back(shrunk);
     }
 
@@ -339,11 +340,11 @@ std::vector<EngineCase> growthCases(int randomCount)
             appendWhole(leak.steps, SeedPlacement{.label = 1, .voxels = {{2, 3, 4}, {9, 9, 9}}});
             if (kind == 5)
                 appendWhole(leak.steps, SeedPlacement{.label = 2, .voxels = {{30, 2, 2}}});
-            appendGrowth(leak.steps, burst, {kind == 1 ? 26 : closure});
+            appendGrowth(leak.steps, burst, {kind == 1 ? 26 : growthClosure});
             using How = core::CutGrowth::How;
             const How how = kind == 2 ? How::Neck : How::Subtree;
             leak.steps.push_back(Cut{{.how = how, .voxels = {{24, 8, 8}, {26, 3, 8}}}});
-            appendGrowth(leak.steps, burst, {closure});
+            appendGrowth(leak.steps, burst, {growthClosure});
             leak.steps.push_back(Cut{{.how = How::Here, .voxels = {{9, 9, 9}, {4, 4, 4}}}});
             leak.steps.push_back(Undo{});
             leak.steps.push_back(Undo{});
@@ -367,18 +368,19 @@ std::vector<EngineCase> growthCases(int randomCount)
         GrowBurst burst = wholeRange;
         if (overwrite)
             burst.overwritable.set(2).set(3);
-        appendGrowth(painted.steps, burst, {3, closure});
+        appendGrowth(painted.steps, burst, {3, growthClosure});
         painted.steps.push_back(command(core::ProbeVoxels{corners(size)}));
         painted.steps.push_back(Undo{});
-        appendGrowth(painted.steps, wholeRange, {closure});
+        appendGrowth(painted.steps, wholeRange, {growthClosure});
         cases.push_back(painted);
     }
 
-    for (const auto& [name, portions] : {std::pair{"in steps", std::vector<int>{1, 2, closure}},
-             std::pair{"at once", std::vector<int>{closure}},
-             std::pair{"beyond closure", std::vector<int>{closure, 5, closure}},
-             std::pair{"opening only", std::vector<int>{}},
-             std::pair{"no step", std::vector<int>{0}}}) {
+    for (const auto& [name, portions] :
+        {std::pair{"in steps", std::vector<int>{1, 2, growthClosure}},
+            std::pair{"at once", std::vector<int>{growthClosure}},
+            std::pair{"beyond closure", std::vector<int>{growthClosure, 5, growthClosure}},
+            std::pair{"opening only", std::vector<int>{}},
+            std::pair{"no step", std::vector<int>{0}}}) {
         EngineCase inSteps{QByteArray("growth ") + name, balls(size, 6, random), {}};
         appendWhole(inSteps.steps, SeedPlacement{.label = 1, .voxels = {{5, 5, 5}, {30, 2, 2}}});
         appendGrowth(inSteps.steps, {.lowCode = 0, .highCode = 700}, portions);
@@ -388,7 +390,7 @@ std::vector<EngineCase> growthCases(int randomCount)
     EngineCase widened{"several bursts, bounds widened, seeds added", balls(size, 6, random), {}};
     appendWhole(widened.steps, SeedPlacement{.label = 1, .voxels = {{5, 5, 5}}});
     appendGrowth(widened.steps, {.lowCode = 0, .highCode = 180}, {4});
-    appendGrowth(widened.steps, {.lowCode = 0, .highCode = 240}, {closure});
+    appendGrowth(widened.steps, {.lowCode = 0, .highCode = 240}, {growthClosure});
     appendWhole(widened.steps, SeedPlacement{.label = 2, .voxels = {{30, 15, 15}, {5, 5, 5}}});
     appendGrowth(widened.steps, wholeRange, {3});
     appendGrowth(widened.steps, wholeRange, {2}, core::Ending::Rollback);
@@ -396,7 +398,7 @@ std::vector<EngineCase> growthCases(int randomCount)
         widened.steps.push_back(Undo{});
     for (int i = 0; i < 2; ++i)
         widened.steps.push_back(Redo{});
-    appendGrowth(widened.steps, wholeRange, {closure});
+    appendGrowth(widened.steps, wholeRange, {growthClosure});
     cases.push_back(widened);
 
     EngineCase last{"the last generations", constantVolume({40, 3, 3}, 1), {}};
@@ -413,7 +415,7 @@ std::vector<EngineCase> growthCases(int randomCount)
 
     EngineCase nothing{"nothing to grow from", noiseVolume(size, 5, random), {}};
     appendWhole(nothing.steps, SeedPlacement{.label = 1});
-    appendGrowth(nothing.steps, wholeRange, {closure});
+    appendGrowth(nothing.steps, wholeRange, {growthClosure});
     cases.push_back(nothing);
 
     for (int number = 0; number < randomCount; ++number)

@@ -12,7 +12,7 @@ namespace {
 constexpr int side = 96;
 constexpr int outsideCode = 10000;
 constexpr int insideCode = 11000;
-constexpr double wall = 3.0; ///< voxels, at least
+constexpr double wallVoxels = 3.0; ///< voxels, at least
 constexpr std::int64_t leastLeak = 20000;
 
 struct Ball {
@@ -210,8 +210,8 @@ LeakPhantom drawn(int number, bool leaks, Random& random)
         const glm::dvec3 place(double(i % side), double(i / side % side), double(i / side / side));
         const double toBody = body.shape.distanceTo(place);
         double toBlob = leaks ? blob.distanceTo(place) : 1e9;
-        if (leaks && toBody < wall)
-            toBlob = std::max(toBlob, wall - toBody);
+        if (leaks && toBody < wallVoxels)
+            toBlob = std::max(toBlob, wallVoxels - toBody);
         const double toNeck = leaks ? distance(place, neck) : 1e9;
         const double inside = std::clamp(0.5 - std::min({toBody, toBlob, toNeck}), 0.0, 1.0);
         double noise = -1.5;

@@ -46,7 +46,7 @@ Codes randomRooms(const glm::ivec3& size, Random& random)
     return codes;
 }
 
-EngineCase randomCase(int number)
+EngineCase randomPassage(int number)
 {
     Random random(std::uint32_t(91000 + number));
     glm::ivec3 size{randomInt(random, 6, 44), randomInt(random, 6, 44), randomInt(random, 6, 44)};
@@ -133,7 +133,7 @@ EngineCase randomCase(int number)
     return made;
 }
 
-EngineCase grown(const QByteArray& name, Codes codes, const std::vector<glm::ivec3>& seeds,
+EngineCase grownPassage(const QByteArray& name, Codes codes, const std::vector<glm::ivec3>& seeds,
     const GrowBurst& burst)
 {
     EngineCase made{name, std::move(codes), {}};
@@ -163,23 +163,24 @@ std::vector<EngineCase> passageCases(int randomCount)
     const glm::ivec3 size(38, 21, 35);
     for (const int half : {0, 15, 16, 22, 23, 32, 80, 248})
         cases.push_back(
-            grown("a ball of half width " + QByteArray::number(half), balls(size, 7, random),
+            grownPassage("a ball of half width " + QByteArray::number(half), balls(size, 7, random),
                 {{19, 10, 17}, {0, 0, 0}, {37, 20, 34}}, rolling(half, glm::ivec3(16), 18)));
     for (const glm::ivec3& flat :
         {glm::ivec3(40, 40, 1), glm::ivec3(1, 40, 40), glm::ivec3(33, 1, 1)})
-        cases.push_back(grown("one voxel thick", constantVolume(flat, 5), {flat / 2},
+        cases.push_back(grownPassage("one voxel thick", constantVolume(flat, 5), {flat / 2},
             rolling(40, glm::ivec3(16), 26)));
     // At the far ends a brick holds one voxel only, for which all beyond stands.
     const glm::ivec3 odd(33, 17, 49);
     Codes corner = constantVolume(odd, 5);
     corner.at({32, 16, 40}) = 0;
-    cases.push_back(grown("beyond the volume", corner, {{16, 8, 20}}, rolling(56, {16, 20, 33})));
+    cases.push_back(
+        grownPassage("beyond the volume", corner, {{16, 8, 20}}, rolling(56, {16, 20, 33})));
     for (const int connectivity : {6, 18, 26}) {
         Codes wall = constantVolume(size, 5);
         for (int z = 0; z < size.z; ++z)
             for (int y = 0; y < size.y; ++y)
                 wall.at({18, y, z}) = std::abs(y - 10) + std::abs(z - 17) < 3 ? 5 : 0;
-        cases.push_back(grown(
+        cases.push_back(grownPassage(
             "a hole in a wall", wall, {{3, 10, 17}}, rolling(48, glm::ivec3(16), connectivity)));
     }
     EngineCase many{"more labels than a word", constantVolume({70, 20, 20}, 5), {}};
@@ -212,7 +213,7 @@ std::vector<EngineCase> passageCases(int randomCount)
     cases.push_back(refused);
 
     for (int number = 0; number < randomCount; ++number)
-        cases.push_back(daily(randomCase(number)));
+        cases.push_back(daily(randomPassage(number)));
     return cases;
 }
 

@@ -21,7 +21,7 @@ using core::SeedPlacement;
 
 using Voxels = std::vector<glm::ivec3>;
 
-constexpr int closure = GrowAdvance::toClosure;
+constexpr int groupClosure = GrowAdvance::toClosure;
 
 Voxels ordered(Voxels voxels)
 {
@@ -64,7 +64,7 @@ void appendSeeds(EngineCase& made, std::uint8_t label, Voxels voxels, Voxels tak
         SeedPlacement{.label = label, .voxels = std::move(voxels), .taken = std::move(taken)});
 }
 
-void appendGrowth(EngineCase& made, const GrowBurst& burst, int steps = closure)
+void appendGrowth(EngineCase& made, const GrowBurst& burst, int steps = groupClosure)
 {
     made.steps.push_back(
         command(core::ProbeSeeds{burst.plane, burst.lowCode, burst.highCode, burst.seedGroups}));
@@ -96,7 +96,7 @@ void appendPainted(
             {core::CapsulePath{core::capsules(stroke.path, document.volumes.front().geometry)}});
 }
 
-EngineCase randomCase(int number)
+EngineCase randomGroupCase(int number)
 {
     Random random(std::uint32_t(91000 + number));
     const glm::ivec3 size{
@@ -144,7 +144,7 @@ EngineCase randomCase(int number)
             ? GrowOpening::Restart
             : std::array<GrowOpening, 3>{
                 GrowOpening::GoOn, GrowOpening::Narrow, GrowOpening::Restart}[random() % 3];
-        appendGrowth(made, grow, random() % 3 ? closure : randomInt(random, 0, 6));
+        appendGrowth(made, grow, random() % 3 ? groupClosure : randomInt(random, 0, 6));
         if (random() % 4 == 0)
             made.steps.push_back(
                 Shrink{.shrink = {}, .generations = std::uint32_t(randomInt(random, 0, 5))});
@@ -252,7 +252,7 @@ std::vector<EngineCase> seedGroupCases(int randomCount)
         wider.limits.sigmas256 = 300;
         wider.seedGroups.pop_back();
         made.steps.push_back(command(core::ExtendEdit{core::GrowAnew{wider}}));
-        made.steps.push_back(command(core::ExtendEdit{GrowAdvance{closure}}));
+        made.steps.push_back(command(core::ExtendEdit{GrowAdvance{groupClosure}}));
         made.steps.push_back(command(core::EndEdit{}));
         cases.push_back(made);
     }
@@ -293,7 +293,7 @@ std::vector<EngineCase> seedGroupCases(int randomCount)
         cases.push_back(made);
     }
     for (int number = 0; number < randomCount; ++number)
-        cases.push_back(daily(randomCase(number)));
+        cases.push_back(daily(randomGroupCase(number)));
     return cases;
 }
 

@@ -69,7 +69,7 @@ void paintBox(Bytes& labels, std::uint8_t label, Random& random, int reach)
                 labels.at({x, y, z}) = label;
 }
 
-Codes randomCodes(const glm::ivec3& size, Random& random)
+Codes randomSpreadCodes(const glm::ivec3& size, Random& random)
 {
     switch (random() % 5) {
     case 0:
@@ -114,8 +114,8 @@ EngineCase randomSpreading(int number)
     const bool small = random() % 4 == 0;
     const glm::ivec3 size{randomInt(random, 1, small ? 6 : 48), randomInt(random, 2, 40),
         randomInt(random, 1, small ? 40 : 36)};
-    EngineCase made{
-        "random growing from seeds " + QByteArray::number(number), randomCodes(size, random), {}};
+    EngineCase made{"random growing from seeds " + QByteArray::number(number),
+        randomSpreadCodes(size, random), {}};
     const std::array<std::uint8_t, 6> some{1, 2, 3, 254, 255, 0};
     Bytes labels = noLabels(size);
     SpreadLabels spread = randomSpread(size, random);

@@ -16,12 +16,12 @@ using core::DrillSample;
 using core::DrillStroke;
 
 /// A case under construction: its document and its random numbers.
-struct Scene {
+struct DrillScene {
     Random random;
     core::Document document;
     EngineCase made;
 
-    Scene(QByteArray name, std::uint32_t seed, const glm::ivec3& size, bool sheared = false)
+    DrillScene(QByteArray name, std::uint32_t seed, const glm::ivec3& size, bool sheared = false)
         : random(seed)
         , document(randomDocument(size, random, sheared))
         , made{std::move(name), {}, {}}
@@ -118,8 +118,8 @@ EngineCase randomDrilling(int number)
     Random random(std::uint32_t(5000 + number));
     const glm::ivec3 size{
         randomInt(random, 1, 40), randomInt(random, 1, 40), randomInt(random, 1, 40)};
-    Scene scene("random drill " + QByteArray::number(number), std::uint32_t(6000 + number), size,
-        random() % 2);
+    DrillScene scene("random drill " + QByteArray::number(number), std::uint32_t(6000 + number),
+        size, random() % 2);
     scene.made.codes = randomCodes(size, random);
     if (random() % 3 == 0)
         scene.made.steps.push_back(command(
@@ -184,21 +184,21 @@ core::PickVoxels randomPick(const glm::ivec3& size, Random& random)
 std::vector<EngineCase> drillCases(int randomCount)
 {
     std::vector<EngineCase> cases;
-    const auto add = [&](Scene& scene) { cases.push_back(std::move(scene.made)); };
+    const auto add = [&](DrillScene& scene) { cases.push_back(std::move(scene.made)); };
     const glm::ivec3 size(33, 20, 17);
 
     for (const char* name : {"one voxel", "one slice", "one row"}) {
         const glm::ivec3 small = name[4] == 'v' ? glm::ivec3(1, 1, 1)
             : name[4] == 's'                    ? glm::ivec3(24, 17, 1)
                                                 : glm::ivec3(1, 40, 1);
-        Scene scene(QByteArray("drill ") + name, 1, small);
+        DrillScene scene(QByteArray("drill ") + name, 1, small);
         scene.made.codes = constantVolume(small, tissueCode);
         for (int i = 0; i < 3; ++i)
             scene.append(scene.stroke());
         add(scene);
     }
     for (const int threshold : {0, 1, int(tissueCode), tissueCode + 1, 65536}) {
-        Scene scene("drill, threshold " + QByteArray::number(threshold), 2, size);
+        DrillScene scene("drill, threshold " + QByteArray::number(threshold), 2, size);
         scene.made.codes = balls(size, 5, scene.random);
         DrillStroke stroke = scene.stroke();
         stroke.depthMm = 9.0;
@@ -208,7 +208,7 @@ std::vector<EngineCase> drillCases(int randomCount)
         add(scene);
     }
     {
-        Scene scene("drill without pressure", 3, size);
+        DrillScene scene("drill without pressure", 3, size);
         scene.made.codes = constantVolume(size, tissueCode);
         DrillStroke stroke = scene.stroke();
         for (core::PenSample& sample : stroke.samples)
@@ -220,7 +220,7 @@ std::vector<EngineCase> drillCases(int randomCount)
         add(scene);
     }
     {
-        Scene scene("drill without a path, or beside the volume", 4, size);
+        DrillScene scene("drill without a path, or beside the volume", 4, size);
         scene.made.codes = constantVolume(size, tissueCode);
         DrillStroke stroke = scene.stroke();
         const DrillCut cut = drillCutOf(stroke, scene.document);
@@ -232,7 +232,7 @@ std::vector<EngineCase> drillCases(int randomCount)
         add(scene);
     }
     for (const bool throughGaps : {false, true}) {
-        Scene scene(throughGaps ? "slabs, through gaps" : "slabs", 5, {30, 30, 30});
+        DrillScene scene(throughGaps ? "slabs, through gaps" : "slabs", 5, {30, 30, 30});
         scene.made.codes = slab({30, 30, 30}, 1, 4, 8);
         for (int y = 17; y < 22; ++y)
             for (int z = 0; z < 30; ++z)
@@ -251,7 +251,7 @@ std::vector<EngineCase> drillCases(int randomCount)
         add(scene);
     }
     {
-        Scene scene("strokes over strokes in two layers", 6, size);
+        DrillScene scene("strokes over strokes in two layers", 6, size);
         scene.made.codes = shells(size);
         DrillStroke stroke = scene.stroke();
         stroke.mask.radiusMm = 6.0;
@@ -279,7 +279,7 @@ std::vector<EngineCase> pickCases(int randomCount)
         Random random(std::uint32_t(9000 + number));
         const glm::ivec3 size{
             randomInt(random, 1, 30), randomInt(random, 1, 30), randomInt(random, 1, 30)};
-        Scene scene("picks " + QByteArray::number(number), std::uint32_t(9500 + number), size);
+        DrillScene scene("picks " + QByteArray::number(number), std::uint32_t(9500 + number), size);
         scene.made.codes = randomCodes(size, random);
         std::vector<EngineStep>& steps = scene.made.steps;
         steps.push_back(command(randomPick(size, random)));

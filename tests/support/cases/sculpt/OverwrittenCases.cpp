@@ -30,9 +30,9 @@ GrowBurst taking(std::initializer_list<int> labels)
 }
 
 /// A case under construction.
-class Scene {
+class OverwrittenScene {
 public:
-    Scene(const QByteArray& name, std::uint32_t seed)
+    OverwrittenScene(const QByteArray& name, std::uint32_t seed)
         : m_random(seed)
         , m_size{randomInt(m_random, 3, 40), randomInt(m_random, 3, 40), randomInt(m_random, 3, 40)}
         , m_document(randomDocument(m_size, m_random, false))
@@ -262,7 +262,8 @@ std::vector<EngineCase> overwrittenCases(int randomCount)
     erased.steps.push_back(Shrink{.shrink = {}, .generations = 1000});
     cases.push_back(erased);
     for (int number = 0; number < randomCount; ++number) {
-        Scene scene("random taking " + QByteArray::number(number), std::uint32_t(64000 + number));
+        OverwrittenScene scene(
+            "random taking " + QByteArray::number(number), std::uint32_t(64000 + number));
         for (int edit = 0; edit < 24; ++edit)
             scene.appendAnything();
         cases.push_back(daily(scene.take()));

@@ -19,7 +19,7 @@ core::Document document(const glm::ivec3& size, Random& random, const glm::dvec3
     return made;
 }
 
-Codes codesFor(const glm::ivec3& size, Random& random)
+Codes peelCodesFor(const glm::ivec3& size, Random& random)
 {
     switch (random() % 4) {
     case 0:
@@ -58,7 +58,7 @@ EngineCase randomPeeling(int number)
         : random() % 2                           ? glm::dvec3(finest, finest, 5.0 * finest)
                                                  : glm::dvec3(finest);
     const core::Document scene = document(size, random, spacing);
-    EngineCase made{"random peel " + QByteArray::number(number), codesFor(size, random), {}};
+    EngineCase made{"random peel " + QByteArray::number(number), peelCodesFor(size, random), {}};
     for (int edit = randomInt(random, 1, 4); edit > 0; --edit) {
         const core::Ending ending = random() % 6 ? core::Ending::Commit : core::Ending::Rollback;
         switch (random() % 5) {
@@ -154,7 +154,7 @@ std::vector<EngineCase> scissorsCases(int randomCount)
         const glm::dvec3 spacing(1.0, 1.0, random() % 3 ? 1.0 : 8.0);
         const core::Document scene = document(size, random, spacing);
         EngineCase made{
-            "random scissors " + QByteArray::number(number), codesFor(size, random), {}};
+            "random scissors " + QByteArray::number(number), peelCodesFor(size, random), {}};
         for (const bool restore : {false, true}) {
             core::ScissorsCut cut = randomScissors(scene, random);
             cut.restore = restore;
