@@ -3,7 +3,6 @@
 #include "core/images/NaturalOrder.h"
 #include "core/repair/SeriesFindings.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/ImageFiles.h"
 #include "tests/support/series/OpenedVolume.h"
