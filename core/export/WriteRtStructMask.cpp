@@ -24,7 +24,7 @@ Result<QStringList> writeRtStructMask(const QString& path, const Volume& volume,
     for (std::size_t s = 0; s < selection.segments.size(); ++s) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Tracing contours"), int(s), int(selection.segments.size()));
+        progress.report(ProgressStep::TracingContours, int(s), int(selection.segments.size()));
         const auto labels = planeOf(request, selection.segments[s])->labels;
         const std::vector<int>& slices = selection.slices[s];
         std::vector<std::vector<SliceContour>> ofSlice(slices.size());

@@ -55,7 +55,7 @@ Result<QStringList> writeSurfaces(const QString& path, const Volume& volume,
     for (std::size_t i = 0; i < selection.segments.size(); ++i) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Making surfaces"), int(i), int(selection.segments.size()));
+        progress.report(ProgressStep::MakingSurfaces, int(i), int(selection.segments.size()));
         const Segment& segment = selection.segments[i];
         const auto labels = planeOf(request, segment)->labels;
         parts.push_back(partOf(segment, segmentSurface(labels, segment.label, volume.geometry.size),

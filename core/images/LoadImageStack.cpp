@@ -81,7 +81,7 @@ Result<LoadedVolume> loadImageStack(const SeriesEntry& entry, const Progress& pr
         return tl::unexpected<Error>(fits.error());
     // Zeros, which an empty slice keeps.
     const auto voxels = std::make_unique<char[]>(bytes);
-    StepCounter counter(progress, QStringLiteral("Reading voxels"), int(slices.size()));
+    StepCounter counter(progress, ProgressStep::ReadingVoxels, int(slices.size()));
     parallelFor(int(slices.size()), [&](int k) {
         Slice& slice = slices[std::size_t(k)];
         if (progress.cancelled() || !isSound(slice))

@@ -213,7 +213,7 @@ Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
 
 Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progress)
 {
-    progress.report(QStringLiteral("Reading voxels"), 0, 1);
+    progress.report(ProgressStep::ReadingVoxels, 0, 1);
     const Result<NiftiNumbers> voxels = readNiftiNumbers(entry);
     if (!voxels)
         return tl::unexpected(voxels.error());

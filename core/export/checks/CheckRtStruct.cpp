@@ -235,7 +235,7 @@ Result<QStringList> checkRtStructExport(
         return tl::unexpected(same.error());
     std::size_t contours = 0;
     for (std::size_t i = 0; i < set->rois.size(); ++i) {
-        progress.report(QStringLiteral("Checking contours"), int(i), int(set->rois.size()));
+        progress.report(ProgressStep::CheckingContours, int(i), int(set->rois.size()));
         if (const auto same = check.roi(i, progress); !same)
             return tl::unexpected(same.error());
         contours += set->rois[i].contours.size();

@@ -182,7 +182,7 @@ Result<QStringList> checkSegExport(
     for (std::size_t i = 0; i < seg.frames.size(); ++i) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Checking frames"), int(i), int(seg.frames.size()));
+        progress.report(ProgressStep::CheckingFrames, int(i), int(seg.frames.size()));
         const SegFrame& frame = seg.frames[i];
         const auto atFrame = [&](const QString& what) {
             return mismatch(QStringLiteral("frame %1: %2").arg(i + 1).arg(what));

@@ -230,7 +230,7 @@ Result<QStringList> checkSurfaceExport(ExportFormat format, const QString& file,
     const ToIndex toIndex(expected.volume.geometry, expected.space);
     std::size_t triangles = 0;
     for (std::size_t i = 0; i < mesh->parts.size(); ++i) {
-        progress.report(QStringLiteral("Checking surfaces"), int(i), int(mesh->parts.size()));
+        progress.report(ProgressStep::CheckingSurfaces, int(i), int(mesh->parts.size()));
         const ReadMeshPart& part = mesh->parts[i];
         const std::span<const Segment> segments =
             inOne ? std::span(expected.segments) : std::span(expected.segments).subspan(i, 1);

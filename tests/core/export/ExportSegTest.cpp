@@ -450,7 +450,7 @@ void ExportSegTest::cancelledLeavesNothing()
         for (int reports = 0; reports < 2; ++reports) {
             int seen = 0;
             core::Progress* running = nullptr;
-            core::Progress progress([&](const QString&, int done, int) {
+            core::Progress progress([&](core::ProgressStep, int done, int) {
                 seen += done == 0 ? 1 : 0;
                 if (seen > reports)
                     running->cancel();

@@ -73,7 +73,7 @@ public:
                 const core::Progress& progress,
                 const core::EarlySliceListener& listener) -> core::Result<core::LoadedVolume> {
                 listener(slice);
-                progress.report(QStringLiteral("Reading slices"), 120, 450);
+                progress.report(core::ProgressStep::ReadingSlices, 120, 450);
                 gate.wait();
                 if (error)
                     return tl::unexpected(*error);

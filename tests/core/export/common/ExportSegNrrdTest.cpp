@@ -399,7 +399,7 @@ void ExportSegNrrdTest::cancelledLeavesNothing()
 {
     const Fixture on;
     core::Progress* running = nullptr;
-    core::Progress progress([&](const QString&, int, int) { running->cancel(); });
+    core::Progress progress([&](core::ProgressStep, int, int) { running->cancel(); });
     running = &progress;
     const auto report = core::exportMask(on.volume, on.request({segmentOf(1)}), progress);
     QVERIFY(!report);

@@ -431,7 +431,7 @@ private Q_SLOTS:
         const QStringList before = files();
         int told = 0;
         Progress* mine = nullptr;
-        Progress progress([&](const QString&, int done, int total) {
+        Progress progress([&](core::ProgressStep, int done, int total) {
             QCOMPARE(total, 3);
             told += 1;
             if (done == 1)
