@@ -137,7 +137,7 @@ Result<MaskOnVolume> readLabelMask(
     MaskOnVolume mask;
     for (const VolumeProblem& problem : stored->problems) {
         if (problem.caution)
-            mask.notes.push_back({.code = MaskNote::Code::GridInDoubt, .names = {problem.text}});
+            mask.notes.push_back({.code = MaskNote::Code::GridInDoubt, .doubt = problem.said});
     }
     const bool shares = stored->holdsShares();
     if (shares)

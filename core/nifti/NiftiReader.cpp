@@ -91,11 +91,8 @@ glm::dmat4 affine(const nifti_image& image, std::vector<VolumeProblem>& problems
         return lpsFromRas(image.sto_xyz, scale);
     if (image.qform_code > 0)
         return lpsFromRas(image.qto_xyz, scale);
-    problems.push_back({.kind = VolumeProblem::Kind::Other,
-        .text =
-            QStringLiteral("The file does not say how it lies in the patient; left and right are "
-                           "assumed."),
-        .caution = true});
+    problems.push_back(
+        {.kind = VolumeProblem::Kind::Other, .said = {ProblemCode::SidesAssumed}, .caution = true});
     glm::dmat4 lps(1.0);
     lps[0][0] = -scale * double(image.dx);
     lps[1][1] = -scale * double(image.dy);

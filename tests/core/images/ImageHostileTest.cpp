@@ -178,7 +178,7 @@ void ImageHostileTest::aDamagedPictureCostsItsSlice()
     QStringList damages;
     for (const core::VolumeProblem& problem : loaded->volume.problems) {
         if (problem.kind == core::VolumeProblem::Kind::DamagedSlice)
-            damages += problem.text;
+            damages += ui::problemText(problem.said);
     }
     QCOMPARE(damages.size(), 2);
     QVERIFY2(damages[0].startsWith(QLatin1String("Slice 2 (1.png)")), qPrintable(damages[0]));
@@ -318,3 +318,4 @@ void ImageHostileTest::pngThatLies()
 
 BURIN_TEST(ImageHostileTest)
 #include "ImageHostileTest.moc"
+#include "ui/texts/ProblemTexts.h"

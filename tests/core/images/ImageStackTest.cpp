@@ -53,7 +53,8 @@ bool tells(const LoadedVolume& loaded, VolumeProblem::Kind kind, const char* tex
 {
     return std::any_of(loaded.volume.problems.begin(), loaded.volume.problems.end(),
         [&](const VolumeProblem& problem) {
-            return problem.kind == kind && problem.text.contains(QLatin1String(text));
+            return problem.kind == kind
+                && ui::problemText(problem.said).contains(QLatin1String(text));
         });
 }
 
@@ -454,3 +455,4 @@ void ImageStackTest::picturesThatAreNotRead()
 
 BURIN_TEST(ImageStackTest)
 #include "ImageStackTest.moc"
+#include "ui/texts/ProblemTexts.h"

@@ -108,7 +108,7 @@ void FencedFramesTest::failingSlicesAreLeftOutAndNamed()
     QStringList texts;
     for (const core::VolumeProblem& problem : loaded->volume.problems) {
         if (problem.kind == core::VolumeProblem::Kind::DamagedSlice)
-            texts += problem.text;
+            texts += ui::problemText(problem.said);
     }
     QCOMPARE(texts.join(QLatin1Char('|')),
         QStringLiteral("Slice 4 (%1) could not be decoded: the decoder stopped; slice 10 (%2) "
@@ -190,3 +190,4 @@ int runFencedFrames(int argc, char** argv)
 
 BURIN_TEST_RUN(FencedFramesTest, runFencedFrames)
 #include "FencedFramesTest.moc"
+#include "ui/texts/ProblemTexts.h"
