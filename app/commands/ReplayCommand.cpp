@@ -7,7 +7,6 @@
 #include "app/steps/JsonLine.h"
 #include "app/steps/SessionProblems.h"
 #include "app/steps/SteadySession.h"
-#include "core/engine/ChangeFacts.h"
 #include "core/sessionfile/HistoryListing.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"

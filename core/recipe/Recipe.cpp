@@ -5,7 +5,6 @@
 #include "core/base/files/ReadableFile.h"
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/engine/ChangeFacts.h"
 #include "core/recipe/RepeatedKey.h"
 #include "core/volume/SurfaceThreshold.h"
 

@@ -7,6 +7,7 @@
 #include "tests/support/series/ImageFiles.h"
 #include "tests/support/series/OpenedVolume.h"
 #include "tests/support/series/VolumeFiles.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QDir>
 #include <QTest>
@@ -318,4 +319,3 @@ void ImageHostileTest::pngThatLies()
 
 BURIN_TEST(ImageHostileTest)
 #include "ImageHostileTest.moc"
-#include "ui/texts/ProblemTexts.h"

@@ -7,6 +7,7 @@
 #include "tests/support/series/ImageFiles.h"
 #include "tests/support/series/OpenedVolume.h"
 #include "tests/support/series/VolumeFiles.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QDir>
 #include <QTest>
@@ -455,4 +456,3 @@ void ImageStackTest::picturesThatAreNotRead()
 
 BURIN_TEST(ImageStackTest)
 #include "ImageStackTest.moc"
-#include "ui/texts/ProblemTexts.h"

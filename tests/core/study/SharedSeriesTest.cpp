@@ -4,6 +4,7 @@
 #include "core/study/VolumeFacts.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SharedData.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -395,4 +396,3 @@ void SharedSeriesTest::namesInEveryScript()
 
 BURIN_TEST(SharedSeriesTest)
 #include "SharedSeriesTest.moc"
-#include "ui/texts/ProblemTexts.h"

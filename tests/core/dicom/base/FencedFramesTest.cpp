@@ -7,6 +7,7 @@
 #include "tests/support/program/ThreadSanitizer.h"
 #include "tests/support/series/HostileDicom.h"
 #include "tests/support/series/SyntheticSeries.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -190,4 +191,3 @@ int runFencedFrames(int argc, char** argv)
 
 BURIN_TEST_RUN(FencedFramesTest, runFencedFrames)
 #include "FencedFramesTest.moc"
-#include "ui/texts/ProblemTexts.h"

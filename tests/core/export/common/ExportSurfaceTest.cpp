@@ -75,7 +75,7 @@ struct Fixture : test::LabelledSeries {
                 .space = space},
             {});
     }
-    [[nodiscard]] core::Result<QStringList> checked(
+    [[nodiscard]] core::Result<core::ReportLines> checked(
         Format format, const char* name, core::MeshSpace space = core::MeshSpace::Lps) const
     {
         return core::checkSurfaceExport(format, file(name), {volume, segments, planes, space}, {});
