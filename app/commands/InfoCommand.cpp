@@ -8,6 +8,7 @@
 #include "gpu/engine/GpuEngine.h"
 #include "gpu/engine/MemoryFormula.h"
 #include "ui/base/ErrorText.h"
+#include "ui/texts/ProblemTexts.h"
 #include "ui/texts/RepairTexts.h"
 
 #include <QFileInfo>
@@ -60,7 +61,7 @@ QStringList problemTexts(const core::VolumeFacts& facts)
 {
     QStringList texts;
     for (const core::VolumeProblem& problem : problemsOf(facts))
-        texts.append(problem.text);
+        texts.append(ui::problemText(problem.said));
     if (failed(facts))
         texts.append(ui::errorText(facts.loaded.error()));
     return texts;
@@ -102,7 +103,7 @@ QJsonArray json(const std::vector<core::SeriesFinding>& findings)
         QJsonArray repairs;
         for (const core::RepairOffer& offer : finding.offers)
             repairs.append(json(offer));
-        QJsonObject object{{QStringLiteral("text"), finding.problem.text},
+        QJsonObject object{{QStringLiteral("text"), ui::problemText(finding.problem.said)},
             {QStringLiteral("caution"), finding.problem.caution},
             {QStringLiteral("slices"), slices}, {QStringLiteral("repairs"), repairs}};
         if (!finding.problem.repairedBy.isEmpty())
@@ -238,7 +239,8 @@ void printFinding(const core::SeriesFinding& finding)
     const char* kind = problem.caution ? "caution  "
         : problem.repairedBy.isEmpty() ? "note     "
                                        : "repaired ";
-    print(stdout, QStringLiteral("    %1%2").arg(QLatin1String(kind), problem.text));
+    print(
+        stdout, QStringLiteral("    %1%2").arg(QLatin1String(kind), ui::problemText(problem.said)));
     if (!problem.repairedBy.isEmpty())
         print(stdout, QStringLiteral("             by --repair %1").arg(problem.repairedBy));
     for (const core::RepairOffer& offer : finding.offers) {

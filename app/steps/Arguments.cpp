@@ -3,6 +3,7 @@
 
 #include "core/repair/SeriesRepair.h"
 #include "ui/base/ErrorText.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QCommandLineParser>
 #include <QRegularExpression>
@@ -155,8 +156,8 @@ void reportProblems(const core::Volume& volume, const QString& study)
         const QString repaired = problem.repairedBy.isEmpty()
             ? QString()
             : QStringLiteral(" Repaired: %1.").arg(problem.repairedBy);
-        std::fprintf(stderr, "%s: %s%s\n", qUtf8Printable(study), qUtf8Printable(problem.text),
-            qUtf8Printable(repaired));
+        std::fprintf(stderr, "%s: %s%s\n", qUtf8Printable(study),
+            qUtf8Printable(ui::problemText(problem.said)), qUtf8Printable(repaired));
     }
 }
 

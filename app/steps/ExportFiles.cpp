@@ -7,6 +7,7 @@
 #include "core/export/common/ExportChoices.h"
 #include "core/session/past/SegmentLayers.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/texts/ReportTexts.h"
 
 #include <QUuid>
 
@@ -225,8 +226,8 @@ Result<void> exportFiles(const std::vector<core::RecipeExport>& targets, SteadyS
         const Result<core::ExportReport> report = exports.write(target);
         if (!report)
             return tl::unexpected(report.error());
-        const auto list = [](const QStringList& sentences) {
-            return QJsonValue(sentences.join(QStringLiteral(" ")));
+        const auto list = [](const core::ReportLines& lines) {
+            return QJsonValue(ui::reportTexts(lines).join(QStringLiteral(" ")));
         };
         QJsonObject line{
             {QStringLiteral("export"), report->file},

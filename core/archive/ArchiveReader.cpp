@@ -161,7 +161,7 @@ private:
             if (file.write(static_cast<const char*>(bytes), qint64(size)) != qint64(size))
                 return failure(ErrorCode::FileUnwritable, m_path, file.errorString());
             const qint64 read = archive_filter_bytes(reader, -1);
-            m_progress.report(QStringLiteral("Unpacking"), int(read >> 10), int(m_size >> 10) + 1);
+            m_progress.report(ProgressStep::Unpacking, int(read >> 10), int(m_size >> 10) + 1);
         }
         file.close();
         if (file.error() != QFileDevice::NoError)

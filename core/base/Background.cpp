@@ -66,7 +66,7 @@ struct Background::State : std::enable_shared_from_this<Background::State> {
 private:
     [[nodiscard]] Progress::Listener fromThere(const Progress::Listener& progressed)
     {
-        return [this, progressed](const QString& step, int done, int total) {
+        return [this, progressed](ProgressStep step, int done, int total) {
             callMeanwhile([progressed, step, done, total] { progressed(step, done, total); });
         };
     }

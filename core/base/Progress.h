@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QString>
+#include "core/base/ProgressStep.h"
 
 #include <atomic>
 #include <functional>
@@ -13,7 +13,7 @@ namespace core {
 /// The worker calls report() and asks cancelled(); any thread may call cancel().
 class Progress {
 public:
-    using Listener = std::function<void(const QString& step, int done, int total)>;
+    using Listener = std::function<void(ProgressStep step, int done, int total)>;
 
     Progress() = default;
     /// @param listener called on the worker's thread; must return quickly
@@ -22,7 +22,7 @@ public:
     {
     }
 
-    void report(const QString& step, int done, int total) const
+    void report(ProgressStep step, int done, int total) const
     {
         if (m_listener)
             m_listener(step, done, total);

@@ -3,8 +3,6 @@
 
 #include "core/base/Progress.h"
 
-#include <QString>
-
 #include <mutex>
 
 namespace core {
@@ -13,7 +11,7 @@ namespace core {
 /// order.
 class StepCounter {
 public:
-    StepCounter(const Progress& progress, const QString& step, int total)
+    StepCounter(const Progress& progress, ProgressStep step, int total)
         : m_progress(progress)
         , m_step(step)
         , m_total(total)
@@ -28,7 +26,7 @@ public:
 
 private:
     const Progress& m_progress;
-    const QString m_step;
+    const ProgressStep m_step;
     const int m_total;
     std::mutex m_mutex;
     int m_done = 0;

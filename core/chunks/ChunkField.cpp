@@ -195,7 +195,7 @@ Result<ChunkField> ChunkField::of(const ChunkSource& source, const Progress& pro
     ChunkField field;
     field.m_noise = noiseOf(source);
     if (!source.probabilities.empty()) {
-        progress.report(QStringLiteral("Finding likely parts"), 0, 1);
+        progress.report(ProgressStep::FindingLikelyParts, 0, 1);
         field.m_likelihoods = mappedLikelihoods(source);
         return field;
     }
@@ -204,7 +204,7 @@ Result<ChunkField> ChunkField::of(const ChunkSource& source, const Progress& pro
     const BorderedBox box(source);
     addCores(source, box, numbers, owners);
     Likelihoods likelihoods(source.owners.size());
-    SharedProgress shared(progress, QStringLiteral("Finding likely parts"),
+    SharedProgress shared(progress, ProgressStep::FindingLikelyParts,
         std::int64_t(owners.size()) * std::int64_t(source.owners.size()));
     for (std::size_t first = 0; first < owners.size(); first += ownersAtOnce) {
         const std::size_t count = std::min(ownersAtOnce, owners.size() - first);

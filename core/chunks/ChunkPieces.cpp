@@ -222,7 +222,7 @@ Result<ChunkPieces> chunkPieces(
     const int count = (source.size.z + side - 1) / side;
     auto layers = std::vector<Layer>(std::size_t(count));
     Cutting cutting(source, field, pieces);
-    SharedProgress shared(progress, QStringLiteral("Cutting into small pieces"), 2 * count);
+    SharedProgress shared(progress, ProgressStep::CuttingIntoPieces, 2 * count);
     const auto forEachLayer = [&](const auto& visit) {
         parallelFor(count, [&](int i) {
             if (progress.cancelled())

@@ -63,8 +63,7 @@ Result<ChunkTree> ChunkTree::of(const ChunkSource& source, const Progress& progr
     const std::uint32_t pieces = joining.left();
 
     const auto report = [&] {
-        progress.report(QStringLiteral("Joining what hangs together"), int(pieces - joining.left()),
-            int(pieces));
+        progress.report(ProgressStep::JoiningParts, int(pieces - joining.left()), int(pieces));
     };
     report();
     // What is finer than the finest division is nobody's to choose.

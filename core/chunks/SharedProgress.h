@@ -13,9 +13,9 @@ namespace core {
 class SharedProgress {
 public:
     /// Reports the beginning.
-    SharedProgress(const Progress& progress, QString step, std::int64_t total)
+    SharedProgress(const Progress& progress, ProgressStep step, std::int64_t total)
         : m_progress(progress)
-        , m_step(std::move(step))
+        , m_step(step)
         , m_total(total > 0 ? total : 1)
     {
         static_cast<void>(advance(0));
@@ -36,7 +36,7 @@ private:
     static constexpr std::int64_t shares = 1000;
 
     const Progress& m_progress;
-    QString m_step;
+    ProgressStep m_step;
     std::int64_t m_total;
     std::mutex m_mutex;
     std::int64_t m_done = 0; ///< under m_mutex

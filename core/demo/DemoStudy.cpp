@@ -121,7 +121,7 @@ Result<DemoStudy> makeDemoStudy(const Progress& progress)
         if (progress.cancelled())
             return;
         fillSlice(study, head, k);
-        progress.report(QStringLiteral("Demonstration study"), ++done, slices);
+        progress.report(ProgressStep::MakingDemonstration, ++done, slices);
     });
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);

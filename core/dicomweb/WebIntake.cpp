@@ -102,7 +102,7 @@ Result<void> WebIntake::endPart()
         return accepted;
     m_missing.remove(*uid);
     ++m_received;
-    m_progress.report(QStringLiteral("Downloading"), m_received, int(m_total));
+    m_progress.report(ProgressStep::Downloading, m_received, int(m_total));
     return {};
 }
 

@@ -193,7 +193,7 @@ Result<HitList<StudyHit>> findStudies(
             .modalities = one.texts("00080061"),
             .series = one.count("00201206"),
             .instances = one.count("00201208")});
-        progress.report(QStringLiteral("Searching"), int(list.hits.size()), 0);
+        progress.report(ProgressStep::Searching, int(list.hits.size()), 0);
         return true;
     });
     if (!asked)

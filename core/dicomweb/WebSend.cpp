@@ -65,7 +65,7 @@ Result<SentObjects> sendFiles(
         if (const auto warned = reasonIn(told, "00081199", "00081196"))
             result.warnings.append(QStringLiteral("%1: %2").arg(name, statusText(*warned)));
         ++result.sent;
-        progress.report(QStringLiteral("Sending"), result.sent, int(files.size()));
+        progress.report(ProgressStep::Sending, result.sent, int(files.size()));
     }
     return result;
 }

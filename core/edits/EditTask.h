@@ -5,9 +5,10 @@
 #include "core/document/Document.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/engine/EngineCommands.h"
 
 namespace core {
+
+struct EngineEdit;
 
 /// Everything that is known of an edit before it is carried out. The next two functions, and those
 /// of DocumentEdits.h, take their answers from it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/engine/EditEngine.h"
 
+#include "core/engine/EngineCommands.h"
+
 #include <utility>
 
 namespace core {
@@ -14,6 +16,11 @@ Ticket submitWhole(EditEngine& engine, EngineEdit edit, std::vector<EngineExtens
         engine.submit(std::move(next));
     }
     return engine.submit(EndEdit{Ending::Commit});
+}
+
+Ticket submitWhole(EditEngine& engine, EngineEdit edit)
+{
+    return submitWhole(engine, std::move(edit), std::vector<EngineExtension>());
 }
 
 } // namespace core

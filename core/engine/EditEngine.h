@@ -2,16 +2,26 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/engine/EngineCommands.h"
-#include "core/volume/VoxelEncoding.h"
+#include "core/engine/Ticket.h"
 
+#include <glm/glm.hpp>
+
+#include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 namespace core {
 
+struct EngineCommand;
+struct EngineEdit;
+struct EngineExtension;
+struct EngineResult;
+struct GrowthProgress;
+
 /// The interface between the session and an engine that edits voxels: what can be done, and nothing
-/// about how.
+/// about how. Who submits a command includes its header (EngineCommands.h has them all), who reads
+/// a result EngineResult.h.
 ///
 /// Commands are carried out in the order of submission; submit() never waits. collect() returns
 /// their results in the same order, each once. There are two implementations: gpu::GpuEditEngine
@@ -48,7 +58,7 @@ public:
 };
 
 /// Submits an edit as a whole: begin, all extensions, commit. Returns the ticket of its result.
-Ticket submitWhole(
-    EditEngine& engine, EngineEdit edit, std::vector<EngineExtension> extensions = {});
+Ticket submitWhole(EditEngine& engine, EngineEdit edit, std::vector<EngineExtension> extensions);
+Ticket submitWhole(EditEngine& engine, EngineEdit edit);
 
 } // namespace core

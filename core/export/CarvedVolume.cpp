@@ -30,15 +30,14 @@ Error renamed(Error error, const QString& path, const QString& target)
     return error;
 }
 
-Result<QString> checkFolderDeidentified(const QString& folder, const Deidentifier& by)
+Result<ReportLine> checkFolderDeidentified(const QString& folder, const Deidentifier& by)
 {
     const QStringList names = QDir(folder).entryList(QDir::Files);
     for (const QString& name : names) {
         if (const auto clean = checkDeidentified(QDir(folder).filePath(name), by); !clean)
             return clean;
     }
-    return QStringLiteral("No text and no UID of %1 files tells who the patient is.")
-        .arg(names.size());
+    return ReportSentence{ReportCode::FilesTellNobody, {std::int64_t(names.size())}};
 }
 
 /// What stands at a voxel of the carved volume.
@@ -102,8 +101,8 @@ Result<ExportReport> exportNifti(
     const auto written = writeValues(staged->path(), volume, value, &isFloat);
     if (!written)
         return tl::unexpected(renamed(written.error(), staged->path(), request.target));
-    report.written += isFloat ? QStringLiteral("NIfTI, 32-bit floating point, on the study's grid.")
-                              : QStringLiteral("NIfTI, 16-bit whole numbers, on the study's grid.");
+    report.written +=
+        ReportSentence{isFloat ? ReportCode::NiftiFloats : ReportCode::NiftiWholeNumbers};
     const auto checked = checkNiftiValues(staged->path(), volume, value);
     if (!checked)
         return tl::unexpected(renamed(checked.error(), staged->path(), request.target));
@@ -113,12 +112,10 @@ Result<ExportReport> exportNifti(
         return tl::unexpected(renamed(sum.error(), staged->path(), request.target));
     report.sha256 = *sum;
     if (volume.encoding.maxError > 0.0)
-        report.cautions += QStringLiteral("Values are rounded by up to %1, as they are on screen.")
-                               .arg(volume.encoding.maxError);
-    if (!volume.geometry.slicePositions.empty())
         report.cautions +=
-            QStringLiteral("The slices are not evenly spaced; NIfTI has one step for "
-                           "all of them.");
+            ReportSentence{ReportCode::ValuesRounded, {QString::number(volume.encoding.maxError)}};
+    if (!volume.geometry.slicePositions.empty())
+        report.cautions += ReportSentence{ReportCode::UnevenInNifti};
     if (auto done = staged->commit(); !done)
         return tl::unexpected(done.error());
     return report;
@@ -156,9 +153,7 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
     if (!written)
         return tl::unexpected(renamed(written.error(), staged->path(), request.target));
     report.cautions += *written;
-    report.written += QStringLiteral("A new DICOM series of %1 images in the same study; it was "
-                                     "sent nowhere.")
-                          .arg(volume.geometry.size.z);
+    report.written += ReportSentence{ReportCode::CarvedSeries, {volume.geometry.size.z}};
     Volume expected = volume;
     if (request.deidentifier)
         expected.identity = request.deidentifier->deidentified(volume.identity);
@@ -172,11 +167,9 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
         if (!clean)
             return tl::unexpected(renamed(clean.error(), staged->path(), request.target));
         report.checked += *clean;
-        report.written +=
-            QStringLiteral("De-identified: %1; patient '%2'; UIDs are new.")
-                .arg(request.deidentifier->method(), request.deidentifier->patientId());
-        report.cautions += QStringLiteral("A face or body can be recognised in the images "
-                                          "themselves; their voxels are not changed.");
+        report.written += ReportSentence{ReportCode::Deidentified,
+            {request.deidentifier->method(), request.deidentifier->patientId()}};
+        report.cautions += ReportSentence{ReportCode::FaceCanBeRecognised};
     }
     const auto sum = sha256OfFolder(staged->path());
     if (!sum)
@@ -222,16 +215,15 @@ Result<ExportReport> exportCarvedVolume(
     const double fill = request.fill.value_or(volume.minimum);
     ExportReport report;
     report.file = request.target;
-    report.written += QStringLiteral("Carved volume: %1 of %2 voxels hold %3.")
-                          .arg(carved)
-                          .arg(request.coverage.size())
-                          .arg(numberText(fill, volume.unit));
+    report.written += ReportSentence{ReportCode::CarvedVolume,
+        {std::int64_t(carved), std::int64_t(request.coverage.size()),
+            numberText(fill, volume.unit)}};
     if (!volume.repair.isEmpty())
-        report.cautions += QStringLiteral("The series was repaired on loading (%1).")
-                               .arg(SeriesRepair::fromText(volume.repair)->inWords());
+        report.cautions += ReportSentence{
+            ReportCode::Repaired, {SeriesRepair::fromText(volume.repair)->inWords()}};
     for (const VolumeProblem& problem : volume.problems) {
         if (problem.caution)
-            report.cautions += problem.text;
+            report.cautions += problem.said;
     }
     return isNiftiName(request.target)
         ? exportNifti(volume, request, fill, std::move(report))
@@ -260,9 +252,7 @@ Result<ExportReport> exportCoverage(
         return tl::unexpected(renamed(checked.error(), staged->path(), request.file));
     ExportReport report;
     report.file = request.file;
-    report.written += QStringLiteral("Coverage of sculpt layer '%1', 0 … 255; 128 and more is "
-                                     "carved away.")
-                          .arg(request.layer);
+    report.written += ReportSentence{ReportCode::LayerCoverage, {request.layer}};
     report.checked = *checked;
     const auto sum = sha256OfFile(staged->path());
     if (!sum)

@@ -11,7 +11,7 @@ namespace core {
 
 namespace {
 
-Result<QStringList> check(const QString& path, const Volume& volume, const ScreenPicture& picture,
+Result<ReportLines> check(const QString& path, const Volume& volume, const ScreenPicture& picture,
     const Progress& progress)
 {
     const auto mismatch = [&](const QString& what) {
@@ -34,10 +34,7 @@ Result<QStringList> check(const QString& path, const Volume& volume, const Scree
     if (read->width != picture.width || read->height != picture.height
         || !std::equal(read->rgb.begin(), read->rgb.end(), picture.rgb.begin(), picture.rgb.end()))
         return mismatch(QStringLiteral("the pixels"));
-    return QStringList{QStringLiteral("All %1 × %2 pixels are those of the picture; patient and "
-                                      "study are those of the images that it shows.")
-                           .arg(picture.width)
-                           .arg(picture.height)};
+    return ReportLines{ReportSentence{ReportCode::PixelsAgree, {picture.width, picture.height}}};
 }
 
 Error renamed(Error error, const StagedFile& staged, const QString& file)
@@ -77,9 +74,8 @@ Result<ExportReport> exportScreenshot(
         return tl::unexpected(renamed(checked.error(), *staged, request.file));
     ExportReport report;
     report.file = request.file;
-    report.written += QStringLiteral("DICOM Secondary Capture of %1 × %2 pixels.")
-                          .arg(request.picture.width)
-                          .arg(request.picture.height);
+    report.written += ReportSentence{
+        ReportCode::SecondaryCapture, {request.picture.width, request.picture.height}};
     report.checked = *checked;
     report.cautions = *notes;
     const auto sum = sha256OfFile(staged->path());

@@ -4,7 +4,7 @@
 
 namespace core {
 
-Result<QStringList> writeNiftiMask(const QString& path, const Volume& volume,
+Result<ReportLines> writeNiftiMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, ExportReport& report)
 {
     const VolumeGeometry& geometry = volume.geometry;
@@ -21,15 +21,11 @@ Result<QStringList> writeNiftiMask(const QString& path, const Volume& volume,
     if (!written)
         return tl::unexpected(written.error());
     if (!written->qform && geometry.shearAngleDegrees() > 0.01)
-        report.cautions +=
-            QStringLiteral("The slices are tilted by %1°: only the sform says so, and "
-                           "some programs refuse such files.")
-                .arg(geometry.shearAngleDegrees(), 0, 'f', 2);
-    return QStringList{QStringLiteral("NIfTI label map, %1 × %2 × %3, on %4: %5.")
-                           .arg(geometry.size.x)
-                           .arg(geometry.size.y)
-                           .arg(geometry.size.z)
-                           .arg(gridName(volume), names)};
+        report.cautions += ReportSentence{
+            ReportCode::TiltInSform, {QString::number(geometry.shearAngleDegrees(), 'f', 2)}};
+    return ReportLines{ReportSentence{ReportCode::NiftiLabelMap,
+        {geometry.size.x, geometry.size.y, geometry.size.z, inReport(gridName(volume)),
+            namesInReport(map->names)}}};
 }
 
 } // namespace core

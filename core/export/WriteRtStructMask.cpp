@@ -7,7 +7,7 @@
 
 namespace core {
 
-Result<QStringList> writeRtStructMask(const QString& path, const Volume& volume,
+Result<ReportLines> writeRtStructMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
     ExportReport& report)
 {
@@ -24,7 +24,7 @@ Result<QStringList> writeRtStructMask(const QString& path, const Volume& volume,
     for (std::size_t s = 0; s < selection.segments.size(); ++s) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Tracing contours"), int(s), int(selection.segments.size()));
+        progress.report(ProgressStep::TracingContours, int(s), int(selection.segments.size()));
         const auto labels = planeOf(request, selection.segments[s])->labels;
         const std::vector<int>& slices = selection.slices[s];
         std::vector<std::vector<SliceContour>> ofSlice(slices.size());
@@ -46,14 +46,11 @@ Result<QStringList> writeRtStructMask(const QString& path, const Volume& volume,
         return tl::unexpected(written.error());
     report.cautions += written->notes;
     if (volume.identity.frameOfReferenceUid.isEmpty())
-        report.cautions += QStringLiteral("The source images have no frame of reference in common; "
-                                          "the contours name a new one.");
-    return QStringList{
-        QStringLiteral("DICOM RTSTRUCT: %1 in %2 of %3 points on the source's slices, along the "
-                       "borders of the voxels; holes are reached by slits (keyholes).")
-            .arg(counted(int(content.segments.size()), "segment"),
-                counted(int(content.contours.size()), "contour"))
-            .arg(points)};
+        report.cautions += ReportSentence{ReportCode::NewFrameOfReference};
+    return ReportLines{ReportSentence{ReportCode::RtStruct,
+        {countedInReport(ReportCode::Segments, std::int64_t(content.segments.size())),
+            countedInReport(ReportCode::Contours, std::int64_t(content.contours.size())),
+            std::int64_t(points)}}};
 }
 
 } // namespace core

@@ -130,42 +130,40 @@ Result<void> addLabelMap(SegContent& content, const ExportRequest& request,
     return {};
 }
 
-QString typeText(const SegContent& content)
+ReportSentence typeOf(const SegContent& content)
 {
-    QString text = QStringLiteral("binary");
+    ReportSentence type{ReportCode::BinarySeg};
     if (content.type == SegContent::Type::Fractional)
-        text = QStringLiteral("fractional (occupancy)");
+        type = {ReportCode::FractionalSeg};
     else if (content.type == SegContent::Type::LabelMap)
-        text = QStringLiteral("label map");
-    return content.settings.deflated ? text + QStringLiteral(", deflated") : text;
+        type = {ReportCode::LabelMapSeg};
+    return content.settings.deflated
+        ? ReportSentence{ReportCode::DeflatedSeg, {inReport(std::move(type))}}
+        : type;
 }
 
 /// What a fractional SEG says of each segment, as a sentence.
-QString sharesText(const ExportRequest& request, const std::vector<Segment>& segments)
+ReportSentence sharesOf(const ExportRequest& request, const std::vector<Segment>& segments)
 {
-    QStringList made;
-    QStringList whole;
+    std::vector<ReportSentence> made;
+    std::vector<ReportSentence> whole;
     for (const Segment& segment : segments) {
         if (const SegmentCoverage* from = coverageOf(request.coverages, segment))
-            made += QStringLiteral("'%1' as sculpt layer '%2' covers it")
-                        .arg(segment.name, from->layer);
+            made.push_back({ReportCode::AsLayerCovers, {segment.name, from->layer}});
         else
-            whole += QStringLiteral("'%1'").arg(segment.name);
+            whole.push_back({ReportCode::Quoted, {segment.name}});
     }
-    QStringList text;
-    if (!made.isEmpty())
-        text +=
-            QStringLiteral("Filled in part: %1; exactly the segment's voxels have 128 and more.")
-                .arg(made.join(QStringLiteral(", ")));
-    if (!whole.isEmpty())
-        text += QStringLiteral("Without partial coverage, every voxel 0 or 255: %1.")
-                    .arg(whole.join(QStringLiteral(", ")));
-    return text.join(QLatin1Char(' '));
+    ReportSentence::Listed both{.joiner = ReportCode::Space};
+    if (!made.empty())
+        both.all.push_back({ReportCode::FilledInPart, {inReport(std::move(made))}});
+    if (!whole.empty())
+        both.all.push_back({ReportCode::WithoutCoverage, {inReport(std::move(whole))}});
+    return {ReportCode::Joined, {std::move(both)}};
 }
 
 } // namespace
 
-Result<QStringList> writeSegMask(const QString& path, const Volume& volume,
+Result<ReportLines> writeSegMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
     ExportReport& report)
 {
@@ -193,9 +191,7 @@ Result<QStringList> writeSegMask(const QString& path, const Volume& volume,
             !added)
             return tl::unexpected(added.error());
         written = writeLabelMapSeg(path, content, progress);
-        report.cautions += QStringLiteral(
-            "Label maps are new to DICOM (supplement 243): viewers and archives of before 2024, "
-            "DCMTK 3.6.7 among them, do not know them.");
+        report.cautions += ReportSentence{ReportCode::LabelMapsAreNew};
     } else {
         const bool fractional = request.format == ExportFormat::DicomSegFractional;
         content.type = fractional ? SegContent::Type::Fractional : SegContent::Type::Binary;
@@ -210,16 +206,14 @@ Result<QStringList> writeSegMask(const QString& path, const Volume& volume,
         return tl::unexpected(written.error());
     report.cautions += written->notes;
     if (volume.identity.frameOfReferenceUid.isEmpty())
-        report.cautions += QStringLiteral(
-            "The source images have no frame of reference in common; the segmentation names none.");
-    QStringList sentences{
-        QStringLiteral("DICOM SEG, %1: %2 in %3 of %4 × %5; slices without a voxel are left out.")
-            .arg(typeText(content), counted(int(content.segments.size()), "segment"),
-                counted(int(content.frames.size()), "frame"))
-            .arg(content.columns)
-            .arg(content.rows)};
+        report.cautions += ReportSentence{ReportCode::NoFrameOfReference};
+    ReportLines sentences{ReportSentence{ReportCode::DicomSeg,
+        {inReport(typeOf(content)),
+            countedInReport(ReportCode::Segments, std::int64_t(content.segments.size())),
+            countedInReport(ReportCode::Frames, std::int64_t(content.frames.size())),
+            content.columns, content.rows}}};
     if (content.type == SegContent::Type::Fractional)
-        sentences += sharesText(request, selection.segments);
+        sentences += sharesOf(request, selection.segments);
     return sentences;
 }
 

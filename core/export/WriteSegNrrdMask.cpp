@@ -84,7 +84,7 @@ KeyValues keyValuesOf(
 
 } // namespace
 
-Result<QStringList> writeSegNrrdMask(const QString& path, const Volume& volume,
+Result<ReportLines> writeSegNrrdMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, ExportReport& report)
 {
     const VolumeGeometry& geometry = volume.geometry;
@@ -98,14 +98,11 @@ Result<QStringList> writeSegNrrdMask(const QString& path, const Volume& volume,
     if (!written)
         return tl::unexpected(written.error());
     if (geometry.shearAngleDegrees() > 0.01)
-        report.cautions += QStringLiteral("The slices are tilted by %1°: the file says so, and "
-                                          "some programs refuse such files.")
-                               .arg(geometry.shearAngleDegrees(), 0, 'f', 2);
-    return QStringList{QStringLiteral("3D Slicer segmentation, %1 × %2 × %3, on %4: %5.")
-                           .arg(geometry.size.x)
-                           .arg(geometry.size.y)
-                           .arg(geometry.size.z)
-                           .arg(gridName(volume), map->names.join(QStringLiteral(", ")))};
+        report.cautions += ReportSentence{
+            ReportCode::TiltInFile, {QString::number(geometry.shearAngleDegrees(), 'f', 2)}};
+    return ReportLines{ReportSentence{ReportCode::SlicerSegmentation,
+        {geometry.size.x, geometry.size.y, geometry.size.z, inReport(gridName(volume)),
+            namesInReport(map->names)}}};
 }
 
 } // namespace core

@@ -22,10 +22,15 @@ Result<void> writeReport(const QString& path, const Volume& volume, const Export
     const std::vector<SegmentStatistics>& all, const StagedExport& seg, const Progress& progress,
     ExportReport& report)
 {
-    report.written += QStringLiteral("The DICOM SEG that it refers to: %1. %2")
-                          .arg(seg.report.file, seg.report.written.join(QLatin1Char(' ')));
+    ReportSentence::Listed written{.joiner = ReportCode::Space};
+    for (const ReportLine& line : seg.report.written) {
+        // A problem of the volume is a caution, and never stands here.
+        if (const auto* own = std::get_if<ReportSentence>(&line))
+            written.all.push_back(*own);
+    }
+    report.written += ReportSentence{ReportCode::SegBeside, {seg.report.file, std::move(written)}};
     report.checked += seg.report.checked;
-    report.checked += QStringLiteral("SHA-256 of %1: %2").arg(seg.report.file, seg.report.sha256);
+    report.checked += ReportSentence{ReportCode::Sha256, {seg.report.file, seg.report.sha256}};
     SrContent content{.identity = volume.identity,
         .sources = volume.sources,
         .keptHeaders = volume.keptHeaders,
@@ -57,7 +62,7 @@ QString segBeside(const QString& file)
     return (ends ? file.chopped(4) : file) + QStringLiteral("-seg.dcm");
 }
 
-Result<QStringList> writeStatistics(const QString& path, const Volume& volume,
+Result<ReportLines> writeStatistics(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const StagedExport* seg,
     const Progress& progress, ExportReport& report)
 {
@@ -81,17 +86,16 @@ Result<QStringList> writeStatistics(const QString& path, const Volume& volume,
     if (!written)
         return tl::unexpected(written.error());
     if (volume.encoding.maxError > 0.0)
-        report.cautions += QStringLiteral("Values are rounded by up to %1, as they are on screen.")
-                               .arg(volume.encoding.maxError);
+        report.cautions +=
+            ReportSentence{ReportCode::ValuesRounded, {QString::number(volume.encoding.maxError)}};
     if (!volume.geometry.slicePositions.empty())
-        report.cautions += QStringLiteral("The slices are not evenly spaced: in volumes each "
-                                          "counts half the way to either neighbour.");
-    QStringList names;
+        report.cautions += ReportSentence{ReportCode::UnevenInVolumes};
+    std::vector<ReportSentence> volumes;
     for (const SegmentStatistics& each : *all)
-        names +=
-            QStringLiteral("%1 (%2 mL)").arg(each.segment.name).arg(each.millilitres, 0, 'f', 3);
-    return QStringList{QStringLiteral("%1: %2.").arg(
-        QLatin1String(factsOf(request.format).title), names.join(QStringLiteral(", ")))};
+        volumes.push_back(
+            {ReportCode::VolumeOf, {each.segment.name, QString::number(each.millilitres, 'f', 3)}});
+    return ReportLines{ReportSentence{ReportCode::Statistics,
+        {QString::fromLatin1(factsOf(request.format).title), inReport(std::move(volumes))}}};
 }
 
 } // namespace core

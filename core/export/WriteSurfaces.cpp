@@ -46,24 +46,23 @@ MeshPart partOf(
 
 } // namespace
 
-Result<QStringList> writeSurfaces(const QString& path, const Volume& volume,
+Result<ReportLines> writeSurfaces(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
     ExportReport& report)
 {
     std::vector<MeshPart> parts;
-    QStringList names;
+    std::vector<ReportSentence> surfaces;
     for (std::size_t i = 0; i < selection.segments.size(); ++i) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Making surfaces"), int(i), int(selection.segments.size()));
+        progress.report(ProgressStep::MakingSurfaces, int(i), int(selection.segments.size()));
         const Segment& segment = selection.segments[i];
         const auto labels = planeOf(request, segment)->labels;
         parts.push_back(partOf(segment, segmentSurface(labels, segment.label, volume.geometry.size),
             volume.geometry, request.space));
-        names += QStringLiteral("%1 (%2 triangles, %3 mL)")
-                     .arg(segment.name)
-                     .arg(parts.back().triangles.size())
-                     .arg(millilitresOf(parts.back()), 0, 'f', 3);
+        surfaces.push_back({ReportCode::SurfaceOf,
+            {segment.name, std::int64_t(parts.back().triangles.size()),
+                QString::number(millilitresOf(parts.back()), 'f', 3)}});
     }
     const QString space =
         request.space == MeshSpace::Ras ? QStringLiteral("RAS") : QStringLiteral("LPS");
@@ -81,16 +80,14 @@ Result<QStringList> writeSurfaces(const QString& path, const Volume& volume,
     default:
         written = writeStl(path, parts, space);
         if (parts.size() > 1)
-            report.cautions += QStringLiteral("STL cannot keep the segments apart: they are one "
-                                              "surface of several parts.");
+            report.cautions += ReportSentence{ReportCode::OneStlSurface};
     }
     if (!written)
         return tl::unexpected(written.error());
-    return QStringList{QStringLiteral("%1, mm in %2: %3.")
-                           .arg(QLatin1String(factsOf(request.format).title), space,
-                               names.join(QStringLiteral(", "))),
-        QStringLiteral("Smoothed by less than half a voxel (at most 0.45 along each axis of the "
-                       "voxels).")};
+    return ReportLines{ReportSentence{ReportCode::Surfaces,
+                           {QString::fromLatin1(factsOf(request.format).title), space,
+                               inReport(std::move(surfaces))}},
+        ReportSentence{ReportCode::SurfacesSmoothed}};
 }
 
 } // namespace core

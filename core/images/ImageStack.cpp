@@ -60,18 +60,15 @@ QString millimetres(double value)
 void addProblemsOfAll(SeriesEntry& entry)
 {
     const glm::dvec3 said = *entry.saidSpacingMm;
-    QString text = QStringLiteral("The pictures do not say how far apart their voxels are.");
+    ProblemSentence distance{ProblemCode::PicturesWithoutSpacing};
     if (said.x > 0.0 && said.z <= 0.0)
-        text = QStringLiteral("The pictures do not say how far apart they are; within them voxels "
-                              "of %1 × %2 mm are named.")
-                   .arg(millimetres(said.x), millimetres(said.y));
+        distance = {
+            ProblemCode::PicturesWithoutDistance, {millimetres(said.x), millimetres(said.y)}};
     if (entry.needsSpacing())
         entry.problems.push_back(
-            {.kind = VolumeProblem::Kind::AssumedSpacing, .text = text, .caution = true});
+            {.kind = VolumeProblem::Kind::AssumedSpacing, .said = distance, .caution = true});
     entry.problems.push_back({.kind = VolumeProblem::Kind::Other,
-        .text = QStringLiteral("Pictures do not say how they lie in the patient; columns are "
-                               "taken to run to the left, rows to posterior, slices to "
-                               "superior."),
+        .said = {ProblemCode::PicturesWithoutAxes},
         .caution = true});
 }
 
@@ -83,9 +80,8 @@ SeriesEntry entryOf(const ImagePage& page, std::size_t slices, const QStringList
     entry.files = files;
     addProblemsOfAll(entry);
     if (!page.isUpright)
-        entry.problems.push_back({.kind = VolumeProblem::Kind::Other,
-            .text = QStringLiteral("The pictures are marked to be shown turned or mirrored; they "
-                                   "are taken as they lie.")});
+        entry.problems.push_back(
+            {.kind = VolumeProblem::Kind::Other, .said = {ProblemCode::PicturesTurned}});
     entry.identity.seriesDescription = QFileInfo(stackPath(entry)).fileName();
     return entry;
 }
@@ -123,20 +119,18 @@ void addGaps(SeriesEntry& entry)
     if (gaps.empty())
         return;
     VolumeProblem problem{.kind = VolumeProblem::Kind::MissingSlices, .caution = true};
-    QStringList words;
+    std::vector<ProblemSentence> places;
     for (const NumberGap& gap : gaps) {
         problem.slices.push_back({.first = gap.after + 1, .last = gap.after + 2});
-        words.append(QStringLiteral("%1 between %2 and %3")
-                         .arg(gap.missing)
-                         .arg(names[gap.after], names[gap.after + 1]));
+        places.push_back({ProblemCode::NumbersMissingBetween,
+            {gap.missing, names[gap.after], names[gap.after + 1]}});
     }
-    constexpr qsizetype mostWords = 5;
-    if (words.size() > mostWords)
-        words = words.mid(0, mostWords)
-            << QStringLiteral("and at %1 more places").arg(words.size() - mostWords);
-    problem.text = QStringLiteral("Numbers are missing in the names of the files: %1. The slices "
-                                  "are taken to follow each other at equal distances all the same.")
-                       .arg(words.join(QStringLiteral(", ")));
+    constexpr std::size_t mostPlaces = 5;
+    if (const std::size_t all = places.size(); all > mostPlaces) {
+        places.resize(mostPlaces);
+        places.push_back({ProblemCode::AtMorePlaces, {std::int64_t(all - mostPlaces)}});
+    }
+    problem.said = {ProblemCode::NumbersMissing, {withCommas(std::move(places))}};
     entry.problems.push_back(std::move(problem));
 }
 

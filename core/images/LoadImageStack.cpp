@@ -51,9 +51,8 @@ void reportEmptySlices(const std::vector<Slice>& slices, Volume& volume)
             continue;
         const int number = int(k) + 1;
         volume.problems.push_back({.kind = VolumeProblem::Kind::DamagedSlice,
-            .text = QStringLiteral("Slice %1 (%2) could not be read: %3. It is left empty.")
-                        .arg(number)
-                        .arg(QFileInfo(slices[k].page.file).fileName(), slices[k].wrong),
+            .said = {ProblemCode::PictureLeftEmpty,
+                {number, QFileInfo(slices[k].page.file).fileName(), slices[k].wrong}},
             .caution = true,
             .slices = {{.first = number, .last = number}}});
     }
@@ -81,7 +80,7 @@ Result<LoadedVolume> loadImageStack(const SeriesEntry& entry, const Progress& pr
         return tl::unexpected<Error>(fits.error());
     // Zeros, which an empty slice keeps.
     const auto voxels = std::make_unique<char[]>(bytes);
-    StepCounter counter(progress, QStringLiteral("Reading voxels"), int(slices.size()));
+    StepCounter counter(progress, ProgressStep::ReadingVoxels, int(slices.size()));
     parallelFor(int(slices.size()), [&](int k) {
         Slice& slice = slices[std::size_t(k)];
         if (progress.cancelled() || !isSound(slice))

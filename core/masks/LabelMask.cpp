@@ -137,7 +137,7 @@ Result<MaskOnVolume> readLabelMask(
     MaskOnVolume mask;
     for (const VolumeProblem& problem : stored->problems) {
         if (problem.caution)
-            mask.notes.push_back({.code = MaskNote::Code::GridInDoubt, .names = {problem.text}});
+            mask.notes.push_back({.code = MaskNote::Code::GridInDoubt, .doubt = problem.said});
     }
     const bool shares = stored->holdsShares();
     if (shares)
@@ -148,7 +148,7 @@ Result<MaskOnVolume> readLabelMask(
     for (int layer = 0; layer < stored->layers; ++layer) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Placing the mask"), layer, stored->layers);
+        progress.report(ProgressStep::PlacingMask, layer, stored->layers);
         Result<std::vector<std::uint16_t>> values = shares
             ? halfTaken(*stored, layer)
             : labelsFrom(stored->bytes, stored->type, stored->slope, stored->intercept,

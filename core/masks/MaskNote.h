@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/volume/ProblemSentence.h"
+
 #include <QStringList>
 
 #include <cstdint>
@@ -23,7 +25,7 @@ struct MaskNote {
         UnnamedAxes, ///< taken for LPS, in millimetres
         TwoFaced, ///< triangles of the segment `names`: inside is what an odd number surrounds
         Enclosed, ///< by the segment `names`; fileMl, hereMl: the voxels with their centres inside
-        GridInDoubt, ///< `names`: VolumeProblem::text
+        GridInDoubt, ///< `doubt`
         MapOnAnotherGrid, ///< a probability map: its nearest voxel decides
     };
     Code code = Code::AnotherGrid;
@@ -33,6 +35,7 @@ struct MaskNote {
     double fileMl = 0.0; ///< in the file
     double hereMl = 0.0; ///< in the volume
     double mm = 0.0;
+    ProblemSentence doubt{}; ///< VolumeProblem::said
 
     bool operator==(const MaskNote&) const = default;
 };

@@ -91,7 +91,7 @@ Result<ProbabilitiesOnVolume> readGridProbabilities(
         .probabilities = onVolume(volume.geometry, stored->geometry, map, *own)};
     for (const VolumeProblem& problem : stored->problems) {
         if (problem.caution)
-            read.notes.push_back({.code = MaskNote::Code::GridInDoubt, .names = {problem.text}});
+            read.notes.push_back({.code = MaskNote::Code::GridInDoubt, .doubt = problem.said});
     }
     if (!map.isOneToOne())
         read.notes.push_back({.code = MaskNote::Code::MapOnAnotherGrid});

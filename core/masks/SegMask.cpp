@@ -70,7 +70,7 @@ Result<MaskOnVolume> readSegMask(
         const SegSegment& segment = seg->segments[i];
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Placing the mask"), int(i), int(seg->segments.size()));
+        progress.report(ProgressStep::PlacingMask, int(i), int(seg->segments.size()));
         const SegmentPlanes planes(*seg, segment.number, toLattice);
         VoxelRuns voxels;
         // Number 0 is what a label map calls its background.
@@ -125,7 +125,7 @@ Result<ProbabilitiesOnVolume> readSegProbabilities(
     const Result<PlacedFrames> frames = placedFrames(*seg, volume.geometry, path);
     if (!frames)
         return tl::unexpected(frames.error());
-    progress.report(QStringLiteral("Placing the mask"), 0, 1);
+    progress.report(ProgressStep::PlacingMask, 0, 1);
     const SegmentPlanes planes(*seg, seg->segments[*which].number, frames->toLattice);
     ProbabilitiesOnVolume read{.probabilities = std::vector<std::uint8_t>(
                                    std::size_t(volume.geometry.voxelCount()), std::uint8_t(0)),

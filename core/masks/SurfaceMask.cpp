@@ -62,7 +62,7 @@ Result<MaskOnVolume> readSurfaceMask(
         if (kind == SurfaceKind::Open)
             return failure(ErrorCode::UnsupportedFormat, path,
                 QStringLiteral("the surface '%1' is not closed, so it has no inside").arg(name));
-        progress.report(QStringLiteral("Filling surfaces"), int(i), int(mesh->parts.size()));
+        progress.report(ProgressStep::FillingSurfaces, int(i), int(mesh->parts.size()));
         Result<VoxelRuns> voxels = fillSurface(surface, kind, volume.geometry.size, progress);
         if (!voxels)
             return tl::unexpected(voxels.error());

@@ -102,8 +102,8 @@ Result<void> setGeometry(GridFile& grid, const MetaImageHeader& header)
     const auto spacing = numbersOf(header, spacingNames);
     const auto origin = numbersOf(header, originNames);
     const auto matrix = numbersOf(header, matrixNames);
-    const auto caution = [&](VolumeProblem::Kind kind, const QString& text) {
-        grid.problems.push_back({.kind = kind, .text = text, .caution = true});
+    const auto caution = [&](VolumeProblem::Kind kind, ProblemCode code) {
+        grid.problems.push_back({.kind = kind, .said = {code}, .caution = true});
     };
     if (hasAny(header, spacingNames) && (!spacing || spacing->size() != axes))
         return refused(path, QStringLiteral("its header does not have a spacing for each axis"));
@@ -122,20 +122,13 @@ Result<void> setGeometry(GridFile& grid, const MetaImageHeader& header)
         affine[3][int(axis)] = origin ? (*origin)[axis] : 0.0;
     }
     if (!matrix) {
-        caution(VolumeProblem::Kind::Other,
-            QStringLiteral("The file does not say how it lies in the patient; "
-                           "its axes are taken "
-                           "for left, posterior and superior."));
+        caution(VolumeProblem::Kind::Other, ProblemCode::AxesAssumed);
     }
     if (!spacing) {
-        caution(VolumeProblem::Kind::AssumedSpacing,
-            QStringLiteral("The file does not say how far apart its voxels "
-                           "are; 1 mm is assumed."));
+        caution(VolumeProblem::Kind::AssumedSpacing, ProblemCode::SpacingAssumed);
     }
     if (axes == 2) {
-        caution(VolumeProblem::Kind::AssumedSpacing,
-            QStringLiteral("The file does not say how thick its only slice is; "
-                           "1 mm is assumed."));
+        caution(VolumeProblem::Kind::AssumedSpacing, ProblemCode::ThicknessAssumed);
     }
     std::vector<qint64> three = *sides;
     three.resize(3, 1);

@@ -91,11 +91,8 @@ glm::dmat4 affine(const nifti_image& image, std::vector<VolumeProblem>& problems
         return lpsFromRas(image.sto_xyz, scale);
     if (image.qform_code > 0)
         return lpsFromRas(image.qto_xyz, scale);
-    problems.push_back({.kind = VolumeProblem::Kind::Other,
-        .text =
-            QStringLiteral("The file does not say how it lies in the patient; left and right are "
-                           "assumed."),
-        .caution = true});
+    problems.push_back(
+        {.kind = VolumeProblem::Kind::Other, .said = {ProblemCode::SidesAssumed}, .caution = true});
     glm::dmat4 lps(1.0);
     lps[0][0] = -scale * double(image.dx);
     lps[1][1] = -scale * double(image.dy);
@@ -213,7 +210,7 @@ Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
 
 Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progress)
 {
-    progress.report(QStringLiteral("Reading voxels"), 0, 1);
+    progress.report(ProgressStep::ReadingVoxels, 0, 1);
     const Result<NiftiNumbers> voxels = readNiftiNumbers(entry);
     if (!voxels)
         return tl::unexpected(voxels.error());

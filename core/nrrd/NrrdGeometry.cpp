@@ -147,9 +147,9 @@ private:
     {
         return failure(ErrorCode::FileUnreadable, m_grid.voxels.header, reason);
     }
-    void caution(VolumeProblem::Kind kind, const QString& text)
+    void caution(VolumeProblem::Kind kind, ProblemCode code)
     {
-        m_grid.problems.push_back({.kind = kind, .text = text, .caution = true});
+        m_grid.problems.push_back({.kind = kind, .said = {code}, .caution = true});
     }
     Result<void> readAxes();
     Result<void> readDirections();
@@ -288,9 +288,8 @@ Result<void> GeometryReader::placeBySpace()
         affine[int(axis)] = glm::dvec4(toLps * *m_axes[axis].direction, 0.0);
     const QByteArray text = m_header.field("spaceorigin");
     if (text.isEmpty()) {
-        m_grid.problems.push_back({.kind = VolumeProblem::Kind::Other,
-            .text = QStringLiteral("The file does not say where in its space it begins; its first "
-                                   "voxel is put at 0, 0, 0.")});
+        m_grid.problems.push_back(
+            {.kind = VolumeProblem::Kind::Other, .said = {ProblemCode::OriginAssumed}});
     } else {
         const auto origin = vectors(text);
         if (!origin || origin->size() != 1 || origin->front().empty())
@@ -299,9 +298,7 @@ Result<void> GeometryReader::placeBySpace()
             affine[3][int(part)] = toLps[int(part)] * origin->front()[part];
     }
     if (!space.ofPatient) {
-        caution(VolumeProblem::Kind::Other,
-            QStringLiteral("The file does not say how it lies in the patient; its axes are taken "
-                           "for left, posterior and superior."));
+        caution(VolumeProblem::Kind::Other, ProblemCode::AxesAssumed);
     }
     return {};
 }
@@ -323,12 +320,9 @@ void GeometryReader::placeBySpacings()
         affine[int(axis)][int(axis)] = one.unitMm * spacing;
         affine[3][int(axis)] = std::isnan(first) ? 0.0 : one.unitMm * first;
     }
-    caution(VolumeProblem::Kind::Other,
-        QStringLiteral("The file does not say how it lies in the patient; its axes are taken for "
-                       "left, posterior and superior."));
+    caution(VolumeProblem::Kind::Other, ProblemCode::AxesAssumed);
     if (assumed)
-        caution(VolumeProblem::Kind::AssumedSpacing,
-            QStringLiteral("The file does not say how far apart its voxels are; 1 mm is assumed."));
+        caution(VolumeProblem::Kind::AssumedSpacing, ProblemCode::SpacingAssumed);
 }
 
 /// A picture gets the third axis that a volume needs.
@@ -340,8 +334,7 @@ void GeometryReader::completeSlice()
     const glm::dvec3 across = glm::cross(glm::dvec3(affine[0]), glm::dvec3(affine[1]));
     affine[2] = glm::dvec4(glm::normalize(across), 0.0);
     m_axes.push_back({.size = 1});
-    caution(VolumeProblem::Kind::AssumedSpacing,
-        QStringLiteral("The file does not say how thick its only slice is; 1 mm is assumed."));
+    caution(VolumeProblem::Kind::AssumedSpacing, ProblemCode::ThicknessAssumed);
 }
 
 Result<void> GeometryReader::read()

@@ -225,7 +225,7 @@ Result<HitList<StudyHit>> findStudies(
                 answer.text(DCM_ModalitiesInStudy).split(QLatin1Char('\\'), Qt::SkipEmptyParts),
             .series = answer.count(DCM_NumberOfStudyRelatedSeries),
             .instances = answer.count(DCM_NumberOfStudyRelatedInstances)});
-        progress.report(QStringLiteral("Searching"), int(list.hits.size()), 0);
+        progress.report(ProgressStep::Searching, int(list.hits.size()), 0);
         return true;
     });
     if (!asked)

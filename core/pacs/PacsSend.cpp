@@ -144,7 +144,7 @@ Result<SentObjects> sendFiles(
         if (isWarning)
             result.warnings.append(QStringLiteral("%1: %2").arg(name, statusText(*status)));
         ++result.sent;
-        progress.report(QStringLiteral("Sending"), result.sent, int(parcels.size()));
+        progress.report(ProgressStep::Sending, result.sent, int(parcels.size()));
     }
     association->release();
     return result;

@@ -225,7 +225,7 @@ Result<LoadedVolume> repairVolume(
         std::vector<std::uint16_t> codes(count);
         const glm::ivec3 size = lattice.geometry.size;
         const Resampler resampler(loaded, lattice, code);
-        StepCounter counter(progress, QStringLiteral("Repairing"), size.z);
+        StepCounter counter(progress, ProgressStep::Repairing, size.z);
         std::atomic<std::uint64_t> outsideOfAll = 0;
         parallelFor(size.z, [&](int z) {
             if (progress.cancelled())

@@ -128,10 +128,8 @@ std::optional<SeriesFinding> severalStacks(const SeriesAlternatives& alternative
         return std::nullopt;
     SeriesFinding finding{
         .problem = {.kind = VolumeProblem::Kind::Other,
-            .text = QStringLiteral("The series holds %1 stacks; this is %2, of %3 slices.")
-                        .arg(alternatives.stacks.size() + 1)
-                        .arg(alternatives.part)
-                        .arg(slices)}};
+            .said = {ProblemCode::SeveralStacks,
+                {std::int64_t(alternatives.stacks.size()) + 1, alternatives.part, slices}}}};
     for (const SeriesAlternatives::Stack& stack : alternatives.stacks) {
         finding.offers.push_back({.kind = RepairOffer::Kind::OtherStack,
             .series = stack.key,

@@ -67,7 +67,7 @@ Result<SessionContents> checkSession(const QString& path, const Progress& progre
     for (const HistoryRow& row : contents.rows) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Checking the session"), int(row.id), int(count));
+        progress.report(ProgressStep::CheckingSession, int(row.id), int(count));
         if (row.stateHash.isEmpty())
             continue;
         if (const Result<BrickDelta> delta = (*file)->readDelta(row.id); !delta)

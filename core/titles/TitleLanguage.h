@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Said.h"
 #include "core/titles/RowTitle.h"
 
 #include <QString>
@@ -32,8 +33,4 @@ public:
 [[nodiscard]] QString grouped(std::int64_t count);
 /// Whether the first argument is exactly one of something.
 [[nodiscard]] bool isOfOne(const RowTitle& title);
-/// @param text with %1 … %9, each of which becomes the argument of that number; what stands in an
-/// argument stays as it is
-[[nodiscard]] QString filledIn(const QString& text, const QStringList& arguments);
-
 } // namespace core

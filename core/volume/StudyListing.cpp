@@ -34,7 +34,7 @@ QString SeriesEntry::line() const
         words << QStringLiteral("%1 points in time").arg(times.size());
     QString line = words.join(QLatin1String(", "));
     for (const VolumeProblem& problem : problems)
-        line += QStringLiteral(" · ") + problem.text;
+        line += QStringLiteral(" · ") + storedText(problem.said);
     return line;
 }
 

@@ -5,7 +5,7 @@
 
 namespace core {
 
-QString slicesInWords(const std::vector<SliceSpan>& slices)
+ProblemSentence::Argument slicesInWords(const std::vector<SliceSpan>& slices)
 {
     std::vector<SliceSpan> joined;
     for (const SliceSpan& span : slices) {
@@ -19,8 +19,8 @@ QString slicesInWords(const std::vector<SliceSpan>& slices)
         words += span.first == span.last ? QString::number(span.first)
                                          : QStringLiteral("%1–%2").arg(span.first).arg(span.last);
     const bool one = joined.size() == 1 && joined.front().first == joined.front().last;
-    return (one ? QStringLiteral("slice ") : QStringLiteral("slices "))
-        + words.join(QLatin1String(", "));
+    return asPart({one ? ProblemCode::OneSlice : ProblemCode::Slices,
+        {one ? words.front() : words.join(QLatin1String(", "))}});
 }
 
 bool Volume::needsCaution() const

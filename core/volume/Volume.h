@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Error.h"
+#include "core/volume/ProblemSentence.h"
 #include "core/volume/VolumeGeometry.h"
 #include "core/volume/VoxelEncoding.h"
 
@@ -64,8 +65,8 @@ struct SliceSpan {
     bool operator==(const SliceSpan&) const = default;
 };
 
-/// "slice 5", "slices 2–4, 7"; spans in ascending order.
-[[nodiscard]] QString slicesInWords(const std::vector<SliceSpan>& slices);
+/// "slice 5", "slices 2–4, 7" in a sentence; spans in ascending order.
+[[nodiscard]] ProblemSentence::Argument slicesInWords(const std::vector<SliceSpan>& slices);
 
 /// Something about the source that a user must know before trusting a measurement.
 struct VolumeProblem {
@@ -83,7 +84,7 @@ struct VolumeProblem {
         Other,
     };
     Kind kind = Kind::Other;
-    QString text; ///< one plain sentence
+    ProblemSentence said{}; ///< one plain sentence
     /// the geometry is doubtful; a warning is shown until it is repaired or accepted
     bool caution = false;
     /// The slices concerned; for a gap, the two beside it. Empty: all.

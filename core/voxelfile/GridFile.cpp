@@ -67,9 +67,8 @@ Result<LoadedVolume> loadGridFile(
     volume.sourceFormat = format;
     volume.problems = grid.problems;
     if (bytes->surplus) {
-        volume.problems.push_back({.kind = VolumeProblem::Kind::Other,
-            .text = QStringLiteral("The file holds more than the voxels that its header tells of; "
-                                   "the rest is left out.")});
+        volume.problems.push_back(
+            {.kind = VolumeProblem::Kind::Other, .said = {ProblemCode::MoreThanVoxels}});
     }
     encodeScalars(loaded, {bytes->data.get(), bytes->size}, grid.voxels.type, 1.0, 0.0, false);
     return loaded;

@@ -165,7 +165,7 @@ Result<VoxelBytes> readVoxels(const VoxelSource& source, const Progress& progres
     const std::size_t share = bytes / std::size_t(source.files.size());
     for (qsizetype part = 0; part < source.files.size(); ++part) {
         const QString& name = source.files[part];
-        progress.report(QStringLiteral("Reading voxels"), int(part), int(source.files.size()));
+        progress.report(ProgressStep::ReadingVoxels, int(part), int(source.files.size()));
         QFile file(name);
         if (!file.open(QIODevice::ReadOnly))
             return unreadable(source, name, file.errorString());

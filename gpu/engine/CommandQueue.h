@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/engine/EditEngine.h"
+#include "core/engine/EngineCommands.h"
 #include "gpu/engine/EditTransaction.h"
 #include "gpu/engine/EngineThread.h"
 

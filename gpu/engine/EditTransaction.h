@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/engine/EngineCommands.h"
+#include "core/engine/EngineEdit.h"
+#include "core/engine/EngineResult.h"
 #include "gpu/engine/BeginWork.h"
 #include "gpu/fields/BeforeImages.h"
 

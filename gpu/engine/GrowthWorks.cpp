@@ -4,6 +4,7 @@
 #include "gpu/kernels/growth/GrowthKernel.h"
 #include "gpu/kernels/shrink/CutGrown.h"
 #include "gpu/kernels/shrink/ShrinkKernel.h"
+#include "gpu/kernels/work/JoinPieces.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/delta/Ending.h"
 #include "core/document/Document.h"
 #include "gpu/engine/EditTransaction.h"
 #include "gpu/fields/textures/VolumeTextures.h"

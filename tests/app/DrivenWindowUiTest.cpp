@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/CountingGl.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/Pen.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/views/ViewGrid.h"

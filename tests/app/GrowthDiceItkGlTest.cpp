@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "tests/peers/ItkConnectedThreshold.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/growth/RealGrowths.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SculptStage.h"

@@ -125,21 +125,13 @@ const std::vector<Rule>& rules()
     return table;
 }
 
-/// Where core words whole sentences: what describes an edit, wherever that is read; what is in
-/// DICOM objects; and two kinds of sentences that ui/texts does not word yet, the problems of
-/// volumes (a session file holds them) and what an export reports. None is to be added.
+/// Where core words whole sentences: what describes an edit, wherever that is read. None is to be
+/// added.
 bool mayHoldSentences(const QString& file)
 {
-    static const QStringList folders{QStringLiteral("core/edits/schema"),
-        QStringLiteral("core/dicom/write"), QStringLiteral("core/dicom/stack"),
-        QStringLiteral("core/images"), QStringLiteral("core/metaimage"),
-        QStringLiteral("core/nifti"), QStringLiteral("core/nrrd"),
-        QStringLiteral("core/volume/encoding"), QStringLiteral("core/voxelfile"),
-        QStringLiteral("core/export"), QStringLiteral("core/dicom/deidentify")};
+    static const QStringList folders{QStringLiteral("core/edits/schema")};
     static const QStringList files{QStringLiteral("core/recipe/RecipeStep.cpp"),
-        QStringLiteral("core/brick/ThreadWithoutVoxels.cpp"), // for who debugs it
-        QStringLiteral("core/repair/SeriesFindings.cpp"),
-        QStringLiteral("core/dicom/items/PatientHeader.cpp")};
+        QStringLiteral("core/brick/ThreadWithoutVoxels.cpp")}; // for who debugs it
     return inFolder(file, folders) || files.contains(file);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/fixtures/StormStage.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/TestVolumes.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionSalvage.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/scenes/TestVolumes.h"

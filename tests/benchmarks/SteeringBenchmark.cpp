@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/SteeringBenchmark.h"
 
+#include "core/engine/EngineCommands.h"
 #include "gpu/engine/GpuEngine.h"
 #include "tests/benchmarks/PeerReport.h"
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EngineCommands.h"
+#include "core/engine/LabelCommands.h"
+#include "core/engine/LayerCommands.h"
+#include "core/growth/GrowthCommands.h"
 #include "tests/reference/DenseFields.h"
 
 #include <optional>

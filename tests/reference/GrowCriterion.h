@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EngineCommands.h"
+#include "core/engine/GrowthForesight.h"
 #include "tests/reference/DenseFields.h"
 
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/Growth.h"
 
+#include "core/document/Document.h"
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>

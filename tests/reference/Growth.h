@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EngineCommands.h"
+#include "core/engine/LabelCommands.h"
+#include "core/growth/GrowthProgress.h"
 #include "tests/reference/DenseFields.h"
 #include "tests/reference/FrontWatch.h"
 #include "tests/reference/GrowCriterion.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EngineCommands.h"
+#include "core/engine/VoxelReads.h"
+#include "core/sculpt/IntegerHalfSpace.h"
 #include "tests/reference/DenseFields.h"
 
 #include <array>

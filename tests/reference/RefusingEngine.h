@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/engine/EngineCommands.h"
 #include "tests/reference/ReferenceEngine.h"
 
 #include <utility>

@@ -3,6 +3,7 @@
 
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QFontMetrics>
 #include <QPainter>
@@ -15,7 +16,7 @@ QString cautionText(const core::Volume& volume)
     QStringList sentences;
     for (const core::VolumeProblem& problem : volume.problems) {
         if (problem.caution)
-            sentences += problem.text;
+            sentences += problemText(problem.said);
     }
     return sentences.join(QLatin1Char(' '));
 }

@@ -3,6 +3,7 @@
 
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
+#include "ui/texts/ProblemTexts.h"
 #include "ui/texts/RepairTexts.h"
 
 #include <QButtonGroup>
@@ -76,7 +77,7 @@ void FindingBox::buildText(const core::VolumeProblem& problem)
     icon->setPixmap(tintedIcon(repaired ? QStringLiteral("check") : QStringLiteral("caution"),
         colour, 16, devicePixelRatioF()));
     row->addWidget(icon, 0, Qt::AlignTop);
-    auto* text = wrapped(problem.text, this);
+    auto* text = wrapped(problemText(problem.said), this);
     text->setObjectName(QStringLiteral("finding"));
     row->addWidget(text, 1);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);

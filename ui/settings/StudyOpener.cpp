@@ -4,6 +4,7 @@
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"
+#include "ui/texts/ProgressTexts.h"
 
 #include <utility>
 
@@ -144,7 +145,9 @@ void StudyOpener::start(const QString& path,
                 });
         },
         [this](const core::Result<Completion>& outcome) { take(outcome); },
-        [this](const QString& step, int done, int total) { Q_EMIT progressed(step, done, total); });
+        [this](core::ProgressStep step, int done, int total) {
+            Q_EMIT progressed(progressText(step), done, total);
+        });
     Q_EMIT started(path);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/BackgroundJob.h"
 
+#include "ui/texts/ProgressTexts.h"
+
 #include <QCoreApplication>
 #include <QPointer>
 
@@ -56,7 +58,9 @@ void BackgroundJob::start(Work work, Failed failed)
             if (guard)
                 Q_EMIT ended();
         },
-        [this](const QString& step, int done, int total) { Q_EMIT progressed(step, done, total); });
+        [this](core::ProgressStep step, int done, int total) {
+            Q_EMIT progressed(progressText(step), done, total);
+        });
     mine->start(
         qApp, [] {}, [mine](const core::Result<void>&) { threads().erase(mine); });
 }

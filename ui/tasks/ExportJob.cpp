@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/ExportJob.h"
 
+#include "ui/texts/ProgressTexts.h"
+
 #include <utility>
 
 namespace ui {
@@ -17,7 +19,9 @@ void ExportJob::start(std::function<core::Result<core::ExportReport>(const core:
             else
                 Q_EMIT failed(outcome.error());
         },
-        [this](const QString& step, int done, int total) { Q_EMIT progressed(step, done, total); });
+        [this](core::ProgressStep step, int done, int total) {
+            Q_EMIT progressed(progressText(step), done, total);
+        });
 }
 
 } // namespace ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/texts/MaskTexts.h"
 
+#include "ui/texts/ProblemTexts.h"
+
 #include <QCoreApplication>
 
 namespace ui {
@@ -77,7 +79,7 @@ QString maskNoteText(const core::MaskNote& note)
         return MaskTexts::tr("'%1' encloses %2; the voxels with their centres inside are %3.")
             .arg(names, inMl(note.fileMl), inMl(note.hereMl));
     case Code::GridInDoubt:
-        return names;
+        return problemText(note.doubt);
     }
     return {};
 }

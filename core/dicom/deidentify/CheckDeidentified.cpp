@@ -100,7 +100,7 @@ private:
 
 } // namespace
 
-Result<QString> checkDeidentified(const QString& file, const Deidentifier& by)
+Result<ReportLine> checkDeidentified(const QString& file, const Deidentifier& by)
 {
     DcmDataset set;
     if (const Result<void> header = DicomFile::readHeader(file, set); !header)
@@ -115,8 +115,7 @@ Result<QString> checkDeidentified(const QString& file, const Deidentifier& by)
     Search search(by.words());
     if (const QString what = search.in(set); !what.isEmpty())
         return failure(ErrorCode::ExportMismatch, file, what);
-    return QStringLiteral("None of %1 texts and UIDs tells who the patient is.")
-        .arg(search.looked());
+    return ReportSentence{ReportCode::TextsTellNobody, {std::int64_t(search.looked())}};
 }
 
 } // namespace core

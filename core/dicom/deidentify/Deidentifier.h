@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/dicom/source/SourceHeader.h"
+#include "core/titles/ReportSentence.h"
 #include "core/volume/Volume.h"
 
 #include <QByteArray>
@@ -78,6 +79,6 @@ private:
 /// Opens what was written and searches every text and UID in it, including sequences.
 /// @returns what was checked, as a sentence
 /// Errors: ExportMismatch (argument 1: the attribute with a forbidden word), and those of reading.
-[[nodiscard]] Result<QString> checkDeidentified(const QString& file, const Deidentifier& by);
+[[nodiscard]] Result<ReportLine> checkDeidentified(const QString& file, const Deidentifier& by);
 
 } // namespace core

@@ -149,7 +149,7 @@ QString singleValueText(const QString& text, int length)
 }
 
 tl::expected<std::unique_ptr<DcmDataset>, QString> cleanPatientHeader(
-    DcmDataset& source, QStringList& notes)
+    DcmDataset& source, ReportLines& notes)
 {
     const auto bytesOf = [&](const DcmTagKey& tag) {
         OFString value;
@@ -173,13 +173,11 @@ tl::expected<std::unique_ptr<DcmDataset>, QString> cleanPatientHeader(
         if (!clean) {
             if (attribute.kind == Kind::Uid)
                 return tl::unexpected(QStringLiteral("its %1 is not valid").arg(name));
-            notes += QStringLiteral("%1 of the source is not valid and was left out.").arg(name);
+            notes += ReportSentence{ReportCode::ValueLeftOut, {name}};
             continue;
         }
         if (*clean != text)
-            notes +=
-                QStringLiteral("%1 of the source is not valid and was written as DICOM has it.")
-                    .arg(name);
+            notes += ReportSentence{ReportCode::ValueNormalised, {name}};
         header->putAndInsertString(attribute.tag, clean->toStdString().c_str());
     }
     if (!header->tagExists(DCM_StudyInstanceUID))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/dicom/items/ConditionChain.h"
+#include "core/titles/ReportSentence.h"
 
 #include <tl/expected.hpp>
 
@@ -20,7 +21,7 @@ namespace core {
 /// @param notes receives a sentence for each value that differs from the source
 /// @returns the error is the reason why no object may refer to this source
 tl::expected<std::unique_ptr<DcmDataset>, QString> cleanPatientHeader(
-    DcmDataset& source, QStringList& notes);
+    DcmDataset& source, ReportLines& notes);
 
 /// Adds, without values, attributes that every object must have (type 2) and that
 /// cleanPatientHeader() leaves out if the source lacks them.

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/titles/ReportSentence.h"
 #include "core/volume/Volume.h"
 
 #include <QStringList>
@@ -39,7 +40,7 @@ struct SegSource {
     std::string lossyRatio;
     std::string lossyMethod;
     std::string bodyPart;
-    QStringList notes; ///< what was normalised or left out
+    ReportLines notes; ///< what was normalised or left out
 
     SegSource();
     SegSource(SegSource&&) noexcept;

@@ -55,7 +55,7 @@ Result<void> visitSourceFiles(const std::vector<SourceSlice>& slices, const Kept
     for (auto it = slicesOfFile.cbegin(); it != slicesOfFile.cend(); ++it) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Reading source headers"), done++, int(slicesOfFile.size()));
+        progress.report(ProgressStep::ReadingSourceHeaders, done++, int(slicesOfFile.size()));
         const QString& file = it.key();
         DcmDataset dataset;
         const Result<void> read =

@@ -121,7 +121,7 @@ bool takeFile(const std::vector<ImageHeader>& images, DicomScan& scan)
 DicomScan scanDicom(const QStringList& files, const Progress& progress)
 {
     std::vector<std::optional<Result<std::vector<ImageHeader>>>> headers(std::size_t(files.size()));
-    StepCounter counter(progress, QStringLiteral("Reading headers"), int(files.size()));
+    StepCounter counter(progress, ProgressStep::ReadingHeaders, int(files.size()));
     parallelFor(int(files.size()), [&](int index) {
         if (progress.cancelled())
             return;

@@ -73,19 +73,14 @@ std::vector<VolumeProblem> dropDuplicates(std::vector<SlicePlace>& places)
     }
     if (!equal.empty()) {
         problems.push_back({.kind = VolumeProblem::Kind::DuplicateSlices,
-            .text = equal.size() == 1
-                ? QStringLiteral("1 duplicate file was left out, of %1.").arg(slicesInWords(equal))
-                : QStringLiteral("%1 duplicate files were left out, of %2.")
-                      .arg(equal.size())
-                      .arg(slicesInWords(equal)),
+            .said = {ProblemCode::DuplicatesLeftOut,
+                {std::int64_t(equal.size()), slicesInWords(equal)}},
             .slices = equal});
     }
     if (!contradicting.isEmpty()) {
         problems.push_back({.kind = VolumeProblem::Kind::DuplicateSlices,
-            .text =
-                QStringLiteral("Files with the identity of another but other content were left "
-                               "out: %1 (%2).")
-                    .arg(contradicting.join(QLatin1String(", ")), slicesInWords(ofContradicting)),
+            .said = {ProblemCode::ContradictingLeftOut,
+                {namesIn(contradicting), slicesInWords(ofContradicting)}},
             .caution = true,
             .slices = ofContradicting});
     }

@@ -62,16 +62,14 @@ void stackTimes(TimeAxis axis, const std::vector<VolumeProblem>& problems, Stack
         SliceStack stack = stackOf(std::move(point.slices));
         putFirst(stack, problems);
         stack.time = point.label;
-        QString text =
-            QStringLiteral("%1 images lie at every position, one for each point in time; "
-                           "this is point %2%3.")
-                .arg(count)
-                .arg(times.size() + 1)
-                .arg(point.label.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(point.label));
+        ProblemSentence said{
+            point.label.isEmpty() ? ProblemCode::PointInTime : ProblemCode::NamedPointInTime,
+            {count, std::int64_t(times.size()) + 1, point.label}};
         if (!axis.certain)
-            text += QStringLiteral(" Nothing but their instance numbers tells them apart.");
-        stack.problems.push_back(
-            {.kind = VolumeProblem::Kind::MixedSlices, .text = text, .caution = !axis.certain});
+            said = {ProblemCode::ToldApartByNumbers, {asPart(std::move(said))}};
+        stack.problems.push_back({.kind = VolumeProblem::Kind::MixedSlices,
+            .said = std::move(said),
+            .caution = !axis.certain});
         times.push_back(std::move(stack));
     }
     SliceStack first = std::move(times.front());
@@ -108,10 +106,7 @@ void stackCandidates(TimeAxis axis, const std::vector<SliceSpan>& places, const 
                 .arg(point.label.isEmpty() ? QStringLiteral("by instance number") : point.label);
         stack.doubled = doubled;
         stack.problems.push_back({.kind = VolumeProblem::Kind::DoubledSlices,
-            .text = QStringLiteral("Up to %1 images lie at one position, not as many at every one "
-                                   "(%2 of the whole); this is %3.")
-                        .arg(count)
-                        .arg(slicesInWords(places), stack.part),
+            .said = {ProblemCode::Doubled, {count, slicesInWords(places), stack.part}},
             .caution = true,
             .slices = places});
         sorting.stacks.push_back(std::move(stack));
@@ -136,9 +131,8 @@ void stackQuantities(std::vector<QuantityImages> quantities,
                 : QStringLiteral("%1, %2").arg(each.quantity, stack.part);
             putFirst(stack, problems);
             stack.problems.push_back({.kind = VolumeProblem::Kind::MixedSlices,
-                .text = QStringLiteral("Images of %1 lie at every position; this is the volume of "
-                                       "%2.")
-                            .arg(names.join(QStringLiteral(" and of ")), each.quantity)});
+                .said = {
+                    ProblemCode::Quantities, {namesIn(names, ProblemCode::AndOf), each.quantity}}});
             sorting.stacks.push_back(std::move(stack));
         }
     }
@@ -151,9 +145,7 @@ void stackGroup(Images group, StackSorting& sorting)
         return;
     if (framesOfReferenceAreMeaningless(group)) {
         problems.push_back({.kind = VolumeProblem::Kind::Other,
-            .text =
-                QStringLiteral("Every slice names a frame of reference of its own; they are taken "
-                               "as one.")});
+            .said = {ProblemCode::FramesOfReferenceTakenAsOne}});
     }
     Doubled doubled = std::make_shared<const Images>(group);
     std::vector<SlicePlace> places = sortIntoPlaces(std::move(group));
@@ -220,7 +212,7 @@ SliceStack stackOf(std::vector<ImageHeader> slices)
         [](const ImageHeader& image) { return image.isLossy; });
     if (lossy) {
         stack.problems.push_back({.kind = VolumeProblem::Kind::LossyCompression,
-            .text = QStringLiteral("The images were compressed with loss.")});
+            .said = {ProblemCode::CompressedWithLoss}});
     }
     return stack;
 }

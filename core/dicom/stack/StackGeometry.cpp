@@ -20,7 +20,7 @@ void placeSingle(SliceStack& stack, glm::dmat4& affine)
 {
     const ImageHeader& slice = stack.slices.front();
     double distance = 1.0;
-    QString source = QStringLiteral("nothing in the file");
+    QString source;
     if (slice.spacingBetweenSlices > 0.0) {
         distance = slice.spacingBetweenSlices;
         source = QStringLiteral("SpacingBetweenSlices");
@@ -30,17 +30,17 @@ void placeSingle(SliceStack& stack, glm::dmat4& affine)
     }
     affine[2] = glm::dvec4(slice.plane->normal() * distance, 0.0);
     stack.problems.push_back({.kind = VolumeProblem::Kind::AssumedSpacing,
-        .text = QStringLiteral("A single image: its depth of %1 mm is assumed from %2.")
-                    .arg(millimetres(distance), source),
+        .said = {source.isEmpty() ? ProblemCode::DepthAssumed : ProblemCode::DepthTakenFrom,
+            {millimetres(distance), source}},
         .caution = true});
 }
 
 /// Gaps that are whole multiples of the usual one are missing slices; empty if they are not.
-QStringList missingBetween(
+std::vector<ProblemSentence> missingBetween(
     const std::vector<double>& gaps, double usual, int& missing, std::vector<SliceSpan>& slices)
 {
     constexpr double share = 0.05;
-    QStringList where;
+    std::vector<ProblemSentence> where;
     for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
         const double ratio = gaps[gap] / usual;
         const double steps = std::round(ratio);
@@ -50,18 +50,17 @@ QStringList missingBetween(
             continue;
         missing += int(steps) - 1;
         slices.push_back({.first = int(gap) + 1, .last = int(gap) + 2});
-        where.append(QStringLiteral("%1 between slices %2 and %3 (%4 mm instead of %5)")
-                         .arg(int(steps) - 1)
-                         .arg(gap + 1)
-                         .arg(gap + 2)
-                         .arg(millimetres(gaps[gap]), millimetres(usual)));
+        where.push_back({ProblemCode::SlicesMissingBetween,
+            {std::int64_t(steps) - 1, std::int64_t(gap) + 1, std::int64_t(gap) + 2,
+                millimetres(gaps[gap]), millimetres(usual)}});
     }
     return where;
 }
 
 /// "4 mm between slices 1 and 6, 7 mm between 6 and 10"; where the distance changes too often for
 /// that, between which slices it is greatest.
-QString distancesInWords(const std::vector<double>& gaps, std::vector<SliceSpan>& slices)
+std::vector<ProblemSentence> distancesInWords(
+    const std::vector<double>& gaps, std::vector<SliceSpan>& slices)
 {
     constexpr std::size_t mostRuns = 4;
     std::vector<SliceSpan> runs;
@@ -77,39 +76,34 @@ QString distancesInWords(const std::vector<double>& gaps, std::vector<SliceSpan>
         const auto greatest = std::max_element(gaps.begin(), gaps.end());
         const auto slice = int(greatest - gaps.begin()) + 1;
         slices = {{.first = slice, .last = slice + 1}};
-        return QStringLiteral("it is greatest between slices %1 and %2").arg(slice).arg(slice + 1);
+        return {{ProblemCode::GreatestDistanceBetween, {slice, slice + 1}}};
     }
-    QStringList words;
-    for (const SliceSpan& run : runs) {
-        words += QStringLiteral("%1 mm between %2%3 and %4")
-                     .arg(millimetres(gaps[std::size_t(run.first - 1)]),
-                         words.isEmpty() ? QStringLiteral("slices ") : QString())
-                     .arg(run.first)
-                     .arg(run.last);
-    }
+    std::vector<ProblemSentence> words;
+    for (const SliceSpan& run : runs)
+        words.push_back(
+            {words.empty() ? ProblemCode::DistanceBetweenSlices : ProblemCode::DistanceBetween,
+                {millimetres(gaps[std::size_t(run.first - 1)]), run.first, run.last}});
     slices = std::move(runs);
-    return words.join(QLatin1String(", "));
+    return words;
 }
 
 void reportGaps(SliceStack& stack, const std::vector<double>& gaps, double usual)
 {
     int missing = 0;
     std::vector<SliceSpan> slices;
-    const QStringList where = missingBetween(gaps, usual, missing, slices);
-    if (!where.isEmpty()) {
+    const std::vector<ProblemSentence> where = missingBetween(gaps, usual, missing, slices);
+    if (!where.empty()) {
         stack.problems.push_back({.kind = VolumeProblem::Kind::MissingSlices,
-            .text = (missing == 1 ? QStringLiteral("1 slice is missing: %2.")
-                                  : QStringLiteral("%1 slices are missing: %2.").arg(missing))
-                        .replace(QLatin1String("%2"), where.join(QLatin1String(", "))),
+            .said = {ProblemCode::SlicesMissing, {missing, withCommas(where)}},
             .caution = true,
             .slices = slices});
         return;
     }
     const auto [least, greatest] = std::minmax_element(gaps.begin(), gaps.end());
+    std::vector<ProblemSentence> distances = distancesInWords(gaps, slices);
     stack.problems.push_back({.kind = VolumeProblem::Kind::UnevenSpacing,
-        .text =
-            QStringLiteral("The distance between slices varies from %1 to %2 mm: %3.")
-                .arg(millimetres(*least), millimetres(*greatest), distancesInWords(gaps, slices)),
+        .said = {ProblemCode::DistancesVary,
+            {millimetres(*least), millimetres(*greatest), withCommas(std::move(distances))}},
         .caution = true,
         .slices = slices});
 }
@@ -161,9 +155,7 @@ void placeSlices(SliceStack& stack)
     constexpr double straightDegrees = 0.1;
     if (const double angle = geometry.shearAngleDegrees(); angle > straightDegrees) {
         stack.problems.push_back({.kind = VolumeProblem::Kind::Tilt,
-            .text = QStringLiteral("The slices are tilted by %1° against their stacking direction "
-                                   "(gantry tilt).")
-                        .arg(angle, 0, 'f', 1),
+            .said = {ProblemCode::SlicesTilted, {QString::number(angle, 'f', 1)}},
             .caution = true});
     }
 }
@@ -188,29 +180,24 @@ double sidewaysDriftMm(const SliceStack& stack)
 VolumeProblem damagedSlices(const QStringList& names)
 {
     return {.kind = VolumeProblem::Kind::DamagedSlice,
-        .text = names.size() == 1
-            ? QStringLiteral("1 damaged slice was left out: %1.").arg(names.front())
-            : QStringLiteral("%1 damaged slices were left out: %2.")
-                  .arg(names.size())
-                  .arg(names.join(QLatin1String(", "))),
+        .said = {ProblemCode::DamagedLeftOut, {std::int64_t(names.size()), namesIn(names)}},
         .caution = true};
 }
 
 VolumeProblem undecodedSlices(const std::vector<UndecodedSlice>& slices)
 {
     constexpr std::size_t named = 10;
-    QStringList each;
+    ProblemSentence::Listed each{.joiner = ProblemCode::Semicolon};
     for (std::size_t i = 0; i < std::min(slices.size(), named); ++i)
-        each += QStringLiteral("slice %1 (%2) could not be decoded: %3")
-                    .arg(slices[i].number)
-                    .arg(slices[i].image, slices[i].reason);
-    QString text = each.join(QLatin1String("; "));
-    text[0] = text.at(0).toUpper();
+        each.all.push_back({i == 0 ? ProblemCode::FirstUndecoded : ProblemCode::NextUndecoded,
+            {slices[i].number, slices[i].image, slices[i].reason}});
     if (slices.size() > named)
-        text += QStringLiteral("; and %1 more").arg(slices.size() - named);
-    text += slices.size() == 1 ? QStringLiteral(". It was left out.")
-                               : QStringLiteral(". They were left out.");
-    return {.kind = VolumeProblem::Kind::DamagedSlice, .text = text, .caution = true};
+        each.all.push_back({ProblemCode::UndecodedMore, {std::int64_t(slices.size() - named)}});
+    return {.kind = VolumeProblem::Kind::DamagedSlice,
+        .said = {slices.size() == 1 ? ProblemCode::OneUndecodedLeftOut
+                                    : ProblemCode::UndecodedLeftOut,
+            {std::move(each)}},
+        .caution = true};
 }
 
 QString imageName(const ImageHeader& image)

@@ -46,7 +46,7 @@ Result<std::vector<double>> decodeFloats(const SliceStack& stack, const Progress
             return tl::unexpected<Error>(read.error());
         for (double& value : slice)
             value = image.slope * value + image.intercept;
-        progress.report(QStringLiteral("Reading slices"), ++done, int(stack.slices.size()));
+        progress.report(ProgressStep::ReadingSlices, ++done, int(stack.slices.size()));
     }
     return values;
 }
@@ -115,7 +115,7 @@ Errors decodeAll(const SliceStack& stack, LoadedVolume& loaded, const Progress& 
 {
     const std::size_t size = sliceSize(stack);
     Errors errors(stack.slices.size());
-    StepCounter counter(progress, QStringLiteral("Reading slices"), int(stack.slices.size()));
+    StepCounter counter(progress, ProgressStep::ReadingSlices, int(stack.slices.size()));
     parallelFor(int(stack.slices.size()), [&](int k) {
         if (progress.cancelled())
             return;

@@ -163,7 +163,7 @@ void putPixels(DcmDataset& set, const PixelLayout& layout, std::vector<std::uint
 
 } // namespace
 
-Result<QStringList> writeCarvedSeries(
+Result<ReportLines> writeCarvedSeries(
     const QString& folder, const CarvedSeries& series, const Progress& progress)
 {
     readyDcmtk();
@@ -229,10 +229,9 @@ Result<QStringList> writeCarvedSeries(
     };
     if (const Result<void> all = visitSourceFiles(series.sources, nullptr, progress, write); !all)
         return tl::unexpected(all.error());
-    QStringList notes;
+    ReportLines notes;
     if (lossy)
-        notes += QStringLiteral("The source was compressed with loss; so are these images, though "
-                                "they are stored without compression.");
+        notes += ReportSentence{ReportCode::StillLossy};
     return notes;
 }
 

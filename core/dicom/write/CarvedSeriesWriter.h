@@ -3,10 +3,10 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/titles/ReportSentence.h"
 #include "core/volume/Volume.h"
 
 #include <QString>
-#include <QStringList>
 
 #include <cstdint>
 #include <memory>
@@ -37,7 +37,7 @@ struct CarvedSeries {
 /// UnsupportedFormat (several frames in one file; a fill value that a slice cannot store),
 /// FileUnwritable, Cancelled, and those of reading the sources. Files written before an error
 /// remain; the caller cleans its folder.
-Result<QStringList> writeCarvedSeries(
+Result<ReportLines> writeCarvedSeries(
     const QString& folder, const CarvedSeries& series, const Progress& progress);
 
 } // namespace core

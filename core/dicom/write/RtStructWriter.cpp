@@ -153,8 +153,7 @@ Result<void> addContours(const RtStructContent& content, const SegSource& source
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
         if (i % 256 == 0)
-            progress.report(
-                QStringLiteral("Writing contours"), int(i), int(content.contours.size()));
+            progress.report(ProgressStep::WritingContours, int(i), int(content.contours.size()));
         const RtStructContent::Contour& contour = content.contours[i];
         number = contour.segment == segment ? number + 1 : 1;
         segment = contour.segment;

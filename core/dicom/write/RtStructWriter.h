@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/document/Document.h"
+#include "core/titles/ReportSentence.h"
 #include "core/volume/Volume.h"
 
 #include <glm/glm.hpp>
@@ -37,7 +38,7 @@ struct RtStructContent {
 /// The result of writing.
 struct RtStructWritten {
     /// Sentences on invalid parts of the source's header that were normalised or left out.
-    QStringList notes;
+    ReportLines notes;
 };
 
 /// Writes a DICOM RT Structure Set (PS3.3 A.19) to @p path, which is created or overwritten: one

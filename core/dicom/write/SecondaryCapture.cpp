@@ -38,7 +38,7 @@ void describe(DcmDataset& set, const SecondaryCaptureContent& content, const Ite
 
 } // namespace
 
-Result<QStringList> writeSecondaryCapture(
+Result<ReportLines> writeSecondaryCapture(
     const QString& path, const SecondaryCaptureContent& content, const Progress& progress)
 {
     readyDcmtk();

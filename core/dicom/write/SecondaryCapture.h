@@ -4,10 +4,10 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/dicom/source/SourceHeader.h"
+#include "core/titles/ReportSentence.h"
 #include "core/volume/Volume.h"
 
 #include <QString>
-#include <QStringList>
 
 #include <memory>
 #include <span>
@@ -34,7 +34,7 @@ struct SecondaryCaptureContent {
 /// of its own, to @p path, which is created or overwritten.
 /// @returns sentences on what was normalised or left out of the source's header
 /// Errors: as for writeSeg(); UnsupportedFormat for more than 65535 pixels per side.
-[[nodiscard]] Result<QStringList> writeSecondaryCapture(
+[[nodiscard]] Result<ReportLines> writeSecondaryCapture(
     const QString& path, const SecondaryCaptureContent& content, const Progress& progress);
 
 /// The parts of such a file that the check compares.

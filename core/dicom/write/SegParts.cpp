@@ -98,7 +98,7 @@ int segSeriesNumber(const StudyIdentity& source)
 }
 
 Result<SegWritten> saveSeg(
-    const QString& path, const SegContent& content, DcmFileFormat& format, QStringList notes)
+    const QString& path, const SegContent& content, DcmFileFormat& format, ReportLines notes)
 {
     if (content.deidentifier)
         content.deidentifier->apply(*format.getDataset());

@@ -35,6 +35,6 @@ void putSegDetails(DcmItem* segment, const SegCodes& codes, const ItemWriter& it
 
 /// De-identifies the object if requested, and writes the file.
 [[nodiscard]] Result<SegWritten> saveSeg(
-    const QString& path, const SegContent& content, DcmFileFormat& format, QStringList notes);
+    const QString& path, const SegContent& content, DcmFileFormat& format, ReportLines notes);
 
 } // namespace core

@@ -5,6 +5,7 @@
 #include "core/base/Result.h"
 #include "core/dicom/write/SegSettings.h"
 #include "core/document/Document.h"
+#include "core/titles/ReportSentence.h"
 #include "core/volume/Volume.h"
 
 #include <cstddef>
@@ -67,7 +68,7 @@ struct SegContent {
 /// The result of writing.
 struct SegWritten {
     /// Sentences on invalid parts of the source's header that were normalised or left out.
-    QStringList notes;
+    ReportLines notes;
 };
 
 /// Writes a BINARY or FRACTIONAL DICOM SEG (PS3.3 A.51) to @p path, which is created or

@@ -208,7 +208,7 @@ void putTree(DcmDataset& set, const SrContent& content, const SegFile& seg, cons
 
 } // namespace
 
-Result<QStringList> writeSr(const QString& path, const SrContent& content, const Progress& progress)
+Result<ReportLines> writeSr(const QString& path, const SrContent& content, const Progress& progress)
 {
     readyDcmtk();
     const auto source = readSegSource(content.sources, content.keptHeaders.get(), progress);

@@ -4,9 +4,8 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/document/Document.h"
+#include "core/titles/ReportSentence.h"
 #include "core/volume/Volume.h"
-
-#include <QStringList>
 
 #include <memory>
 #include <vector>
@@ -46,7 +45,7 @@ struct SrContent {
 ///
 /// @returns sentences on what was normalised or left out of the source's header
 /// Errors: as for writeSeg(), and those of reading the SEG.
-[[nodiscard]] Result<QStringList> writeSr(
+[[nodiscard]] Result<ReportLines> writeSr(
     const QString& path, const SrContent& content, const Progress& progress);
 
 } // namespace core

@@ -2,6 +2,7 @@
 #include "core/edits/answers/EditDependencies.h"
 
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/parts/BrushPath.h"
 
 namespace core {
 

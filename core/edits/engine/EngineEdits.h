@@ -3,7 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
-#include "core/engine/EngineCommands.h"
+#include "core/engine/EngineEdit.h"
 
 #include <optional>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
-#include "core/engine/EngineCommands.h"
+#include "core/engine/EngineEdit.h"
 
 #include <type_traits>
 #include <utility>

@@ -6,7 +6,7 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/parts/ProtectedSegments.h"
 #include "core/edits/kinds/parts/StrokeParameters.h"
-#include "core/engine/EngineCommands.h"
+#include "core/engine/EngineEdit.h"
 
 #include <cstdint>
 #include <optional>

@@ -44,15 +44,14 @@ glm::dmat4 lpsFrom(const mat44& ras)
     return lps;
 }
 
-QString cornersAgree(double apart)
+ReportSentence cornersAgree(double apart)
 {
-    return QStringLiteral("The eight corners land on the study's millimetres (at most %1 mm off).")
-        .arg(apart, 0, 'f', 4);
+    return {ReportCode::CornersOnStudy, {QString::number(apart, 'f', 4)}};
 }
 
 } // namespace
 
-Result<QStringList> checkNiftiValues(
+Result<ReportLines> checkNiftiValues(
     const QString& file, const Volume& volume, const ExpectedValue& expected)
 {
     nifti_set_debug_level(0);
@@ -86,11 +85,11 @@ Result<QStringList> checkNiftiValues(
         return mismatch(file, QStringLiteral("the type of the voxels"));
     if (wrong != 0)
         return mismatch(file, QStringLiteral("%1 voxels are not as they should be").arg(wrong));
-    return QStringList{cornersAgree(apart),
-        QStringLiteral("All %1 voxels are as they should be.").arg(image->nvox)};
+    return ReportLines{cornersAgree(apart),
+        ReportSentence{ReportCode::VoxelsAsTheyShould, {std::int64_t(image->nvox)}}};
 }
 
-Result<QStringList> checkCarvedSeries(const QString& folder, const Volume& volume,
+Result<ReportLines> checkCarvedSeries(const QString& folder, const Volume& volume,
     const ExpectedValue& expected, double tolerance, const Progress& progress)
 {
     const Result<LoadedVolume> read = loadVolume(folder, QString(), progress);
@@ -126,9 +125,8 @@ Result<QStringList> checkCarvedSeries(const QString& folder, const Volume& volum
     }
     if (wrong != 0)
         return mismatch(folder, QStringLiteral("%1 voxels are not as they should be").arg(wrong));
-    return QStringList{cornersAgree(apart),
-        QStringLiteral("All %1 voxels of the series, opened again, are as they should be.")
-            .arg(read->codes.size())};
+    return ReportLines{cornersAgree(apart),
+        ReportSentence{ReportCode::SeriesAsItShould, {std::int64_t(read->codes.size())}}};
 }
 
 } // namespace core

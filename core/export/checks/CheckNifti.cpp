@@ -21,7 +21,7 @@ NiftiPointer open(const QString& file, bool withVoxels)
 
 } // namespace
 
-Result<QStringList> checkNiftiExport(
+Result<ReportLines> checkNiftiExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress)
 {
     const Volume& volume = expected.volume;
@@ -61,11 +61,9 @@ Result<QStringList> checkNiftiExport(
     const std::size_t wrong = wrongVoxels({voxels, image->nvox}, expected);
     if (wrong != 0)
         return mismatch(QStringLiteral("%1 voxels are not as drawn").arg(wrong));
-    return QStringList{
-        QStringLiteral("The eight corners land on the source's millimetres (at most %1 mm off, "
-                       "source header read again).")
-            .arg(std::max(bySform, byQform), 0, 'f', 4),
-        QStringLiteral("All %1 voxels are as drawn.").arg(image->nvox)};
+    return ReportLines{ReportSentence{ReportCode::CornersOnSource,
+                           {QString::number(std::max(bySform, byQform), 'f', 4)}},
+        ReportSentence{ReportCode::VoxelsAsDrawn, {std::int64_t(image->nvox)}}};
 }
 
 } // namespace core

@@ -217,7 +217,7 @@ private:
 
 } // namespace
 
-Result<QStringList> checkRtStructExport(
+Result<ReportLines> checkRtStructExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress)
 {
     const auto set = readRtStruct(file);
@@ -235,17 +235,17 @@ Result<QStringList> checkRtStructExport(
         return tl::unexpected(same.error());
     std::size_t contours = 0;
     for (std::size_t i = 0; i < set->rois.size(); ++i) {
-        progress.report(QStringLiteral("Checking contours"), int(i), int(set->rois.size()));
+        progress.report(ProgressStep::CheckingContours, int(i), int(set->rois.size()));
         if (const auto same = check.roi(i, progress); !same)
             return tl::unexpected(same.error());
         contours += set->rois[i].contours.size();
     }
-    return QStringList{
-        QStringLiteral("%1 in the planes of the source images they name; patient, study and frame "
-                       "of reference are theirs (%2 read again).")
-            .arg(counted(int(contours), "contour"), counted(int(headers->size()), "source header")),
-        QStringLiteral("Filled again, the contours give all voxels of %1 as drawn.")
-            .arg(counted(int(expected.segments.size()), "segment"))};
+    return ReportLines{
+        ReportSentence{ReportCode::ContoursInPlanes,
+            {countedInReport(ReportCode::Contours, std::int64_t(contours)),
+                countedInReport(ReportCode::SourceHeaders, std::int64_t(headers->size()))}},
+        ReportSentence{ReportCode::ContoursFilled,
+            {countedInReport(ReportCode::Segments, std::int64_t(expected.segments.size()))}}};
 }
 
 } // namespace core

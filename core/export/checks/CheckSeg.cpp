@@ -128,7 +128,7 @@ QString differenceOfMap(const SegFile& seg, std::size_t frame, const ExportExpec
 
 } // namespace
 
-Result<QStringList> checkSegExport(
+Result<ReportLines> checkSegExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress)
 {
     const Volume& volume = expected.volume;
@@ -182,7 +182,7 @@ Result<QStringList> checkSegExport(
     for (std::size_t i = 0; i < seg.frames.size(); ++i) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Checking frames"), int(i), int(seg.frames.size()));
+        progress.report(ProgressStep::CheckingFrames, int(i), int(seg.frames.size()));
         const SegFrame& frame = seg.frames[i];
         const auto atFrame = [&](const QString& what) {
             return mismatch(QStringLiteral("frame %1: %2").arg(i + 1).arg(what));
@@ -229,13 +229,12 @@ Result<QStringList> checkSegExport(
                                     .arg(expected.segments[s].name));
         }
     }
-    return QStringList{
-        QStringLiteral("Position, orientation, spacing, frame of reference, patient and study of "
-                       "%1 equal those of the source images they name (%2 read again).")
-            .arg(counted(int(seg.frames.size()), "frame"),
-                counted(int(headers->size()), "source header")),
-        QStringLiteral("All voxels of %1 are as drawn.")
-            .arg(counted(int(expected.segments.size()), "segment"))};
+    return ReportLines{
+        ReportSentence{ReportCode::FramesAgree,
+            {countedInReport(ReportCode::Frames, std::int64_t(seg.frames.size())),
+                countedInReport(ReportCode::SourceHeaders, std::int64_t(headers->size()))}},
+        ReportSentence{ReportCode::VoxelsOfAsDrawn,
+            {countedInReport(ReportCode::Segments, std::int64_t(expected.segments.size()))}}};
 }
 
 } // namespace core

@@ -123,7 +123,7 @@ QString differenceOfKeys(const Keys& keys, const ExportExpectation& expected)
 
 } // namespace
 
-Result<QStringList> checkSegNrrdExport(
+Result<ReportLines> checkSegNrrdExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress)
 {
     const VolumeGeometry& geometry = expected.volume.geometry;
@@ -164,13 +164,10 @@ Result<QStringList> checkSegNrrdExport(
     const std::size_t wrong = wrongVoxels({voxels, bytes->size}, expected);
     if (wrong != 0)
         return mismatch(QStringLiteral("%1 voxels are not as drawn").arg(wrong));
-    return QStringList{
-        QStringLiteral("The eight corners land on the source's millimetres (at most %1 mm off, "
-                       "source header read again).")
-            .arg(off, 0, 'f', 4),
-        QStringLiteral("Names, colours, labels and codes of %1 are as given.")
-            .arg(counted(int(expected.segments.size()), "segment")),
-        QStringLiteral("All %1 voxels are as drawn.").arg(bytes->size)};
+    return ReportLines{ReportSentence{ReportCode::CornersOnSource, {QString::number(off, 'f', 4)}},
+        ReportSentence{ReportCode::NamesAsGiven,
+            {countedInReport(ReportCode::Segments, std::int64_t(expected.segments.size()))}},
+        ReportSentence{ReportCode::VoxelsAsDrawn, {std::int64_t(bytes->size)}}};
 }
 
 } // namespace core

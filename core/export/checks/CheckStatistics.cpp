@@ -220,7 +220,7 @@ Result<std::vector<Said>> saidInReport(
 
 } // namespace
 
-Result<QStringList> checkStatisticsExport(
+Result<ReportLines> checkStatisticsExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress)
 {
     const auto mismatch = [&](const QString& what) {
@@ -266,9 +266,9 @@ Result<QStringList> checkStatisticsExport(
             return mismatch(what);
         numbers += right.size();
     }
-    return QStringList{
-        QStringLiteral("%1 of %2 equal those counted anew, voxel by voxel.")
-            .arg(counted(int(numbers), "number"), counted(int(all.size()), "segment"))};
+    return ReportLines{ReportSentence{ReportCode::NumbersEqual,
+        {countedInReport(ReportCode::Numbers, std::int64_t(numbers)),
+            countedInReport(ReportCode::Segments, std::int64_t(all.size()))}}};
 }
 
 } // namespace core

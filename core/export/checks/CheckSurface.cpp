@@ -209,7 +209,7 @@ QString differenceOfPart(const ReadMeshPart& part, const Segment& segment)
 
 } // namespace
 
-Result<QStringList> checkSurfaceExport(ExportFormat format, const QString& file,
+Result<ReportLines> checkSurfaceExport(ExportFormat format, const QString& file,
     const ExportExpectation& expected, const Progress& progress)
 {
     const auto mismatch = [&](const QString& what) {
@@ -230,7 +230,7 @@ Result<QStringList> checkSurfaceExport(ExportFormat format, const QString& file,
     const ToIndex toIndex(expected.volume.geometry, expected.space);
     std::size_t triangles = 0;
     for (std::size_t i = 0; i < mesh->parts.size(); ++i) {
-        progress.report(QStringLiteral("Checking surfaces"), int(i), int(mesh->parts.size()));
+        progress.report(ProgressStep::CheckingSurfaces, int(i), int(mesh->parts.size()));
         const ReadMeshPart& part = mesh->parts[i];
         const std::span<const Segment> segments =
             inOne ? std::span(expected.segments) : std::span(expected.segments).subspan(i, 1);
@@ -246,10 +246,9 @@ Result<QStringList> checkSurfaceExport(ExportFormat format, const QString& file,
             return mismatch(QStringLiteral("%1 voxels are not as drawn").arg(*wrong));
         triangles += part.triangles.size();
     }
-    return QStringList{QStringLiteral("All %1 triangles make closed surfaces.").arg(triangles),
-        QStringLiteral("Exactly the voxels of %1 have their centres inside, on the source's grid "
-                       "(source header read again).")
-            .arg(counted(int(expected.segments.size()), "segment"))};
+    return ReportLines{ReportSentence{ReportCode::TrianglesClosed, {std::int64_t(triangles)}},
+        ReportSentence{ReportCode::CentresInside,
+            {countedInReport(ReportCode::Segments, std::int64_t(expected.segments.size()))}}};
 }
 
 } // namespace core

@@ -25,20 +25,20 @@ struct ExportExpectation {
 /// It shares no code with the writer: plain dcmdata, with bits unpacked one by one.
 /// @returns sentences on what was checked
 /// Errors: ExportMismatch (argument 0 the file, 1 the difference), and those of reading.
-Result<QStringList> checkSegExport(
+Result<ReportLines> checkSegExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress);
 
 /// Opens a NIfTI file with the NIfTI C library, and the source files. Checks that the eight corners
 /// of both grids have the same LPS millimetres (by sform, and by qform if it is set), and that
 /// every voxel is as it should have been written. Result and errors as above.
-Result<QStringList> checkNiftiExport(
+Result<ReportLines> checkNiftiExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress);
 
 /// Opens a .seg.nrrd file with the reader of core/nrrd, and the source files. Checks that the eight
 /// corners of both grids have the same LPS millimetres, that every voxel is as it should have been
 /// written, and that the keys of 3D Slicer give the segments, their colours, labels and codes.
 /// Result and errors as above.
-Result<QStringList> checkSegNrrdExport(
+Result<ReportLines> checkSegNrrdExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress);
 
 /// Opens an RTSTRUCT and the files of the volume's slices and checks, from their headers alone:
@@ -46,20 +46,20 @@ Result<QStringList> checkSegNrrdExport(
 /// independent rasteriser (even-odd, at pixel centres) gives exactly each slice's voxels; and
 /// patient, study, frame of reference, numbers, names and colours are correct. Result and errors as
 /// above.
-Result<QStringList> checkRtStructExport(
+Result<ReportLines> checkRtStructExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress);
 
 /// Opens an STL, OBJ, PLY or glTF file with independent readers, and the source files. Checks that
 /// the surfaces are closed, that exactly the centres of each segment's voxels are inside, once and
 /// with the right orientation, and that names and colours are present if the format has them.
 /// Result and errors as above.
-Result<QStringList> checkSurfaceExport(ExportFormat format, const QString& file,
+Result<ReportLines> checkSurfaceExport(ExportFormat format, const QString& file,
     const ExportExpectation& expected, const Progress& progress);
 
 /// Opens statistics (CSV, JSON or SR) and the source files. Checks every number against an
 /// independent count voxel by voxel; for an SR also that patient, study, source series and the
 /// segments of the SEG beside it are correct. Result and errors as above.
-Result<QStringList> checkStatisticsExport(
+Result<ReportLines> checkStatisticsExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress);
 
 } // namespace core

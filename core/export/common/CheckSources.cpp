@@ -70,12 +70,6 @@ QString differenceFromVolume(const SourceHeader& header, const Volume& volume, i
 
 } // namespace
 
-QString counted(int count, const char* noun)
-{
-    return QStringLiteral("%1 %2%3").arg(
-        QString::number(count), QLatin1String(noun), QLatin1String(count == 1 ? "" : "s"));
-}
-
 QString inMm(const glm::dvec3& point)
 {
     return QStringLiteral("(%1, %2, %3) mm").arg(point.x).arg(point.y).arg(point.z);

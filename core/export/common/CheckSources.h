@@ -36,9 +36,6 @@ Result<std::vector<SourceHeader>> checkedSourceHeaders(
 /// LPS centre of the first voxel of slice @p k.
 [[nodiscard]] glm::dvec3 sliceOrigin(const VolumeGeometry& geometry, int k);
 
-/// "1 frame", "2 frames"
-[[nodiscard]] QString counted(int count, const char* noun);
-
 /// "(x, y, z) mm"
 [[nodiscard]] QString inMm(const glm::dvec3& point);
 

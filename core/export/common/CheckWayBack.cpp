@@ -99,11 +99,11 @@ QString differenceOfWayBack(const WayBack& back, const Volume& volume,
     return {};
 }
 
-QStringList beyondSlices(const WayBack& back, const Volume& volume, const ExportRequest& repaired)
+ReportLines beyondSlices(const WayBack& back, const Volume& volume, const ExportRequest& repaired)
 {
     const glm::ivec3 size = volume.geometry.size;
     const glm::ivec3 ofSlice = back.slices().geometry.size;
-    QStringList sentences;
+    ReportLines sentences;
     for (const Segment& segment : repaired.segments) {
         const LabelPlaneView* plane = planeOf(repaired, segment);
         if (plane == nullptr)
@@ -119,12 +119,8 @@ QStringList beyondSlices(const WayBack& back, const Volume& volume, const Export
             }
         }
         if (const std::ptrdiff_t lost = all - reached; lost > 0)
-            sentences += QStringLiteral("%1 of the %2 voxels of segment '%3' lie where there is no "
-                                        "image (slices that were interpolated, or beside what was "
-                                        "scanned) and are not in the file.")
-                             .arg(lost)
-                             .arg(all)
-                             .arg(segment.name);
+            sentences += ReportSentence{
+                ReportCode::BeyondImages, {std::int64_t(lost), std::int64_t(all), segment.name}};
     }
     return sentences;
 }

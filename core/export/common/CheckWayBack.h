@@ -5,7 +5,6 @@
 #include "core/repair/WayBack.h"
 
 #include <QString>
-#include <QStringList>
 
 namespace core {
 
@@ -19,7 +18,7 @@ namespace core {
 
 /// Sentences on what was drawn where there is no image: on interpolated slices, and outside the
 /// scanned region. One for each segment; empty if there is nothing.
-[[nodiscard]] QStringList beyondSlices(
+[[nodiscard]] ReportLines beyondSlices(
     const WayBack& back, const Volume& volume, const ExportRequest& repaired);
 
 } // namespace core

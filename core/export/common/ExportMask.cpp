@@ -51,7 +51,7 @@ Error renamed(Error error, const StagedFile& staged, const QString& file)
     return error;
 }
 
-Result<QStringList> write(const QString& path, const Volume& volume, const ExportRequest& request,
+Result<ReportLines> write(const QString& path, const Volume& volume, const ExportRequest& request,
     const MaskSelection& selection, const StagedExport* beside, const Progress& progress,
     ExportReport& report)
 {
@@ -79,7 +79,7 @@ Result<QStringList> write(const QString& path, const Volume& volume, const Expor
     return writeSurfaces(path, volume, request, selection, progress, report);
 }
 
-Result<QStringList> check(
+Result<ReportLines> check(
     const QString& path, const ExportExpectation& expected, const Progress& progress)
 {
     switch (expected.format) {
@@ -183,25 +183,23 @@ Result<StagedExport> stageOn(const Volume& volume, const ExportRequest& request,
                 return tl::unexpected(renamed(clean.error(), *staged, request.file));
             report.checked += *clean;
         }
-        report.written +=
-            QStringLiteral("De-identified: %1; patient '%2'; UIDs are new.")
-                .arg(request.deidentifier->method(), request.deidentifier->patientId());
+        report.written += ReportSentence{ReportCode::Deidentified,
+            {request.deidentifier->method(), request.deidentifier->patientId()}};
     }
     const auto sum = sha256OfFile(staged->path());
     if (!sum)
         return tl::unexpected(renamed(sum.error(), *staged, request.file));
     report.sha256 = *sum;
     if (volume.keptHeaders)
-        report.cautions += QStringLiteral("The study's own files were not at hand; the export was "
-                                          "checked against the headers that the session holds.");
+        report.cautions += ReportSentence{ReportCode::CheckedAgainstSession};
     for (const QString& name : selection->empty)
-        report.cautions += QStringLiteral("Segment '%1' is empty and was left out.").arg(name);
+        report.cautions += ReportSentence{ReportCode::SegmentEmpty, {name}};
     if (!volume.repair.isEmpty())
-        report.cautions += QStringLiteral("The series was repaired on loading (%1).")
-                               .arg(SeriesRepair::fromText(volume.repair)->inWords());
+        report.cautions += ReportSentence{
+            ReportCode::Repaired, {SeriesRepair::fromText(volume.repair)->inWords()}};
     for (const VolumeProblem& problem : volume.problems) {
         if (problem.caution)
-            report.cautions += problem.text;
+            report.cautions += problem.said;
     }
     return StagedExport{*std::move(staged), std::move(report), std::move(beside)};
 }
@@ -251,13 +249,8 @@ Result<ExportReport> exportOnSlices(const WayBack& back, const Volume& volume,
         return failure(ErrorCode::ExportMismatch, request.file, wrong);
     ExportReport report;
     report.file = request.file;
-    report.written = {QStringLiteral("Written on the images' own slices, %1 of them: each of "
-                                     "their voxels takes what the nearest voxel of the repaired "
-                                     "volume holds.")
-                          .arg(back.slices().geometry.size.z)};
-    report.checked = {QStringLiteral("Every voxel of every slice was found again in the repaired "
-                                     "volume by its place in the patient, at most half a voxel "
-                                     "away.")};
+    report.written = {ReportSentence{ReportCode::OnOwnSlices, {back.slices().geometry.size.z}}};
+    report.checked = {ReportSentence{ReportCode::SlicesFoundAgain}};
     report.cautions = beyondSlices(back, volume, request);
     return exportOn(back.slices(), onSlices, progress, std::move(report));
 }

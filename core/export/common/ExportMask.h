@@ -6,10 +6,10 @@
 #include "core/dicom/write/SegSettings.h"
 #include "core/document/Document.h"
 #include "core/export/common/ExportFormats.h"
+#include "core/titles/ReportSentence.h"
 #include "core/volume/Volume.h"
 
 #include <QString>
-#include <QStringList>
 
 #include <cstdint>
 #include <memory>
@@ -53,12 +53,12 @@ struct ExportRequest {
     std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient's identity is kept
 };
 
-/// What an export did, in sentences for the user.
+/// What an export did; ui/texts/ReportTexts.h words it.
 struct ExportReport {
     QString file;
-    QStringList written;
-    QStringList checked;
-    QStringList cautions; ///< what a reader of the file must know
+    ReportLines written;
+    ReportLines checked;
+    ReportLines cautions; ///< what a reader of the file must know
     QString sha256{}; ///< of the file, hex, read from the disk after the check
 };
 

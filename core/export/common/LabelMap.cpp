@@ -25,11 +25,11 @@ double unevennessMm(const VolumeGeometry& geometry)
 
 } // namespace
 
-QString gridName(const Volume& volume)
+ReportSentence gridName(const Volume& volume)
 {
     return volume.asIs && volume.sources.empty()
-        ? QStringLiteral("the repaired grid (%1)").arg(volume.repair)
-        : QStringLiteral("the source's grid");
+        ? ReportSentence{ReportCode::RepairedGrid, {volume.repair}}
+        : ReportSentence{ReportCode::SourceGrid};
 }
 
 Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,
@@ -47,10 +47,8 @@ Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,
                 .arg(format)
                 .arg(uneven, 0, 'f', 2));
     if (uneven > 0.0)
-        report.cautions += QStringLiteral("The slices are not evenly spaced; in the %1 file, "
-                                          "which has one step for all, they lie up to %2 mm off.")
-                               .arg(format)
-                               .arg(uneven, 0, 'f', 3);
+        report.cautions +=
+            ReportSentence{ReportCode::UnevenInFile, {format, QString::number(uneven, 'f', 3)}};
     LabelMap map;
     map.labels.resize(geometry.voxelCount(), 0);
     std::bitset<256> used;

@@ -14,7 +14,7 @@ struct LabelMap {
 };
 
 /// "the source's grid", or the name of the repaired grid.
-[[nodiscard]] QString gridName(const Volume& volume);
+[[nodiscard]] ReportSentence gridName(const Volume& volume);
 
 /// Makes the map for formats with one number per voxel and one distance for all slices. If slices
 /// are uneven, the report says what that means for the reader.

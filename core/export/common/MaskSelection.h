@@ -41,23 +41,23 @@ bool isSourceFile(const Volume& volume, const QString& file);
 
 /// Writes the selection to @p path, which the caller has staged, and adds what a reader of the file
 /// must know to the report. @returns sentences on what was written
-Result<QStringList> writeSegMask(const QString& path, const Volume& volume,
+Result<ReportLines> writeSegMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
     ExportReport& report);
-Result<QStringList> writeRtStructMask(const QString& path, const Volume& volume,
+Result<ReportLines> writeRtStructMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
     ExportReport& report);
-Result<QStringList> writeSurfaces(const QString& path, const Volume& volume,
+Result<ReportLines> writeSurfaces(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const Progress& progress,
     ExportReport& report);
-Result<QStringList> writeNiftiMask(const QString& path, const Volume& volume,
+Result<ReportLines> writeNiftiMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, ExportReport& report);
 /// Writes CSV, JSON or SR. @param seg the SEG to which an SR refers and which the report names;
 /// else null
-Result<QStringList> writeStatistics(const QString& path, const Volume& volume,
+Result<ReportLines> writeStatistics(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const StagedExport* seg,
     const Progress& progress, ExportReport& report);
-Result<QStringList> writeSegNrrdMask(const QString& path, const Volume& volume,
+Result<ReportLines> writeSegNrrdMask(const QString& path, const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, ExportReport& report);
 
 } // namespace core

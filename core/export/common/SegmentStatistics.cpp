@@ -142,8 +142,7 @@ Result<std::vector<SegmentStatistics>> segmentStatistics(const Volume& volume,
     for (const Segment& segment : selection.segments) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(
-            QStringLiteral("Measuring"), int(all.size()), int(selection.segments.size()));
+        progress.report(ProgressStep::Measuring, int(all.size()), int(selection.segments.size()));
         const auto labels = planeOf(request, segment)->labels;
         const Counts counts = countsOf(labels, segment.label, request.codes, volume.geometry.size);
         SegmentStatistics found;

@@ -145,7 +145,7 @@ Result<std::uint16_t> ObjectIntake::write(
         return tl::unexpected<Error>(accepted.error());
     m_missing.remove(uid);
     ++m_received;
-    m_progress.report(QStringLiteral("Downloading"), m_received, m_total);
+    m_progress.report(ProgressStep::Downloading, m_received, m_total);
     return STATUS_STORE_Success;
 }
 

@@ -37,11 +37,6 @@ constexpr int mostRounds = 40;
 /// face's area.
 constexpr double movedUnseen = 0.15;
 
-QString fitting()
-{
-    return QStringLiteral("Fitting the surface");
-}
-
 /// Those of parts that are large enough to be deformed.
 std::vector<VertexId> verticesToFit(const SimplexMesh& mesh)
 {
@@ -104,7 +99,7 @@ Result<void> fitToMask(SimplexMesh& mesh, const BoxMask& mask, const VolumeGeome
             guard->moved(deformation.active());
         deformation.step(edit, forces);
         keepApart(movedUnseen * std::sqrt(structure.areaMm2));
-        progress.report(fitting(), i + 1, steps);
+        progress.report(ProgressStep::FittingSurface, i + 1, steps);
         if (settings.restructureEvery == 0 || i + 1 >= steps - lastSteps
             || (i + 1) % settings.restructureEvery != 0)
             continue;
@@ -123,7 +118,7 @@ Result<void> fitToMask(SimplexMesh& mesh, const BoxMask& mask, const VolumeGeome
 Result<SimplexMesh> initialFit(const BoxMask& mask, const VolumeGeometry& geometry,
     const InitialFitSettings& settings, const Progress& progress)
 {
-    progress.report(fitting(), 0, settings.steps);
+    progress.report(ProgressStep::FittingSurface, 0, settings.steps);
     Result<SimplexMesh> mesh = refineSurfaceOf(mask, geometry, settings.vertices, progress);
     if (!mesh)
         return mesh;

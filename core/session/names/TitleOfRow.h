@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/delta/EditStatistics.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/engine/EngineCommands.h"
+#include "core/engine/ChangeFacts.h"
 #include "core/history/History.h"
 #include "core/session/past/SketchedSeeds.h"
 #include "core/titles/RowTitle.h"

@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/engine/EngineCommands.h"
 
 #include <utility>
 

@@ -2,6 +2,7 @@
 #include "core/session/operations/DocumentOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/engine/EngineResult.h"
 
 #include <utility>
 

@@ -2,6 +2,7 @@
 #include "core/session/operations/IslandOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/engine/EngineCommands.h"
 
 #include <utility>
 

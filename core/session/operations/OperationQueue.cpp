@@ -3,6 +3,7 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/engine/EngineCommands.h"
 #include "core/session/operations/SurfaceOperation.h"
 
 #include <utility>

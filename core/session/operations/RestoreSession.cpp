@@ -4,6 +4,7 @@
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/engine/EngineCommands.h"
 #include "core/refine/mesh/SurfaceDelta.h"
 #include "core/session/operations/EditOperation.h"
 #include "core/session/operations/WalkOperation.h"

@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/past/GuardedLabels.h"

@@ -6,6 +6,7 @@
 #include "core/edits/kinds/surface/FollowMask.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/engine/EngineCommands.h"
 
 #include <utility>
 

@@ -13,6 +13,7 @@
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/sculpt/SculptEdits.h"
+#include "core/engine/EngineCommands.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/past/SeedStrokes.h"
 

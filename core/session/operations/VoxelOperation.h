@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
+#include "core/engine/EngineEdit.h"
 #include "core/session/past/SketchedSeeds.h"
 #include "core/session/state/Operation.h"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/sculpt/SculptEdits.h"
+#include "core/engine/BrickCommands.h"
 #include "core/session/state/SessionState.h"
 
 #include <map>

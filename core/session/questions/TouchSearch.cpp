@@ -2,6 +2,7 @@
 #include "core/session/questions/TouchSearch.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>

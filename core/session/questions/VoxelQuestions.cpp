@@ -5,6 +5,7 @@
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/engine/EngineCommands.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/questions/QuestionLine.h"
 #include "core/session/questions/TouchSearch.h"

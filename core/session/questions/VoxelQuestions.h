@@ -24,7 +24,7 @@ struct ShrinkAt;
 struct Touch;
 
 /// Rays, and how each one finds what the user sees (the rules are those of PickVoxels,
-/// EngineCommands.h).
+/// VoxelReads.h).
 struct PickQuestion {
     std::vector<PickRay> rays{};
     SeenBy seenBy = SeenBy::Surface;

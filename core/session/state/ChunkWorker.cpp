@@ -3,6 +3,8 @@
 
 #include "core/edits/kinds/chunks/ChunkVoxels.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/engine/EditEngine.h"
+#include "core/engine/EngineCommands.h"
 
 #include <algorithm>
 #include <array>

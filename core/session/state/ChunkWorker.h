@@ -6,7 +6,7 @@
 #include "core/chunks/ChunkMap.h"
 #include "core/chunks/ChunkStage.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/engine/EditEngine.h"
+#include "core/engine/Ticket.h"
 #include "core/history/History.h"
 
 #include <functional>
@@ -15,6 +15,9 @@
 #include <optional>
 
 namespace core {
+
+class EditEngine;
+struct EngineResult;
 
 /// Computes the chunks of one division and keeps them until another one is requested. The engine
 /// provides the codes of its box; the rest is computed on a thread of its own. Called from the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/delta/Ending.h"
 #include "core/session/state/SessionState.h"
 
 namespace core {

@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/engine/EngineCommands.h"
 #include "core/session/names/TitleOfRow.h"
 
 #include <QJsonDocument>
@@ -244,13 +245,13 @@ void SessionState::muteLayers()
 
 void SessionState::require(EngineCommand command)
 {
-    submitRequired({.command = std::move(command)});
+    submitRequired({.command = std::make_shared<const EngineCommand>(std::move(command))});
 }
 
 void SessionState::submitRequired(Required required)
 {
-    const Ticket ticket = engine.submit(required.command);
-    if (std::holds_alternative<MuteLayers>(required.command))
+    const Ticket ticket = engine.submit(*required.command);
+    if (std::holds_alternative<MuteLayers>(*required.command))
         m_lastMute = ticket;
     m_required.emplace(ticket, std::move(required));
 }
@@ -277,7 +278,7 @@ bool SessionState::noteResult(const EngineResult& result)
             // Of two that mute the later one counts, whenever the earlier one is done.
             Required again = std::move(required.mapped());
             ++again.tries;
-            if (!std::holds_alternative<MuteLayers>(again.command) || result.ticket == m_lastMute)
+            if (!std::holds_alternative<MuteLayers>(*again.command) || result.ticket == m_lastMute)
                 submitRequired(std::move(again));
         }
     }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/document/Document.h"
+#include "core/engine/ChangeFacts.h"
 #include "core/engine/EditEngine.h"
+#include "core/growth/GrowthCommands.h"
 #include "core/history/History.h"
 #include "core/session/past/SketchedSeeds.h"
 #include "core/session/state/ChunkWorker.h"
@@ -128,7 +130,7 @@ private:
     std::set<int> m_hidden; ///< labels
     std::bitset<256> m_muted; ///< layers, as the engine was told last
     struct Required {
-        EngineCommand command; ///< kept for another try
+        std::shared_ptr<const EngineCommand> command; ///< kept for another try
         int tries = 1;
     };
     void submitRequired(Required required);

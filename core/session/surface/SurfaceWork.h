@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/delta/Ending.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/kinds/SurfaceEdit.h"
@@ -18,7 +19,7 @@
 #include "core/edits/kinds/surface/SpherePush.h"
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/edits/kinds/surface/WriteBack.h"
-#include "core/engine/EngineCommands.h"
+#include "core/engine/EngineEdit.h"
 #include "core/refine/tools/SurfaceStroke.h"
 #include "core/session/surface/SurfaceAgreement.h"
 #include "core/titles/RowTitle.h"

@@ -127,7 +127,7 @@ Result<void> writeImages(const QString& path, const LoadedVolume& study, const P
     for (std::size_t piece = 0; piece < pieces; ++piece) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Writing the images"), int(piece), int(pieces));
+        progress.report(ProgressStep::WritingImages, int(piece), int(pieces));
         const QByteArray bytes =
             packedPiece({study.codes.data() + piece * voxelsPerPiece, sizeOfPiece(volume, piece)});
         if (!database.transaction([&] { return writePiece(database, piece, bytes); }))
@@ -276,7 +276,7 @@ Result<LoadedVolume> loadSessionImages(const QString& sessionFile, const Progres
     for (std::size_t piece = 0; piece < pieces; ++piece) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        progress.report(QStringLiteral("Reading the images"), int(piece), int(pieces));
+        progress.report(ProgressStep::ReadingImages, int(piece), int(pieces));
         const Result<QByteArray> bytes = readPiece(**database, sessionFile, piece, pieces);
         if (!bytes)
             return tl::unexpected(bytes.error());

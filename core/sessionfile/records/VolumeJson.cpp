@@ -174,7 +174,7 @@ QJsonArray problemsToJson(const std::vector<VolumeProblem>& problems)
         QJsonArray slices;
         for (const SliceSpan& span : problem.slices)
             slices.append(QJsonArray{span.first, span.last});
-        list.append(QJsonObject{{key("kind"), kind}, {key("text"), problem.text},
+        list.append(QJsonObject{{key("kind"), kind}, {key("text"), storedText(problem.said)},
             {key("caution"), problem.caution}, {key("slices"), slices},
             {key("repairedBy"), problem.repairedBy}});
     }
@@ -187,7 +187,7 @@ std::vector<VolumeProblem> problemsFromJson(const QJsonArray& list)
     for (const QJsonValue& value : list) {
         const QJsonObject json = value.toObject();
         VolumeProblem problem{.kind = VolumeProblem::Kind::Other,
-            .text = json[key("text")].toString(),
+            .said = {ProblemCode::AsStored, {json[key("text")].toString()}},
             .caution = json[key("caution")].toBool(),
             .slices = {},
             .repairedBy = json[key("repairedBy")].toString()};

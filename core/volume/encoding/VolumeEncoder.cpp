@@ -113,14 +113,14 @@ void encodeValues(LoadedVolume& loaded,
     volume.minimum = least;
     volume.maximum = greatest;
     if (!allNumbers) {
-        volume.problems.push_back({.kind = VolumeProblem::Kind::InexactValues,
-            .text = QStringLiteral("Some voxels hold no number; they are shown as the minimum.")});
+        volume.problems.push_back(
+            {.kind = VolumeProblem::Kind::InexactValues, .said = {ProblemCode::NoNumbers}});
     }
     if (maxError > 0.0) {
         volume.problems.push_back({.kind = VolumeProblem::Kind::InexactValues,
-            .text = QStringLiteral("Values are held on a common scale, off by at most %1%2.")
-                        .arg(maxError, 0, 'g', 3)
-                        .arg(volume.unit.isEmpty() ? QString() : QLatin1Char(' ') + volume.unit)});
+            .said = {
+                volume.unit.isEmpty() ? ProblemCode::CommonScale : ProblemCode::CommonScaleInUnit,
+                {QString::number(maxError, 'g', 3), volume.unit}}});
     }
 
     Sha256 hash;

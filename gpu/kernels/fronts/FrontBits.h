@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EngineCommands.h"
+#include "core/growth/GrowthCommands.h"
 #include "gpu/fields/bricks/BrickField.h"
 #include "gpu/gl/Buffer.h"
 #include "gpu/gl/Program.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EngineCommands.h"
+#include "core/growth/GrowthProgress.h"
 #include "core/growth/LeakGuard.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
@@ -80,7 +80,7 @@ private:
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::SeedPlacement& placement);
 
-/// One burst of breadth-first growth while it is open (seed A §5.3; GrowBurst in EngineCommands.h).
+/// One burst of breadth-first growth while it is open (seed A §5.3; GrowBurst in GrowthCommands.h).
 ///
 /// Generations run in batches of up to sixteen without a readback in between: within sixteen steps
 /// a front stays in its bricks and their neighbours, which get pages and are captured before the

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EngineCommands.h"
+#include "core/engine/LabelCommands.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
 
@@ -28,7 +28,7 @@ private:
 [[nodiscard]] std::vector<std::uint32_t> labelHolders(
     ErasePrograms& programs, VoxelFields& fields, std::uint8_t plane, std::uint8_t label);
 
-/// Erases a label from its plane and its seed map (EraseLabel in core/engine/EngineCommands.h). It
+/// Erases a label from its plane and its seed map (EraseLabel in core/engine/LabelCommands.h). It
 /// first finds the bricks that hold the label; only those are captured and written. Returns their
 /// keys. Cost ∝ the bricks that have ever held a label or hold seed words. Engine thread only.
 std::vector<core::BrickKey> eraseLabel(ErasePrograms& programs, VoxelFields& fields,

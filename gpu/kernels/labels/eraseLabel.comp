@@ -1,4 +1,4 @@
-// Takes a label out of listed bricks (EraseLabel in core/engine/EngineCommands.h): of a label
+// Takes a label out of listed bricks (EraseLabel in core/engine/LabelCommands.h): of a label
 // plane, with SEED_WORDS of a seed map, with OVERWRITTEN of what members have overwritten. Tells
 // which of them hold it; writes only where it is told to.
 

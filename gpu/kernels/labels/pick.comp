@@ -1,4 +1,4 @@
-// Casts rays into what is seen (core/engine/EngineCommands.h, PickVoxels). One invocation a ray.
+// Casts rays into what is seen (core/engine/VoxelReads.h, PickVoxels). One invocation a ray.
 
 layout(local_size_x = 64) in;
 

@@ -3,6 +3,7 @@
 
 #include "gpu/fields/bricks/HiddenBricks.h"
 #include "gpu/kernels/cut/ProtectedVoxels.h"
+#include "gpu/kernels/work/JoinPieces.h"
 
 #include <algorithm>
 #include <map>

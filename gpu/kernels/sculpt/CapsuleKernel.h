@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/engine/EngineCommands.h"
+#include "core/engine/LabelCommands.h"
+#include "core/engine/LayerCommands.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
 #include "gpu/kernels/work/EditWork.h"

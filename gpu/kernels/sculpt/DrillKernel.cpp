@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/sculpt/DrillKernel.h"
 
+#include "core/engine/EngineResult.h"
+#include "gpu/kernels/work/JoinPieces.h"
+
 #include <algorithm>
 #include <limits>
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/sculpt/LaserKernel.h"
 
+#include "core/engine/EngineResult.h"
 #include "gpu/fields/bricks/HiddenBricks.h"
+#include "gpu/kernels/work/JoinPieces.h"
 
 #include <algorithm>
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/sculpt/PeelKernel.h"
 
+#include "core/engine/EngineEdit.h"
+#include "core/engine/EngineResult.h"
+
 namespace gpu {
 
 PeelKernel::PeelKernel(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/sculpt/ScissorsKernel.h"
 
+#include "core/engine/EngineResult.h"
 #include "gpu/kernels/cut/ColumnCutter.h"
 
 namespace gpu {

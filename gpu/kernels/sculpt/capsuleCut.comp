@@ -1,5 +1,5 @@
 // Carves or restores voxels in the candidate bricks of a brush (CapsuleCut in
-// core/engine/EngineCommands.h). One work-group per brick; each voxel is written by one invocation.
+// core/engine/LayerCommands.h). One work-group per brick; each voxel is written by one invocation.
 
 layout(local_size_x = 64) in;
 

@@ -1,5 +1,5 @@
 // Paints or erases a label in the candidate bricks of a brush (PaintLabel in
-// core/engine/EngineCommands.h). One work-group per brick; each voxel is written by one invocation.
+// core/engine/LabelCommands.h). One work-group per brick; each voxel is written by one invocation.
 
 layout(local_size_x = 64) in;
 

@@ -3,7 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/base/TaskThread.h"
-#include "core/engine/EngineCommands.h"
+#include "core/engine/GrowthForesight.h"
 #include "gpu/fields/bricks/BrickField.h"
 
 #include <memory>

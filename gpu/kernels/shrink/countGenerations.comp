@@ -1,4 +1,4 @@
-// Counts members by generation (CountGenerations in core/engine/EngineCommands.h).
+// Counts members by generation (CountGenerations in core/engine/GrowthForesight.h).
 
 layout(local_size_x = 64) in;
 

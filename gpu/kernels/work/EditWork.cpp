@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/work/EditWork.h"
 
+#include "core/engine/EngineEdit.h"
+#include "core/engine/EngineResult.h"
+
 namespace gpu {
 
 namespace {

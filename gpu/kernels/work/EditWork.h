@@ -2,10 +2,16 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/engine/EngineCommands.h"
+#include "core/brick/BrickGrid.h"
+#include "core/growth/GrowthProgress.h"
 
-#include <variant>
+#include <cstdint>
 #include <vector>
+
+namespace core {
+struct EngineExtension;
+struct EngineResult;
+} // namespace core
 
 namespace gpu {
 
@@ -47,21 +53,5 @@ public:
 /// These bricks of one field and plane.
 [[nodiscard]] std::vector<core::BrickKey> keysOf(
     core::Field field, std::uint8_t plane, const std::vector<std::uint32_t>& bricks);
-/// Puts the second path behind the first.
-template <class Path> void append(Path& path, const Path& more)
-{
-    path.insert(path.end(), more.begin(), more.end());
-}
-/// Puts the next piece of a path behind an earlier one, extensions of one kind.
-/// @return whether that is a kind of such pieces
-template <class Piece, class Path>
-[[nodiscard]] bool joinPieces(
-    core::EngineExtension& earlier, core::EngineExtension& next, Path Piece::*path)
-{
-    auto* first = std::get_if<Piece>(&earlier);
-    if (first)
-        append(first->*path, std::get<Piece>(next).*path);
-    return first != nullptr;
-}
 
 } // namespace gpu

@@ -12,6 +12,7 @@
 #include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "ui/texts/ProblemTexts.h"
 #include "ui/workspace/InitialDisplay.h"
 
 #include <QDir>
@@ -123,7 +124,7 @@ private Q_SLOTS:
         QVERIFY(loaded);
         QCOMPARE(loaded->volume.problems.size(), std::size_t(1));
         QVERIFY(loaded->volume.problems.front().kind == VolumeProblem::Kind::InexactValues);
-        QVERIFY2(outcome.complaint.contains(loaded->volume.problems.front().text),
+        QVERIFY2(outcome.complaint.contains(ui::problemText(loaded->volume.problems.front().said)),
             qPrintable(outcome.complaint));
     }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/SessionSalvage.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"

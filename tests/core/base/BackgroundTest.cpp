@@ -114,13 +114,14 @@ void BackgroundTest::progressIsToldUntilTheOutcomeIs()
     background.start(
         this,
         [&told](const Progress& progress, const Background::Meanwhile& meanwhile) {
-            progress.report(QStringLiteral("step"), 1, 3);
+            progress.report(core::ProgressStep::ReadingSlices, 1, 3);
             meanwhile([&told] { told += QStringLiteral("meanwhile"); });
-            progress.report(QStringLiteral("step"), 2, 3);
+            progress.report(core::ProgressStep::ReadingSlices, 2, 3);
         },
         [&told](const Result<void>&) { told += QStringLiteral("done"); },
-        [&told](const QString& step, int done, int total) {
-            told += QStringLiteral("%1 %2/%3").arg(step).arg(done).arg(total);
+        [&told](core::ProgressStep step, int done, int total) {
+            QCOMPARE(step, core::ProgressStep::ReadingSlices);
+            told += QStringLiteral("step %1/%2").arg(done).arg(total);
         });
     QTRY_VERIFY(!background.busy());
     QCOMPARE(told.join(u','), QStringLiteral("step 1/3,meanwhile,step 2/3,done"));
@@ -139,11 +140,11 @@ void BackgroundTest::whatIsCancelledIsNotTold()
     Background::Task first = background.start(
         this,
         [&](const Progress& progress) {
-            progress.report(QStringLiteral("begun"), 0, 1);
+            progress.report(core::ProgressStep::ReadingSlices, 0, 1);
             gate.pass();
             noticed = progress.cancelled();
         },
-        tell("first"), [&told](const QString& step, int, int) { told += step; });
+        tell("first"), [&told](core::ProgressStep, int, int) { told += QStringLiteral("begun"); });
     Background::Task second = background.start(
         this, [&begun] { begun = true; }, tell("second"));
     background.start(
@@ -229,7 +230,7 @@ void BackgroundTest::withoutItsContextNothingIsTold()
     background.start(
         context.get(), [](const Progress& progress) { progress.report(QString(), 1, 1); },
         [&told](const Result<void>&) { told = true; },
-        [&told](const QString&, int, int) { told = true; });
+        [&told](core::ProgressStep, int, int) { told = true; });
     background.start(
         this, [] {}, [&after](const Result<void>&) { after = true; });
     context.reset();
@@ -255,7 +256,7 @@ void BackgroundTest::nothingIsToldOfWhatIsDestroyed()
                     std::this_thread::yield();
                 ended = true;
             },
-            tell, [&told](const QString&, int, int) { told = true; });
+            tell, [&told](core::ProgressStep, int, int) { told = true; });
         background.start(
             this, [&begun] { begun = true; }, tell);
         gate.begun.acquire();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/delta/BrickDelta.h"
+#include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/program/TestProgram.h"

@@ -456,7 +456,7 @@ void DicomWebFaultsTest::diesAndGoesOn()
         return reply;
     });
     QStringList told;
-    const core::Progress progress([&told](const QString&, int done, int total) {
+    const core::Progress progress([&told](core::ProgressStep, int done, int total) {
         told.append(QStringLiteral("%1/%2").arg(done).arg(total));
     });
     const auto got = get(node(server), progress);

@@ -76,7 +76,7 @@ void DicomWebRoundTripTest::studyComesBack()
     const QString target = folder.filePath(QStringLiteral("got"));
     const core::RetrieveWish wish{.studyUid = series.studyUid, .seriesUid = series.seriesUid};
     QStringList told;
-    const core::Progress progress([&told](const QString&, int done, int total) {
+    const core::Progress progress([&told](core::ProgressStep, int done, int total) {
         told.append(QStringLiteral("%1/%2").arg(done).arg(total));
     });
     const auto got = core::retrieve(node, wish, target, progress);

@@ -3,6 +3,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>

@@ -2,7 +2,6 @@
 #include "tests/support/cases/PutBricks.h"
 #include "core/engine/EngineCommands.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 

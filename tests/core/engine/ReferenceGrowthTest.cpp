@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/SeedWord.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/EngineConformance.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>

@@ -5,7 +5,7 @@
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/edits/sculpt/SculptVisit.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/EngineConformance.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 

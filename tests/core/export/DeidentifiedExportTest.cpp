@@ -10,6 +10,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/MarkedSeries.h"
 #include "tests/support/servers/Python.h"
+#include "ui/texts/ReportTexts.h"
 
 #include <QDir>
 #include <QFile>
@@ -185,12 +186,13 @@ void DeidentifiedExportTest::noMarkerAnywhere()
     for (const auto& [format, name] : all) {
         const auto report = on.write(format, QLatin1String(name), by);
         QVERIFY2(report, qPrintable(report ? QString() : name + messageOf(report.error())));
-        QVERIFY(report->written.join(u' ').contains(QStringLiteral("De-identified")));
+        QVERIFY(
+            ui::reportTexts(report->written).join(u' ').contains(QStringLiteral("De-identified")));
     }
     QVERIFY(on.write(ExportFormat::DicomSeg, QStringLiteral("z.dcm"), by, true));
     const auto carved = on.carve(QStringLiteral("series"), by);
     QVERIFY2(carved, qPrintable(carved ? QString() : messageOf(carved.error())));
-    QVERIFY(carved->cautions.join(u' ').contains(QStringLiteral("face")));
+    QVERIFY(ui::reportTexts(carved->cautions).join(u' ').contains(QStringLiteral("face")));
 
     QStringList files;
     for (const QString& folder : {on.out({}), on.out(QStringLiteral("series"))}) {

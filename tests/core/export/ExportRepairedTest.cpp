@@ -9,6 +9,7 @@
 #include "tests/support/series/Affine.h"
 #include "tests/support/series/DefectiveSeries.h"
 #include "tests/support/series/OpenedVolume.h"
+#include "ui/texts/ReportTexts.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -243,8 +244,10 @@ void ExportRepairedTest::nothingRefersToAFilledSlice()
     QVERIFY(seg);
     QCOMPARE(seg->frames.size(), std::size_t(1));
     QCOMPARE(seg->frames[0].plane.position.z, m_series.position(4).z);
-    QVERIFY2(report->cautions.filter(QStringLiteral("1440 of the 2880 voxels")).size() == 1,
-        qPrintable(report->cautions.join(u'\n')));
+    QVERIFY2(
+        ui::reportTexts(report->cautions).filter(QStringLiteral("1440 of the 2880 voxels")).size()
+            == 1,
+        qPrintable(ui::reportTexts(report->cautions).join(u'\n')));
     // On filled slices alone there is nothing to write.
     std::fill_n(labels.begin() + std::ptrdiff_t(4 * slice), slice, std::uint8_t(0));
     const auto none = exported(loaded.volume, labels, ExportFormat::DicomSeg, "none.dcm");
@@ -266,7 +269,8 @@ void ExportRepairedTest::otherFormatsLieOnTheRepairedGrid()
              std::pair{ExportFormat::Stl, "mask.stl"}}) {
         const auto report = exported(loaded.volume, labels, format, file);
         QVERIFY2(report, report ? "" : qPrintable(messageOf(report.error())));
-        QVERIFY(report->cautions.filter(QStringLiteral("tilt sheared out")).size() == 1);
+        QVERIFY(ui::reportTexts(report->cautions).filter(QStringLiteral("tilt sheared out")).size()
+            == 1);
     }
     const LoadedVolume mask = test::openVolume(path("mask.nii"));
     QCOMPARE(mask.volume.geometry.size, grid.size);

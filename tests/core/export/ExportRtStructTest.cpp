@@ -7,6 +7,7 @@
 #include "tests/support/series/AlterDicom.h"
 #include "tests/support/series/LabelledSeries.h"
 #include "tests/support/servers/Python.h"
+#include "ui/texts/ReportTexts.h"
 
 #include <QDir>
 #include <QFile>
@@ -157,7 +158,7 @@ void ExportRtStructTest::othersSeeTheSame()
     const auto report = on.exported({segmentOf(1), segmentOf(3, QStringLiteral("Leber"))});
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
     QCOMPARE(report->checked.size(), 2);
-    QCOMPARE(report->cautions, QStringList());
+    QCOMPARE(ui::reportTexts(report->cautions), QStringList());
     QCOMPARE(on.fileCount(), 1);
     validate(on.file);
 
@@ -200,7 +201,7 @@ void ExportRtStructTest::headersKeptInASessionWillDo()
     QVERIFY(QDir(on.images).removeRecursively());
     const auto report = on.exported({segmentOf(1)});
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
-    QCOMPARE(report->checked, before->checked);
+    QCOMPARE(ui::reportTexts(report->checked), ui::reportTexts(before->checked));
     QCOMPARE(report->cautions.size(), 1);
 }
 
@@ -240,7 +241,9 @@ void ExportRtStructTest::withoutFrameOfReference()
     const Fixture on(series);
     const auto report = on.exported({segmentOf(1)});
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
-    QVERIFY(report->cautions.join(u' ').contains(QStringLiteral("frame of reference")));
+    QVERIFY(ui::reportTexts(report->cautions)
+                .join(u' ')
+                .contains(QStringLiteral("frame of reference")));
     QVERIFY(!on.facts()["frameOfReference"].toString().isEmpty());
     validate(on.file);
 }

@@ -6,6 +6,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/LabelledSeries.h"
 #include "tests/support/servers/Python.h"
+#include "ui/texts/ReportTexts.h"
 
 #include <QDir>
 #include <QFile>
@@ -250,8 +251,8 @@ void ExportSegTest::headersKeptInASessionWillDo()
     on.file = on.folder.filePath(QStringLiteral("again.dcm"));
     const auto report = on.exported(on.request());
     QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
-    QCOMPARE(report->written, fromFiles->written);
-    QCOMPARE(report->checked, fromFiles->checked);
+    QCOMPARE(ui::reportTexts(report->written), ui::reportTexts(fromFiles->written));
+    QCOMPARE(ui::reportTexts(report->checked), ui::reportTexts(fromFiles->checked));
     QCOMPARE(textOf(on.file), expected);
     QCOMPARE(core::readSeg(on.file)->referencedSopUids, references);
 }
@@ -275,7 +276,9 @@ void ExportSegTest::emptySegmentIsLeftOutAndNamed()
     const Fixture on;
     const auto report = on.exported(on.request({segmentOf(7, {}), segmentOf(2, liver)}));
     QVERIFY(report.has_value());
-    QVERIFY(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("Schädel 7")));
+    QVERIFY(ui::reportTexts(report->cautions)
+                .join(QLatin1Char(' '))
+                .contains(QStringLiteral("Schädel 7")));
     const auto seg = core::readSeg(on.file);
     QVERIFY(seg.has_value());
     QCOMPARE(seg->segments.size(), std::size_t(1));
@@ -347,7 +350,9 @@ void ExportSegTest::invalidSourceValuesAreNormalised()
     const Fixture on(series);
     const auto report = on.exported(on.request());
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
-    QVERIFY(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("Birth Date")));
+    QVERIFY(ui::reportTexts(report->cautions)
+                .join(QLatin1Char(' '))
+                .contains(QStringLiteral("Birth Date")));
     QCOMPARE(factsOf(on)["patientSex"].toString(), QStringLiteral("M"));
     validate(on.file);
 }
@@ -450,7 +455,7 @@ void ExportSegTest::cancelledLeavesNothing()
         for (int reports = 0; reports < 2; ++reports) {
             int seen = 0;
             core::Progress* running = nullptr;
-            core::Progress progress([&](const QString&, int done, int) {
+            core::Progress progress([&](core::ProgressStep, int done, int) {
                 seen += done == 0 ? 1 : 0;
                 if (seen > reports)
                     running->cancel();

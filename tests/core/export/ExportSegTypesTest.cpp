@@ -5,6 +5,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/LabelledSeries.h"
 #include "tests/support/servers/Python.h"
+#include "ui/texts/ReportTexts.h"
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -202,9 +203,12 @@ void ExportSegTypesTest::fractionalHoldsTheCoverage()
         {.label = 1, .layer = QStringLiteral("Sculpt 1"), .coverage = on.coverage}};
     const auto report = core::exportMask(on.volume, request, {});
     QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
-    QVERIFY(
-        report->written.join(u' ').contains(QStringLiteral("'Niere' as sculpt layer 'Sculpt 1'")));
-    QVERIFY(report->written.join(u' ').contains(QStringLiteral("every voxel 0 or 255: 'Übrige'")));
+    QVERIFY(ui::reportTexts(report->written)
+                .join(u' ')
+                .contains(QStringLiteral("'Niere' as sculpt layer 'Sculpt 1'")));
+    QVERIFY(ui::reportTexts(report->written)
+                .join(u' ')
+                .contains(QStringLiteral("every voxel 0 or 255: 'Übrige'")));
 
     const QJsonObject facts = factsOf(on.file);
     QCOMPARE(facts["type"].toString(), QStringLiteral("FRACTIONAL"));
@@ -257,7 +261,8 @@ void ExportSegTypesTest::labelMap()
     core::ExportRequest request = on.request(core::ExportFormat::DicomSegLabelMap);
     const auto report = core::exportMask(on.volume, request, {});
     QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
-    QVERIFY(report->cautions.join(u' ').contains(QStringLiteral("supplement 243")));
+    QVERIFY(
+        ui::reportTexts(report->cautions).join(u' ').contains(QStringLiteral("supplement 243")));
     const QJsonObject facts = factsOf(on.file);
     QCOMPARE(facts["class"].toString(), QStringLiteral("1.2.840.10008.5.1.4.1.1.66.7"));
     QCOMPARE(facts["type"].toString(), QStringLiteral("LABELMAP"));

@@ -3,8 +3,9 @@
 
 #include "core/growth/SeedWord.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/EngineConformance.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>

@@ -3,8 +3,8 @@
 
 #include "core/growth/SeedWord.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/ToleranceScene.h"
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/StudyLoader.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/FileBytes.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/ImageFiles.h"
 #include "tests/support/series/OpenedVolume.h"
 #include "tests/support/series/VolumeFiles.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QDir>
 #include <QTest>
@@ -178,7 +179,7 @@ void ImageHostileTest::aDamagedPictureCostsItsSlice()
     QStringList damages;
     for (const core::VolumeProblem& problem : loaded->volume.problems) {
         if (problem.kind == core::VolumeProblem::Kind::DamagedSlice)
-            damages += problem.text;
+            damages += ui::problemText(problem.said);
     }
     QCOMPARE(damages.size(), 2);
     QVERIFY2(damages[0].startsWith(QLatin1String("Slice 2 (1.png)")), qPrintable(damages[0]));

@@ -3,11 +3,11 @@
 #include "core/images/NaturalOrder.h"
 #include "core/repair/SeriesFindings.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/ImageFiles.h"
 #include "tests/support/series/OpenedVolume.h"
 #include "tests/support/series/VolumeFiles.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QDir>
 #include <QTest>
@@ -54,7 +54,8 @@ bool tells(const LoadedVolume& loaded, VolumeProblem::Kind kind, const char* tex
 {
     return std::any_of(loaded.volume.problems.begin(), loaded.volume.problems.end(),
         [&](const VolumeProblem& problem) {
-            return problem.kind == kind && problem.text.contains(QLatin1String(text));
+            return problem.kind == kind
+                && ui::problemText(problem.said).contains(QLatin1String(text));
         });
 }
 

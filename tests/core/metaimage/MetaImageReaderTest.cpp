@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/StudyLoader.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/NrrdFiles.h"
 #include "tests/support/series/OpenedVolume.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/series/NrrdFiles.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/OpenedVolume.h"
 #include "tests/support/series/VolumeFiles.h"

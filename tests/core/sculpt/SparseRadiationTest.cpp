@@ -2,7 +2,7 @@
 #include "core/sculpt/SparseRadiation.h"
 #include "core/sculpt/Radiation.h"
 #include "tests/reference/SparseRadiation.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/TestVolumes.h"
 

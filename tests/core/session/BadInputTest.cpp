@@ -2,7 +2,6 @@
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/StrokeCases.h"
 #include "tests/support/cases/StrokeHashes.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>

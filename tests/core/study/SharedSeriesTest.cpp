@@ -4,6 +4,7 @@
 #include "core/study/VolumeFacts.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SharedData.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -283,7 +284,7 @@ void SharedSeriesTest::pointsInTimeOpenOneByOne()
     QVERIFY(std::any_of(seventh->volume.problems.begin(), seventh->volume.problems.end(),
         [](const core::VolumeProblem& problem) {
             return problem.kind == core::VolumeProblem::Kind::MixedSlices && !problem.caution
-                && problem.text.contains(QLatin1String("this is point 7"));
+                && ui::problemText(problem.said).contains(QLatin1String("this is point 7"));
         }));
     for (const char* nowhere : {"@0", "@11", "@x", "@"}) {
         const core::Result<core::LoadedVolume> none =
@@ -352,8 +353,8 @@ void SharedSeriesTest::localizersStayApart()
     QCOMPARE(stack.problems.size(), std::size_t(1));
     QVERIFY(stack.problems.front().kind == core::VolumeProblem::Kind::Tilt);
     QVERIFY(stack.problems.front().caution);
-    QVERIFY2(stack.problems.front().text.contains(QStringLiteral("18.5°")),
-        qPrintable(stack.problems.front().text));
+    QVERIFY2(ui::problemText(stack.problems.front().said).contains(QStringLiteral("18.5°")),
+        qPrintable(ui::problemText(stack.problems.front().said)));
     std::multiset<QString> kinds;
     for (const core::ForeignObject& object : listing->foreign) {
         for (qsizetype file = 0; file < object.files.size(); ++file)

@@ -262,9 +262,9 @@ void StudyLoaderTest::cancelStops()
     test::writeSeries(series, path());
     core::Progress* running = nullptr;
     int reports = 0;
-    core::Progress progress([&](const QString& step, int, int) {
+    core::Progress progress([&](core::ProgressStep step, int, int) {
         ++reports;
-        if (step == QLatin1String("Reading slices"))
+        if (step == core::ProgressStep::ReadingSlices)
             running->cancel();
     });
     running = &progress;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
 #include "gpu/engine/GpuEngine.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/EngineConformance.h"
+#include "tests/support/cases/RandomEdits.h"
 #include "tests/support/faults/LosingGl.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 

@@ -9,8 +9,10 @@
 #include "tests/reference/Radiation.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/RandomEdits.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/CutEdits.h"
 

@@ -3,6 +3,7 @@
 #include "tests/support/cases/RandomHistory.h"
 #include "tests/support/faults/RefusingGl.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>

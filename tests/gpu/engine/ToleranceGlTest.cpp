@@ -2,9 +2,10 @@
 #include "core/growth/SeedWord.h"
 #include "tests/reference/Radiation.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/EngineConformance.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/ToleranceScene.h"
 

@@ -38,6 +38,7 @@
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "core/edits/sculpt/SculptVisit.h"
+#include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
 #include "core/sessionfile/records/StateHash.h"
 #include "tests/reference/ElementPlane.h"

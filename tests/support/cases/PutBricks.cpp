@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/PutBricks.h"
 
+#include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/scenes/TestVolumes.h"
 
 #include <QTest>

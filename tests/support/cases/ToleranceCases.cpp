@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/cases/EngineCases.h"
 #include "tests/support/scenes/ToleranceScene.h"
 
 #include "core/growth/SeedWord.h"
-#include "tests/support/cases/EngineCases.h"
 
 #include <array>
 

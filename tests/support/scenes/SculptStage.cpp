@@ -3,6 +3,7 @@
 
 #include "core/brick/BrickGrid.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/engine/EngineCommands.h"
 #include "ui/tools/aim/PickQuestion.h"
 
 #include <algorithm>
@@ -147,7 +148,8 @@ std::vector<std::uint8_t> SculptStage::voxels(core::Field field, std::uint8_t pl
                 for (int j = box.minimum.y; j < box.maximum.y; ++j)
                     for (int i = box.minimum.x; i < box.maximum.x; ++i)
                         dense[indexOf(grid.volumeSize, {i, j, k})] =
-                            change.after.read()[std::size_t(core::BrickGrid::offsetInBrick({i, j, k}))];
+                            change.after
+                                .read()[std::size_t(core::BrickGrid::offsetInBrick({i, j, k}))];
         }
     }
     return dense;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/series/OpenedVolume.h"
 
+#include "ui/texts/ProblemTexts.h"
+
 #include <QDebug>
 
 #include <algorithm>
@@ -42,7 +44,7 @@ QString problemText(const std::vector<VolumeProblem>& problems, VolumeProblem::K
 {
     for (const VolumeProblem& problem : problems) {
         if (problem.kind == kind)
-            return problem.text;
+            return ui::problemText(problem.said);
     }
     return {};
 }

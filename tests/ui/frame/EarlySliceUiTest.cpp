@@ -73,7 +73,7 @@ public:
                 const core::Progress& progress,
                 const core::EarlySliceListener& listener) -> core::Result<core::LoadedVolume> {
                 listener(slice);
-                progress.report(QStringLiteral("Reading slices"), 120, 450);
+                progress.report(core::ProgressStep::ReadingSlices, 120, 450);
                 gate.wait();
                 if (error)
                     return tl::unexpected(*error);
@@ -220,8 +220,8 @@ void EarlySliceUiTest::nothingCanBeDoneToIt()
 void EarlySliceUiTest::cautionMovesNothing()
 {
     core::LoadedVolume volume = test::plainCt(test::headFirstSupine());
-    volume.volume.problems = {
-        {core::VolumeProblem::Kind::Tilt, QStringLiteral("The slices are tilted by 12°."), true}};
+    volume.volume.problems = {{core::VolumeProblem::Kind::Tilt,
+        {core::ProblemCode::AsStored, {QStringLiteral("The slices are tilted by 12°.")}}, true}};
     Opening opening(std::move(volume));
     opening.begin();
     const ui::MessageBar& bar = opening.fixture.window.messages();
@@ -292,8 +292,8 @@ void EarlySliceUiTest::closingTheStudyAborts()
 void EarlySliceUiTest::failingLeavesAMessage()
 {
     core::LoadedVolume volume = test::plainCt(test::headFirstSupine());
-    volume.volume.problems = {
-        {core::VolumeProblem::Kind::Tilt, QStringLiteral("The slices are tilted by 12°."), true}};
+    volume.volume.problems = {{core::VolumeProblem::Kind::Tilt,
+        {core::ProblemCode::AsStored, {QStringLiteral("The slices are tilted by 12°.")}}, true}};
     Opening opening(std::move(volume));
     opening.begin(core::Error{core::ErrorCode::OutOfMemory, {QStringLiteral("12 × 12 × 12")}});
     QVERIFY(opening.views().isVisible());

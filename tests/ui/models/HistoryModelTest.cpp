@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/HistoryModel.h"
+#include "tests/support/program/LongRun.h"
 
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/sessionfile/HistoryListing.h"

@@ -37,6 +37,8 @@ std::vector<std::pair<MaskNote, const char*>> notes()
         {{.code = Code::Fractional},
             "The mask says how much of each voxel belongs to a segment; voxels with one half or "
             "more are taken."},
+        {{.code = Code::GridInDoubt, .doubt = {core::ProblemCode::SpacingAssumed}},
+            "The file does not say how far apart its voxels are; 1 mm is assumed."},
         {{.code = Code::BetweenSlices, .mm = 1.25},
             "Its contours lie between the study's slices: each slice has what the nearest "
             "contours, at most 1.25 mm away, surround."},
@@ -64,9 +66,6 @@ private Q_SLOTS:
     {
         for (const auto& [note, text] : notes())
             QCOMPARE(ui::maskNoteText(note), QString::fromUtf8(text));
-        // What is doubtful about its grid is said by who read it.
-        const QString doubt = QStringLiteral("The file has no spacing; 1 mm is assumed.");
-        QCOMPARE(ui::maskNoteText({.code = MaskNote::Code::GridInDoubt, .names = {doubt}}), doubt);
     }
 
     void everyNoteGoesThroughTheTranslator()

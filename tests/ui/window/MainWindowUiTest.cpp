@@ -89,8 +89,10 @@ void MainWindowUiTest::cautionStaysUntilAccepted()
 {
     core::LoadedVolume volume = test::plainCt(test::headFirstSupine());
     volume.volume.problems = {
-        {core::VolumeProblem::Kind::Tilt, QStringLiteral("The slices are tilted by 12°."), true},
-        {core::VolumeProblem::Kind::LossyCompression, QStringLiteral("Lossy."), false}};
+        {core::VolumeProblem::Kind::Tilt,
+            {core::ProblemCode::AsStored, {QStringLiteral("The slices are tilted by 12°.")}}, true},
+        {core::VolumeProblem::Kind::LossyCompression,
+            {core::ProblemCode::AsStored, {QStringLiteral("Lossy.")}}, false}};
     test::WindowFixture fixture(volume);
     ui::MessageBar& bar = fixture.window.messages();
     QVERIFY(bar.isVisible());

@@ -9,6 +9,7 @@
 #include "ui/dialogs/export/ExportRun.h"
 #include "ui/dialogs/export/TargetRow.h"
 #include "ui/dialogs/study/StudyBlock.h"
+#include "ui/texts/ReportTexts.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QDoubleSpinBox>
@@ -260,7 +261,7 @@ void CarvedExportDialog::showRunning(bool isRunning)
 void CarvedExportDialog::showReport(const core::ExportReport& report)
 {
     showRunning(false);
-    m_run->showReport(report);
+    m_run->showReport(reportTexts(report));
     m_close->setDefault(true); // it is done: Enter is not to replace it
     m_workspace.say(tr("Exported and checked: %1").arg(report.file));
     Q_EMIT exported(report.file);

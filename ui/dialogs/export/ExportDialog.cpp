@@ -13,6 +13,7 @@
 #include "ui/dialogs/study/StudyBlock.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/pacs/SendDialog.h"
+#include "ui/texts/ReportTexts.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QFileInfo>
@@ -284,7 +285,7 @@ void ExportDialog::showRunning(bool isRunning)
 void ExportDialog::showReport(const core::ExportReport& report)
 {
     showRunning(false);
-    m_run->showReport(report);
+    m_run->showReport(reportTexts(report));
     m_close->setDefault(true); // it is done: Enter is not to replace it
     m_send->setVisible(core::factsOf(m_request.format).namesSourceImages);
     m_workspace.say(tr("Exported and checked: %1").arg(report.file));

@@ -81,7 +81,7 @@ void ExportRun::showProgress(const QString& step, int done, int total)
     say(step);
 }
 
-void ExportRun::showReport(const core::ExportReport& report)
+void ExportRun::showReport(const WordedReport& report)
 {
     QString text = QStringLiteral("<p style=\"margin: 0 0 3px 0; color: %1\"><b>%2</b></p>")
                        .arg(theme::good.name(),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/export/common/ExportMask.h"
+#include "ui/texts/ReportTexts.h"
 
 #include <QWidget>
 
@@ -27,7 +27,7 @@ public:
     void say(const QString& sentence, const char* role = "secondary");
     void setRunning(bool running);
     void showProgress(const QString& step, int done, int total);
-    void showReport(const core::ExportReport& report);
+    void showReport(const WordedReport& report);
     /// Removes a report that no longer belongs to what the dialog shows.
     void clearReport();
     void showFailure(const core::Error& error);

@@ -48,7 +48,7 @@ core::Result<core::ExportReport> savePicture(
         core::ExportReport report;
         report.file = file;
         report.written +=
-            QStringLiteral("PNG of %1 × %2 pixels.").arg(picture.width()).arg(picture.height());
+            core::ReportSentence{core::ReportCode::PngPicture, {picture.width(), picture.height()}};
         return report;
     }
     if (!volume)

@@ -7,6 +7,7 @@
 #include "core/sessionfile/records/SessionImages.h"
 #include "ui/base/ErrorText.h"
 #include "ui/dialogs/session/SaveSessionDialog.h"
+#include "ui/texts/ProgressTexts.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QDir>
@@ -159,8 +160,8 @@ void SessionSaver::stage(const Choice& choice, std::function<void(bool)> done)
             if (done)
                 done(false);
         },
-        [this](const QString& step, int piece, int pieces) {
-            Q_EMIT imagesProgressed(step, piece, pieces);
+        [this](core::ProgressStep step, int piece, int pieces) {
+            Q_EMIT imagesProgressed(progressText(step), piece, pieces);
         });
 }
 

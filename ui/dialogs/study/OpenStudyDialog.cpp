@@ -6,6 +6,7 @@
 #include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
 #include "ui/tasks/ThumbnailLoader.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -70,7 +71,7 @@ QString problemsOf(const core::SeriesEntry& entry)
 {
     QStringList sentences;
     for (const core::VolumeProblem& problem : entry.problems)
-        sentences += problem.text;
+        sentences += problemText(problem.said);
     return sentences.join(QStringLiteral("\n"));
 }
 

@@ -4,6 +4,7 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/base/TimeText.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
@@ -25,7 +26,7 @@ StudyBlock::StudyBlock(const core::Volume& volume, QWidget* parent)
     QStringList cautions;
     for (const core::VolumeProblem& problem : volume.problems) {
         if (problem.caution)
-            cautions += problem.text;
+            cautions += problemText(problem.said);
     }
     // One for each damaged slice may be more than a screen has lines.
     constexpr qsizetype mostLines = 3;

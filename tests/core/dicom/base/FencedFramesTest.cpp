@@ -7,6 +7,7 @@
 #include "tests/support/program/ThreadSanitizer.h"
 #include "tests/support/series/HostileDicom.h"
 #include "tests/support/series/SyntheticSeries.h"
+#include "ui/texts/ProblemTexts.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -108,7 +109,7 @@ void FencedFramesTest::failingSlicesAreLeftOutAndNamed()
     QStringList texts;
     for (const core::VolumeProblem& problem : loaded->volume.problems) {
         if (problem.kind == core::VolumeProblem::Kind::DamagedSlice)
-            texts += problem.text;
+            texts += ui::problemText(problem.said);
     }
     QCOMPARE(texts.join(QLatin1Char('|')),
         QStringLiteral("Slice 4 (%1) could not be decoded: the decoder stopped; slice 10 (%2) "

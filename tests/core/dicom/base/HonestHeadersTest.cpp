@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/base/DicomFile.h"
 #include "core/dicom/header/ImageHeaderReader.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SharedData.h"
 #include "tests/support/series/SyntheticSeries.h"

@@ -6,7 +6,7 @@
 #include "core/dicom/objects/SegReader.h"
 #include "core/dicom/source/VisitSourceFiles.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/HostileDicom.h"
 #include "tests/support/series/SyntheticSeries.h"

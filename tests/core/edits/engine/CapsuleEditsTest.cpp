@@ -4,9 +4,10 @@
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/RandomEdits.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

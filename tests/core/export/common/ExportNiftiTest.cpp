@@ -7,6 +7,7 @@
 #include "tests/support/series/LabelledSeries.h"
 #include "tests/support/series/SmallSeries.h"
 #include "tests/support/servers/Python.h"
+#include "ui/texts/ReportTexts.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -82,7 +83,8 @@ void ExportNiftiTest::nibabelSeesTheSame()
     QVERIFY(test::cornerDistance(test::matrixFrom(facts["sform"]), on.volume.geometry) < 1e-3);
     QCOMPARE(facts["qform"].isNull(), lies.tilted);
     QCOMPARE(
-        report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("tilted")), lies.tilted);
+        ui::reportTexts(report->cautions).join(QLatin1Char(' ')).contains(QStringLiteral("tilted")),
+        lies.tilted);
     QByteArray expected(qsizetype(on.labels.size()), 0);
     for (std::size_t i = 0; i < on.labels.size(); ++i)
         expected[qsizetype(i)] = char(on.labels[i] == 1 || on.labels[i] == 3 ? on.labels[i] : 0);
@@ -149,7 +151,9 @@ void ExportNiftiTest::unevenSlices()
     const core::Volume little = series.write(folder.filePath(QStringLiteral("little")));
     const auto report = core::exportMask(little, request, {});
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
-    QVERIFY(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("0.100 mm")));
+    QVERIFY(ui::reportTexts(report->cautions)
+                .join(QLatin1Char(' '))
+                .contains(QStringLiteral("0.100 mm")));
 
     series.positions.back().z += 5.0;
     const core::Volume gap = series.write(folder.filePath(QStringLiteral("gap")));

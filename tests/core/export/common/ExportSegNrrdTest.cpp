@@ -6,6 +6,7 @@
 #include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SmallSeries.h"
+#include "ui/texts/ReportTexts.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -222,7 +223,9 @@ void ExportSegNrrdTest::emptySegmentsAreLeftOut()
     const Fixture on;
     const auto report = on.exported({segmentOf(9), segmentOf(2)});
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
-    QVERIFY(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("Part 9")));
+    QVERIFY(ui::reportTexts(report->cautions)
+                .join(QLatin1Char(' '))
+                .contains(QStringLiteral("Part 9")));
     QCOMPARE(on.key("Segment0_Name"), QByteArray("Part 2"));
     QCOMPARE(on.key("Segment1_Name"), QByteArray("(none)"));
     const auto nothing = on.exported({segmentOf(9)});
@@ -277,15 +280,21 @@ void ExportSegNrrdTest::tiltedAndUnevenSlices()
     const Fixture tilted({0, 0.8, 2.5});
     const auto report = tilted.exported({segmentOf(1)});
     QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
-    QVERIFY(report->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("tilted")));
+    QVERIFY(ui::reportTexts(report->cautions)
+                .join(QLatin1Char(' '))
+                .contains(QStringLiteral("tilted")));
 
     Fixture on;
     on.series.positions[3].z += 0.1;
     on.volume = on.series.write(on.folder.filePath(QStringLiteral("little")));
     const auto little = on.exported({segmentOf(1)});
     QVERIFY2(little.has_value(), qPrintable(little ? QString() : messageOf(little.error())));
-    QVERIFY(little->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("NRRD file")));
-    QVERIFY(little->cautions.join(QLatin1Char(' ')).contains(QStringLiteral("0.100 mm")));
+    QVERIFY(ui::reportTexts(little->cautions)
+                .join(QLatin1Char(' '))
+                .contains(QStringLiteral("NRRD file")));
+    QVERIFY(ui::reportTexts(little->cautions)
+                .join(QLatin1Char(' '))
+                .contains(QStringLiteral("0.100 mm")));
 
     on.series.positions.back().z += 5.0;
     on.volume = on.series.write(on.folder.filePath(QStringLiteral("gap")));
@@ -399,7 +408,7 @@ void ExportSegNrrdTest::cancelledLeavesNothing()
 {
     const Fixture on;
     core::Progress* running = nullptr;
-    core::Progress progress([&](const QString&, int, int) { running->cancel(); });
+    core::Progress progress([&](core::ProgressStep, int, int) { running->cancel(); });
     running = &progress;
     const auto report = core::exportMask(on.volume, on.request({segmentOf(1)}), progress);
     QVERIFY(!report);

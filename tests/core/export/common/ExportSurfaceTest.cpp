@@ -2,8 +2,8 @@
 #include "core/export/common/CheckExport.h"
 #include "core/masks/MaskOnVolume.h"
 #include "core/meshfile/MeshReader.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/faults/FileSizeLimit.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/Affine.h"
 #include "tests/support/series/LabelledSeries.h"
@@ -75,7 +75,7 @@ struct Fixture : test::LabelledSeries {
                 .space = space},
             {});
     }
-    [[nodiscard]] core::Result<QStringList> checked(
+    [[nodiscard]] core::Result<core::ReportLines> checked(
         Format format, const char* name, core::MeshSpace space = core::MeshSpace::Lps) const
     {
         return core::checkSurfaceExport(format, file(name), {volume, segments, planes, space}, {});

@@ -260,7 +260,7 @@ void PacsFaultsTest::sendingEnds()
     core::PacsNode node = at(m_server->node(), wire.port());
     node.timeoutSeconds = 2;
     int sent = 0;
-    const core::Progress progress([&sent](const QString&, int done, int) { sent = done; });
+    const core::Progress progress([&sent](core::ProgressStep, int done, int) { sent = done; });
     const auto result = core::sendFiles(node, m_files, progress);
     VERIFY_ERROR(result, expected);
     QVERIFY(sent > 0);
@@ -276,7 +276,7 @@ void PacsFaultsTest::downloadGoesOn()
         QVERIFY(!get(at(m_server->node(), wire.port()), target()).has_value());
     }
     QStringList told;
-    const core::Progress progress([&told](const QString&, int done, int total) {
+    const core::Progress progress([&told](core::ProgressStep, int done, int total) {
         told.append(QStringLiteral("%1/%2").arg(done).arg(total));
     });
     const auto got = get(m_server->node(), target(), progress);

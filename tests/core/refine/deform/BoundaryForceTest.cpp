@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/deform/BoundaryForce.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/ShapedMask.h"
 #include "tests/support/scenes/TestVolumes.h"

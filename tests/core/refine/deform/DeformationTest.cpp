@@ -2,7 +2,7 @@
 #include "core/refine/deform/Deformation.h"
 #include "core/refine/deform/BoundaryForce.h"
 #include "core/refine/repair/MeshRestructuring.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/ShapedMask.h"
 #include "tests/support/scenes/SimplexShapes.h"

@@ -3,7 +3,7 @@
 #include "core/refine/mesh/SimplexDual.h"
 #include "core/refine/mesh/SimplexMeshEdit.h"
 #include "core/refine/repair/FaceThinning.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/ShapedMask.h"
 #include "tests/support/scenes/SimplexShapes.h"

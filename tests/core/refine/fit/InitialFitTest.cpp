@@ -7,7 +7,7 @@
 #include "core/refine/repair/SelfIntersections.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/ShapedMask.h"
 #include "tests/support/scenes/SharedData.h"

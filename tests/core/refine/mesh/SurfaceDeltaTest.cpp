@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/mesh/SurfaceDelta.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SimplexShapes.h"
 

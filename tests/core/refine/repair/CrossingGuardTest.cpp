@@ -3,7 +3,7 @@
 #include "core/refine/mesh/SimplexOperations.h"
 #include "core/refine/repair/MeshRestructuring.h"
 #include "core/refine/repair/SelfIntersections.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SimplexShapes.h"
 

@@ -2,7 +2,7 @@
 #include "core/refine/repair/SelfIntersections.h"
 #include "core/refine/mesh/SimplexDual.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SimplexShapes.h"
 

@@ -12,7 +12,7 @@
 #include "core/refine/tools/TemplateShape.h"
 #include "core/refine/voxels/GreyBox.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/ShapedMask.h"
 #include "tests/support/scenes/SharedData.h"

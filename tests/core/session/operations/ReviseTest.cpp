@@ -11,6 +11,7 @@
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/engine/EngineCommands.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/EditSession.h"
 #include "core/session/StepFindings.h"

@@ -6,7 +6,7 @@
 #include "core/refine/tools/SurfaceStroke.h"
 #include "core/session/surface/SurfaceWriteBack.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SharedData.h"
 

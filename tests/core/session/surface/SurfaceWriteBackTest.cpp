@@ -15,7 +15,6 @@
 #include "core/session/SessionSurface.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/ReferenceEngine.h"
-#include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"

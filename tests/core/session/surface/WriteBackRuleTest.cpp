@@ -4,7 +4,7 @@
 #include "core/refine/mesh/SurfaceDelta.h"
 #include "core/session/surface/FollowedVoxels.h"
 #include "core/session/surface/SurfaceWriteBack.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SimplexShapes.h"
 #include "tests/support/scenes/TestVolumes.h"

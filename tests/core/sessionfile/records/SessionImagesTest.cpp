@@ -22,6 +22,7 @@
 #include "tests/support/series/OpenedVolume.h"
 #include "tests/support/series/SessionFiles.h"
 #include "tests/support/series/SyntheticSeries.h"
+#include "ui/texts/ReportTexts.h"
 
 #include <QDir>
 #include <QFile>
@@ -431,7 +432,7 @@ private Q_SLOTS:
         const QStringList before = files();
         int told = 0;
         Progress* mine = nullptr;
-        Progress progress([&](const QString&, int done, int total) {
+        Progress progress([&](core::ProgressStep, int done, int total) {
             QCOMPARE(total, 3);
             told += 1;
             if (done == 1)
@@ -475,7 +476,9 @@ private Q_SLOTS:
             .planes = {{.plane = 0, .labels = labels}}};
         Result<ExportReport> report = exportMask(loaded->volume, request, Progress());
         QVERIFY2(report, qPrintable(report ? QString() : test::errorText(report.error())));
-        QVERIFY(report->cautions.join(u' ').contains(QStringLiteral("headers that the session")));
+        QVERIFY(ui::reportTexts(report->cautions)
+                    .join(u' ')
+                    .contains(QStringLiteral("headers that the session")));
         request.format = ExportFormat::DicomSeg;
         request.file = path("mask.dcm");
         report = exportMask(loaded->volume, request, Progress());

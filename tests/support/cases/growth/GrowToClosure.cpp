@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/growth/GrowToClosure.h"
 
+#include "core/engine/EngineCommands.h"
+
 #include <chrono>
 
 namespace test {

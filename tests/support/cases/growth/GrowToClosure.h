@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/engine/EditEngine.h"
+#include "core/growth/GrowthCommands.h"
 
 #include <cstdint>
 #include <span>

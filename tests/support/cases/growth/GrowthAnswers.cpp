@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/growth/GrowthAnswers.h"
 
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/program/LongRun.h"
 
 #include <algorithm>
 #include <initializer_list>

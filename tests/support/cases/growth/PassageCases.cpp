@@ -2,6 +2,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/RandomEdits.h"
 #include "tests/support/cases/growth/GrowthAnswers.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/cases/EngineCases.h"
 
 #include "core/growth/SeedWord.h"
+#include "tests/support/cases/EngineCases.h"
 
 #include <algorithm>
 #include <array>

@@ -5,6 +5,7 @@
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/RandomEdits.h"
 #include "tests/support/scenes/CutEdits.h"
 
 #include <algorithm>

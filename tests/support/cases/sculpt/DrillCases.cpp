@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/cases/EngineCases.h"
 
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/RandomEdits.h"
 
 #include <algorithm>
 

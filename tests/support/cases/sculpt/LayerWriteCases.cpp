@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/cases/EngineCases.h"
 
+#include "tests/support/cases/EngineCases.h"
 #include <array>
 
 namespace test {

@@ -4,6 +4,7 @@
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/RandomEdits.h"
 #include "tests/support/cases/growth/GrowthAnswers.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/RandomEdits.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/Edit.h"
-#include "tests/support/cases/EngineCases.h"
+#include "tests/support/cases/RandomEdits.h"
 #include "tests/support/cases/StrokeCases.h"
 
 namespace test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ReferenceEngine: what changes nothing.
-#include "tests/reference/ReferenceEngine.h"
+// Oracle: what changes nothing.
+#include "tests/reference/Oracle.h"
 
 #include "core/growth/SeedWord.h"
 #include "tests/reference/GrowthCut.h"
@@ -19,7 +19,7 @@ auto refuse(const char* field, const char* reason)
 
 } // namespace
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ReadCodes& command)
+Oracle::Outcome Oracle::carryOut(core::ReadCodes& command)
 {
     const core::VoxelBox& box = command.box;
     if (box.empty() || !m_codes.contains(box.minimum) || !m_codes.contains(box.maximum - 1))
@@ -32,7 +32,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ReadCodes& command)
     return result;
 }
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeVoxels& command)
+Oracle::Outcome Oracle::carryOut(core::ProbeVoxels& command)
 {
     core::EngineResult result;
     for (const glm::ivec3& voxel : command.voxels) {
@@ -48,7 +48,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeVoxels& command)
     return result;
 }
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeSeeds& command)
+Oracle::Outcome Oracle::carryOut(core::ProbeSeeds& command)
 {
     if (const core::Result<void> checked = checkGroups(command.seedGroups); !checked)
         return tl::unexpected(checked.error());
@@ -66,7 +66,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::ProbeSeeds& command)
     return result;
 }
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::PickVoxels& command)
+Oracle::Outcome Oracle::carryOut(core::PickVoxels& command)
 {
     if (command.seenBy == core::SeenBy::Opacity && command.opacityOfCode.size() != 256)
         return refuse("opacityOfCode", "has 256 entries");
@@ -77,7 +77,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::PickVoxels& command)
     return result;
 }
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::CountGenerations& command)
+Oracle::Outcome Oracle::carryOut(core::CountGenerations& command)
 {
     core::EngineResult result;
     for (const std::uint32_t word : m_fields.seedWords(command.plane).values) {
@@ -90,7 +90,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::CountGenerations& comma
     return result;
 }
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::TraceTolerance& command)
+Oracle::Outcome Oracle::carryOut(core::TraceTolerance& command)
 {
     if (m_open)
         return refuse("transaction", "an edit is open");
@@ -105,13 +105,13 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::TraceTolerance& command
     return result;
 }
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::DropTolerance&)
+Oracle::Outcome Oracle::carryOut(core::DropTolerance&)
 {
     m_tolerance.reset();
     return core::EngineResult{};
 }
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::PreviewCut& command)
+Oracle::Outcome Oracle::carryOut(core::PreviewCut& command)
 {
     if (m_open)
         return refuse("transaction", "an edit is open");
@@ -125,7 +125,7 @@ ReferenceEngine::Outcome ReferenceEngine::carryOut(core::PreviewCut& command)
     return result;
 }
 
-ReferenceEngine::Outcome ReferenceEngine::carryOut(core::DropCutPreview&)
+Oracle::Outcome Oracle::carryOut(core::DropCutPreview&)
 {
     return core::EngineResult{};
 }

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace core {
+
+/// A sentence for people, or a part of one, as a code with arguments: core hands it over, and the
+/// window and the command line word it (ui/texts).
+/// @tparam Code an enumeration of everything that is said about one subject
+template <class Code> struct Said {
+    /// Several, one behind the other, with what stands between two of them.
+    struct Listed {
+        Code joiner{};
+        std::vector<Said> all{};
+        bool operator==(const Listed& other) const
+        {
+            return joiner == other.joiner && all == other.all;
+        }
+    };
+    /// A count, which as the first argument decides between one and many; a name, a number in the
+    /// form in which it is shown, or a reason that somebody else gave; sentences in this one.
+    using Argument = std::variant<std::int64_t, QString, Listed>;
+
+    Code code{};
+    std::vector<Argument> arguments{};
+    // Not by default: sentences stand in sentences.
+    bool operator==(const Said& other) const
+    {
+        return code == other.code && arguments == other.arguments;
+    }
+};
+
+/// How a language says each of them.
+template <class Code> class SaidLanguage {
+public:
+    virtual ~SaidLanguage() = default;
+
+    /// The form of a sentence, with %1 … for its arguments.
+    /// @param count the first argument, if it is a count, else 0
+    [[nodiscard]] virtual QString form(Code code, std::int64_t count) const = 0;
+};
+
+/// Puts arguments into a form, all at once: what looks like a place of an argument in one of them
+/// stays as it is.
+[[nodiscard]] QString filledIn(const QString& text, const QStringList& arguments);
+
+template <class Code>
+[[nodiscard]] QString worded(const Said<Code>& said, const SaidLanguage<Code>& language);
+
+/// An argument as text.
+template <class Code> struct WordedArgument {
+    const SaidLanguage<Code>& language;
+
+    QString operator()(std::int64_t count) const { return QString::number(count); }
+    QString operator()(const QString& text) const { return text; }
+    QString operator()(const typename Said<Code>::Listed& listed) const
+    {
+        QStringList texts;
+        for (const Said<Code>& each : listed.all)
+            texts += worded(each, language);
+        return texts.join(language.form(listed.joiner, 0));
+    }
+};
+
+template <class Code> QString worded(const Said<Code>& said, const SaidLanguage<Code>& language)
+{
+    QStringList arguments;
+    for (const auto& argument : said.arguments)
+        arguments += std::visit(WordedArgument<Code>{language}, argument);
+    const auto* count =
+        said.arguments.empty() ? nullptr : std::get_if<std::int64_t>(&said.arguments.front());
+    return filledIn(language.form(said.code, count ? *count : 0), arguments);
+}
+
+} // namespace core

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/growth/GrowthProgress.h"
+
+namespace core {
+
+// What an open growth can be told while it runs. GrowAdvance: core/growth/GrowthProgress.h.
+
+/// Cancels growth steps that were requested and not yet done.
+struct GrowPause { };
+
+/// Begins the open growth again, as if it had been rolled back and opened with this burst. Steps
+/// requested before are cancelled.
+struct GrowAnew {
+    GrowBurst burst;
+};
+
+} // namespace core

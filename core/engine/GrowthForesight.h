@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/growth/GrowthCommands.h"
+#include "core/growth/SeedGroups.h"
+#include "core/growth/Tolerance.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+// Commands that ask what a growth is, or what it would become. They change no voxel.
+
+/// Computes the statistics around the seeds of a plane's labels: the sums by which a GrowBurst with
+/// this interval and these groups would narrow it (GrowLimits) if it opened now.
+struct ProbeSeeds {
+    std::uint8_t plane = 0;
+    int lowCode = 0;
+    int highCode = 65535;
+    std::vector<SeedGroup> seedGroups{};
+};
+
+/// Counts the members of each generation, for the window, in the present seed words of a plane,
+/// including those of an open edit. The result is `EngineResult::generationSizes`.
+struct CountGenerations {
+    std::uint8_t plane = 0;
+};
+
+/// Computes at which tolerance each voxel would join a segment (growth/Tolerance.h). It changes
+/// nothing. The result contains the curve when it is done. From then on the field exists:
+/// ProbeVoxels reads it, and it can be shown, until BeginEdit, SwapBricks, XorBricks, MuteLayers,
+/// DropTolerance or another TraceTolerance is carried out, or a volume is opened.
+struct TraceTolerance {
+    ToleranceRule rule;
+    /// False: compute only as much as leaves time for pictures and other commands. A result without
+    /// an error and without a curve then means that the next request continues the computation.
+    bool toTheEnd = true;
+};
+/// Discards the tolerance field. The result is empty.
+struct DropTolerance { };
+
+/// Computes what a CutGrowth would remove if it began now. It changes nothing. The result
+/// contains it (`cutPreview`). From then on it can be shown, until BeginEdit, SwapBricks, XorBricks
+/// or DropCutPreview is carried out, another PreviewCut is answered, or a volume is opened.
+struct PreviewCut {
+    CutGrowth cut;
+    /// False: do not wait for it. A result without an error and without `cutPreview` then means
+    /// that it is being computed beside other commands and pictures: ask again.
+    bool toTheEnd = true;
+};
+/// Discards what PreviewCut computed. The result is empty.
+struct DropCutPreview { };
+
+} // namespace core

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/engine/LabelCommands.h"
+
+namespace core {
+
+Result<void> checkSound(const EraseLabel& edit, const BrickGrid&)
+{
+    if (edit.label == 0)
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+    return {};
+}
+
+Result<void> checkSound(const PaintLabel& edit, const BrickGrid&)
+{
+    if (edit.label == 0)
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+    if (!isSound(edit.frame))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("frame"), QStringLiteral("is not sound"));
+    return {};
+}
+
+} // namespace core

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "core/sculpt/PickRay.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+// Commands that read single voxels, a box of them, or what a ray meets. They change nothing.
+
+/// Reads the seed words of voxels, in their order (`seedWords`).
+struct ReadSeedWords {
+    std::vector<glm::ivec3> voxels;
+    std::uint8_t plane = 0;
+};
+/// Reads the codes of a box: 16 bits each, x fastest (`codes`). The engine waits until the box has
+/// been copied, so a large box delays frames.
+struct ReadCodes {
+    VoxelBox box;
+};
+/// Reads codes, labels and pending seeds at voxels, for readouts, and tolerances if there is a
+/// tolerance field.
+struct ProbeVoxels {
+    std::vector<glm::ivec3> voxels;
+    std::uint8_t plane = 0; ///< of the labels
+};
+
+/// Casts rays to find what is visible; all integers, so a pick is the same on every machine. A hit
+/// is the voxel nearest to the sample found: (P + 2¹⁵) >> 16. Material, inside, carved and Z are
+/// those of CutFrame.h, rule 3, with the radiation at the time of this command, which includes what
+/// an open stroke has cut so far. Opacity: each sample that is inside and not carved adds o =
+/// opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from T =
+/// 65535; visible when T ≤ 32767. BrightestVoxel: Z over samples that are inside and not carved.
+struct PickVoxels {
+    std::vector<PickRay> rays{};
+    SeenBy seenBy = SeenBy::Surface;
+    int thresholdCode = 0;
+    std::vector<std::uint32_t> opacityOfCode{}; ///< 256 entries, only for Opacity
+};
+
+} // namespace core

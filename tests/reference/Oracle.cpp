@@ -1,0 +1,527 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/reference/Oracle.h"
+
+#include "core/brick/ThreadWithoutVoxels.h"
+#include "core/document/Document.h"
+#include "core/growth/SeedWord.h"
+#include "tests/reference/GrowthCut.h"
+#include "tests/reference/LayerWrites.h"
+#include "tests/reference/Radiation.h"
+#include "tests/reference/Spread.h"
+
+#include <algorithm>
+
+namespace reference {
+
+namespace {
+
+auto refuse(const char* field, const char* reason)
+{
+    return core::failure(
+        core::ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
+}
+
+} // namespace
+
+core::Result<void> Oracle::openVolume(const glm::ivec3& size, std::span<const std::uint16_t> codes)
+{
+    if (size.x < 1 || size.y < 1 || size.z < 1
+        || codes.size() != std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
+        return core::failure(core::ErrorCode::InvalidGeometry, QStringLiteral("volume"));
+    m_open.reset();
+    m_tolerance.reset();
+    m_codes = {size, {codes.begin(), codes.end()}};
+    m_fields = DenseFields(size);
+    m_muted.reset();
+    return {};
+}
+
+core::Ticket Oracle::submit(core::EngineCommand command)
+{
+    const core::VoxelsAllowed engine; // it has no thread of its own
+    const core::Ticket ticket = ++m_lastTicket;
+    Outcome outcome = std::visit([this](auto& known) { return carryOut(known); }, command);
+    if (outcome && !*outcome)
+        return ticket;
+    core::EngineResult result = outcome ? std::move(**outcome) : core::EngineResult{};
+    if (!outcome)
+        result.error = outcome.error();
+    result.ticket = ticket;
+    m_results.push_back(std::move(result));
+    if (m_wakeUp)
+        m_wakeUp();
+    return ticket;
+}
+
+std::vector<core::EngineResult> Oracle::collect()
+{
+    return std::exchange(m_results, {});
+}
+
+DenseArray<std::uint8_t> Oracle::carved() const
+{
+    return radiation(m_fields.composedCoverage(m_muted));
+}
+
+core::GrowthProgress Oracle::growthProgress() const
+{
+    core::GrowthProgress progress;
+    const Growth* growth = m_open ? std::get_if<Growth>(&m_open->work) : nullptr;
+    if (!growth)
+        return progress;
+    progress.open = true;
+    progress.atClosure = growth->atClosure();
+    progress.generation = growth->generation();
+    progress.frontSizes = growth->frontSizes();
+    progress.alarm = growth->alarm();
+    for (const std::uint32_t size : progress.frontSizes)
+        progress.members += size;
+    return progress;
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::SeedPlacement& edit)
+{
+    if (edit.label == 0)
+        return refuse("label", "0 is no segment");
+    for (const std::vector<glm::ivec3>* voxels : {&edit.taken, &edit.voxels}) {
+        for (const glm::ivec3& voxel : *voxels) {
+            if (!m_codes.contains(voxel))
+                return refuse("voxels", "outside the volume");
+        }
+    }
+    placeSeeds(m_fields, edit);
+    return Done{};
+}
+
+core::Result<void> Oracle::checkGroups(const std::vector<core::SeedGroup>& groups) const
+{
+    if (!core::isSound(groups))
+        return refuse("seedGroups", "are not sound");
+    for (const core::SeedGroup& group : groups) {
+        for (const glm::ivec3& voxel : group.voxels) {
+            if (!m_codes.contains(voxel))
+                return refuse("voxels", "outside the volume");
+        }
+    }
+    return {};
+}
+
+core::Result<void> Oracle::check(const core::GrowBurst& edit) const
+{
+    if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
+        return refuse("connectivity", "is not 6, 18 or 26");
+    if (!core::isSound(edit))
+        return refuse("limits", "are not sound");
+    return checkGroups(edit.seedGroups);
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::GrowBurst& edit)
+{
+    if (const core::Result<void> checked = check(edit); !checked)
+        return tl::unexpected(checked.error());
+    return Growth(m_codes, m_fields.composedCoverage(m_muted), m_fields, std::move(edit));
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::ShrinkGrowth& edit)
+{
+    if (edit.keep > edit.generation)
+        return refuse("keep", "is more than there is");
+    return Shrunk{edit, shrinkGrowth(m_fields, edit)};
+}
+
+core::Result<void> Oracle::checkCut(const core::CutGrowth& edit) const
+{
+    if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
+        return refuse("connectivity", "is not 6, 18 or 26");
+    for (const glm::ivec3& voxel : edit.voxels) {
+        if (!m_codes.contains(voxel))
+            return refuse("voxels", "outside the volume");
+    }
+    return {};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::CutGrowth& edit)
+{
+    if (const core::Result<void> checked = checkCut(edit); !checked)
+        return tl::unexpected(checked.error());
+    const core::Result<std::uint32_t> to = cutGrowth(m_fields, edit);
+    if (!to)
+        return tl::unexpected(to.error());
+    return CutBack{edit.generation, *to};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::PaintBarrier& edit)
+{
+    if (!core::isSound(edit.frame))
+        return refuse("frame", "is not sound");
+    return Capsules(m_codes, m_fields, edit);
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::BarrierListed& edit)
+{
+    if (!core::isSound(edit, core::BrickGrid{m_codes.size}.brickCount()))
+        return refuse("bricks", "are not sound");
+    writeBarriers(m_fields, edit);
+    return Done{};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::SpreadLabels& edit)
+{
+    if (!core::isSound(edit, m_codes.size))
+        return refuse("spread", "is not sound");
+    if (const core::Result<void> spread = spreadLabels(m_codes, m_fields, edit); !spread)
+        return tl::unexpected(spread.error());
+    return Spread{};
+}
+
+namespace {
+
+bool isSound(const core::CutFrame& frame)
+{
+    return frame.pitch >= 1 && frame.rampHalfWidth >= 1 && frame.gapSamples >= 1;
+}
+
+constexpr const char* unsoundHidden = "is not sound";
+constexpr const char* unsound = "pitch, rampHalfWidth and gapSamples are at least 1";
+
+} // namespace
+
+core::Result<Oracle::Work> Oracle::begin(core::LaserCut& edit)
+{
+    if (!isSound(edit.frame))
+        return refuse("frame", unsound);
+    if (!core::isSound(edit.frame.hidden))
+        return refuse("hidden", unsoundHidden);
+    if (!core::isSound(edit))
+        return refuse("laser", "is not sound");
+    return Laser(m_codes, carved(), m_fields, edit);
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::ShellPeel& edit)
+{
+    if (!isSound(edit.frame))
+        return refuse("frame", unsound);
+    if (!core::isSound(edit.frame.hidden))
+        return refuse("hidden", unsoundHidden);
+    return Peel(m_codes, carved(), m_fields, edit);
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::OutlineCut& edit)
+{
+    if (!isSound(edit.frame))
+        return refuse("frame", unsound);
+    if (!core::isSound(edit.frame.hidden))
+        return refuse("hidden", unsoundHidden);
+    return Done{cutWithScissors(m_codes, carved(), m_fields, edit)};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::DrillCut& edit)
+{
+    if (!isSound(edit.frame))
+        return refuse("frame", unsound);
+    if (!core::isSound(edit.frame.hidden))
+        return refuse("hidden", unsoundHidden);
+    return Drill(m_codes, carved(), m_fields, edit);
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::EraseLabel& edit)
+{
+    if (edit.label == 0)
+        return refuse("label", "0 is no segment");
+    eraseLabel(m_fields, edit);
+    return Done{};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::PaintLabel& edit)
+{
+    if (edit.label == 0)
+        return refuse("label", "0 is no segment");
+    if (!core::isSound(edit.frame))
+        return refuse("frame", "is not sound");
+    return Capsules(m_codes, m_fields, edit);
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::CapsuleCut& edit)
+{
+    if (!core::isSound(edit.frame))
+        return refuse("frame", "is not sound");
+    if (!core::isSound(edit.hidden))
+        return refuse("hidden", unsoundHidden);
+    return Capsules(m_codes, m_fields, edit);
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::LabelCarved& edit)
+{
+    if (edit.target.label == 0)
+        return refuse("label", "0 is no segment");
+    labelCarved(m_fields, edit);
+    return Done{};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::LabelSeen& edit)
+{
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
+    labelSeen(m_codes, m_fields.composedCoverage(m_muted), m_fields, edit);
+    return Done{};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::LabelListed& edit)
+{
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
+    labelListed(m_fields, edit);
+    return Done{};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::RelabelListed& edit)
+{
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
+    relabelListed(m_fields, edit);
+    return Done{};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::MapLabels& edit)
+{
+    mapLabels(m_fields, edit);
+    return Done{};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::CoverLabel& edit)
+{
+    if (edit.label == 0)
+        return refuse("label", "0 is no segment");
+    coverLabel(m_fields, edit);
+    return Done{};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::FoldLayer& edit)
+{
+    if (edit.into == edit.layer)
+        return refuse("into", "is the layer itself");
+    foldLayer(m_fields, edit);
+    return Done{};
+}
+
+Oracle::Outcome Oracle::carryOut(core::BeginEdit& command)
+{
+    if (m_open)
+        return refuse("transaction", "another edit is open");
+    m_tolerance.reset();
+    DenseFields before = m_fields;
+    auto work = std::visit([this](auto& edit) { return begin(edit); }, command.edit);
+    if (!work)
+        return tl::unexpected(work.error());
+    m_open.emplace(Transaction{std::move(before), std::move(*work)});
+    return std::nullopt;
+}
+
+Oracle::Outcome Oracle::carryOut(core::ExtendEdit& command)
+{
+    if (!m_open)
+        return refuse("transaction", "no edit is open");
+    if (const auto* path = std::get_if<core::DrillPath>(&command.extension)) {
+        Drill* drill = std::get_if<Drill>(&m_open->work);
+        Laser* laser = std::get_if<Laser>(&m_open->work);
+        if (!drill && !laser)
+            return refuse("extension", "the open edit is no stroke of drill or laser");
+        if (drill)
+            drill->extend(path->samples);
+        else
+            laser->extend(path->samples);
+        return std::nullopt;
+    }
+    if (const auto* path = std::get_if<core::CapsulePath>(&command.extension)) {
+        Capsules* stroke = std::get_if<Capsules>(&m_open->work);
+        if (!stroke)
+            return refuse("extension", "the open edit is no stroke of a brush");
+        stroke->extend(path->capsules);
+        return std::nullopt;
+    }
+    if (const auto* depth = std::get_if<core::PeelDepth>(&command.extension)) {
+        Peel* peel = std::get_if<Peel>(&m_open->work);
+        if (!peel)
+            return refuse("extension", "the open edit is no peel");
+        if (depth->depth < 0)
+            return refuse("depth", "is below 0");
+        peel->setDepth(depth->depth);
+        return std::nullopt;
+    }
+    if (const auto* to = std::get_if<core::ShrinkTo>(&command.extension)) {
+        Shrunk* shrunk = std::get_if<Shrunk>(&m_open->work);
+        if (!shrunk)
+            return refuse("extension", "the open edit is no shrinking");
+        if (to->keep > shrunk->edit.generation)
+            return refuse("keep", "is more than there is");
+        shrunk->edit.keep = to->keep;
+        shrunk->edit.keepSeeds = to->keep == 0;
+        m_fields = m_open->before;
+        shrunk->to = shrinkGrowth(m_fields, shrunk->edit);
+        return std::nullopt;
+    }
+    if (std::holds_alternative<core::ForgetSpread>(command.extension)) {
+        if (!std::holds_alternative<Spread>(m_open->work))
+            return refuse("extension", "the open edit does not grow from seeds");
+        return std::nullopt;
+    }
+    Growth* growth = std::get_if<Growth>(&m_open->work);
+    if (!growth)
+        return refuse("extension", "the open edit is no growth");
+    if (const auto* anew = std::get_if<core::GrowAnew>(&command.extension)) {
+        if (anew->burst.plane != growth->plane())
+            return refuse("plane", "is another one");
+        if (const core::Result<void> checked = check(anew->burst); !checked)
+            return tl::unexpected(checked.error());
+        m_fields = m_open->before;
+        m_open->work.emplace<Growth>(
+            m_codes, m_fields.composedCoverage(m_muted), m_fields, anew->burst);
+        return std::nullopt;
+    }
+    if (const auto* advance = std::get_if<core::GrowAdvance>(&command.extension))
+        growth->advance(advance->steps);
+    return std::nullopt;
+}
+
+std::optional<std::int32_t> Oracle::searchedTo() const
+{
+    if (const auto* drill = std::get_if<Drill>(&m_open->work))
+        return drill->searchedTo();
+    if (const auto* laser = std::get_if<Laser>(&m_open->work))
+        return laser->searchedTo();
+    if (const auto* peel = std::get_if<Peel>(&m_open->work))
+        return peel->searchedTo();
+    const auto* done = std::get_if<Done>(&m_open->work);
+    return done ? done->searchedTo : std::nullopt;
+}
+
+Oracle::Outcome Oracle::carryOut(core::EndEdit& command)
+{
+    if (!m_open)
+        return refuse("transaction", "no edit is open");
+    core::EngineResult result;
+    Growth* growth = std::get_if<Growth>(&m_open->work);
+    const Shrunk* shrunk = std::get_if<Shrunk>(&m_open->work);
+    const CutBack* cut = std::get_if<CutBack>(&m_open->work);
+    if (command.ending == core::Ending::Rollback) {
+        if (growth)
+            result.generation = growth->openedAt();
+        if (shrunk)
+            result.generation = shrunk->edit.generation;
+        if (cut)
+            result.generation = cut->from;
+        m_fields = std::move(m_open->before);
+    } else {
+        if (growth) {
+            result.generation = growth->generation();
+            result.atClosure = growth->atClosure();
+            result.alarm = growth->alarm();
+        }
+        if (shrunk)
+            result.generation = shrunk->to;
+        if (cut)
+            result.generation = cut->to;
+        result.changes = DenseFields::changes(m_open->before, m_fields);
+        result.facts = core::factsOf(result.changes, core::BrickGrid{m_codes.size});
+        result.statistics = core::statisticsOf(result.facts);
+        if (growth)
+            result.statistics.generations = int(growth->frontSizes().size());
+        if (shrunk)
+            result.statistics.generations = int(shrunk->edit.generation - shrunk->to);
+        if (cut)
+            result.statistics.generations = std::max(int(cut->from) - int(cut->to), 0);
+        result.statistics.searchedTo = searchedTo();
+    }
+    m_open.reset();
+    return result;
+}
+
+core::Result<void> Oracle::checkImages(
+    const std::vector<core::BrickImage>& images, bool mayBeEmpty) const
+{
+    if (m_open)
+        return refuse("transaction", "an edit is open");
+    for (const core::BrickImage& image : images) {
+        if (!m_fields.holds(image.key))
+            return refuse("brick", "not in this volume");
+        const std::size_t whole =
+            std::size_t(core::BrickGrid::voxelsPerBrick * core::bytesPerVoxel(image.key.field));
+        if (image.bytes.size() != whole && !(mayBeEmpty && image.bytes.empty()))
+            return refuse("bytes", "neither none nor a whole brick");
+    }
+    return {};
+}
+
+std::vector<core::BrickImage> Oracle::imagesNow(const std::vector<core::BrickKey>& keys) const
+{
+    std::vector<core::BrickImage> images;
+    for (const core::BrickKey& key : keys)
+        images.push_back({.key = key, .bytes = m_fields.readBrick(key)});
+    return images;
+}
+
+Oracle::Outcome Oracle::put(const core::LabelGuard& guard, const std::vector<core::BrickImage>& now,
+    const std::vector<core::BrickImage>& images)
+{
+    if (const core::Result<void> checked = core::checkGuard(guard, now, images); !checked)
+        return tl::unexpected(checked.error());
+    m_tolerance.reset();
+    const DenseFields before = m_fields;
+    for (const core::BrickImage& image : images)
+        m_fields.writeBrick(image.key, image.bytes.read());
+    core::EngineResult result;
+    result.changes = DenseFields::changes(before, m_fields);
+    result.facts = core::factsOf(result.changes, core::BrickGrid{m_codes.size});
+    result.statistics = core::statisticsOf(result.facts);
+    return result;
+}
+
+Oracle::Outcome Oracle::carryOut(core::SwapBricks& command)
+{
+    if (const core::Result<void> checked = checkImages(command.bricks, true); !checked)
+        return tl::unexpected(checked.error());
+    return put(command.guard, imagesNow(core::bricksToRead(command.bricks, command.guard)),
+        command.bricks);
+}
+
+Oracle::Outcome Oracle::carryOut(core::XorBricks& command)
+{
+    if (const core::Result<void> checked = checkImages(command.differences, false); !checked)
+        return tl::unexpected(checked.error());
+    const std::vector<core::BrickImage> now =
+        imagesNow(core::bricksToRead(command.differences, command.guard));
+    return put(command.guard, now, core::laidOver(command.differences, now));
+}
+
+Oracle::Outcome Oracle::carryOut(core::ReadSeedWords& command)
+{
+    core::EngineResult result;
+    for (const glm::ivec3& voxel : command.voxels) {
+        if (!m_codes.contains(voxel))
+            return refuse("voxels", "outside the volume");
+        result.seedWords.push_back(m_fields.seedWords(command.plane).at(voxel));
+    }
+    return result;
+}
+
+Oracle::Outcome Oracle::carryOut(core::MuteLayers& command)
+{
+    if (m_open)
+        return refuse("transaction", "an edit is open");
+    m_tolerance.reset();
+    m_muted = command.muted;
+    return core::EngineResult{};
+}
+
+Oracle::Outcome Oracle::carryOut(core::ReadBricks& command)
+{
+    core::EngineResult result;
+    for (const core::BrickKey& key : command.keys) {
+        if (!m_fields.holds(key))
+            return refuse("brick", "not in this volume");
+        result.changes.push_back({key, {}, m_fields.readBrick(key)});
+    }
+    return result;
+}
+
+} // namespace reference

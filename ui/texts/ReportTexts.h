@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/export/common/ExportMask.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace ui {
+
+/// What an export did, in sentences.
+struct WordedReport {
+    QString file;
+    QStringList written;
+    QStringList checked;
+    QStringList cautions; ///< what a reader of the file must know
+    QString sha256{}; ///< core::ExportReport::sha256
+};
+
+[[nodiscard]] QString reportText(const core::ReportLine& line);
+[[nodiscard]] QStringList reportTexts(const core::ReportLines& lines);
+[[nodiscard]] WordedReport reportTexts(const core::ExportReport& report);
+
+} // namespace ui
