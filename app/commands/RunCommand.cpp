@@ -60,6 +60,7 @@ QString recipeIfAtFault(const core::Error& error, const core::Recipe& recipe)
     case ErrorCode::SegmentProtected:
     case ErrorCode::SeedsStay:
     case ErrorCode::NothingGrown:
+    case ErrorCode::EverythingGrown:
     case ErrorCode::StepsEntangled:
         return recipe.path;
     default:

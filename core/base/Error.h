@@ -37,6 +37,7 @@ enum class ErrorCode {
     /// seeds and painted voxels of a growth cannot be removed; argument 0: how many were requested
     SeedsStay,
     NothingGrown, ///< at the places where a growth was to be removed
+    EverythingGrown, ///< would be removed
     StepsEntangled, ///< argument 0: why steps cannot be undone alone
     // Session: argument 0 is the file, argument 1 the reason.
     SessionDamaged,

@@ -54,7 +54,7 @@ struct EngineEdit : EngineEditVariant {
 
 /// What an open edit can be told while it runs.
 using EngineExtensionVariant = std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath,
-    PeelDepth, ShrinkTo, GrowAnew, ForgetSpread>;
+    PeelDepth, ShrinkTo, GrowAnew, ForgetSpread, CutFurther>;
 
 /// Any one of them; a struct, so that headers can name it without knowing them.
 struct EngineExtension : EngineExtensionVariant {

@@ -130,6 +130,9 @@ Result<void> checkSound(const CutGrowth& edit, const BrickGrid& grid)
 {
     if (const Result<void> checked = checkConnectivity(edit.connectivity); !checked)
         return checked;
+    if (edit.steps < 1)
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("steps"), QStringLiteral("are none"));
     return checkWithin(edit.voxels, grid);
 }
 

@@ -217,6 +217,9 @@ struct CutGrowth {
         /// nearer to the seeds stays.
         Subtree,
         Neck, ///< all that grew through a narrow passage before them; nothing if there is none
+        /// The given voxels and what descends from them, then their parents, generation by
+        /// generation; what is nearer to the seeds stays.
+        Backwards,
     };
     std::uint8_t plane = 0;
     How how = How::Subtree;
@@ -225,7 +228,15 @@ struct CutGrowth {
     std::uint32_t generation = 0; ///< the generation now
     std::bitset<256> lockedLabels{};
     std::vector<glm::ivec3> voxels{}; ///< inside the volume
+    std::uint32_t steps = 1; ///< with Backwards: how many, at least 1 (GrowthCut.h, rule 12)
     bool operator==(const CutGrowth&) const = default;
+};
+
+/// Takes an open CutGrowth with How::Backwards further: voxels, words and generation become what
+/// they would be if it had been opened with so many steps. It ends where further steps take nothing
+/// and before the step that would take everything. It never goes back.
+struct CutFurther {
+    std::uint32_t steps = 1; ///< in all, at least 1
 };
 
 /// What a CutGrowth would remove, as it is shown before it is carried out.

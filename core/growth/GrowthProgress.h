@@ -18,6 +18,19 @@ struct GrowAdvance {
     double generationsPerSecond = 0.0;
 };
 
+/// How far an open CutGrowth with How::Backwards has come.
+struct BackwardProgress {
+    enum class Bound : std::uint8_t {
+        None, ///< it can go on
+        Seeds, ///< all that is left before it is nearer to the seeds
+        Everything, ///< the next step would take all that has grown
+    };
+    std::uint32_t steps = 0;
+    std::int64_t members = 0; ///< that leave the growth
+    Bound bound = Bound::None;
+    bool operator==(const BackwardProgress&) const = default;
+};
+
 /// How far a running growth has come: a copy for the window.
 struct GrowthProgress {
     bool open = false;
@@ -28,6 +41,7 @@ struct GrowthProgress {
     /// voxels added by each generation, that of the opening first
     std::vector<std::uint32_t> frontSizes;
     std::optional<LeakAlarm> alarm{};
+    std::optional<BackwardProgress> backwards{}; ///< of such a cut; all others are of a growth
 };
 
 } // namespace core

@@ -82,7 +82,9 @@ public:
     /// @param lifted a new path begins at the first of these points (not for tools of a surface)
     void extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted = false);
     void setPeelDepth(double depthMm);
-    /// replaces the earlier number; more than there are: back to the seeds
+    /// Of a ShrinkSteps: replaces the earlier number; more than there are: back to the seeds. Of a
+    /// ShrinkAt with steps: goes on until there are so many, as far as that is possible
+    /// (growthProgress() tells how far it is); never back.
     void setShrinkSteps(int steps);
     void extendGrowth(GrowAdvance advance);
     /// as if begun with it; extendGrowth() must be called again

@@ -2,6 +2,7 @@
 #include "gpu/engine/BeginWork.h"
 #include "gpu/engine/EditTransaction.h"
 #include "gpu/kernels/growth/GrowthKernel.h"
+#include "gpu/kernels/shrink/CutBackwards.h"
 #include "gpu/kernels/shrink/CutGrown.h"
 #include "gpu/kernels/shrink/ShrinkKernel.h"
 #include "gpu/kernels/work/JoinPieces.h"
@@ -199,6 +200,50 @@ private:
     CutOutcome m_outcome;
 };
 
+/// A growth that is taken back from a sketch, generation by generation.
+class BackwardWork final : public EditWork {
+public:
+    BackwardWork(std::uint32_t openedAt, std::unique_ptr<CutBackwards> cut)
+        : m_openedAt(openedAt)
+        , m_cut(std::move(cut))
+    {
+    }
+    core::Result<void> extend(const core::EngineExtension& extension) override
+    {
+        const auto* further = std::get_if<core::CutFurther>(&extension);
+        if (!further)
+            return EditWork::extend(extension);
+        if (further->steps < 1)
+            return refusal("steps", "are none");
+        m_cut->advanceTo(further->steps);
+        return {};
+    }
+    /// One that is refused must be refused by itself.
+    bool join(core::EngineExtension& earlier, core::EngineExtension& next) const override
+    {
+        auto* further = std::get_if<core::CutFurther>(&earlier);
+        if (!further)
+            return false;
+        const core::CutFurther& later = std::get<core::CutFurther>(next);
+        if (std::min(further->steps, later.steps) < 1)
+            return false;
+        further->steps = std::max(further->steps, later.steps);
+        return true;
+    }
+    std::vector<core::BrickKey> touchedKeys() const override { return m_cut->touchedKeys(); }
+    void finish(core::EngineResult& result) override
+    {
+        result.generation = m_cut->generation();
+        result.statistics.generations = int(m_cut->progress().steps);
+    }
+    void rollBack(core::EngineResult& result) override { result.generation = m_openedAt; }
+    core::GrowthProgress progress() const override { return {.backwards = m_cut->progress()}; }
+
+private:
+    std::uint32_t m_openedAt; ///< generation
+    std::unique_ptr<CutBackwards> m_cut;
+};
+
 class SpreadWork final : public EditWork {
 public:
     SpreadWork(std::unique_ptr<SpreadKernel> kernel, VoxelFields& fields)
@@ -248,6 +293,12 @@ BegunWork begun(const core::ShrinkGrowth& edit, const WorkContext& context)
 
 BegunWork begun(const core::CutGrowth& edit, const WorkContext& context)
 {
+    if (edit.how == core::CutGrowth::How::Backwards) {
+        auto cut = CutBackwards::begin(context.fields, context.before, edit);
+        if (!cut)
+            return tl::unexpected(cut.error());
+        return std::make_unique<BackwardWork>(edit.generation, *std::move(cut));
+    }
     core::Result<CutOutcome> outcome = cutGrown(context.fields, context.before, edit);
     if (!outcome)
         return tl::unexpected(outcome.error());

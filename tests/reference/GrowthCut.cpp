@@ -39,6 +39,10 @@ public:
     Outcome outcome(const Set& sketch) const
     {
         using How = core::CutGrowth::How;
+        if (m_command.how == How::Backwards) {
+            const Set leaving = backwards(sketch);
+            return withoutThem(leaving, m_family.behind(leaving));
+        }
         const bool here = m_command.how == How::Here;
         const std::optional<Set> cut = here ? std::nullopt : narrowestCut(sketch);
         Outcome found;
@@ -50,7 +54,84 @@ public:
         if (cut)
             from.insert(cut->begin(), cut->end());
         const Set all = m_family.behind(from);
-        found.leaving = here ? sketch : m_family.notNearerToRoots(all, sketch);
+        return withoutThem(here ? sketch : m_family.notNearerToRoots(all, sketch), all);
+    }
+
+    /// Rule 12: what leaves, before what rule 10 finds.
+    Set backwards(const Set& sketch) const
+    {
+        const Set near = nearMembers(sketch);
+        const Set ancestors = ancestorsAt(m_command.steps, near, sketch);
+        Set leaving;
+        for (const auto& [n, members] : m_family.byGeneration()) {
+            for (const std::size_t voxel : members) {
+                bool leaves = ancestors.count(voxel) != 0;
+                for (const std::size_t parent : m_family.parents(voxel))
+                    leaves = leaves || (near.count(voxel) != 0 && leaving.count(parent) != 0);
+                if (leaves)
+                    leaving.insert(voxel);
+            }
+        }
+        return leaving;
+    }
+    bool isEverything(const Set& leaving) const
+    {
+        for (const auto& [n, members] : m_family.byGeneration()) {
+            for (const std::size_t voxel : members) {
+                if (!m_family.isRoot(voxel) && leaving.count(voxel) == 0)
+                    return false;
+            }
+        }
+        return true;
+    }
+    /// How many steps of those that are asked for do anything.
+    std::uint32_t stepsDone(const Set& sketch) const
+    {
+        const Set near = nearMembers(sketch);
+        std::uint32_t done = 1;
+        while (done < m_command.steps
+            && ancestorsAt(done, near, sketch) != ancestorsAt(done + 1, near, sketch))
+            ++done;
+        return done;
+    }
+
+private:
+    Set nearMembers(const Set& sketch) const
+    {
+        Set grown;
+        for (const auto& [n, members] : m_family.byGeneration()) {
+            for (const std::size_t voxel : members) {
+                if (!m_family.isRoot(voxel))
+                    grown.insert(voxel);
+            }
+        }
+        return m_family.notNearerToRoots(grown, sketch);
+    }
+    Set ancestorsAt(std::uint32_t step, const Set& near, const Set& sketch) const
+    {
+        Set ancestors = sketch;
+        for (std::uint32_t before = 1; before < step; ++before) {
+            Set more;
+            for (const std::size_t voxel : ancestors) {
+                for (const std::size_t parent : m_family.parents(voxel)) {
+                    if (near.count(parent) != 0)
+                        more.insert(parent);
+                }
+            }
+            const std::size_t known = ancestors.size();
+            ancestors.merge(more);
+            if (ancestors.size() == known)
+                break;
+        }
+        return ancestors;
+    }
+
+    /// Rule 10. @param all what lies behind what leaves
+    Outcome withoutThem(const Set& leaving, const Set& all) const
+    {
+        const bool here = m_command.how == core::CutGrowth::How::Here;
+        Outcome found;
+        found.leaving = leaving;
         Set staying;
         for (const std::size_t voxel : all) {
             if (found.leaving.count(voxel) == 0)
@@ -71,7 +152,6 @@ public:
         return found;
     }
 
-private:
     /// Rules 4 to 6 and 8.
     [[nodiscard]] std::optional<Set> narrowestCut(const Set& sketch) const
     {
@@ -288,13 +368,26 @@ core::Result<std::map<std::uint32_t, Set>> sketches(
 
 } // namespace
 
-core::Result<std::uint32_t> cutGrowth(DenseFields& fields, const core::CutGrowth& command)
+core::Result<CutDone> cutGrowth(DenseFields& fields, const core::CutGrowth& command)
 {
     Words& words = fields.seedWords(command.plane);
     const Words before = words;
     const auto sketched = sketches(before, command);
     if (!sketched)
         return tl::unexpected(sketched.error());
+    CutDone done{.generation = command.generation};
+    if (command.how == core::CutGrowth::How::Backwards) {
+        for (const auto& [label, sketch] : *sketched) {
+            const LabelCut cut(before, command, label);
+            const Set leaving = cut.backwards(sketch);
+            if (cut.isEverything(leaving))
+                return core::failure(core::ErrorCode::EverythingGrown);
+            done.backwards.steps = std::max(done.backwards.steps, cut.stepsDone(sketch));
+            done.backwards.members += std::int64_t(leaving.size());
+        }
+        if (done.backwards.steps < command.steps)
+            done.backwards.bound = core::BackwardProgress::Bound::Seeds;
+    }
     bool anything = false;
     for (const auto& [label, sketch] : *sketched) {
         const LabelCut cut(before, command, label);
@@ -323,13 +416,14 @@ core::Result<std::uint32_t> cutGrowth(DenseFields& fields, const core::CutGrowth
         anything = anything || !leaving.empty();
     }
     if (!anything)
-        return command.generation;
+        return done;
     std::uint32_t greatest = 0;
     for (const std::uint32_t word : words.values) {
         if (seedWord::isMember(word))
             greatest = std::max(greatest, seedWord::generation(word));
     }
-    return greatest;
+    done.generation = greatest;
+    return done;
 }
 
 core::Result<core::CutPreview> previewCut(const DenseFields& fields, const core::CutGrowth& command)

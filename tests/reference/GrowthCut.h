@@ -3,13 +3,19 @@
 
 #include "core/base/Result.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/growth/GrowthProgress.h"
 #include "tests/reference/DenseFields.h"
 
 namespace reference {
 
+struct CutDone {
+    std::uint32_t generation = 0; ///< then
+    core::BackwardProgress backwards{}; ///< without a bound before everything
+};
+
 /// Takes back what grew through some places, by the rules in core/growth/cut/GrowthCut.h, each
-/// written down as it stands there. @return the generation then
-core::Result<std::uint32_t> cutGrowth(DenseFields& fields, const core::CutGrowth& command);
+/// written down as it stands there.
+core::Result<CutDone> cutGrowth(DenseFields& fields, const core::CutGrowth& command);
 
 /// What it would take: the cut is made in a copy, and the two are compared.
 core::Result<core::CutPreview> previewCut(

@@ -4,7 +4,6 @@
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/document/Document.h"
 #include "core/growth/SeedWord.h"
-#include "tests/reference/GrowthCut.h"
 #include "tests/reference/LayerWrites.h"
 #include "tests/reference/Radiation.h"
 #include "tests/reference/Spread.h"
@@ -67,6 +66,9 @@ core::GrowthProgress Oracle::growthProgress() const
 {
     core::GrowthProgress progress;
     const Growth* growth = m_open ? std::get_if<Growth>(&m_open->work) : nullptr;
+    const CutBack* cut = m_open ? std::get_if<CutBack>(&m_open->work) : nullptr;
+    if (cut && cut->edit.how == core::CutGrowth::How::Backwards)
+        progress.backwards = cut->done.backwards;
     if (!growth)
         return progress;
     progress.open = true;
@@ -133,6 +135,8 @@ core::Result<void> Oracle::checkCut(const core::CutGrowth& edit) const
 {
     if (edit.connectivity != 6 && edit.connectivity != 18 && edit.connectivity != 26)
         return refuse("connectivity", "is not 6, 18 or 26");
+    if (edit.steps < 1)
+        return refuse("steps", "are none");
     for (const glm::ivec3& voxel : edit.voxels) {
         if (!m_codes.contains(voxel))
             return refuse("voxels", "outside the volume");
@@ -144,10 +148,33 @@ core::Result<Oracle::Work> Oracle::begin(core::CutGrowth& edit)
 {
     if (const core::Result<void> checked = checkCut(edit); !checked)
         return tl::unexpected(checked.error());
-    const core::Result<std::uint32_t> to = cutGrowth(m_fields, edit);
-    if (!to)
-        return tl::unexpected(to.error());
-    return CutBack{edit.generation, *to};
+    core::Result<CutDone> done = cutGrowth(m_fields, edit);
+    if (!done)
+        return tl::unexpected(done.error());
+    return CutBack{edit, *std::move(done)};
+}
+
+/// Begins again for every step, as far as it is not refused.
+core::Result<void> Oracle::cutFurther(CutBack& cut, const core::CutFurther& further)
+{
+    if (cut.edit.how != core::CutGrowth::How::Backwards)
+        return refuse("extension", "the open edit is no cut backwards");
+    if (further.steps < 1)
+        return refuse("steps", "are none");
+    using Bound = core::BackwardProgress::Bound;
+    while (cut.edit.steps < further.steps && cut.done.backwards.bound == Bound::None) {
+        core::CutGrowth next = cut.edit;
+        ++next.steps;
+        DenseFields fields = m_open->before;
+        core::Result<CutDone> done = cutGrowth(fields, next);
+        if (!done) {
+            cut.done.backwards.bound = Bound::Everything;
+            break;
+        }
+        m_fields = std::move(fields);
+        cut = {next, *std::move(done)};
+    }
+    return {};
 }
 
 core::Result<Oracle::Work> Oracle::begin(core::PaintBarrier& edit)
@@ -360,6 +387,14 @@ Oracle::Outcome Oracle::carryOut(core::ExtendEdit& command)
         shrunk->to = shrinkGrowth(m_fields, shrunk->edit);
         return std::nullopt;
     }
+    if (const auto* further = std::get_if<core::CutFurther>(&command.extension)) {
+        CutBack* cut = std::get_if<CutBack>(&m_open->work);
+        if (!cut)
+            return refuse("extension", "the open edit is no cut backwards");
+        if (const core::Result<void> done = cutFurther(*cut, *further); !done)
+            return tl::unexpected(done.error());
+        return std::nullopt;
+    }
     if (std::holds_alternative<core::ForgetSpread>(command.extension)) {
         if (!std::holds_alternative<Spread>(m_open->work))
             return refuse("extension", "the open edit does not grow from seeds");
@@ -409,7 +444,7 @@ Oracle::Outcome Oracle::carryOut(core::EndEdit& command)
         if (shrunk)
             result.generation = shrunk->edit.generation;
         if (cut)
-            result.generation = cut->from;
+            result.generation = cut->edit.generation;
         m_fields = std::move(m_open->before);
     } else {
         if (growth) {
@@ -420,7 +455,7 @@ Oracle::Outcome Oracle::carryOut(core::EndEdit& command)
         if (shrunk)
             result.generation = shrunk->to;
         if (cut)
-            result.generation = cut->to;
+            result.generation = cut->done.generation;
         result.changes = DenseFields::changes(m_open->before, m_fields);
         result.facts = core::factsOf(result.changes, core::BrickGrid{m_codes.size});
         result.statistics = core::statisticsOf(result.facts);
@@ -429,7 +464,9 @@ Oracle::Outcome Oracle::carryOut(core::EndEdit& command)
         if (shrunk)
             result.statistics.generations = int(shrunk->edit.generation - shrunk->to);
         if (cut)
-            result.statistics.generations = std::max(int(cut->from) - int(cut->to), 0);
+            result.statistics.generations = cut->edit.how == core::CutGrowth::How::Backwards
+                ? int(cut->done.backwards.steps)
+                : std::max(int(cut->edit.generation) - int(cut->done.generation), 0);
         result.statistics.searchedTo = searchedTo();
     }
     m_open.reset();

@@ -6,6 +6,7 @@
 #include "tests/reference/DenseFields.h"
 #include "tests/reference/Drill.h"
 #include "tests/reference/Growth.h"
+#include "tests/reference/GrowthCut.h"
 #include "tests/reference/Laser.h"
 #include "tests/reference/Peel.h"
 #include "tests/reference/Tolerance.h"
@@ -38,10 +39,10 @@ private:
         core::ShrinkGrowth edit;
         std::uint32_t to = 0;
     };
-    /// Of a cut the generation before and now.
+    /// Of a cut what it was asked for, and how far it is.
     struct CutBack {
-        std::uint32_t from = 0;
-        std::uint32_t to = 0;
+        core::CutGrowth edit;
+        CutDone done;
     };
     /// Likewise; it may be told not to remember what it never does.
     struct Spread { };
@@ -78,6 +79,7 @@ private:
     [[nodiscard]] Outcome carryOut(core::PreviewCut& command);
     [[nodiscard]] Outcome carryOut(core::DropCutPreview& command);
     [[nodiscard]] core::Result<void> checkCut(const core::CutGrowth& edit) const;
+    [[nodiscard]] core::Result<void> cutFurther(CutBack& cut, const core::CutFurther& further);
     [[nodiscard]] core::Result<void> check(const core::GrowBurst& edit) const;
     [[nodiscard]] core::Result<void> checkGroups(const std::vector<core::SeedGroup>& groups) const;
 

@@ -90,6 +90,9 @@ QString errorText(const core::Error& error)
                                             : ErrorTexts::tr("are seeds or were painted"));
     case ErrorCode::NothingGrown:
         return ErrorTexts::tr("nothing was taken back: no growth came through the sketched places");
+    case ErrorCode::EverythingGrown:
+        return ErrorTexts::tr("nothing was taken back: so far back, all that has grown would go; "
+                              "take fewer generations, or shrink to the seeds");
     case ErrorCode::StepsEntangled:
         return ErrorTexts::tr("cannot undo only that: %1").arg(first);
     case ErrorCode::SeedOutsideVolume:

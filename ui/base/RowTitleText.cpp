@@ -146,6 +146,9 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Shrink to the seeds");
     case RowTitleCode::ShrinkHere:
         return tr("Shrink here");
+    case RowTitleCode::ShrinkHereSteps:
+        return one ? tr("Shrink here 1 generation")
+                   : tr("Shrink here %1 generations", nullptr, count);
     case RowTitleCode::ShrinkOnlyHere:
         return tr("Shrink only here");
     case RowTitleCode::PlugLeak:

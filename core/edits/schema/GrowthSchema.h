@@ -14,6 +14,7 @@
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/schema/SchemaParts.h"
+#include "core/growth/SeedWord.h"
 
 namespace core::editSchema {
 
@@ -181,6 +182,10 @@ template <class Visitor> void visitFields(Visitor& visit, ShrinkAt& edit)
         "whether only the voxels at the points are taken back");
     visit.field("barrier", Presence::Optional, edit.barrier, editFields::Flag{},
         "whether the cut is shut to growth");
+    visit.maybe("steps", edit.steps, editFields::WholeNumber{1, int(seedWord::maxGeneration)},
+        "goes backwards instead: the first step takes the places and what descends from them, each "
+        "further one a generation of their parents; what would take everything is refused",
+        "all at once, up to where it is narrowest");
 }
 
 template <> inline constexpr const char* editName<PlugLeak> = "plug";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/cut/GrowthCut.h"
 
+#include "core/growth/cut/BackwardCut.h"
 #include "core/growth/cut/CutWriting.h"
 #include "core/growth/cut/LabelCut.h"
 
@@ -37,8 +38,22 @@ void write(CutWriting& writing, const WordBricks& words, const std::vector<std::
         writing.setBarrierAround(place);
 }
 
+/// @param marks of each voxel; LabelCut::leaves is set where it leaves
+Result<LeavingVoxels> markLeaving(const WordBricks& words, const CutGrowth& command,
+    std::vector<std::uint8_t>& marks, WordChanges& retimed)
+{
+    Result<LeavingVoxels> leaving = sketchedVoxels(words, command);
+    if (!leaving)
+        return leaving;
+    for (auto& [label, sketch] : *leaving)
+        sketch = LabelCut(words, command, label, marks).run(sketch, retimed);
+    return leaving;
+}
+
+} // namespace
+
 /// Rule 1.
-Result<LeavingVoxels> sketches(const WordBricks& words, const CutGrowth& command)
+Result<LeavingVoxels> sketchedVoxels(const WordBricks& words, const CutGrowth& command)
 {
     LeavingVoxels sketches;
     Voxels roots;
@@ -68,39 +83,29 @@ Result<LeavingVoxels> sketches(const WordBricks& words, const CutGrowth& command
     return sketches;
 }
 
-/// @param marks of each voxel; LabelCut::leaves is set where it leaves
-Result<LeavingVoxels> markLeaving(const WordBricks& words, const CutGrowth& command,
-    std::vector<std::uint8_t>& marks, WordChanges& retimed)
-{
-    Result<LeavingVoxels> leaving = sketches(words, command);
-    if (!leaving)
-        return leaving;
-    for (auto& [label, sketch] : *leaving)
-        sketch = LabelCut(words, command, label, marks).run(sketch, retimed);
-    return leaving;
-}
-
-} // namespace
-
 Result<LeavingVoxels> leavingVoxels(const WordBricks& words, const CutGrowth& command)
 {
+    if (command.how == CutGrowth::How::Backwards) {
+        const Result<std::unique_ptr<BackwardCut>> cut = BackwardCut::begin(words, command);
+        if (!cut)
+            return tl::unexpected(cut.error());
+        WordChanges changes;
+        return (*cut)->leaving(changes);
+    }
     std::vector<std::uint8_t> marks(words.count(), 0);
     WordChanges retimed;
     return markLeaving(words, command, marks, retimed);
 }
 
-Result<GrowthCutOutcome> cutGrowth(const WordBricks& words, const CutGrowth& command)
+GrowthCutOutcome cutOutcome(const WordBricks& words, const CutGrowth& command,
+    const LeavingVoxels& leaving, const std::vector<std::uint8_t>& marks,
+    const WordChanges& retimed)
 {
-    std::vector<std::uint8_t> marks(words.count(), 0);
-    WordChanges retimed;
-    const Result<LeavingVoxels> leaving = markLeaving(words, command, marks, retimed);
-    if (!leaving)
-        return tl::unexpected(leaving.error());
     GrowthCutOutcome outcome{.bricks = {}, .generation = command.generation};
     CutWriting writing(words);
     for (const auto& [voxel, word] : retimed)
         writing.replace(voxel, word);
-    for (const auto& [label, voxels] : *leaving)
+    for (const auto& [label, voxels] : leaving)
         write(writing, words, marks, voxels, label, command.barrier);
     outcome.bricks = writing.take();
     if (outcome.bricks.empty())
@@ -114,6 +119,22 @@ Result<GrowthCutOutcome> cutGrowth(const WordBricks& words, const CutGrowth& com
     for (const auto& [voxel, word] : retimed)
         outcome.generation = std::max(outcome.generation, seedWord::generation(word));
     return outcome;
+}
+
+Result<GrowthCutOutcome> cutGrowth(const WordBricks& words, const CutGrowth& command)
+{
+    if (command.how == CutGrowth::How::Backwards) {
+        const Result<std::unique_ptr<BackwardCut>> cut = BackwardCut::begin(words, command);
+        if (!cut)
+            return tl::unexpected(cut.error());
+        return (*cut)->outcome();
+    }
+    std::vector<std::uint8_t> marks(words.count(), 0);
+    WordChanges retimed;
+    const Result<LeavingVoxels> leaving = markLeaving(words, command, marks, retimed);
+    if (!leaving)
+        return tl::unexpected(leaving.error());
+    return cutOutcome(words, command, *leaving, marks, retimed);
 }
 
 } // namespace core

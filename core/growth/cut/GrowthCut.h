@@ -15,7 +15,7 @@ namespace core {
 //
 // 1. The sketch is the set of members among the given voxels. The cut is refused with
 //    ErrorCode::SeedsStay if a root (rule 2) of any label that is not locked is among them, and
-//    with ErrorCode::NothingGrown if no label has a sketch.
+//    with ErrorCode::NothingGrown if no label has a sketch. (Backwards: see also rule 12.)
 // 2. Roots are the members that are seeds or of generation 0; they have no parents. The parents of
 //    any other member are its neighbours that are members of an earlier generation: its face
 //    neighbours; if its direction is 6 or more, its edge neighbours too; if that is 18 or more, its
@@ -73,6 +73,20 @@ namespace core {
 //    that is a member of the label and stays becomes a barrier (seedWord::barrier), and so do those
 //    of its neighbours that are neither members (of any label) nor pending seeds: the passage stays
 //    closed even if it turns out to be a voxel wider.
+// 12. With Backwards rules 3 to 9 do not decide what leaves, but `steps` does. "Near" are the
+//     members that are no roots and no nearer to the roots than to the sketch, by the distances of
+//     rule 9; the sketch is near.
+//     - The ancestors of step 1 are the sketch. Those of a later step are those of the step before
+//       and all of their parents that are near.
+//     - With so many steps leave the ancestors of the last one and, repeatedly, every near member
+//       that has a parent that leaves. So the first step takes the sketch and what descends from
+//       it, and each further one a generation of parents and what descends from these.
+//     - The steps end where the ancestors have no parent left that is near. Further ones take
+//       nothing; each step before takes at least what the one before it takes.
+//     - The cut is refused with ErrorCode::EverythingGrown if of a label that has a sketch all
+//       members but the roots leave.
+//     - Rules 10 and 11 follow, with what lies behind all that leaves in place of what lies behind
+//       the cut and the sketch.
 
 /// Rule 8: the greatest number of voxels of a neck for which the narrowest cut is searched, and the
 /// greatest number of steps around it.
@@ -92,15 +106,18 @@ struct GrowthCutOutcome {
     std::uint32_t generation = 0; ///< the counter after the cut
 };
 
-/// The voxels that leave, by label; each once.
+/// Voxels by label; each once.
 using LeavingVoxels = std::map<std::uint32_t, std::vector<WordBricks::Voxel>>;
-/// Errors: SeedsStay, NothingGrown (rule 1).
+/// What is sketched of each label, ascending. Errors: SeedsStay, NothingGrown (rule 1).
+[[nodiscard]] Result<LeavingVoxels> sketchedVoxels(
+    const WordBricks& words, const CutGrowth& command);
+/// What leaves. Errors: SeedsStay, NothingGrown (rule 1), EverythingGrown (rule 12).
 [[nodiscard]] Result<LeavingVoxels> leavingVoxels(
     const WordBricks& words, const CutGrowth& command);
 
 /// Carries out a cut. The cost depends on what has grown, not on the size of the volume.
 /// @param words linked; all bricks of the plane that hold any words
-/// Errors: SeedsStay, NothingGrown (rule 1).
+/// Errors: SeedsStay, NothingGrown (rule 1), EverythingGrown (rule 12).
 [[nodiscard]] Result<GrowthCutOutcome> cutGrowth(const WordBricks& words, const CutGrowth& command);
 
 } // namespace core

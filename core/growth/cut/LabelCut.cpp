@@ -51,9 +51,22 @@ LabelCut::Voxels LabelCut::run(const Voxels& sketch, WordChanges& changes)
     if (m_command.how != CutGrowth::How::Neck)
         from.insert(from.end(), sketch.begin(), sketch.end());
     const Voxels all = behind(from, m_members.greatestGeneration());
-    Voxels leaving = here                       ? sketch
-        : m_command.how == CutGrowth::How::Neck ? all
-                                                : near(all, sketch);
+    return leave(here                               ? sketch
+            : m_command.how == CutGrowth::How::Neck ? all
+                                                    : near(all, sketch),
+        all, changes);
+}
+
+LabelCut::Voxels LabelCut::takeOut(Voxels leaving, WordChanges& changes)
+{
+    const Voxels all = behind(leaving, m_members.greatestGeneration());
+    return leave(std::move(leaving), all, changes);
+}
+
+/// Rule 10. @param all what lies behind what leaves, marked
+LabelCut::Voxels LabelCut::leave(Voxels leaving, const Voxels& all, WordChanges& changes)
+{
+    const bool here = m_command.how == CutGrowth::How::Here;
     for (const Voxel voxel : leaving)
         m_marks[voxel] |= leaves;
     Voxels staying;

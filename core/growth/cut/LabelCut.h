@@ -11,6 +11,13 @@
 
 namespace core {
 
+/// What becomes of a growth from which voxels leave (GrowthCut.h, rules 10 and 11).
+/// @param marks of each voxel; LabelCut::leaves is set where it leaves
+/// @param retimed new words of members that stay
+[[nodiscard]] GrowthCutOutcome cutOutcome(const WordBricks& words, const CutGrowth& command,
+    const LeavingVoxels& leaving, const std::vector<std::uint8_t>& marks,
+    const std::vector<std::pair<WordBricks::Voxel, std::uint32_t>>& retimed);
+
 /// Determines which members of one label a cut removes, by the rules of GrowthCut.h.
 class LabelCut {
 public:
@@ -28,6 +35,10 @@ public:
     /// @param sketch ascending; members that are no roots
     /// @return the voxels that leave, each once
     Voxels run(const Voxels& sketch, WordChanges& changes);
+    /// Does the same where it is known what leaves before rule 10. It may be called again with more
+    /// voxels.
+    Voxels takeOut(Voxels leaving, WordChanges& changes);
+    [[nodiscard]] const LabelMembers& members() const { return m_members; }
 
     static constexpr std::uint8_t leaves = 1;
 
@@ -49,6 +60,7 @@ private:
     {
         return (m_marks[voxel] & mark) != 0;
     }
+    Voxels leave(Voxels leaving, const Voxels& all, WordChanges& changes);
     [[nodiscard]] std::optional<Voxels> narrowestOf(const Voxels& sketch);
     [[nodiscard]] Voxels near(const Voxels& all, const Voxels& sketch) const;
     void completeFronts(Voxels& front, std::uint8_t mark);

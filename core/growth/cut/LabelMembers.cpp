@@ -30,10 +30,12 @@ LabelMembers::LabelMembers(const WordBricks& words, std::uint32_t label)
         if (!isMember(word))
             continue;
         m_greatest = std::max(m_greatest, seedWord::generation(word));
-        if (isRoot(word))
+        if (isRoot(word)) {
             m_roots.push_back(voxel);
-        else
-            m_reach = std::max(m_reach, parentReach(voxel));
+            continue;
+        }
+        ++m_grown;
+        m_reach = std::max(m_reach, parentReach(voxel));
     }
 }
 

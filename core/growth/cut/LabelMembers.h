@@ -3,6 +3,7 @@
 
 #include "core/growth/WordBricks.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,8 @@ public:
     [[nodiscard]] std::uint32_t reach() const { return m_reach; }
     [[nodiscard]] std::uint32_t greatestGeneration() const { return m_greatest; }
     [[nodiscard]] const std::vector<Voxel>& roots() const { return m_roots; }
+    /// How many members are no roots.
+    [[nodiscard]] std::size_t grown() const { return m_grown; }
 
     [[nodiscard]] bool isMember(std::uint32_t word) const
     {
@@ -72,6 +75,7 @@ private:
     std::uint32_t m_label;
     std::uint32_t m_reach = 6;
     std::uint32_t m_greatest = 0;
+    std::size_t m_grown = 0;
     std::vector<Voxel> m_roots; ///< ascending
 };
 

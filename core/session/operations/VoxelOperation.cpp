@@ -8,6 +8,7 @@
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
@@ -153,13 +154,24 @@ void VoxelOperation::setPeelDepth(SessionState& state, double depthMm)
 
 void VoxelOperation::setShrinkSteps(SessionState& state, int steps)
 {
-    auto* shrink = m_edit.as<ShrinkSteps>();
-    if (!shrink || !open())
+    if (!open())
         return;
-    shrink->steps = steps;
-    if (m_begun)
-        m_waiting.push_back(shrinkTo());
+    if (auto* shrink = m_edit.as<ShrinkSteps>()) {
+        shrink->steps = steps;
+        if (m_begun)
+            m_waiting.push_back(shrinkTo());
+    } else if (isBackwards() && steps > 0) {
+        // It begins with the steps that it was begun with: as an extension more of them are no
+        // error where they would take everything.
+        m_waiting.push_back(CutFurther{.steps = std::uint32_t(steps)});
+    }
     submitWaiting(state);
+}
+
+bool VoxelOperation::isBackwards() const
+{
+    const auto* shrink = m_edit.as<ShrinkAt>();
+    return shrink && shrink->steps;
 }
 
 /// @pre a ShrinkSteps that has begun
@@ -303,13 +315,15 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
         state.lastAlarm = {state.history.position(), *alarm};
 }
 
-/// The edit as replay must repeat it: a burst that the user watched says how far it came, and so
-/// does one that was stopped by its guard.
+/// The edit as replay must repeat it: a burst or a cut backwards that the user watched says how far
+/// it came, and so does a burst that was stopped by its guard.
 Edit VoxelOperation::carriedOut(const EngineResult& result) const
 {
-    if (!isGrowth() || (m_kind == Kind::Whole && !result.alarm))
-        return m_edit;
     Edit done = m_edit;
+    if (isBackwards() && m_kind == Kind::Interactive)
+        done.as<ShrinkAt>()->steps = result.statistics.generations;
+    if (!isGrowth() || (m_kind == Kind::Whole && !result.alarm))
+        return done;
     std::optional<int>& steps = *growStepsOf(done);
     steps.reset();
     if (!result.atClosure) {

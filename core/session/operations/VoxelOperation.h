@@ -45,11 +45,14 @@ public:
         return isGrowth() || m_edit.is<ShrinkSteps>() || m_edit.is<ShrinkAt>()
             || m_edit.is<PlugLeak>();
     }
+    /// Whether it takes a growth back from a sketch, step by step.
+    [[nodiscard]] bool isBackwards() const;
     /// Whether it is only shown for the user to decide; the next operation takes it back.
     [[nodiscard]] bool isPreview() const { return m_edit.is<GrowFromSeeds>(); }
     [[nodiscard]] bool standsOpen() const override
     {
-        return isGrowth() || isPreview() || m_edit.is<PeelCut>() || m_edit.is<ShrinkSteps>();
+        return isGrowth() || isPreview() || m_edit.is<PeelCut>() || m_edit.is<ShrinkSteps>()
+            || isBackwards();
     }
     [[nodiscard]] Ending usualEnding() const override
     {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/shrink/CutGrown.h"
 
-#include "core/growth/cut/GrowthCut.h"
 #include "gpu/fields/BrickImages.h"
 
 #include <map>
@@ -10,6 +9,29 @@
 namespace gpu {
 
 namespace {
+
+std::vector<std::uint8_t> bytesOf(const std::vector<std::uint32_t>& words)
+{
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(4 * words.size());
+    for (const std::uint32_t word : words) {
+        for (int shift = 0; shift < 32; shift += 8)
+            bytes.push_back(std::uint8_t(word >> shift));
+    }
+    return bytes;
+}
+
+/// What a field holds in the bricks that a cut writes.
+std::vector<core::BrickImage> imagesOf(VoxelFields& fields,
+    const std::vector<core::CutBrick>& bricks, core::Field field, std::uint8_t plane)
+{
+    std::vector<core::BrickKey> keys;
+    for (const core::CutBrick& brick : bricks)
+        keys.push_back({.field = field, .plane = plane, .brick = brick.brick});
+    return imagesNow(fields, keys);
+}
+
+} // namespace
 
 core::WordBricks readWords(VoxelFields& fields, std::uint8_t plane)
 {
@@ -27,48 +49,17 @@ core::WordBricks readWords(VoxelFields& fields, std::uint8_t plane)
     return words;
 }
 
-std::vector<std::uint8_t> bytesOf(const std::vector<std::uint32_t>& words)
+std::vector<core::BrickKey> writeCut(VoxelFields& fields, BeforeImages& before, std::uint8_t plane,
+    const std::vector<core::CutBrick>& bricks)
 {
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(4 * words.size());
-    for (const std::uint32_t word : words) {
-        for (int shift = 0; shift < 32; shift += 8)
-            bytes.push_back(std::uint8_t(word >> shift));
-    }
-    return bytes;
-}
-
-/// What a field holds in the bricks that a cut writes.
-std::vector<core::BrickImage> imagesOf(
-    VoxelFields& fields, const core::GrowthCutOutcome& cut, core::Field field, std::uint8_t plane)
-{
-    std::vector<core::BrickKey> keys;
-    for (const core::CutBrick& brick : cut.bricks)
-        keys.push_back({.field = field, .plane = plane, .brick = brick.brick});
-    return imagesNow(fields, keys);
-}
-
-} // namespace
-
-core::Result<CutOutcome> cutGrown(
-    VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command)
-{
-    const core::Result<core::GrowthCutOutcome> decided =
-        core::cutGrowth(readWords(fields, command.plane), command);
-    if (!decided)
-        return tl::unexpected(decided.error());
-    const core::GrowthCutOutcome& cut = *decided;
-    CutOutcome outcome{.keys = {}, .generation = cut.generation};
-
-    const std::vector<core::BrickImage> held =
-        imagesOf(fields, cut, core::Field::Labels, command.plane);
+    const std::vector<core::BrickImage> held = imagesOf(fields, bricks, core::Field::Labels, plane);
     const std::vector<core::BrickImage> overwritten =
-        imagesOf(fields, cut, core::Field::Overwritten, command.plane);
+        imagesOf(fields, bricks, core::Field::Overwritten, plane);
     std::vector<core::BrickImage> images;
-    for (std::size_t i = 0; i < cut.bricks.size(); ++i) {
-        const core::CutBrick& brick = cut.bricks[i];
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        const core::CutBrick& brick = bricks[i];
         images.push_back(
-            {.key = {.field = core::Field::SeedWords, .plane = command.plane, .brick = brick.brick},
+            {.key = {.field = core::Field::SeedWords, .plane = plane, .brick = brick.brick},
                 .bytes = bytesOf(brick.words)});
         std::vector<std::uint8_t> kept = held[i].bytes.read();
         std::vector<std::uint8_t> below = overwritten[i].bytes.read();
@@ -85,12 +76,24 @@ core::Result<CutOutcome> cutGrown(
     std::map<core::Field, std::vector<std::uint32_t>> written;
     for (const core::BrickImage& image : images)
         written[image.key.field].push_back(image.key.brick);
-    for (const auto& [field, bricks] : written)
-        before.capture(field, command.plane, bricks);
+    for (const auto& [field, numbers] : written)
+        before.capture(field, plane, numbers);
+    std::vector<core::BrickKey> keys;
     for (const core::BrickImage& image : images)
-        outcome.keys.push_back(image.key);
+        keys.push_back(image.key);
     writeImages(fields, std::move(images));
-    return outcome;
+    return keys;
+}
+
+core::Result<CutOutcome> cutGrown(
+    VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command)
+{
+    const core::Result<core::GrowthCutOutcome> cut =
+        core::cutGrowth(readWords(fields, command.plane), command);
+    if (!cut)
+        return tl::unexpected(cut.error());
+    return CutOutcome{.keys = writeCut(fields, before, command.plane, cut->bricks),
+        .generation = cut->generation};
 }
 
 } // namespace gpu

@@ -3,6 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/growth/cut/GrowthCut.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
 
@@ -21,5 +22,14 @@ struct CutOutcome {
 /// are captured and written. Engine thread only. Errors: as core::cutGrowth().
 core::Result<CutOutcome> cutGrown(
     VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command);
+
+// Its parts, for cuts that go on while they are open (CutBackwards.h).
+
+/// All seed words of a plane, linked.
+[[nodiscard]] core::WordBricks readWords(VoxelFields& fields, std::uint8_t plane);
+/// Captures and writes bricks of a cut, also over what an earlier state of the same cut has written
+/// there. @return the bricks that were written
+std::vector<core::BrickKey> writeCut(VoxelFields& fields, BeforeImages& before, std::uint8_t plane,
+    const std::vector<core::CutBrick>& bricks);
 
 } // namespace gpu

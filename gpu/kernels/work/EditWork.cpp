@@ -20,6 +20,10 @@ struct Misfits {
     }
     const char* operator()(const core::PeelDepth&) const { return "the open edit is no peel"; }
     const char* operator()(const core::ShrinkTo&) const { return "the open edit is no shrinking"; }
+    const char* operator()(const core::CutFurther&) const
+    {
+        return "the open edit is no cut backwards";
+    }
     const char* operator()(const core::ForgetSpread&) const
     {
         return "the open edit does not grow from seeds";

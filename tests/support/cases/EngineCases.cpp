@@ -70,6 +70,14 @@ std::vector<EngineCase> refusalCases()
             BeginEdit{core::ShrinkGrowth{.generation = 2, .keep = 2}},
             ExtendEdit{core::ShrinkTo{.keep = 3}}, ExtendEdit{core::ShrinkTo{.keep = 1}},
             ExtendEdit{GrowAdvance{}}, commit, readAll});
+    add("cut further where nothing is open, or something else, or no step",
+        {ExtendEdit{core::CutFurther{}}, BeginEdit{growth}, ExtendEdit{core::CutFurther{2}},
+            rollback,
+            BeginEdit{core::CutGrowth{
+                .how = core::CutGrowth::How::Backwards, .voxels = {{0, 0, 0}}, .steps = 0}},
+            BeginEdit{core::CutGrowth{
+                .how = core::CutGrowth::How::Backwards, .voxels = {{0, 0, 0}}, .steps = 3}},
+            ExtendEdit{core::CutFurther{4}}, commit, readAll});
     add("swap while an edit is open",
         {beginSeeds, SwapBricks{{image}}, commit, ReadBricks{{image.key}}});
     add("bricks that are not there",

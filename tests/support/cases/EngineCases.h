@@ -23,6 +23,8 @@ void appendSeeds(std::vector<EngineStep>& steps, core::SeedPlacement seeds, int 
 [[nodiscard]] std::vector<EngineCase> seedGroupCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> wideGrowthCases(int randomCount); ///< of a single label
 [[nodiscard]] std::vector<EngineCase> intervalCases(int randomCount); ///< with barriers in between
+/// Growths taken back from a sketch, generation by generation.
+[[nodiscard]] std::vector<EngineCase> backwardCases(int randomCount);
 /// Voxels taken from other labels and given back.
 [[nodiscard]] std::vector<EngineCase> overwrittenCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> passageCases(int randomCount); ///< passage widths

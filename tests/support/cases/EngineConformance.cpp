@@ -240,6 +240,14 @@ private:
         if (!differenceOfBricks(before, bricksOfGrowth(cut.plane)).isEmpty())
             complain(QStringLiteral("foreseeing a cut changed something"));
         carryOut(core::EngineCommand(core::BeginEdit{cut}));
+        for (const std::uint32_t steps : step.then) {
+            carryOut(core::EngineCommand(core::ExtendEdit{core::CutFurther{steps}}));
+            settle();
+            m_outcome.progress.push_back(m_engine.growthProgress());
+            submit(core::ReadBricks{{{core::Field::Labels, cut.plane, 0},
+                {core::Field::SeedWords, cut.plane, 0}, {core::Field::Overwritten, cut.plane, 0}}});
+            submit(core::CountGenerations{cut.plane});
+        }
         const std::size_t end = m_commands;
         carryOut(core::EngineCommand(core::EndEdit{step.ending}));
         settle();
@@ -247,7 +255,7 @@ private:
         const core::EngineResult done = resultOf(end);
         if (cutPreview.error.has_value() != (done.error.has_value() || wasOpen))
             complain(QStringLiteral("what is foreseen and what is done are not refused alike"));
-        else if (!cutPreview.error && step.ending == core::Ending::Commit)
+        else if (!cutPreview.error && step.ending == core::Ending::Commit && step.then.empty())
             compareWithForeseen(cutPreview, done);
     }
 
@@ -460,7 +468,7 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
 bool equal(const core::GrowthProgress& a, const core::GrowthProgress& b)
 {
     return a.atClosure == b.atClosure && a.generation == b.generation && a.members == b.members
-        && a.frontSizes == b.frontSizes && a.alarm == b.alarm;
+        && a.frontSizes == b.frontSizes && a.alarm == b.alarm && a.backwards == b.backwards;
 }
 
 } // namespace

@@ -34,6 +34,8 @@ struct Shrink {
 /// A complete edit that takes back what grew through some places.
 struct Cut {
     core::CutGrowth cut; ///< `generation` is filled in
+    /// Of a cut backwards: steps that it is taken to before it ends.
+    std::vector<std::uint32_t> then{};
     core::Ending ending = core::Ending::Commit;
 };
 /// Takes back the last committed edit that is not yet undone; does nothing if there is none.
@@ -61,7 +63,8 @@ struct EngineCase {
 struct EngineOutcome {
     /// In submission order; the ticket is the index of the command in the case.
     std::vector<core::EngineResult> results;
-    std::vector<core::GrowthProgress> progress; ///< at every Settle while a growth is open
+    /// At every Settle while a growth is open, and while a cut backwards goes on.
+    std::vector<core::GrowthProgress> progress;
     std::vector<core::BrickChange> state; ///< all bricks that are not empty, at the end
     QString failure; ///< a violation of the engine's contract that was found without comparison
 };

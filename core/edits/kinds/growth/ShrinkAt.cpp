@@ -8,6 +8,8 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
 
+#include <cstdint>
+
 namespace core {
 
 using namespace rowWords;
@@ -22,18 +24,27 @@ Result<bool> apply(const ShrinkAt&, Document&)
     return false;
 }
 
-EditEffects effects(const ShrinkAt&)
+EditEffects effects(const ShrinkAt& edit)
 {
-    return {.task = engineTask<ShrinkAt>(), .standsOpen = false, .boundToStudy = true};
+    // Backwards it goes as long as it is held.
+    return {
+        .task = engineTask<ShrinkAt>(), .standsOpen = edit.steps.has_value(), .boundToStudy = true};
 }
 
 Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document)
 {
+    if (shrink.onlyHere && shrink.steps)
+        return failure(ErrorCode::InvalidField, QStringLiteral("shrinkAt.steps"),
+            QStringLiteral("nothing but the points is taken with onlyHere"));
+    const CutGrowth::How how = shrink.onlyHere ? CutGrowth::How::Here
+        : shrink.steps                         ? CutGrowth::How::Backwards
+                                               : CutGrowth::How::Subtree;
     Result<CutGrowth> command =
-        cutAt(shrink.pointsLps, shrink.onlyHere ? CutGrowth::How::Here : CutGrowth::How::Subtree,
-            document, QStringLiteral("shrinkAt.pointsLps"));
-    if (command)
-        command->barrier = shrink.barrier;
+        cutAt(shrink.pointsLps, how, document, QStringLiteral("shrinkAt.pointsLps"));
+    if (!command)
+        return command;
+    command->barrier = shrink.barrier;
+    command->steps = std::uint32_t(shrink.steps.value_or(1));
     return command;
 }
 
@@ -44,8 +55,11 @@ Result<EngineEdit> engineEdit(const ShrinkAt& edit, const Document& document)
 
 RowTitle rowTitle(const ShrinkAt& edit, const RowFacts& row)
 {
-    return {.code = edit.onlyHere ? RowTitleCode::ShrinkOnlyHere : RowTitleCode::ShrinkHere,
-        .then = {figure(RowTitleCode::VoxelsLost, row.statistics.voxelsChanged)}};
+    RowTitle title = edit.steps
+        ? figure(RowTitleCode::ShrinkHereSteps, row.statistics.generations)
+        : RowTitle{.code = edit.onlyHere ? RowTitleCode::ShrinkOnlyHere : RowTitleCode::ShrinkHere};
+    title.then = {figure(RowTitleCode::VoxelsLost, row.statistics.voxelsChanged)};
+    return title;
 }
 
 EditDependencies dependencies(const ShrinkAt&, const DependencyFacts& row)

@@ -158,6 +158,8 @@ CutGrowth randomCut(RandomGrowth& growth, const Words& words, CutGrowth::How how
         cut.voxels.push_back(test::randomVoxel(random, words.size));
     if (random() % 6 == 0)
         cut.lockedLabels.set(std::size_t(randomInt(random, 1, 3)));
+    if (how == CutGrowth::How::Backwards)
+        cut.steps = std::uint32_t(randomInt(random, 1, 12));
     return cut;
 }
 
@@ -177,10 +179,12 @@ private Q_SLOTS:
         int cuts = 0;
         int refused = 0;
         int more = 0; // than the sketch
+        int everything = 0;
         using How = CutGrowth::How;
         for (int number = 0; number < growths; ++number) {
             RandomGrowth growth(number);
-            for (const How how : {How::Subtree, How::Neck, How::Here, How::Subtree}) {
+            for (const How how : {How::Subtree, How::Neck, How::Here, How::Subtree, How::Backwards,
+                     How::Backwards}) {
                 const Words before = growth.words();
                 const CutGrowth cut = randomCut(growth, before, how);
                 const QByteArray which = "growth " + QByteArray::number(number) + ", how "
@@ -195,6 +199,15 @@ private Q_SLOTS:
                     const std::optional<Error> refusal = growth.refusal(cut);
                     QVERIFY2(refusal && refusal->code == why
                             && refusal->arguments == outcome.error().arguments,
+                        which.constData());
+                    QVERIFY2(growth.words().values == before.values, which.constData());
+                    continue;
+                }
+                if (!outcome && outcome.error().code == ErrorCode::EverythingGrown) {
+                    ++everything;
+                    const std::optional<Error> refusal = growth.refusal(cut);
+                    QVERIFY2(how == How::Backwards && refusal
+                            && refusal->code == ErrorCode::EverythingGrown,
                         which.constData());
                     QVERIFY2(growth.words().values == before.values, which.constData());
                     continue;
@@ -217,7 +230,9 @@ private Q_SLOTS:
                 QVERIFY2(growth.words().values == after.values, which.constData());
             }
         }
-        qInfo("%d cuts (%d took more than the sketch), %d refused", cuts, more, refused);
+        qInfo("%d cuts (%d took more than the sketch), %d refused, %d more would have taken all",
+            cuts, more, refused, everything);
+        QVERIFY(everything > 0);
         QVERIFY(cuts > growths && more * 10 > cuts && refused * 20 > cuts);
     }
 };

@@ -164,7 +164,7 @@ QString brokenOfLabel(const Words& before, const Words& after, const core::CutGr
             broken = at("a root leaves", place);
         else if (left && command.how == How::Here && !sketched(place))
             broken = at("what was not sketched leaves", place);
-        else if (left && command.how == How::Subtree && toRoots[voxel] < toSketch[voxel])
+        else if (left && command.how != How::Neck && toRoots[voxel] < toSketch[voxel])
             broken = at("what is nearer to the roots leaves", place);
         else if (!left && isRoot(before.at(place)) && after.at(place) != before.at(place))
             broken = at("a root becomes another", place);

@@ -206,8 +206,9 @@ EngineCase randomGrowth(int number)
                     made.steps.push_back(Redo{});
             }
             if (cuts() % 2) {
-                made.steps.push_back(Cut{randomCut(cuts, size),
-                    cuts() % 5 ? core::Ending::Commit : core::Ending::Rollback});
+                Cut cut{randomCut(cuts, size)};
+                cut.ending = cuts() % 5 ? core::Ending::Commit : core::Ending::Rollback;
+                made.steps.push_back(cut);
                 if (cuts() % 4 == 0)
                     made.steps.push_back(Undo{});
                 if (cuts() % 4 == 0)
@@ -351,7 +352,7 @@ std::vector<EngineCase> growthCases(int randomCount)
             leak.steps.push_back(Undo{});
             leak.steps.push_back(Cut{{.how = how, .barrier = false, .voxels = {{24, 8, 8}}}});
             leak.steps.push_back(
-                Cut{{.how = How::Neck, .voxels = {{4, 4, 4}}}, core::Ending::Rollback});
+                Cut{{.how = How::Neck, .voxels = {{4, 4, 4}}}, {}, core::Ending::Rollback});
             appendGrowth(leak.steps, wholeRange, {3});
             leak.steps.push_back(Shrink{.shrink = {}, .generations = 2});
             cases.push_back(leak);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tests/support/scenes/TestVolumes.h"
+
+#include <QByteArray>
+
+#include <vector>
+
+namespace test {
+
+/// A growth to closure, through all that has tissueCode, that is to be taken back from a sketch.
+struct BackwardScene {
+    QByteArray name;
+    Codes codes;
+    std::vector<glm::ivec3> seeds; ///< of label 1
+    std::vector<glm::ivec3> others{}; ///< of label 2
+    std::vector<glm::ivec3> sketch; ///< over label 1
+};
+
+/// Shapes in which "what descends" and "what is nearer" are not plain: a ring whose fronts meet, a
+/// fork, a line between two seeds, a hall behind a hole, a block without any neck, and one that two
+/// labels share.
+[[nodiscard]] std::vector<BackwardScene> backwardScenes();
+
+/// The scenes by name, of which the places are known: all of them one voxel thick.
+[[nodiscard]] BackwardScene lineScene(); ///< x = 0 … 15 at y = z = 0, seeds at 0
+[[nodiscard]] BackwardScene ringScene(); ///< the rim of 9 × 9 voxels in z = 0, seed at (4, 0)
+/// A stem x = 0 … 7 at y = 7, from whose end arms go to y = 0 and y = 14; seed at x = 0.
+[[nodiscard]] BackwardScene forkScene();
+[[nodiscard]] BackwardScene twoSeedsScene(); ///< the line with seeds at both ends
+
+} // namespace test
