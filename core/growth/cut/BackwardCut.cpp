@@ -92,7 +92,8 @@ LeavingVoxels BackwardCut::leaving(LabelCut::WordChanges& changes)
 {
     LeavingVoxels leaving;
     for (const auto& label : m_labels)
-        leaving[label->label] = label->cut.takeOut(label->steps.leaving(), changes);
+        leaving[label->label] =
+            label->cut.takeOut(label->steps.leaving(), label->steps.rim(), changes);
     return leaving;
 }
 

@@ -56,8 +56,12 @@ void BackwardSteps::takeWithDescendants(const Voxels& ancestors)
         take(voxel);
     for (; next < m_leaving.size(); ++next) {
         m_members.forChildren(m_leaving[next], [&](Voxel child) {
-            if (isNear(child))
+            if (isNear(child)) {
                 take(child);
+            } else if ((m_marks[child] & onRim) == 0) {
+                m_marks[child] |= onRim; // it stays whatever comes
+                m_rim.push_back(child);
+            }
         });
     }
 }

@@ -28,12 +28,16 @@ public:
 
     /// What leaves, each once; what a step takes comes after what those before it took.
     [[nodiscard]] const Voxels& leaving() const { return m_leaving; }
+    /// The members that have a parent that leaves, or would by the step that was taken back, and do
+    /// not leave; each once.
+    [[nodiscard]] const Voxels& rim() const { return m_rim; }
     /// Whether only roots stay.
     [[nodiscard]] bool takesEverything() const { return m_leaving.size() == m_members.grown(); }
 
 private:
     static constexpr std::uint8_t ancestor = 1;
     static constexpr std::uint8_t leaves = 2;
+    static constexpr std::uint8_t onRim = 4;
 
     void takeWithDescendants(const Voxels& ancestors);
     [[nodiscard]] bool isNear(WordBricks::Voxel voxel) const;
@@ -42,6 +46,7 @@ private:
     NearerMembers m_nearer;
     std::vector<std::uint8_t> m_marks; ///< of each voxel
     Voxels m_leaving;
+    Voxels m_rim;
     Voxels m_latest; ///< ancestors that the last step added
     Voxels m_before; ///< those that the step before it added
     std::size_t m_leftBefore = 0; ///< how many left before the last step

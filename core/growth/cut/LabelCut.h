@@ -37,7 +37,8 @@ public:
     Voxels run(const Voxels& sketch, WordChanges& changes);
     /// Does the same where it is known what leaves before rule 10. It may be called again with more
     /// voxels.
-    Voxels takeOut(Voxels leaving, WordChanges& changes);
+    /// @param rim all members that have a parent that leaves, and do not leave
+    Voxels takeOut(Voxels leaving, const Voxels& rim, WordChanges& changes);
     [[nodiscard]] const LabelMembers& members() const { return m_members; }
 
     static constexpr std::uint8_t leaves = 1;
@@ -61,6 +62,8 @@ private:
         return (m_marks[voxel] & mark) != 0;
     }
     Voxels leave(Voxels leaving, const Voxels& all, WordChanges& changes);
+    Voxels settle(Voxels leaving, const Voxels& staying, WordChanges& changes);
+    [[nodiscard]] Voxels orphans(const Voxels& rim);
     [[nodiscard]] std::optional<Voxels> narrowestOf(const Voxels& sketch);
     [[nodiscard]] Voxels near(const Voxels& all, const Voxels& sketch) const;
     void completeFronts(Voxels& front, std::uint8_t mark);
@@ -77,7 +80,8 @@ private:
     const CutGrowth& m_command;
     LabelMembers m_members;
     std::vector<std::uint8_t>& m_marks;
-    Voxels m_seen; ///< marked by behind()
+    Voxels m_seen; ///< marked by behind() or orphans()
+    Voxels m_lost; ///< leave by rule 10 alone
 };
 
 } // namespace core

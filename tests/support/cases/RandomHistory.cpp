@@ -474,9 +474,15 @@ private:
         switch (between(0, 10)) {
         case 0:
             return chance(30) ? ShrinkSteps{} : ShrinkSteps{.steps = between(1, 4)};
-        case 1:
-            return ShrinkAt{
+        case 1: {
+            ShrinkAt shrink{
                 .pointsLps = grownPlaces(), .onlyHere = chance(30), .barrier = chance(70)};
+            // Of the row's number, as for growths.
+            const std::size_t row = m_session->history().rows().size();
+            if (!shrink.onlyHere && row % 3 == 0)
+                shrink.steps = 1 + int(row % 5);
+            return shrink;
+        }
         case 2:
         case 6:
         case 7:

@@ -7,6 +7,7 @@
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
@@ -115,6 +116,15 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
     } else if (const auto* resume = edit.as<core::ResumeGrowth>()) {
         require(session.begin(*resume), "begin");
         session.extendGrowth({.steps = resume->steps.value_or(core::GrowAdvance::toClosure)});
+    } else if (const auto* shrink = edit.as<core::ShrinkAt>(); shrink && shrink->steps) {
+        // As it is held.
+        core::ShrinkAt first = *shrink;
+        first.steps = 1;
+        require(session.begin(first), "begin");
+        for (int steps = 1; steps <= *shrink->steps; ++steps) {
+            session.setShrinkSteps(steps);
+            session.poll();
+        }
     } else if (edit.is<core::GrowFromSeeds>()) {
         require(session.begin(edit), "begin");
         // Whatever else is done takes a preview back, and the next goes on from what it found.

@@ -6,6 +6,7 @@
 #include "ui/base/RowTitleText.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/SketchedVoxels.h"
+#include "ui/tools/growth/HeldShrink.h"
 #include "ui/tools/growth/ShrinkPreview.h"
 #include "ui/workspace/Workspace.h"
 
@@ -13,14 +14,31 @@
 
 namespace ui {
 
+namespace {
+
+constexpr int restMilliseconds = 700;
+/// A hand that holds still moves the pen by so many pixels.
+constexpr double stillPixels = 4.0;
+
+} // namespace
+
 ShrinkTool::ShrinkTool(Workspace& workspace, QObject* parent)
     : SketchTool(workspace, parent)
     , m_sketched(new SketchedVoxels(workspace, this))
     , m_preview(new ShrinkPreview(workspace, this))
+    , m_held(new HeldShrink(workspace, this))
 {
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restMilliseconds);
+    connect(&m_rest, &QTimer::timeout, this, &ShrinkTool::rest);
     connect(m_sketched, &SketchedVoxels::grew, this,
         [this] { m_preview->follow(m_sketched->voxels()); });
-    connect(m_preview, &ShrinkPreview::changed, this, &Tool::overlayChanged);
+    connect(m_preview, &ShrinkPreview::changed, this, [this] {
+        if (m_rest.isActive() || m_preview->upToDate())
+            m_rest.start(); // it is read first
+        Q_EMIT overlayChanged();
+    });
+    connect(m_held, &HeldShrink::changed, this, &Tool::overlayChanged);
 }
 
 QString ShrinkTool::name() const
@@ -36,7 +54,8 @@ QString ShrinkTool::iconName() const
 QString ShrinkTool::hint() const
 {
     return tr("Shrink: sketch over what grew too far; it goes, up to its narrowest passage, which "
-              "is shut; what is nearer to the seeds stays");
+              "is shut; hold the pen still to go back generation by generation; what is nearer to "
+              "the seeds stays");
 }
 
 QString ShrinkTool::target() const
@@ -46,7 +65,8 @@ QString ShrinkTool::target() const
 
 QString ShrinkTool::keys() const
 {
-    return tr("Ctrl: only the sketched voxels · %1").arg(SketchTool::keys());
+    return tr("Hold still: generation by generation · Ctrl: only the sketched voxels · %1")
+        .arg(SketchTool::keys());
 }
 
 void ShrinkTool::sketchBegan(const ViewContext& view)
@@ -55,21 +75,54 @@ void ShrinkTool::sketchBegan(const ViewContext& view)
     workspace().session()->closeGrowth();
     m_preview->begin(modifiers().testFlag(Qt::ControlModifier));
     m_sketched->begin(view);
+    m_restsAt.reset();
 }
 
 void ShrinkTool::sketchGrew(const std::vector<glm::dvec2>& pixels)
 {
+    if (m_held->on())
+        return; // it began with the sketch as it was
     m_sketched->follow(pixels);
+    if (m_restsAt && glm::distance(*m_restsAt, pixels.back()) < stillPixels)
+        return;
+    m_restsAt = pixels.back();
+    m_rest.start();
+}
+
+/// The pen rests: unless it takes nothing at all, it goes back from here.
+void ShrinkTool::rest()
+{
+    const bool takes = m_preview->upToDate() && m_preview->voxels().value_or(0) > 0;
+    if (!drawing() || modifiers().testFlag(Qt::ControlModifier) || !takes)
+        return; // a foresight that is late begins the rest anew
+    const std::vector<glm::ivec3> voxels = m_sketched->voxels();
+    m_preview->end();
+    m_rest.stop();
+    (void)m_held->begin(voxels);
+}
+
+bool ShrinkTool::finishOtherwise(const std::vector<glm::dvec2>&, const ViewContext&)
+{
+    if (!m_held->on())
+        return false;
+    const std::size_t rows = workspace().session()->history().rows().size();
+    m_held->end(true);
+    tellLastRow(rows);
+    return true;
 }
 
 void ShrinkTool::sketchOver()
 {
+    m_held->end(false); // unless it has been kept
     m_sketched->end();
     m_preview->end();
+    m_rest.stop();
 }
 
 QStringList ShrinkTool::cursorLines() const
 {
+    if (m_held->on())
+        return {m_held->words()};
     const QString cutPreview = m_preview->words();
     return cutPreview.isEmpty() ? QStringList{target()} : QStringList{cutPreview};
 }
@@ -86,8 +139,14 @@ void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)
         workspace().fail(applied.error());
         return;
     }
+    tellLastRow(rows);
+}
+
+/// What the edit that was asked for last has done.
+void ShrinkTool::tellLastRow(std::size_t rows)
+{
     // Answered when the edit is carried out.
-    session.questions().afterAll([tool = QPointer<ShrinkTool>(this), rows] {
+    workspace().session()->questions().afterAll([tool = QPointer<ShrinkTool>(this), rows] {
         if (!tool)
             return;
         // What was refused has been told already.

@@ -3,14 +3,23 @@
 
 #include "ui/tools/common/SketchTool.h"
 
+#include <QTimer>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 namespace ui {
 
+class HeldShrink;
 class ShrinkPreview;
 class SketchedVoxels;
 
 /// Takes back the sketched voxels and what grew through them (core::ShrinkAt). The growth is cut at
 /// its narrowest passage, or half-way to the seeds, and closed there; with Ctrl only the sketched
-/// voxels are removed. While the pen is down the tool shows what would be removed.
+/// voxels are removed. While the pen is down the tool shows what would be removed. Where the pen
+/// rests after that, the growth is taken back from the sketch, generation by generation, until it
+/// is lifted (HeldShrink).
 class ShrinkTool : public SketchTool {
     Q_OBJECT
 
@@ -24,19 +33,27 @@ public:
     [[nodiscard]] QString keys() const override;
 
     [[nodiscard]] const ShrinkPreview& preview() const { return *m_preview; }
+    [[nodiscard]] const HeldShrink& held() const { return *m_held; }
 
 private:
     void sketchBegan(const ViewContext& view) override;
     void sketchGrew(const std::vector<glm::dvec2>& pixels) override;
     void sketchOver() override;
+    bool finishOtherwise(const std::vector<glm::dvec2>& pixels, const ViewContext& view) override;
     [[nodiscard]] QStringList cursorLines() const override;
     void commit(const std::vector<glm::ivec3>& voxels) override;
     [[nodiscard]] QColor colour() const override;
     [[nodiscard]] QString outsideText() const override;
     [[nodiscard]] QString nothingSeenText() const override;
 
+    void rest();
+    void tellLastRow(std::size_t rowsBefore);
+
     SketchedVoxels* m_sketched;
     ShrinkPreview* m_preview;
+    HeldShrink* m_held;
+    QTimer m_rest; ///< since the pen moved last, or since it is told what it takes
+    std::optional<glm::dvec2> m_restsAt; ///< pixel
 };
 
 } // namespace ui

@@ -70,6 +70,10 @@ void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     onlyHere.onlyHere = true;
     core::ShrinkAt openCut = here;
     openCut.barrier = false;
+    core::ShrinkAt back = here;
+    back.steps = 2;
+    core::ShrinkAt openBack = openCut;
+    openBack.steps = 4;
     // Seeds themselves are never taken back.
     core::ShrinkAt besideSeeds = here;
     for (glm::dvec3& point : besideSeeds.pointsLps) {
@@ -83,6 +87,9 @@ void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"shrinking here", volume, {first, seeds, over}, here});
     cases.push_back({"shrinking only here", volume, {first, seeds, over}, onlyHere});
     cases.push_back({"shrinking here, cut left open", volume, {first, seeds, over}, openCut});
+    cases.push_back({"shrinking here by generations", volume, {first, seeds, over}, back});
+    cases.push_back(
+        {"shrinking here by generations, left open", volume, {first, seeds, over}, openBack});
     cases.push_back({"shrinking beside a locked one, here", volume,
         {first, seeds, some, second, others, all, lock}, besideSeeds});
     cases.push_back({"plugging where nothing is narrow", volume, {first, seeds, over}, plug});

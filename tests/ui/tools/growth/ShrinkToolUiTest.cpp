@@ -10,6 +10,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/models/SegmentListModel.h"
+#include "ui/tools/growth/HeldShrink.h"
 #include "ui/tools/growth/ShrinkPreview.h"
 #include "ui/views/ViewGrid.h"
 
@@ -300,6 +301,74 @@ private Q_SLOTS:
         QVERIFY(fixture.lastShrink() && fixture.lastShrink()->onlyHere == onlyHere);
         QCOMPARE(fixture.session().history().rows().back().statistics.voxelsChanged, voxels);
         QVERIFY(preview.words().isEmpty());
+    }
+
+    /// The pen sketches and is held still: the growth goes back under it, and lifting it makes one
+    /// row.
+    void heldItGoesBackGenerationByGeneration_data()
+    {
+        QTest::addColumn<bool>("inVolume");
+        QTest::newRow("slice") << false;
+        QTest::newRow("3D") << true;
+    }
+    void heldItGoesBackGenerationByGeneration()
+    {
+        QFETCH(bool, inVolume);
+        ShrinkFixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        ui::ImageView& where = inVolume ? static_cast<ui::ImageView&>(fixture.view) : fixture.slice;
+        const std::size_t rows = fixture.rows();
+        const QByteArray leaked = fixture.session().stateHash();
+        const auto before = fixture.held();
+        const QPoint at = where.context().toPixel(fixture.placeOf(phantom().click)).toPoint();
+        const auto stepsDone = [&] {
+            fixture.session().poll();
+            const auto progress = fixture.session().growthProgress().backwards;
+            return progress ? int(progress->steps) : 0;
+        };
+        const auto hold = [&] {
+            QTest::mousePress(&where, Qt::LeftButton, Qt::NoModifier, at);
+            QTest::mouseMove(&where, at + QPoint(3, 1));
+            QTest::mouseMove(&where, at + QPoint(4, 1));
+            return QTest::qWaitFor([&] { return stepsDone() >= 1; }, 60000);
+        };
+        QVERIFY(hold());
+        QVERIFY(fixture.tool.held().on());
+        QVERIFY(fixture.tool.preview().words().isEmpty());
+        const auto first = fixture.held();
+        QVERIFY(first.leak < before.leak);
+        QCOMPARE(fixture.rows(), rows);
+        QVERIFY(QTest::qWaitFor([&] { return stepsDone() >= 4; }, 60000));
+        QVERIFY(fixture.tool.held().words().contains(QStringLiteral("generations back: takes")));
+        QVERIFY(fixture.held().leak < first.leak);
+        QCOMPARE(fixture.rows(), rows);
+        // A hand that trembles, or moves on, changes nothing.
+        QTest::mouseMove(&where, at + QPoint(14, 6));
+        QTest::mouseRelease(&where, Qt::LeftButton, Qt::NoModifier, at + QPoint(14, 6));
+        fixture.answered();
+        QVERIFY(!fixture.tool.held().on());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(fixture.lastShrink() && fixture.lastShrink()->steps.value_or(0) >= 4);
+        QVERIFY(!fixture.lastShrink()->onlyHere);
+        QVERIFY2(said.back()[0].toString().startsWith(QStringLiteral("Shrink here ")),
+            qPrintable(said.back()[0].toString()));
+        const QByteArray shrunk = fixture.session().stateHash();
+        QVERIFY(shrunk != leaked);
+        const core::ShrinkAt done = *fixture.lastShrink();
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), leaked);
+        // The same at once.
+        fixture.apply(done);
+        QCOMPARE(fixture.session().stateHash(), shrunk);
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        const std::size_t rowsThen = fixture.rows();
+
+        QVERIFY(hold());
+        QTest::keyClick(&where, Qt::Key_Escape);
+        QTest::mouseRelease(&where, Qt::LeftButton, Qt::NoModifier, at);
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rowsThen);
+        QCOMPARE(fixture.session().stateHash(), leaked);
     }
 
     void whereNothingGrewTheCursorSaysSo()

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/growth/HeldShrink.h"
+
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/growth/GrowthProgress.h"
+#include "core/session/EditSession.h"
+#include "ui/models/SegmentListModel.h"
+#include "ui/workspace/Workspace.h"
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+/// A hand must be able to stop where it wants, also where growth runs at full speed.
+constexpr double usualPace = 8.0; // generations per second
+constexpr double fastestPace = 20.0;
+
+} // namespace
+
+HeldShrink::HeldShrink(Workspace& workspace, QObject* parent)
+    : QObject(parent)
+    , m_workspace(workspace)
+{
+    connect(&m_pace, &QTimer::timeout, this, &HeldShrink::goOn);
+    connect(&workspace, &Workspace::failed, this, [this](const core::Error& error) {
+        const core::EditSession* session = m_workspace.session();
+        if (!m_on || !session || session->growthProgress().backwards)
+            return; // then it goes on, and something else has failed
+        m_refused = error;
+        m_pace.stop();
+        Q_EMIT changed();
+    });
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_on = false;
+        m_pace.stop();
+    });
+}
+
+bool HeldShrink::begin(const std::vector<glm::ivec3>& voxels)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session || m_on)
+        return false;
+    core::ShrinkAt shrink{.steps = 1};
+    for (const glm::ivec3& voxel : voxels)
+        shrink.pointsLps.push_back(m_workspace.volume()->geometry.toWorld(glm::dvec3(voxel)));
+    if (const auto begun = session->begin(shrink); !begun) {
+        m_workspace.fail(begun.error());
+        return false;
+    }
+    m_on = true;
+    m_steps = 1;
+    m_refused.reset();
+    const double chosen = m_workspace.growSettings().generationsPerSecond;
+    const double pace = chosen > 0.0 ? std::min(chosen, fastestPace) : usualPace;
+    m_pace.start(int(1000.0 / pace));
+    Q_EMIT changed();
+    return true;
+}
+
+/// A step is asked for when the one before is seen: so it stops at once when the pen is lifted.
+void HeldShrink::goOn()
+{
+    core::EditSession* session = m_workspace.session();
+    if (!m_on || !session || !session->transactionOpen())
+        return m_pace.stop();
+    const auto progress = session->growthProgress().backwards;
+    Q_EMIT changed();
+    if (!progress)
+        return;
+    if (progress->bound != core::BackwardProgress::Bound::None)
+        return m_pace.stop();
+    if (int(progress->steps) >= m_steps)
+        session->setShrinkSteps(++m_steps);
+}
+
+void HeldShrink::end(bool kept)
+{
+    if (!m_on)
+        return;
+    m_on = false;
+    m_pace.stop();
+    if (core::EditSession* session = m_workspace.session(); session && session->transactionOpen())
+        session->end(kept ? core::Ending::Commit : core::Ending::Rollback);
+    Q_EMIT changed();
+}
+
+QString HeldShrink::words() const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!m_on || !session)
+        return {};
+    if (m_refused)
+        return tr("takes nothing");
+    const auto progress = session->growthProgress().backwards;
+    if (!progress)
+        return tr("goes back …");
+    using Bound = core::BackwardProgress::Bound;
+    const QString taken = tr("%n generation(s) back: takes %1", nullptr, int(progress->steps))
+                              .arg(millilitreText(progress->members,
+                                  m_workspace.volume()->geometry.voxelVolumeMm3()));
+    switch (progress->bound) {
+    case Bound::None:
+        break;
+    case Bound::Seeds:
+        return tr("%1; the rest is nearer to the seeds").arg(taken);
+    case Bound::Everything:
+        return tr("%1; one more would take everything").arg(taken);
+    }
+    return taken;
+}
+
+} // namespace ui
