@@ -89,7 +89,7 @@ void DivideOperation::giveUp(SessionState& state, const Error& error)
 
 ToggleChunks::ToggleChunks(ChunkToggle edit, RowId again)
     : m_edit(std::move(edit))
-    , m_again(again)
+    , m_relabelling(again)
 {
 }
 
@@ -97,7 +97,7 @@ void ToggleChunks::start(SessionState& state)
 {
     Result<ChunkClick> click = chunkClick(m_edit, state.document);
     if (!click)
-        return giveUp(state, click.error());
+        return m_relabelling.giveUp(state, click.error());
     m_click = *std::move(click);
     m_awaited = state.divisionRow();
     state.chunks->forgetFailure();
@@ -111,7 +111,7 @@ void ToggleChunks::takeChunks(SessionState& state)
         return;
     if (const std::optional<Error> why = state.chunks->whyNot(*m_awaited)) {
         static_cast<void>(state.chunks->takeUnreported()); // it is told here
-        return giveUp(state, *why);
+        return m_relabelling.giveUp(state, *why);
     }
     if (const ChunkWorker::Map map = state.chunks->map(*m_awaited)) {
         m_awaited.reset();
@@ -123,7 +123,7 @@ void ToggleChunks::click(SessionState& state, const ChunkMap& map)
 {
     m_clicked.emplace(map, m_edit, m_click);
     if (m_clicked->empty())
-        return leaveNoRow(state);
+        return m_relabelling.leaveNoRow(state);
     const std::vector<std::uint32_t> bricks = m_clicked->bricks();
     m_edit.bricks.emplace(bricks.begin(), bricks.end());
     if (m_edit.mode != ChunkToggle::Mode::Toggle)
@@ -141,64 +141,22 @@ void ToggleChunks::relabel(SessionState& state, std::vector<BrickChange> labels)
         [this, clicked = std::make_shared<const ClickedChunks>(*std::move(m_clicked)),
             labels = std::move(labels)] {
             auto relabelled = std::make_shared<RelabelListed>(clicked->relabelled(labels));
-            return SideThread::Sequel(
-                [this, relabelled](SessionState& known) { write(known, std::move(*relabelled)); });
+            return SideThread::Sequel([this, relabelled](SessionState& known) {
+                m_relabelling.write(known, m_edit, std::move(*relabelled));
+            });
         },
-        [this](SessionState& known, const Error& error) { giveUp(known, error); });
+        [this](SessionState& known, const Error& error) { m_relabelling.giveUp(known, error); });
     m_clicked.reset();
-}
-
-void ToggleChunks::write(SessionState& state, RelabelListed&& relabel)
-{
-    m_begun = state.engine.submit(BeginEdit{std::move(relabel)});
-    m_ended = state.engine.submit(EndEdit{});
 }
 
 void ToggleChunks::takeResult(SessionState& state, EngineResult&& result)
 {
     if (m_asked && result.ticket == *m_asked) {
         m_asked.reset();
-        return result.error ? giveUp(state, *result.error)
+        return result.error ? m_relabelling.giveUp(state, *result.error)
                             : relabel(state, std::move(result.changes));
     }
-    if (m_begun && result.ticket == *m_begun) { // it never opened, and its end tells so again
-        m_failed = true;
-        state.fail(*result.error);
-    } else if (m_ended && result.ticket == *m_ended)
-        finish(state, std::move(result));
-}
-
-void ToggleChunks::finish(SessionState& state, EngineResult&& result)
-{
-    if (result.error) {
-        m_done = true;
-        if (!m_failed)
-            state.fail(*result.error);
-        return;
-    }
-    if (result.changes.empty())
-        return leaveNoRow(state);
-    m_done = true;
-    if (m_again != 0)
-        state.complete(m_again, std::move(result));
-    else
-        state.commit(m_edit, std::move(result), {});
-}
-
-void ToggleChunks::leaveNoRow(SessionState& state)
-{
-    m_done = true;
-    if (m_again != 0)
-        state.fail({ErrorCode::SessionDamaged,
-            {state.file ? state.file->path() : QString(),
-                QStringLiteral("row %1 changes nothing when it is carried out again")
-                    .arg(m_again)}});
-}
-
-void ToggleChunks::giveUp(SessionState& state, const Error& error)
-{
-    state.fail(error);
-    m_done = true;
+    m_relabelling.takeResult(state, std::move(result));
 }
 
 } // namespace core

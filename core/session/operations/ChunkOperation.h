@@ -4,6 +4,7 @@
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/ChunkVoxels.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/session/operations/Relabelling.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/state/Operation.h"
 
@@ -46,26 +47,18 @@ public:
     void takeChunks(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     [[nodiscard]] bool awaitsChunks() const override { return m_awaited.has_value(); }
-    [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool done() const override { return m_relabelling.done(); }
 
 private:
     void click(SessionState& state, const ChunkMap& map);
     void relabel(SessionState& state, std::vector<BrickChange> labels);
-    void write(SessionState& state, RelabelListed&& relabel);
-    void finish(SessionState& state, EngineResult&& result);
-    void leaveNoRow(SessionState& state);
-    void giveUp(SessionState& state, const Error& error);
 
     ChunkToggle m_edit;
-    RowId m_again = 0;
     ChunkClick m_click;
     std::optional<RowId> m_awaited; ///< the division whose chunks are not available yet
     std::optional<ClickedChunks> m_clicked;
     std::optional<Ticket> m_asked; ///< for what their bricks hold
-    std::optional<Ticket> m_begun;
-    std::optional<Ticket> m_ended;
-    bool m_failed = false; ///< which has been told
-    bool m_done = false;
+    Relabelling m_relabelling;
 };
 
 } // namespace core

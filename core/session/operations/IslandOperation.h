@@ -2,14 +2,13 @@
 #pragma once
 
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/session/operations/Relabelling.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/state/Operation.h"
 
 #include <optional>
 
 namespace core {
-
-struct RelabelListed;
 
 /// Fills holes of a segment or removes islands from it: it reads the labels of the segment's plane,
 /// works out on the side thread which voxels are meant, and lets the engine write them; one row if
@@ -21,23 +20,16 @@ public:
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
-    [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool done() const override { return m_relabelling.done(); }
 
 private:
     void readNext(SessionState& state);
     void write(SessionState& state, Result<RelabelListed>&& relabel);
-    void finish(SessionState& state, EngineResult&& result);
-    void leaveNoRow(SessionState& state);
-    void giveUp(SessionState& state, const Error& error);
 
     CleanSegment m_edit;
-    RowId m_again = 0;
     std::optional<LabelReader> m_reader;
     std::optional<Ticket> m_asked; ///< for labels
-    std::optional<Ticket> m_begun;
-    std::optional<Ticket> m_ended;
-    bool m_failed = false; ///< which has been told
-    bool m_done = false;
+    Relabelling m_relabelling;
 };
 
 } // namespace core

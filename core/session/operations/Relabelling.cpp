@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/operations/Relabelling.h"
+
+#include <utility>
+
+namespace core {
+
+Relabelling::Relabelling(RowId again)
+    : m_again(again)
+{
+}
+
+void Relabelling::write(SessionState& state, Edit edit, RelabelListed&& relabel)
+{
+    if (relabel.bricks.empty())
+        return leaveNoRow(state);
+    m_edit = std::move(edit);
+    m_begun = state.engine.submit(BeginEdit{std::move(relabel)});
+    m_ended = state.engine.submit(EndEdit{});
+}
+
+void Relabelling::takeResult(SessionState& state, EngineResult&& result)
+{
+    if (m_begun && result.ticket == *m_begun) { // it never opened, and its end tells so again
+        m_failed = true;
+        state.fail(*result.error);
+    } else if (m_ended && result.ticket == *m_ended)
+        finish(state, std::move(result));
+}
+
+void Relabelling::finish(SessionState& state, EngineResult&& result)
+{
+    if (result.error) {
+        m_done = true;
+        if (!m_failed)
+            state.fail(*result.error);
+        return;
+    }
+    if (result.changes.empty())
+        return leaveNoRow(state);
+    m_done = true;
+    if (m_again != 0)
+        state.complete(m_again, std::move(result));
+    else
+        state.commit(m_edit, std::move(result), {});
+}
+
+void Relabelling::leaveNoRow(SessionState& state)
+{
+    m_done = true;
+    if (m_again != 0)
+        state.fail({ErrorCode::SessionDamaged,
+            {state.file ? state.file->path() : QString(),
+                QStringLiteral("row %1 changes nothing when it is carried out again")
+                    .arg(m_again)}});
+}
+
+void Relabelling::giveUp(SessionState& state, const Error& error)
+{
+    state.fail(error);
+    m_done = true;
+}
+
+} // namespace core
