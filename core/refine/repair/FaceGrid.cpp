@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/repair/FaceGrid.h"
 
-#include "core/base/ParallelFor.h"
 #include "core/refine/mesh/SimplexDual.h"
 #include "core/refine/voxels/SurfaceFill.h"
 
@@ -12,9 +11,6 @@ namespace core {
 
 namespace {
 
-constexpr int shares = 16;
-/// Fewer faces than this are not worth a thread.
-constexpr std::size_t fewFaces = 256;
 /// In the mean: where faces have grown beyond it, looking through their cells takes too long.
 constexpr std::size_t mostEntriesOfAFace = 16;
 
@@ -198,25 +194,12 @@ std::vector<CrossingFaces> FaceGrid::crossingsOf(std::span<const FaceId> faces)
     ++m_question;
     for (const FaceId face : faces)
         m_asked[face] = m_question;
-    std::array<std::vector<CrossingFaces>, shares> found;
-    const auto look = [&](std::size_t begin, std::size_t end, std::vector<CrossingFaces>& into) {
-        for (std::size_t i = begin; i < end; ++i)
-            lookAround(faces[i], into);
-    };
-    if (faces.size() < fewFaces)
-        look(0, faces.size(), found[0]);
-    else
-        parallelFor(shares, [&](int share) {
-            look(faces.size() * std::size_t(share) / shares,
-                faces.size() * (std::size_t(share) + 1) / shares, found[std::size_t(share)]);
-        });
-    std::vector<CrossingFaces> all;
-    for (const auto& part : found)
-        all.insert(all.end(), part.begin(), part.end());
     // A face of two cells with the same bucket is met there twice.
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
+    return collectCrossings(
+        faces.size(), [&](std::size_t begin, std::size_t end, std::vector<CrossingFaces>& found) {
+            for (std::size_t i = begin; i < end; ++i)
+                lookAround(faces[i], found);
+        });
 }
 
 } // namespace core

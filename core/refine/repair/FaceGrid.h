@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/refine/mesh/SimplexMesh.h"
+#include "core/refine/repair/CrossingFaces.h"
 #include "core/refine/repair/FaceFan.h"
-#include "core/refine/repair/SelfIntersections.h"
 #include "core/volume/WorldToIndex.h"
 
 #include <span>

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/repair/SelfIntersections.h"
 
-#include "core/base/ParallelFor.h"
 #include "core/refine/mesh/SimplexDual.h"
 #include "core/refine/repair/TriangleCrossing.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 
 #include <algorithm>
-#include <array>
 
 namespace core {
 
@@ -47,26 +45,18 @@ public:
 
     [[nodiscard]] std::vector<CrossingFaces> crossings() const
     {
-        constexpr int gridShares = 16;
-        std::array<std::vector<CrossingFaces>, gridShares> found;
-        parallelFor(gridShares, [&](int share) {
-            std::size_t begin = cellBegin(m_entries.size() * std::size_t(share) / gridShares);
-            const std::size_t last =
-                cellBegin(m_entries.size() * (std::size_t(share) + 1) / gridShares);
-            while (begin < last) {
-                std::size_t end = begin + 1;
-                while (end < m_entries.size() && m_entries[end].cell == m_entries[begin].cell)
-                    ++end;
-                lookThrough(begin, end, found[std::size_t(share)]);
-                begin = end;
-            }
-        });
-        std::vector<CrossingFaces> all;
-        for (const auto& part : found)
-            all.insert(all.end(), part.begin(), part.end());
-        std::sort(all.begin(), all.end());
-        all.erase(std::unique(all.begin(), all.end()), all.end());
-        return all;
+        return collectCrossings(m_entries.size(),
+            [this](std::size_t from, std::size_t to, std::vector<CrossingFaces>& found) {
+                std::size_t begin = cellBegin(from);
+                const std::size_t last = cellBegin(to);
+                while (begin < last) {
+                    std::size_t end = begin + 1;
+                    while (end < m_entries.size() && m_entries[end].cell == m_entries[begin].cell)
+                        ++end;
+                    lookThrough(begin, end, found);
+                    begin = end;
+                }
+            });
     }
 
 private:

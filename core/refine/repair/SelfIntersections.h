@@ -2,17 +2,10 @@
 #pragma once
 
 #include "core/refine/mesh/SimplexMeshEdit.h"
+#include "core/refine/repair/CrossingFaces.h"
 #include "core/volume/VolumeGeometry.h"
 
 namespace core {
-
-/// Two faces that pass through each other; if both are the same, the face passes through itself.
-struct CrossingFaces {
-    FaceId one = noId; ///< not greater than `other`
-    FaceId other = noId;
-    bool operator==(const CrossingFaces&) const = default;
-    auto operator<=>(const CrossingFaces&) const = default;
-};
 
 /// Finds where a surface passes through itself. Its triangles (SimplexDual.h) are rounded to the
 /// lattice on which they decide voxels (SurfaceVoxels.h), and all computation is in integers. Faces
