@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
 #include "core/edits/kinds/pieces/PastePiece.h"
@@ -158,8 +159,11 @@ bool Pieces::allHome() const
             [](const core::Piece& piece) { return piece.pose.isHome(); });
 }
 
-void Pieces::measure(int layer, int segment, std::function<void(const Extent&)> then)
+void Pieces::measure(
+    int layer, int segment, std::function<void(const Extent&)> then, std::function<void()> unless)
 {
+    if (!unless)
+        unless = [] {};
     const core::VolumeGeometry geometry = m_workspace.volume()->geometry;
     const core::BrickGrid grid{geometry.size};
     std::vector<core::BrickKey> keys;
@@ -168,22 +172,28 @@ void Pieces::measure(int layer, int segment, std::function<void(const Extent&)> 
         keys.push_back({.field = layer > 0 ? core::Field::Coverage : core::Field::Labels,
             .plane = std::uint8_t(layer),
             .brick = std::uint32_t(brick)});
-    auto take = [this, geometry, segment, then = std::move(then)](
+    const auto fail = [this, unless](const core::Error& error) {
+        m_workspace.fail(error);
+        unless();
+    };
+    auto take = [this, geometry, segment, then = std::move(then), unless, fail](
                     core::Result<std::vector<core::BrickImage>> answer) {
         if (!answer)
-            return m_workspace.fail(answer.error());
+            return fail(answer.error());
         m_measuring.start(
             this,
             [bricks = *std::move(answer), geometry, segment] {
                 return extentOf(bricks, geometry, segment);
             },
-            [this, then](const core::Result<Extent>& extent) {
+            [this, then, unless, fail](const core::Result<Extent>& extent) {
                 if (!extent)
-                    m_workspace.fail(extent.error());
-                else if (extent->pointsLps.empty())
-                    m_workspace.say(tr("There is nothing in it yet"));
-                else if (m_workspace.session())
-                    then(*extent);
+                    return fail(extent.error());
+                if (!m_workspace.session())
+                    return;
+                if (!extent->pointsLps.empty())
+                    return then(*extent);
+                m_workspace.say(tr("There is nothing in it yet"));
+                unless();
             });
     };
     m_workspace.session()->questions().bricks(std::move(keys), std::move(take));
@@ -220,19 +230,27 @@ Pieces::Extent Pieces::extentOf(
     return extent;
 }
 
-void Pieces::cutPiece(int layer, const QString& name, std::function<void()> then)
+void Pieces::cutPiece(
+    int layer, const QString& name, std::function<void()> then, std::function<void()> unless)
 {
-    measure(layer, 0, [this, layer, name, then = std::move(then)](const Extent& extent) {
-        core::EditSession& open = *m_workspace.session();
-        core::CutPiece edit;
-        edit.layer = layer;
-        edit.name = name;
-        edit.pivotLps = extent.middleLps;
-        if (const auto lifted = open.apply(edit); !lifted)
-            return m_workspace.fail(lifted.error());
-        setActive(open.foreseenDocument().pieces.back().id);
-        then();
-    });
+    measure(
+        layer, 0,
+        [this, layer, name, then = std::move(then), unless](const Extent& extent) {
+            core::EditSession& open = *m_workspace.session();
+            core::CutPiece edit;
+            edit.layer = layer;
+            edit.name = name;
+            edit.pivotLps = extent.middleLps;
+            if (const auto lifted = open.apply(edit); !lifted) {
+                m_workspace.fail(lifted.error());
+                if (unless)
+                    unless();
+                return;
+            }
+            setActive(open.foreseenDocument().pieces.back().id);
+            then();
+        },
+        unless);
 }
 
 void Pieces::lift(int layer)
@@ -310,12 +328,42 @@ void Pieces::liftCut(core::RowId cut)
         return m_workspace.fail(added.error());
     const int layer = session.foreseenDocument().layers.back().id;
     revise.layer = layer;
-    if (const auto revised = session.apply(revise); !revised)
-        return m_workspace.fail(revised.error());
-    cutPiece(layer, name, [this, name, cutName = nameOf(history.row(cut))] {
-        m_workspace.say(tr("%1 is what '%2' has cut; it can be moved: tool Pieces, or the panel's "
-                           "numbers")
-                            .arg(name, cutName));
+    if (const auto revised = session.apply(revise); !revised) {
+        m_workspace.fail(revised.error());
+        return withdraw(layer);
+    }
+    cutPiece(
+        layer, name,
+        [this, name, cutName = nameOf(history.row(cut))] {
+            m_workspace.say(
+                tr("%1 is what '%2' has cut; it can be moved: tool Pieces, or the panel's numbers")
+                    .arg(name, cutName));
+        },
+        [this, layer] { withdraw(layer); });
+}
+
+void Pieces::withdraw(int layer)
+{
+    m_workspace.session()->questions().bricks({}, [this, layer](const auto&) {
+        core::EditSession& session = *m_workspace.session();
+        const core::History& history = session.history();
+        const std::vector<core::RowId> rows = history.standing();
+        const auto moved = std::find_if(rows.begin(), rows.end(), [&](core::RowId row) {
+            const auto* revise = history.row(row).edit.as<core::ReviseStroke>();
+            return revise && revise->layer == layer;
+        });
+        core::RowId last = history.position();
+        if (moved != rows.end() && *moved == last)
+            last = history.row(last).parent;
+        const bool isLast = last != 0 && history.row(last).edit.is<core::AddLayer>()
+            && session.document().layers.back().id == layer && session.idle();
+        core::Result<void> gone;
+        if (isLast)
+            gone = session.goTo(history.row(last).parent);
+        else if (moved == rows.end()) // other steps came on top, which are the user's
+            gone = session.apply(core::RemoveLayer{.layer = layer});
+        if (!gone)
+            m_workspace.fail(gone.error());
     });
 }
 

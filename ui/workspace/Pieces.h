@@ -69,7 +69,8 @@ public:
     /// kept first, and counts.
     void liftLast(int layer);
     /// Makes what one cut has carved a piece, however much else its layer holds: the cut becomes
-    /// that of a new layer, which is the piece's. What is carved next goes where it went before.
+    /// that of a new layer, which is the piece's. What is carved next goes where it went before. If
+    /// it is refused on the way, nothing is left of it.
     /// @param cut a stroke that is part of the present state and carves
     void liftCut(core::RowId cut);
     /// The last cut of a layer, if it is not all that the layer holds and can be told from the
@@ -99,13 +100,20 @@ private:
         glm::dvec3 middleLps{0.0}; ///< of their bounding box
         glm::dvec3 sizeLps{0.0};
     };
-    /// Asks the engine for the extent; @p then is not called if there are no voxels.
-    void measure(int layer, int segment, std::function<void(const Extent&)> then);
+    /// Asks the engine for the extent.
+    /// @param unless called instead of @p then if it fails or there are no voxels, which was told
+    void measure(int layer, int segment, std::function<void(const Extent&)> then,
+        std::function<void()> unless = {});
     [[nodiscard]] static Extent extentOf(const std::vector<core::BrickImage>& bricks,
         const core::VolumeGeometry& geometry, int segment);
     /// Makes a layer a piece that turns about its middle.
     /// @param then called when the step is made
-    void cutPiece(int layer, const QString& name, std::function<void()> then);
+    /// @param unless called if it cannot be made, which was told
+    void cutPiece(int layer, const QString& name, std::function<void()> then,
+        std::function<void()> unless = {});
+    /// Takes back the layer that was added for a lift, and the cut that moved there, when all that
+    /// waits is done.
+    void withdraw(int layer);
     void apply(const core::ChangePiece& edit);
     void follow();
 

@@ -3,6 +3,7 @@
 #include "ui/tools/sculpt/PieceTool.h"
 
 #include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "tests/support/faults/FailingLog.h"
@@ -192,6 +193,33 @@ private Q_SLOTS:
         QCOMPARE(session.stateHash(), both);
         undo(1);
         QCOMPARE(session.stateHash(), before);
+    }
+
+    /// What is still waiting when a lift is asked for may be the reason why its cut cannot be told
+    /// from the rest any more.
+    void aRefusedLiftLeavesNothing()
+    {
+        for (const bool isStepOnTop : {false, true}) {
+            PieceFixture fixture;
+            core::EditSession& session = *fixture.workspace.session();
+            fixture.apply(test::paintAt(1, {{0, 0, -12}}));
+            QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+            QVERIFY(session.apply(core::SegmentToLayer{.segment = 1, .layer = 1}));
+            fixture.workspace.pieces().liftCut(1);
+            if (isStepOnTop)
+                QVERIFY(session.apply(test::carveAt({{0, 0, 0}}, 3.0)));
+            for (int i = 0; i < 4; ++i) {
+                static_cast<void>(session.settle()); // it tells the refusal
+                QVERIFY(QTest::qWaitFor(
+                    [&] { return !fixture.workspace.pieces().isMeasuring(); }, 60000));
+            }
+            QCOMPARE(failed.count(), 1);
+            QCOMPARE(fixture.document().layers.size(), std::size_t(1));
+            QVERIFY(fixture.document().pieces.empty());
+            QCOMPARE(fixture.workspace.activeLayer(), 1);
+            const core::History& history = session.history();
+            QVERIFY(history.row(history.position()).edit.is<core::SegmentToLayer>() != isStepOnTop);
+        }
     }
 
     /// What was filled again since would be open, if its cut were another layer's.
