@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <optional>
 
 namespace gpu {
 
@@ -41,20 +40,6 @@ glm::vec3 colourOf(std::uint32_t rgb)
     return glm::vec3(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255) / 255.0f;
 }
 
-/// The segment whose surface is refined; 0: none. Where it is drawn as a wireframe only its colour
-/// tells.
-unsigned maskLabel(const VolumeScene& scene, const SegmentDisplay& segments)
-{
-    if (scene.bodiless != 0)
-        return unsigned(scene.bodiless);
-    const std::optional<SceneContour>& contour = scene.plane->contour;
-    for (std::size_t label = 1; contour && label < segments.rgb.size(); ++label) {
-        if (segments.visible[label] && segments.rgb[label] == contour->colours.rgb)
-            return unsigned(label);
-    }
-    return 0;
-}
-
 /// What of a slice it shows.
 SliceScene lookOf(const ScenePlane& plane, const VolumeScene& scene)
 {
@@ -64,6 +49,7 @@ SliceScene lookOf(const ScenePlane& plane, const VolumeScene& scene)
         .window = plane.window,
         .inverted = plane.inverted,
         .cubic = true,
+        .showCarved = plane.showCarved,
         .chunks = scene.chunks};
 }
 
@@ -147,7 +133,7 @@ void PlanePass::draw(PlanePicture& picture, SlicePass& slices, VolumeTextures& v
         return;
     Program& program = slices.prepareOnPlane(
         volume, lookOf(*scene.plane, scene), segments, palette, target, chunks);
-    program.set("maskLabel", maskLabel(scene, segments));
+    program.set("maskLabel", unsigned(scene.plane->mask));
     setPlane(program, volume, scene, target);
     const bool lines = !picture.contour.isEmpty();
     (lines ? picture.contour.cover : m_noContour).bindUnit(23);

@@ -110,6 +110,9 @@ struct ScenePlane {
     std::uint32_t rimRgb = 0x5AA9E6; ///< 0xRRGGBB
     float rimWidthPixels = 1.5f; ///< 0: none
     std::optional<SceneContour> contour{}; ///< none: not drawn
+    /// The segment whose surface is refined (label), which is reddish here; 0: none.
+    int mask = 0;
+    bool showCarved = true; ///< carved voxels as a tinted outline
     bool operator==(const ScenePlane&) const = default;
 };
 

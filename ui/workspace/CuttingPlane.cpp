@@ -208,7 +208,9 @@ std::optional<gpu::ScenePlane> CuttingPlane::scene() const
         .window = m_workspace.windowLevel(),
         .inverted = m_workspace.viewOptions().inverted,
         .opacity = m_look.opacity,
-        .contour = m_workspace.refinement().contour()};
+        .contour = m_workspace.refinement().contour(),
+        .mask = m_workspace.refinement().mask(),
+        .showCarved = m_workspace.viewOptions().showCarved};
 }
 
 std::optional<core::ClipPlane> CuttingPlane::clip() const

@@ -114,6 +114,12 @@ int Refinement::bodiless() const
     return shown ? surface()->segment : 0;
 }
 
+int Refinement::mask() const
+{
+    const bool drawn = surface() && !m_mirror.empty() && (m_look.opacity > 0.0f || m_look.contours);
+    return drawn ? surface()->segment : 0;
+}
+
 std::optional<gpu::SceneContour> Refinement::contour() const
 {
     if (!surface() || !m_look.contours)

@@ -64,6 +64,9 @@ public:
     /// The label whose body the 3D view leaves out because its surface is drawn; 0: none. Edges
     /// alone hide nothing: behind them the body stays, to compare.
     [[nodiscard]] int bodiless() const;
+    /// The label that the cutting plane shows reddish, so that the line of its surface stands out
+    /// from it; 0: none, or nothing of the surface is drawn.
+    [[nodiscard]] int mask() const;
 
     /// Contours of a template that were drawn but not applied (seed B §4.4), LPS.
     [[nodiscard]] const std::vector<std::vector<glm::dvec3>>& contours() const

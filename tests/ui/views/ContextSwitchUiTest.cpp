@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/surface/DropSurface.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/base/Actions.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/refine/RefineTool.h"
 #include "ui/tools/sculpt/DrillTool.h"
 #include "ui/views/ContextSwitch.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/Refinement.h"
 
 #include <QAction>
@@ -68,10 +71,10 @@ public:
     {
         return *control().findChild<QSlider*>(QStringLiteral("contextOpacity"));
     }
-    /// What the window does when Alt and a key are pressed.
-    void key(Qt::Key key)
+    /// What the window does when keys are pressed.
+    void key(QKeyCombination keys)
     {
-        const QKeySequence pressed(QKeyCombination(Qt::AltModifier, key));
+        const QKeySequence pressed(keys);
         for (QAction* action : window.actionTable().all()) {
             if (action->shortcuts().contains(pressed))
                 return action->trigger();
@@ -119,16 +122,16 @@ private Q_SLOTS:
     void keysChooseToo()
     {
         ContextFixture fixture;
-        fixture.key(Qt::Key_8);
+        fixture.key(Qt::AltModifier | Qt::Key_8);
         QCOMPARE(fixture.shown(), Context::Hidden);
         QVERIFY(fixture.button("contextHidden").isChecked());
-        fixture.key(Qt::Key_6);
+        fixture.key(Qt::AltModifier | Qt::Key_6);
         QCOMPARE(fixture.shown(), Context::Translucent);
-        fixture.key(Qt::Key_7);
+        fixture.key(Qt::AltModifier | Qt::Key_7);
         QCOMPARE(fixture.shown(), Context::CutAway);
         QVERIFY(fixture.button("contextBoth").isChecked());
         QVERIFY(fixture.button("contextCutAway").isChecked());
-        fixture.key(Qt::Key_5);
+        fixture.key(Qt::AltModifier | Qt::Key_5);
         QCOMPARE(fixture.shown(), Context::Opaque);
         // The control itself: Tab reaches it, Space chooses.
         fixture.button("contextHidden").setFocus(Qt::TabFocusReason);
@@ -204,6 +207,44 @@ private Q_SLOTS:
         look.opacity = 0.0f;
         fixture.workspace.refinement().setLook(look);
         QCOMPARE(fixture.asked().bodiless, 0);
+    }
+
+    /// The mask on the cutting plane is that of the surface, however it is drawn, also where
+    /// another segment has the same colour.
+    void thePlaneKnowsWhoseSurfaceItIs()
+    {
+        ContextFixture fixture;
+        const std::uint32_t rgb = fixture.workspace.session()->document().segment(1)->rgb;
+        fixture.apply(core::AddSegment{.name = QStringLiteral("Other"), .rgb = rgb});
+        const int other = fixture.workspace.session()->document().segments.back().label;
+        fixture.workspace.plane().setLook({.shown = true});
+        QCOMPARE(fixture.asked().plane->mask, 0);
+        fixture.apply(test::paintAt(other, {{14, 0, 0}}));
+        fixture.apply(core::LaySurface{.segment = other, .vertices = 800});
+        QCOMPARE(fixture.asked().plane->mask, other);
+        ui::Refinement::Look look = fixture.workspace.refinement().look();
+        look.style = gpu::SurfaceStyle::Wireframe;
+        look.contours = true;
+        fixture.workspace.refinement().setLook(look);
+        QCOMPARE(fixture.asked().plane->mask, other);
+        look.contours = false;
+        fixture.workspace.refinement().setLook(look);
+        QCOMPARE(fixture.asked().plane->mask, other);
+        look.opacity = 0.0f; // nothing stands out from it any more
+        fixture.workspace.refinement().setLook(look);
+        QCOMPARE(fixture.asked().plane->mask, 0);
+    }
+
+    /// Shift+H hides the outline of carving on the plane as in slices.
+    void thePlaneHidesCarvingAsSlicesDo()
+    {
+        ContextFixture fixture;
+        fixture.workspace.plane().setLook({.shown = true});
+        QVERIFY(fixture.asked().plane->showCarved);
+        fixture.key(Qt::ShiftModifier | Qt::Key_H);
+        QVERIFY(!fixture.asked().plane->showCarved);
+        fixture.key(Qt::ShiftModifier | Qt::Key_H);
+        QVERIFY(fixture.asked().plane->showCarved);
     }
 
     /// A stored display tells that the volume has stepped back, but the session has no surface:
