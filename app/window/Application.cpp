@@ -4,6 +4,7 @@
 #include "app/steps/SessionFiles.h"
 #include "app/window/DemonstrationStudy.h"
 #include "app/window/LostContext.h"
+#include "app/window/WindowContents.h"
 #include "core/base/Guarded.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/session/SessionStorage.h"
@@ -12,55 +13,16 @@
 #include "gpu/engine/GpuEngine.h"
 #include "ui/base/ErrorText.h"
 #include "ui/base/Theme.h"
-#include "ui/dialogs/export/CarvedExportDialog.h"
-#include "ui/dialogs/export/DeidentifySessionDialog.h"
-#include "ui/dialogs/export/ExportDialog.h"
-#include "ui/dialogs/export/Screenshot.h"
 #include "ui/dialogs/session/UnwrittenSteps.h"
 #include "ui/frame/MessageBar.h"
-#include "ui/panels/ClippingPanel.h"
-#include "ui/panels/SeriesDoctorPanel.h"
-#include "ui/panels/VolumePanel.h"
-#include "ui/panels/growth/GrowthActions.h"
-#include "ui/panels/growth/GrowthPanel.h"
-#include "ui/panels/history/HistoryPanel.h"
-#include "ui/panels/lists/LayersPanel.h"
-#include "ui/panels/lists/PiecesPanel.h"
-#include "ui/panels/lists/SegmentsPanel.h"
-#include "ui/panels/refine/ChunksPanel.h"
-#include "ui/panels/refine/ComparePanel.h"
-#include "ui/panels/refine/RefineActions.h"
-#include "ui/panels/refine/RefinePanel.h"
 #include "ui/settings/RecentStudies.h"
-#include "ui/tools/growth/BarrierTool.h"
-#include "ui/tools/growth/PaintTool.h"
-#include "ui/tools/growth/SeedTool.h"
-#include "ui/tools/growth/ShrinkTool.h"
-#include "ui/tools/refine/ChunkTool.h"
-#include "ui/tools/refine/RefineTool.h"
-#include "ui/tools/sculpt/CarveBrushTool.h"
-#include "ui/tools/sculpt/DrillTool.h"
-#include "ui/tools/sculpt/LaserTool.h"
-#include "ui/tools/sculpt/PeelTool.h"
-#include "ui/tools/sculpt/PieceTool.h"
-#include "ui/tools/sculpt/ScissorsTool.h"
-#include "ui/tools/view/ClipTool.h"
-#include "ui/tools/view/CuttingPlaneTool.h"
-#include "ui/tools/view/RulerTool.h"
-#include "ui/tools/view/UndoHereTool.h"
-#include "ui/views/ViewGrid.h"
-#include "ui/views/VolumeView.h"
-#include "ui/window/DisplayState.h"
-#include "ui/window/KeyframeRecorder.h"
 #include "ui/window/MainWindow.h"
-#include "ui/window/PieceActions.h"
 
 #include <QApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QMenu>
 
 #include <chrono>
 #include <thread>
@@ -94,7 +56,8 @@ Application::Application(std::unique_ptr<gpu::GpuEngine> engine)
     ui::theme::apply(*qApp);
     m_window = std::make_unique<ui::MainWindow>(
         *m_workspace, m_engine->rendererName() + QStringLiteral(", ") + m_engine->versionText());
-    makeWindow();
+    addContents(*m_window);
+    follow();
 }
 
 Application::~Application()
@@ -102,80 +65,8 @@ Application::~Application()
     m_workspace->setSession(nullptr);
 }
 
-void Application::makeWindow()
+void Application::follow()
 {
-    ui::MainWindow& window = *m_window;
-    auto* drill = new ui::DrillTool(*m_workspace, &window);
-    auto* laser = new ui::LaserTool(*m_workspace, &window);
-    auto* peel = new ui::PeelTool(*m_workspace, &window);
-    auto* scissors = new ui::ScissorsTool(*m_workspace, &window);
-    auto* carve = new ui::CarveBrushTool(*m_workspace, &window);
-    auto* clip = new ui::ClipTool(*m_workspace, &window);
-    auto* piece = new ui::PieceTool(*m_workspace, &window);
-    ui::addPieceActions(window);
-    auto* seed = new ui::SeedTool(*m_workspace, &window);
-    auto* shrink = new ui::ShrinkTool(*m_workspace, &window);
-    auto* paint = new ui::PaintTool(*m_workspace, &window);
-    auto* barrier = new ui::BarrierTool(*m_workspace, &window);
-    auto* refine = new ui::RefineTool(*m_workspace, &window);
-    auto* plane = new ui::CuttingPlaneTool(*m_workspace, &window);
-    auto* chunks = new ui::ChunkTool(*m_workspace, &window);
-    auto* ruler = new ui::RulerTool(*m_workspace, &window);
-    auto* undoHere = new ui::UndoHereTool(*m_workspace, &window);
-    window.addToolGroup();
-    window.addTool(*drill, window.sculptMenu(), QKeySequence(QStringLiteral("T")));
-    window.addTool(*laser, window.sculptMenu(), QKeySequence(QStringLiteral("A")));
-    window.addTool(*peel, window.sculptMenu(), QKeySequence(QStringLiteral("O")));
-    window.addTool(*scissors, window.sculptMenu(), QKeySequence(QStringLiteral("K")));
-    window.addTool(*carve, window.sculptMenu(), QKeySequence(QStringLiteral("C")));
-    window.addTool(*clip, window.sculptMenu(), QKeySequence(QStringLiteral("Shift+C")));
-    window.addTool(*piece, window.sculptMenu(), QKeySequence(QStringLiteral("M")));
-    window.actionTable().fill(window.sculptMenu(),
-        {QString(), QStringLiteral("layers.add"), QStringLiteral("layers.mute"),
-            QStringLiteral("layers.solo"), QString(), QStringLiteral("layers.toSegment"),
-            QStringLiteral("segments.seen"), QString(), QStringLiteral("pieces.lift"),
-            QStringLiteral("pieces.liftLayer"), QStringLiteral("pieces.lid"),
-            QStringLiteral("pieces.home")});
-    window.addToolGroup();
-    window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
-    window.addTool(*shrink, window.growMenu(), QKeySequence(QStringLiteral("X")));
-    window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
-    window.addTool(*barrier, window.growMenu(), QKeySequence(QStringLiteral("Shift+B")));
-    window.addToolGroup();
-    window.addTool(*refine, window.refineMenu(), QKeySequence(QStringLiteral("F")));
-    window.addTool(*plane, window.refineMenu(), QKeySequence(QStringLiteral("P")));
-    window.addTool(*chunks, window.refineMenu(), QKeySequence(QStringLiteral("Shift+F")));
-    window.addToolGroup();
-    window.addTool(*ruler, window.editMenu(), QKeySequence(QStringLiteral("L")));
-    window.addToolGroup();
-    window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
-
-    addDoctor();
-    window.addPanel(new ui::SegmentsPanel(*m_workspace));
-    auto* growth = new ui::GrowthPanel(*m_workspace);
-    window.addPanel(growth);
-    window.growMenu().addSeparator();
-    window.actionTable().fill(
-        window.growMenu(), ui::addGrowthActions(window.actionTable(), *growth, *m_workspace));
-    window.addPanel(new ui::RefinePanel(*m_workspace));
-    window.refineMenu().addSeparator();
-    window.actionTable().fill(
-        window.refineMenu(), ui::addRefineActions(window.actionTable(), *m_workspace));
-    window.addPanel(new ui::ComparePanel(*m_workspace));
-    window.addPanel(new ui::ChunksPanel(*m_workspace));
-    window.addPanel(new ui::HistoryPanel(*m_workspace));
-    window.addPanel(new ui::LayersPanel(*m_workspace));
-    window.addPanel(new ui::PiecesPanel(*m_workspace, window.views().volume()));
-    window.addPanel(new ui::VolumePanel(*m_workspace));
-    window.addPanel(new ui::ClippingPanel(*m_workspace, window.views().volume()));
-
-    addExport();
-    new ui::KeyframeRecorder(*m_workspace, window.views().volume());
-    // The last to hear of a session: the others have set themselves up by then.
-    const std::vector<ui::Tool*> tools{drill, laser, peel, scissors, carve, clip, piece, seed,
-        shrink, paint, barrier, refine, plane, chunks, ruler, undoHere};
-    new ui::DisplayState(*m_workspace, window.views(), tools, &window);
-
     connect(
         m_workspace.get(), &ui::Workspace::sessionChanged, this, &Application::forgetUnusedSession);
     connect(m_workspace.get(), &ui::Workspace::documentChanged, this, [this] {
@@ -190,83 +81,13 @@ void Application::makeWindow()
         }
     });
     connect(m_workspace.get(), &ui::Workspace::sessionSaved, this, &Application::followSaved);
-    connect(
-        &window, &ui::MainWindow::demonstrationRequested, this, &Application::openDemonstration);
-    connect(&window.opener(), &ui::StudyOpener::loaded, this, &Application::openStudy);
-    connect(&window.opener(), &ui::StudyOpener::sessionLoaded, this, &Application::openSession);
+    connect(m_window.get(), &ui::MainWindow::demonstrationRequested, this,
+        &Application::openDemonstration);
+    connect(&m_window->opener(), &ui::StudyOpener::loaded, this, &Application::openStudy);
+    connect(&m_window->opener(), &ui::StudyOpener::sessionLoaded, this, &Application::openSession);
     new LostContext(
-        window, [this] { return makeRoom(); }, this);
-    window.offerSessionsIn(sessionFolder());
-}
-
-void Application::addDoctor()
-{
-    auto* doctor = new ui::SeriesDoctorPanel(*m_workspace);
-    m_window->addPanel(doctor);
-    connect(doctor, &ui::SeriesDoctorPanel::reopenRequested, this,
-        [this](
-            const QString& path, const QString& series) { m_window->opener().open(path, series); });
-    QAction& action = m_window->actionTable().add({.id = QStringLiteral("file.seriesDoctor"),
-        .text = QStringLiteral("Series doctor …"),
-        .run = [this, doctor] { m_window->bringUp(*doctor); },
-        .possible = [doctor] { return doctor->hasSomething(); }});
-    m_window->fileMenu().insertAction(
-        &m_window->actionTable()[QStringLiteral("file.importMask")], &action);
-}
-
-void Application::addExport()
-{
-    QAction& action = m_window->actionTable().add({.id = QStringLiteral("file.export"),
-        .text = QStringLiteral("Export segments …"),
-        .keys = {QKeySequence(QStringLiteral("Ctrl+E"))},
-        .icon = QStringLiteral("export"),
-        .run =
-            [this] {
-                auto* dialog = new ui::ExportDialog(*m_workspace, m_window.get());
-                dialog->setAttribute(Qt::WA_DeleteOnClose);
-                dialog->open();
-            },
-        .possible =
-            [this] {
-                return m_workspace->session()
-                    && !m_workspace->session()->document().segments.empty();
-            }});
-    QAction& carved = m_window->actionTable().add({.id = QStringLiteral("file.exportCarved"),
-        .text = QStringLiteral("Export carved volume …"),
-        .run =
-            [this] {
-                auto* dialog = new ui::CarvedExportDialog(*m_workspace, m_window.get());
-                dialog->setAttribute(Qt::WA_DeleteOnClose);
-                dialog->open();
-            },
-        .possible = [this] { return m_workspace->session() != nullptr; }});
-    QAction& deidentified = m_window->actionTable().add({.id = QStringLiteral("file.deidentify"),
-        .text = QStringLiteral("Save de-identified session as …"),
-        .run =
-            [this] {
-                auto* dialog = new ui::DeidentifySessionDialog(*m_workspace, m_window.get());
-                dialog->setAttribute(Qt::WA_DeleteOnClose);
-                dialog->open();
-            },
-        .possible =
-            [this] {
-                core::EditSession* session = m_workspace->session();
-                return session && !session->file().isEmpty() && !session->storage().whyNoFile();
-            }});
-    QAction& picture = m_window->actionTable().add({.id = QStringLiteral("file.savePicture"),
-        .text = QStringLiteral("Save picture of the window …"),
-        .run =
-            [this] {
-                const QString verdict = ui::askAndSavePicture(*m_workspace, *m_window);
-                if (!verdict.isEmpty())
-                    m_window->messages().show(ui::MessageBar::Kind::Notice, verdict);
-            },
-        .possible = [this] { return m_workspace->session() != nullptr; }});
-    QMenu& menu = m_window->fileMenu();
-    for (QAction* each : {&action, &carved, &picture})
-        menu.insertAction(&m_window->actionTable()[QStringLiteral("file.close")], each);
-    menu.insertAction(&action, &deidentified);
-    m_window->actionTable().refresh();
+        *m_window, [this] { return makeRoom(); }, this);
+    m_window->offerSessionsIn(sessionFolder());
 }
 
 void Application::openDemonstration()

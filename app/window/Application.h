@@ -19,8 +19,9 @@ class Workspace;
 
 namespace app {
 
-/// The workstation: creates engine, workspace and window and connects them. One per process, on the
-/// GUI thread.
+/// The workstation: creates engine, workspace and window and connects them: which study and session
+/// are open, and what becomes of their files. WindowContents.h says what the window contains. One
+/// per process, on the GUI thread.
 class Application : public QObject {
     Q_OBJECT
 
@@ -37,9 +38,8 @@ public:
 
 private:
     explicit Application(std::unique_ptr<gpu::GpuEngine> engine);
-    void makeWindow();
-    void addDoctor();
-    void addExport();
+    /// Listens to what the window and its session tell.
+    void follow();
     /// Opens a study with its own working session, which is continued or begun.
     void openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path);
     /// Opens a session file that the user named.

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/window/WindowContents.h"
+
+#include "core/session/SessionStorage.h"
+#include "ui/dialogs/export/CarvedExportDialog.h"
+#include "ui/dialogs/export/DeidentifySessionDialog.h"
+#include "ui/dialogs/export/ExportDialog.h"
+#include "ui/dialogs/export/Screenshot.h"
+#include "ui/frame/MessageBar.h"
+#include "ui/panels/ClippingPanel.h"
+#include "ui/panels/SeriesDoctorPanel.h"
+#include "ui/panels/VolumePanel.h"
+#include "ui/panels/growth/GrowthActions.h"
+#include "ui/panels/growth/GrowthPanel.h"
+#include "ui/panels/history/HistoryPanel.h"
+#include "ui/panels/lists/LayersPanel.h"
+#include "ui/panels/lists/PiecesPanel.h"
+#include "ui/panels/lists/SegmentsPanel.h"
+#include "ui/panels/refine/ChunksPanel.h"
+#include "ui/panels/refine/ComparePanel.h"
+#include "ui/panels/refine/RefineActions.h"
+#include "ui/panels/refine/RefinePanel.h"
+#include "ui/settings/StudyOpener.h"
+#include "ui/tools/growth/BarrierTool.h"
+#include "ui/tools/growth/PaintTool.h"
+#include "ui/tools/growth/SeedTool.h"
+#include "ui/tools/growth/ShrinkTool.h"
+#include "ui/tools/refine/ChunkTool.h"
+#include "ui/tools/refine/RefineTool.h"
+#include "ui/tools/sculpt/CarveBrushTool.h"
+#include "ui/tools/sculpt/DrillTool.h"
+#include "ui/tools/sculpt/LaserTool.h"
+#include "ui/tools/sculpt/PeelTool.h"
+#include "ui/tools/sculpt/PieceTool.h"
+#include "ui/tools/sculpt/ScissorsTool.h"
+#include "ui/tools/view/ClipTool.h"
+#include "ui/tools/view/CuttingPlaneTool.h"
+#include "ui/tools/view/RulerTool.h"
+#include "ui/tools/view/UndoHereTool.h"
+#include "ui/views/ViewGrid.h"
+#include "ui/views/VolumeView.h"
+#include "ui/window/DisplayState.h"
+#include "ui/window/KeyframeRecorder.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/PieceActions.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include <vector>
+
+namespace app {
+
+namespace {
+
+std::vector<ui::Tool*> addTools(ui::MainWindow& window)
+{
+    ui::Workspace& workspace = window.workspace();
+    auto* drill = new ui::DrillTool(workspace, &window);
+    auto* laser = new ui::LaserTool(workspace, &window);
+    auto* peel = new ui::PeelTool(workspace, &window);
+    auto* scissors = new ui::ScissorsTool(workspace, &window);
+    auto* carve = new ui::CarveBrushTool(workspace, &window);
+    auto* clip = new ui::ClipTool(workspace, &window);
+    auto* piece = new ui::PieceTool(workspace, &window);
+    ui::addPieceActions(window);
+    auto* seed = new ui::SeedTool(workspace, &window);
+    auto* shrink = new ui::ShrinkTool(workspace, &window);
+    auto* paint = new ui::PaintTool(workspace, &window);
+    auto* barrier = new ui::BarrierTool(workspace, &window);
+    auto* refine = new ui::RefineTool(workspace, &window);
+    auto* plane = new ui::CuttingPlaneTool(workspace, &window);
+    auto* chunks = new ui::ChunkTool(workspace, &window);
+    auto* ruler = new ui::RulerTool(workspace, &window);
+    auto* undoHere = new ui::UndoHereTool(workspace, &window);
+    window.addToolGroup();
+    window.addTool(*drill, window.sculptMenu(), QKeySequence(QStringLiteral("T")));
+    window.addTool(*laser, window.sculptMenu(), QKeySequence(QStringLiteral("A")));
+    window.addTool(*peel, window.sculptMenu(), QKeySequence(QStringLiteral("O")));
+    window.addTool(*scissors, window.sculptMenu(), QKeySequence(QStringLiteral("K")));
+    window.addTool(*carve, window.sculptMenu(), QKeySequence(QStringLiteral("C")));
+    window.addTool(*clip, window.sculptMenu(), QKeySequence(QStringLiteral("Shift+C")));
+    window.addTool(*piece, window.sculptMenu(), QKeySequence(QStringLiteral("M")));
+    window.actionTable().fill(window.sculptMenu(),
+        {QString(), QStringLiteral("layers.add"), QStringLiteral("layers.mute"),
+            QStringLiteral("layers.solo"), QString(), QStringLiteral("layers.toSegment"),
+            QStringLiteral("segments.seen"), QString(), QStringLiteral("pieces.lift"),
+            QStringLiteral("pieces.liftLayer"), QStringLiteral("pieces.lid"),
+            QStringLiteral("pieces.home")});
+    window.addToolGroup();
+    window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
+    window.addTool(*shrink, window.growMenu(), QKeySequence(QStringLiteral("X")));
+    window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
+    window.addTool(*barrier, window.growMenu(), QKeySequence(QStringLiteral("Shift+B")));
+    window.addToolGroup();
+    window.addTool(*refine, window.refineMenu(), QKeySequence(QStringLiteral("F")));
+    window.addTool(*plane, window.refineMenu(), QKeySequence(QStringLiteral("P")));
+    window.addTool(*chunks, window.refineMenu(), QKeySequence(QStringLiteral("Shift+F")));
+    window.addToolGroup();
+    window.addTool(*ruler, window.editMenu(), QKeySequence(QStringLiteral("L")));
+    window.addToolGroup();
+    window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
+    return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, barrier, refine,
+        plane, chunks, ruler, undoHere};
+}
+
+void addDoctor(ui::MainWindow& window)
+{
+    auto* doctor = new ui::SeriesDoctorPanel(window.workspace());
+    window.addPanel(doctor);
+    QObject::connect(doctor, &ui::SeriesDoctorPanel::reopenRequested, &window,
+        [&window](
+            const QString& path, const QString& series) { window.opener().open(path, series); });
+    QAction& action = window.actionTable().add({.id = QStringLiteral("file.seriesDoctor"),
+        .text = QStringLiteral("Series doctor …"),
+        .run = [&window, doctor] { window.bringUp(*doctor); },
+        .possible = [doctor] { return doctor->hasSomething(); }});
+    window.fileMenu().insertAction(
+        &window.actionTable()[QStringLiteral("file.importMask")], &action);
+}
+
+void addExport(ui::MainWindow& window)
+{
+    ui::Workspace& workspace = window.workspace();
+    QAction& action = window.actionTable().add({.id = QStringLiteral("file.export"),
+        .text = QStringLiteral("Export segments …"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+E"))},
+        .icon = QStringLiteral("export"),
+        .run =
+            [&window, &workspace] {
+                auto* dialog = new ui::ExportDialog(workspace, &window);
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->open();
+            },
+        .possible =
+            [&workspace] {
+                return workspace.session() && !workspace.session()->document().segments.empty();
+            }});
+    QAction& carved = window.actionTable().add({.id = QStringLiteral("file.exportCarved"),
+        .text = QStringLiteral("Export carved volume …"),
+        .run =
+            [&window, &workspace] {
+                auto* dialog = new ui::CarvedExportDialog(workspace, &window);
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->open();
+            },
+        .possible = [&workspace] { return workspace.session() != nullptr; }});
+    QAction& deidentified = window.actionTable().add({.id = QStringLiteral("file.deidentify"),
+        .text = QStringLiteral("Save de-identified session as …"),
+        .run =
+            [&window, &workspace] {
+                auto* dialog = new ui::DeidentifySessionDialog(workspace, &window);
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->open();
+            },
+        .possible =
+            [&workspace] {
+                core::EditSession* session = workspace.session();
+                return session && !session->file().isEmpty() && !session->storage().whyNoFile();
+            }});
+    QAction& picture = window.actionTable().add({.id = QStringLiteral("file.savePicture"),
+        .text = QStringLiteral("Save picture of the window …"),
+        .run =
+            [&window, &workspace] {
+                const QString verdict = ui::askAndSavePicture(workspace, window);
+                if (!verdict.isEmpty())
+                    window.messages().show(ui::MessageBar::Kind::Notice, verdict);
+            },
+        .possible = [&workspace] { return workspace.session() != nullptr; }});
+    QMenu& menu = window.fileMenu();
+    for (QAction* each : {&action, &carved, &picture})
+        menu.insertAction(&window.actionTable()[QStringLiteral("file.close")], each);
+    menu.insertAction(&action, &deidentified);
+    window.actionTable().refresh();
+}
+
+void addPanels(ui::MainWindow& window)
+{
+    ui::Workspace& workspace = window.workspace();
+    addDoctor(window);
+    window.addPanel(new ui::SegmentsPanel(workspace));
+    auto* growth = new ui::GrowthPanel(workspace);
+    window.addPanel(growth);
+    window.growMenu().addSeparator();
+    window.actionTable().fill(
+        window.growMenu(), ui::addGrowthActions(window.actionTable(), *growth, workspace));
+    window.addPanel(new ui::RefinePanel(workspace));
+    window.refineMenu().addSeparator();
+    window.actionTable().fill(
+        window.refineMenu(), ui::addRefineActions(window.actionTable(), workspace));
+    window.addPanel(new ui::ComparePanel(workspace));
+    window.addPanel(new ui::ChunksPanel(workspace));
+    window.addPanel(new ui::HistoryPanel(workspace));
+    window.addPanel(new ui::LayersPanel(workspace));
+    window.addPanel(new ui::PiecesPanel(workspace, window.views().volume()));
+    window.addPanel(new ui::VolumePanel(workspace));
+    window.addPanel(new ui::ClippingPanel(workspace, window.views().volume()));
+}
+
+} // namespace
+
+void addContents(ui::MainWindow& window)
+{
+    ui::Workspace& workspace = window.workspace();
+    const std::vector<ui::Tool*> tools = addTools(window);
+    addPanels(window);
+    addExport(window);
+    new ui::KeyframeRecorder(workspace, window.views().volume());
+    // The last to hear of a session: the others have set themselves up by then.
+    new ui::DisplayState(workspace, window.views(), tools, &window);
+}
+
+} // namespace app
