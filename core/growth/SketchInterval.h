@@ -64,8 +64,8 @@ private:
 };
 
 /// The codes within so many deviations of the centre, but of what lies between it and another
-/// tissue only the two thirds next to the centre. If fewer than a quarter of the seeds are in it,
-/// it is extended to the nearest quarter, for growth could not begin.
+/// tissue only the three quarters next to the centre. If fewer than a quarter of the seeds are in
+/// it, it is extended to the nearest quarter, for growth could not begin.
 /// @param sigmas256 256ths of a deviation
 [[nodiscard]] CodeInterval offeredInterval(const SketchedCodes& sketched, int sigmas256);
 

@@ -126,6 +126,21 @@ private Q_SLOTS:
         QVERIFY(offeredInterval(seen, 1024).high <= 2000 - (*seen.brighter - seen.centre) / 4);
     }
 
+    /// However loose, a quarter of the way to another tissue is left to it.
+    void threeQuartersOfTheWayAtMost()
+    {
+        SketchedCodes seen{.centre = 1000,
+            .deviation256 = 256 * 500,
+            .voxels = 40,
+            .darker = 600,
+            .seeds = {1000}};
+        QCOMPARE(offeredInterval(seen, 1024).low, 700);
+        QCOMPARE(offeredInterval(seen, 1024).high, 3000);
+        seen.brighter = 1400;
+        QCOMPARE(offeredInterval(seen, 1024).high, 1300);
+        QCOMPARE(offeredInterval(seen, 64).high, 1125); // nearer than that
+    }
+
     /// Tighter lies within looser.
     void moreDeviationsHoldMore()
     {
