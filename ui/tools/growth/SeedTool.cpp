@@ -12,6 +12,7 @@
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/base/Theme.h"
+#include "ui/tools/aim/LookingDirection.h"
 #include "ui/tools/aim/SeenVoxels.h"
 
 #include <QPainter>
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace ui {
 
@@ -152,12 +154,14 @@ void SeedTool::move(const glm::dvec2& from, const glm::dvec2& to, const ViewCont
             return;
         }
         stroke.pointsLps = {geometry.toWorld(glm::dvec3(voxel))};
+        workspace().seeds().noteSketch(stroke.segment, {voxel}, {});
         apply(stroke, tr("The seed was moved"));
         return;
     }
-    ui::askWhatIsSeen(workspace(), std::get<gpu::VolumeScene>(view.scene),
-        {view.toViewPlaneMm({to.x, to.y})},
-        [tool = QPointer<SeedTool>(this), stroke](const core::Result<SeenVoxels>& seen) mutable {
+    const auto& scene = std::get<gpu::VolumeScene>(view.scene);
+    ui::askWhatIsSeen(workspace(), scene, {view.toViewPlaneMm({to.x, to.y})},
+        [tool = QPointer<SeedTool>(this), stroke, scene](
+            const core::Result<SeenVoxels>& seen) mutable {
             if (!tool)
                 return;
             if (!seen) {
@@ -168,8 +172,13 @@ void SeedTool::move(const glm::dvec2& from, const glm::dvec2& to, const ViewCont
                 tool->workspace().say(tool->nothingSeenText());
                 return;
             }
-            stroke.pointsLps = {
-                tool->workspace().volume()->geometry.toWorld(glm::dvec3(seen->front()->voxel))};
+            const SeenVoxel& there = *seen->front();
+            const core::VolumeGeometry& known = tool->workspace().volume()->geometry;
+            stroke.pointsLps = {known.toWorld(glm::dvec3(there.voxel))};
+            std::vector<std::pair<glm::ivec3, glm::dvec3>> seenAlong;
+            if (const auto along = lookingDirection(scene, there.piece, known))
+                seenAlong.emplace_back(there.voxel, *along);
+            tool->workspace().seeds().noteSketch(stroke.segment, {there.voxel}, seenAlong);
             tool->apply(stroke, tr("The seed was moved"));
         });
 }

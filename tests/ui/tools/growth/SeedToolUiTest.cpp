@@ -266,6 +266,18 @@ private Q_SLOTS:
         QCOMPARE(voxels.size(), std::size_t(1));
         QVERIFY(std::abs(distanceMm(voxels.front()) - 16.0) < 1.6);
         QVERIFY(voxels.front() != fixture.seeds(2).front());
+        // It is seen along a direction where it lies now, too: its own value is one of an edge.
+        const auto along = fixture.workspace.seeds().seenAlong(1, voxels.front());
+        QVERIFY(along);
+        QVERIFY(glm::distance(glm::normalize(*along), {0.0, 1.0, 0.0}) < 1e-6);
+        // Along a slice it becomes a seed of a slice.
+        ui::SliceView& slice = fixture.window.views().coronal();
+        const glm::dvec3 lps = fixture.workspace.seeds().seeds().front().lps;
+        fixture.workspace.setCrosshairLps(lps);
+        const QPointF at =
+            slice.context().toPixel(lps) - QPointF(slice.width(), slice.height()) / 2.0;
+        fixture.stroke(slice, Qt::ShiftModifier, at, at + QPointF(0.0, 12.0));
+        QVERIFY(!fixture.workspace.seeds().seenAlong(1, fixture.seeds(4).front()));
     }
 
     /// A growth has accepted them: they are members, and shrinking gives them back first.
