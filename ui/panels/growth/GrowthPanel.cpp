@@ -2,7 +2,6 @@
 #include "ui/panels/growth/GrowthPanel.h"
 
 #include "core/edits/kinds/growth/GrowSteps.h"
-#include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/past/RecentGrowth.h"
 #include "ui/base/Icons.h"
@@ -12,7 +11,7 @@
 #include "ui/panels/growth/GenerationText.h"
 #include "ui/panels/growth/GrowCriteriaSection.h"
 #include "ui/panels/growth/GrowthButtons.h"
-#include "ui/panels/growth/GrowthTurns.h"
+#include "ui/panels/growth/GrowthRun.h"
 #include "ui/panels/growth/LeakSection.h"
 #include "ui/panels/growth/SeedInterval.h"
 #include "ui/panels/growth/SpreadBar.h"
@@ -35,19 +34,15 @@
 
 namespace ui {
 
-namespace {
-
-constexpr int watchMilliseconds = 40;
-
-} // namespace
-
 GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     : Panel(parent)
     , m_workspace(workspace)
+    , m_run(new GrowthRun(workspace, this))
 {
     build();
-    m_watch.setInterval(watchMilliseconds);
-    connect(&m_watch, &QTimer::timeout, this, &GrowthPanel::poll);
+    connect(m_run, &GrowthRun::begun, m_leak, [this] { m_leak->showAlarm({}); });
+    connect(m_run, &GrowthRun::alarmed, m_leak, &LeakSection::showAlarm);
+    connect(m_run, &GrowthRun::changed, this, &GrowthPanel::showState);
     m_liveInterval = new LiveInterval(workspace, this);
     connect(m_liveInterval, &LiveInterval::progressed, this, &GrowthPanel::showState);
     connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::takeSettings);
@@ -152,7 +147,7 @@ void GrowthPanel::build()
     m_turnsText->setFont(theme::smallFont());
     m_turnsText->setWordWrap(true);
     m_leak = new LeakSection(m_workspace, this);
-    connect(m_leak, &LeakSection::goOnRequested, this, &GrowthPanel::goOn);
+    connect(m_leak, &LeakSection::goOnRequested, m_run, &GrowthRun::goOn);
     m_progress = new FittingLabel(Qt::AlignLeft, this);
     m_progress->setObjectName(QStringLiteral("growProgress"));
     m_progress->setFont(theme::smallFont());
@@ -217,42 +212,17 @@ QString GrowthPanel::summary() const
 
 core::GrowSteps GrowthPanel::growEdit() const
 {
-    return growEdit(growthTurns(m_workspace).front());
+    return growthOf(growthTurns(m_workspace).front(), m_workspace.growSettings());
 }
 
-core::GrowSteps GrowthPanel::growEdit(const GrowthTurn& turn) const
+bool GrowthPanel::running() const
 {
-    core::GrowSteps edit = growthOf(m_workspace.growSettings());
-    edit.criteria.lower = turn.lower;
-    edit.criteria.upper = turn.upper;
-    edit.criteria.segments = turn.segments;
-    return edit;
-}
-
-void GrowthPanel::beginTurns(std::vector<GrowthTurn> turns, double generationsPerSecond)
-{
-    m_turns.clear();
-    m_nextTurn = false;
-    if (turns.empty() || !begin(growEdit(turns.front()), generationsPerSecond))
-        return;
-    m_turns = std::move(turns);
-    m_turnPace = generationsPerSecond;
-}
-
-/// After an alarm: with the segment that raised it, which need not be the active one.
-void GrowthPanel::goOn()
-{
-    const bool ofOthers = !m_turns.empty() && !grows(m_turns.front(), m_workspace.activeSegment());
-    beginTurns(ofOthers ? m_turns : growthTurns(m_workspace),
-        m_workspace.growSettings().generationsPerSecond);
+    return m_run->running();
 }
 
 void GrowthPanel::showVolume()
 {
-    m_watch.stop();
-    m_running = false;
-    m_turns.clear();
-    m_nextTurn = false;
+    m_run->forget();
     m_fronts.clear();
     const core::Volume* volume = m_workspace.volume();
     setEnabled(volume != nullptr);
@@ -313,7 +283,7 @@ void GrowthPanel::takeSettings()
 void GrowthPanel::followInterval()
 {
     const bool grown = m_fromSeeds->hasGrown() || m_liveInterval->follows();
-    if (m_live->isChecked() && !m_running && grown && m_liveInterval->possible())
+    if (m_live->isChecked() && !running() && grown && m_liveInterval->possible())
         m_liveInterval->move(m_range->lower(), m_range->upper(), followingSegments(m_workspace));
 }
 
@@ -325,29 +295,10 @@ void GrowthPanel::settleInterval()
     m_liveInterval->settle();
 }
 
-bool GrowthPanel::begin(const core::Edit& growth, double generationsPerSecond)
-{
-    core::EditSession* session = m_workspace.session();
-    if (!session)
-        return false;
-    if (const auto begun = session->begin(growth); !begun) {
-        m_workspace.fail(begun.error());
-        return false;
-    }
-    m_running = true;
-    m_leak->showAlarm({});
-    core::GrowAdvance advance;
-    advance.generationsPerSecond = generationsPerSecond;
-    session->extendGrowth(advance);
-    m_watch.start();
-    showState();
-    return true;
-}
-
 void GrowthPanel::step()
 {
     core::EditSession* session = m_workspace.session();
-    if (!session || m_running)
+    if (!session || running())
         return;
     core::GrowSteps edit = growEdit();
     edit.steps = 1;
@@ -357,27 +308,22 @@ void GrowthPanel::step()
 
 void GrowthPanel::playOrPause()
 {
-    if (m_running) {
-        m_workspace.session()->pauseGrowth();
-        m_turns.clear();
-        finish();
-    } else {
-        beginTurns(growthTurns(m_workspace), m_workspace.growSettings().generationsPerSecond);
-    }
+    if (running())
+        m_run->pause();
+    else
+        m_run->begin(growthTurns(m_workspace), m_workspace.growSettings().generationsPerSecond);
 }
 
 void GrowthPanel::resume()
 {
-    if (m_running)
-        return;
-    m_turns.clear();
-    begin(core::ResumeGrowth{}, m_workspace.growSettings().generationsPerSecond);
+    if (!running())
+        m_run->resume();
 }
 
 void GrowthPanel::runToClosure()
 {
-    if (!m_running)
-        beginTurns(growthTurns(m_workspace), 0.0);
+    if (!running())
+        m_run->begin(growthTurns(m_workspace), 0.0);
 }
 
 void GrowthPanel::shrinkStep()
@@ -393,65 +339,10 @@ void GrowthPanel::shrinkToSeeds()
 void GrowthPanel::shrink(std::optional<int> steps)
 {
     core::EditSession* session = m_workspace.session();
-    if (!session || m_running)
+    if (!session || running())
         return;
     if (const auto applied = session->apply(core::ShrinkSteps{.steps = steps}); !applied)
         m_workspace.fail(applied.error());
-}
-
-void GrowthPanel::finish()
-{
-    m_watch.stop();
-    m_running = false;
-    m_nextTurn = false;
-    if (core::EditSession* session = m_workspace.session(); session && session->transactionOpen())
-        session->end(core::Ending::Commit);
-    showState();
-}
-
-void GrowthPanel::poll()
-{
-    core::EditSession* session = m_workspace.session();
-    if (session && m_nextTurn) {
-        // The progress is that of the turn before until its row is there.
-        if (session->transactionOpen() || !session->idle())
-            return;
-        // The turns are those of the press; who has gone back or changed something has other plans.
-        const core::History& history = session->history();
-        if (std::size_t(history.position()) != history.rows().size()
-            || history.rows().size() > m_mostRows) {
-            m_turns.clear();
-            return finish();
-        }
-        return beginTurns(m_turns, m_turnPace);
-    }
-    // Another edit, undo or export closes a running burst by itself.
-    if (!session || !session->transactionOpen()) {
-        m_turns.clear();
-        finish();
-        return;
-    }
-    const core::GrowthProgress progress = session->growthProgress();
-    if (progress.open && progress.alarm) {
-        finish();
-        m_leak->showAlarm(progress.alarm);
-        m_workspace.say(tr("The growth has stopped: it may have begun to leak"));
-        return;
-    }
-    if (progress.open && progress.atClosure) {
-        finish();
-        m_turns.erase(m_turns.begin(), m_turns.empty() ? m_turns.begin() : m_turns.begin() + 1);
-        if (!m_turns.empty()) {
-            m_nextTurn = true;
-            m_mostRows = session->history().rows().size() + 1;
-            m_running = true;
-            m_watch.start();
-            return showState();
-        }
-        m_workspace.say(tr("The growth is complete: nothing is left within the interval"));
-        return;
-    }
-    showState();
 }
 
 void GrowthPanel::showState()
@@ -459,26 +350,26 @@ void GrowthPanel::showState()
     core::EditSession* session = m_workspace.session();
     const int seeds = session ? sketchedSeeds(*session) : 0;
     const bool allLocked = session && everySegmentLocked(session->document());
-    const bool canGrow = m_running || (seeds > 0 && !allLocked);
-    m_step->setEnabled(canGrow && !m_running);
+    const bool canGrow = running() || (seeds > 0 && !allLocked);
+    m_step->setEnabled(canGrow && !running());
     m_play->setEnabled(canGrow);
-    m_toClosure->setEnabled(canGrow && !m_running);
+    m_toClosure->setEnabled(canGrow && !running());
     const core::Growth* growth = session ? session->document().growth(0) : nullptr;
-    const bool canShrink = growth && growth->generation > 1 && !allLocked && !m_running;
+    const bool canShrink = growth && growth->generation > 1 && !allLocked && !running();
     const bool hasGrown = session && core::recentCriteria(session->history()).has_value();
-    m_resume->setEnabled(canGrow && !m_running && hasGrown);
+    m_resume->setEnabled(canGrow && !running() && hasGrown);
     m_live->setEnabled(hasGrown);
     m_shrink->setEnabled(canShrink);
     m_toSeeds->setEnabled(canShrink);
     // Dark on the accent, as its text is.
-    m_play->setIcon(QIcon(tintedIcon(m_running ? QStringLiteral("pause") : QStringLiteral("play"),
+    m_play->setIcon(QIcon(tintedIcon(running() ? QStringLiteral("pause") : QStringLiteral("play"),
         canGrow ? theme::window : theme::secondary, 16, devicePixelRatioF())));
-    m_play->setText(m_running ? tr("Pause") : tr("Grow"));
+    m_play->setText(running() ? tr("Pause") : tr("Grow"));
 
     if (seeds == 0) {
         m_advice->setText(tr("No seeds yet: take the Seed tool and sketch on what belongs to the "
                              "segment."));
-    } else if (m_running) {
+    } else if (running()) {
         m_advice->setText(tr("Growing; Pause keeps what has grown."));
     } else if (allLocked) {
         m_advice->setText(tr("Every segment is locked: unlock the one that is to grow."));
@@ -486,9 +377,9 @@ void GrowthPanel::showState()
         m_advice->setText(m_fromSeeds->text(seeds));
     }
 
-    m_fromSeeds->showNote(!m_running);
+    m_fromSeeds->showNote(!running());
     const QString turns =
-        canGrow && !m_running ? textOf(growthTurns(m_workspace), m_workspace) : QString();
+        canGrow && !running() ? textOf(growthTurns(m_workspace), m_workspace) : QString();
     m_turnsText->setText(turns);
     m_turnsText->setVisible(!turns.isEmpty());
     const core::GrowthProgress progress =

@@ -2,12 +2,9 @@
 #pragma once
 
 #include "core/edits/kinds/Edit.h"
-#include "core/growth/GrowthProgress.h"
 #include "ui/frame/Panel.h"
-#include "ui/panels/growth/GrowthTurns.h"
 
-#include <QTimer>
-
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,6 +17,7 @@ namespace ui {
 
 class GenerationSection;
 class GrowCriteriaSection;
+class GrowthRun;
 class HistogramRange;
 class LeakSection;
 class LiveInterval;
@@ -28,8 +26,7 @@ class SeedInterval;
 class Workspace;
 
 /// The panel of region growing (seed A §5): the interval, and buttons like those of a media player.
-/// A burst lasts from pressing play to pause or closure and is one step of undo; so is a single
-/// step.
+/// What the user lets run is a GrowthRun; a single step is one step of undo, too.
 class GrowthPanel : public Panel {
     Q_OBJECT
 
@@ -39,10 +36,9 @@ public:
     [[nodiscard]] QString title() const override;
     [[nodiscard]] QString summary() const override;
 
-    /// The edit that the settings describe, of the segments that begin (GrowthTurns.h); the buttons
-    /// add the number of steps.
+    /// The edit that the settings describe, of the segments that begin (GrowthTurns.h).
     [[nodiscard]] core::GrowSteps growEdit() const;
-    [[nodiscard]] bool running() const { return m_running; }
+    [[nodiscard]] bool running() const;
 
 public Q_SLOTS:
     void step();
@@ -59,17 +55,12 @@ private:
     void showSettings();
     void takeSettings();
     void showState();
-    void poll();
-    [[nodiscard]] core::GrowSteps growEdit(const GrowthTurn& turn) const;
-    void beginTurns(std::vector<GrowthTurn> turns, double generationsPerSecond);
-    void goOn();
-    bool begin(const core::Edit& growth, double generationsPerSecond);
     void followInterval();
     void settleInterval();
     void shrink(std::optional<int> steps);
-    void finish();
 
     Workspace& m_workspace;
+    GrowthRun* m_run = nullptr;
     SeedBand* m_band = nullptr;
     HistogramRange* m_range = nullptr;
     GrowCriteriaSection* m_criteria = nullptr;
@@ -90,13 +81,7 @@ private:
     LeakSection* m_leak = nullptr;
     QLabel* m_progress = nullptr;
     GenerationSection* m_generations = nullptr;
-    QTimer m_watch; ///< only updates what is shown; has no influence on voxels
     std::vector<std::uint32_t> m_fronts; ///< front sizes of the last burst that was watched
-    bool m_running = false;
-    std::vector<GrowthTurn> m_turns; ///< the one that grows, or raised an alarm, and those after it
-    bool m_nextTurn = false; ///< the first of them begins as soon as the session is idle
-    std::size_t m_mostRows = 0; ///< that there may be when the next turn begins
-    double m_turnPace = 0.0; ///< generations per second; 0: as fast as it goes
 };
 
 } // namespace ui

@@ -2,9 +2,11 @@
 #include "ui/panels/growth/GrowthTurns.h"
 
 #include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/RecentGrowth.h"
 #include "ui/base/StudyTexts.h"
+#include "ui/settings/GrowSettings.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 
@@ -70,7 +72,7 @@ std::vector<SeededSegment> seededSegments(const Workspace& workspace)
     const GrowSettings& settings = workspace.growSettings();
     const auto growing = core::growingSegments(session.history(), session.document());
     for (const core::Segment& segment : session.document().segments) {
-        if (!growing.test(segment.label))
+        if (!growing.test(std::size_t(segment.label)))
             continue;
         SeededSegment each{.label = segment.label,
             .lower = settings.lower,
@@ -149,6 +151,15 @@ std::vector<GrowthTurn> growthTurns(const Workspace& workspace)
     if (turns.empty())
         turns.push_back({.lower = settings.lower, .upper = settings.upper});
     return turns;
+}
+
+core::GrowSteps growthOf(const GrowthTurn& turn, const GrowSettings& settings)
+{
+    core::GrowSteps edit = growthOf(settings);
+    edit.criteria.lower = turn.lower;
+    edit.criteria.upper = turn.upper;
+    edit.criteria.segments = turn.segments;
+    return edit;
 }
 
 std::optional<std::vector<int>> followingSegments(const Workspace& workspace)

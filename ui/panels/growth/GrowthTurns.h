@@ -8,11 +8,13 @@
 
 namespace core {
 struct Document;
-}
+struct GrowSteps;
+} // namespace core
 
 namespace ui {
 
 class Workspace;
+struct GrowSettings;
 
 /// A segment that has seeds and is not locked.
 struct SeededSegment {
@@ -44,6 +46,9 @@ struct GrowthTurn {
     int active, const std::optional<std::vector<int>>& last);
 /// The same for the segments of the session; at least one turn.
 [[nodiscard]] std::vector<GrowthTurn> growthTurns(const Workspace& workspace);
+
+/// The growth of a turn, to closure, by everything else that is set.
+[[nodiscard]] core::GrowSteps growthOf(const GrowthTurn& turn, const GrowSettings& settings);
 
 /// The segments whose growth follows when the interval of the active one is changed: those that
 /// grew together with it; none: all that are not locked.

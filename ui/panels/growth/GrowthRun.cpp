@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/GrowthRun.h"
+
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/session/EditSession.h"
+#include "ui/workspace/Workspace.h"
+
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr int watchMilliseconds = 40;
+
+} // namespace
+
+GrowthRun::GrowthRun(Workspace& workspace, QObject* parent)
+    : QObject(parent)
+    , m_workspace(workspace)
+{
+    m_watch.setInterval(watchMilliseconds);
+    connect(&m_watch, &QTimer::timeout, this, &GrowthRun::poll);
+}
+
+void GrowthRun::begin(std::vector<GrowthTurn> turns, double generationsPerSecond)
+{
+    m_turns.clear();
+    m_nextTurn = false;
+    if (turns.empty()
+        || !beginBurst(growthOf(turns.front(), m_workspace.growSettings()), generationsPerSecond))
+        return;
+    m_turns = std::move(turns);
+    m_pace = generationsPerSecond;
+}
+
+void GrowthRun::resume()
+{
+    m_turns.clear();
+    beginBurst(core::ResumeGrowth{}, m_workspace.growSettings().generationsPerSecond);
+}
+
+void GrowthRun::goOn()
+{
+    const bool ofOthers = !m_turns.empty() && !grows(m_turns.front(), m_workspace.activeSegment());
+    begin(ofOthers ? m_turns : growthTurns(m_workspace),
+        m_workspace.growSettings().generationsPerSecond);
+}
+
+void GrowthRun::pause()
+{
+    m_workspace.session()->pauseGrowth();
+    m_turns.clear();
+    finish();
+}
+
+void GrowthRun::forget()
+{
+    m_watch.stop();
+    m_running = false;
+    m_turns.clear();
+    m_nextTurn = false;
+}
+
+bool GrowthRun::beginBurst(const core::Edit& growth, double generationsPerSecond)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return false;
+    if (const auto begun = session->begin(growth); !begun) {
+        m_workspace.fail(begun.error());
+        return false;
+    }
+    m_running = true;
+    Q_EMIT begun();
+    core::GrowAdvance advance;
+    advance.generationsPerSecond = generationsPerSecond;
+    session->extendGrowth(advance);
+    m_watch.start();
+    Q_EMIT changed();
+    return true;
+}
+
+void GrowthRun::finish()
+{
+    m_watch.stop();
+    m_running = false;
+    m_nextTurn = false;
+    if (core::EditSession* session = m_workspace.session(); session && session->transactionOpen())
+        session->end(core::Ending::Commit);
+    Q_EMIT changed();
+}
+
+void GrowthRun::goToNextTurn()
+{
+    const core::EditSession& session = *m_workspace.session();
+    // The progress is that of the turn before until its row is there.
+    if (session.transactionOpen() || !session.idle())
+        return;
+    // The turns are those of the press; who has gone back or changed something has other plans.
+    const core::History& history = session.history();
+    if (std::size_t(history.position()) != history.rows().size()
+        || history.rows().size() > m_mostRows) {
+        m_turns.clear();
+        return finish();
+    }
+    begin(m_turns, m_pace);
+}
+
+void GrowthRun::poll()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (session && m_nextTurn)
+        return goToNextTurn();
+    // Another edit, undo or export closes a running burst by itself.
+    if (!session || !session->transactionOpen()) {
+        m_turns.clear();
+        return finish();
+    }
+    const core::GrowthProgress progress = session->growthProgress();
+    if (progress.open && progress.alarm) {
+        finish();
+        Q_EMIT alarmed(*progress.alarm);
+        return m_workspace.say(tr("The growth has stopped: it may have begun to leak"));
+    }
+    if (!progress.open || !progress.atClosure) {
+        Q_EMIT changed();
+        return;
+    }
+    finish();
+    if (!m_turns.empty())
+        m_turns.erase(m_turns.begin());
+    if (m_turns.empty())
+        return m_workspace.say(tr("The growth is complete: nothing is left within the interval"));
+    m_nextTurn = true;
+    m_mostRows = session->history().rows().size() + 1;
+    m_running = true;
+    m_watch.start();
+    Q_EMIT changed();
+}
+
+} // namespace ui
