@@ -1,23 +1,140 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/settings/SegmentIntervals.h"
 
+#include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/session/EditSession.h"
+#include "core/session/past/RecentGrowth.h"
 
 #include <QJsonObject>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace ui {
+
+namespace {
+
+constexpr double mostTolerance = 100.0; ///< of a file; the slider has its own range
+
+/// The last growth in effect; 0: nothing has grown.
+core::RowId lastGrowth(const core::History& history)
+{
+    const std::vector<core::RowId> rows = history.standing();
+    const auto last = std::find_if(rows.rbegin(), rows.rend(),
+        [&](core::RowId row) { return core::growCriteriaOf(history.row(row).edit) != nullptr; });
+    return last == rows.rend() ? 0 : *last;
+}
+
+/// Whether a growth leaves the interval of a segment as it is: it took place in one that holds
+/// those of several.
+bool grewInOneOfSeveral(const core::Edit& growth)
+{
+    const core::GrowCriteria& criteria = *core::growCriteriaOf(growth);
+    return !growth.is<core::ChangeInterval>() && criteria.segments && criteria.segments->size() > 1;
+}
+
+/// Whether a growth grew a segment.
+bool grew(const core::GrowCriteria& criteria, int label, const core::History& history)
+{
+    return criteria.segments
+        ? std::find(criteria.segments->begin(), criteria.segments->end(), label)
+            != criteria.segments->end()
+        : core::hasGrown(history, label);
+}
+
+} // namespace
 
 void SegmentIntervals::clear()
 {
     m_known.clear();
     m_since.clear();
     m_early.clear();
+    m_then.clear();
+    m_rows = 0;
+    m_position = 0;
 }
 
 void SegmentIntervals::follow(const core::EditSession& session)
+{
+    followSegments(session);
+    followGrowth(session);
+}
+
+void SegmentIntervals::followGrowth(const core::EditSession& session)
+{
+    const core::History& history = session.history();
+    const core::RowId from = std::exchange(m_position, history.position());
+    const bool walked = std::exchange(m_rows, history.rows().size()) == history.rows().size();
+    if (!walked) // a new step has the intervals that were wanted; those may have been moved on
+                 // since
+        return remember(session);
+    std::bitset<256> affected;
+    const std::vector<core::RowId> before = history.standing(from);
+    const std::vector<core::RowId> now = history.standing();
+    std::vector<core::RowId> over;
+    std::set_symmetric_difference(
+        before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(over));
+    for (const core::RowId row : over) {
+        const core::GrowCriteria* criteria = core::growCriteriaOf(history.row(row).edit);
+        if (criteria && !criteria->segments)
+            affected.set();
+        else if (criteria) {
+            for (const int label : *criteria->segments)
+                affected.set(std::size_t(label));
+        }
+    }
+    if (affected.any())
+        goBack(session, affected);
+}
+
+void SegmentIntervals::remember(const core::EditSession& session)
+{
+    const core::History& history = session.history();
+    const core::RowId growth = lastGrowth(history);
+    if (growth == 0 || m_then.contains(growth))
+        return;
+    const core::Edit& edit = history.row(growth).edit;
+    const core::GrowCriteria& criteria = *core::growCriteriaOf(edit);
+    std::map<int, Interval>& then = m_then[growth];
+    for (const core::Segment& segment : session.document().segments) {
+        std::optional<Interval> interval = of(segment.label);
+        if (!interval)
+            continue;
+        if (!grewInOneOfSeveral(edit) && grew(criteria, segment.label, history)) {
+            interval->lower = criteria.lower;
+            interval->upper = criteria.upper;
+        }
+        then.emplace(segment.label, *interval);
+    }
+}
+
+void SegmentIntervals::goBack(const core::EditSession& session, const std::bitset<256>& segments)
+{
+    const core::History& history = session.history();
+    const core::RowId growth = lastGrowth(history);
+    if (growth == 0)
+        return;
+    const core::GrowCriteria& criteria = *core::growCriteriaOf(history.row(growth).edit);
+    const auto then = m_then.find(growth);
+    for (const core::Segment& segment : session.document().segments) {
+        if (!segments.test(std::size_t(segment.label)))
+            continue;
+        const bool known = then != m_then.end() && then->second.contains(segment.label);
+        if (known) {
+            set(segment.label, then->second.at(segment.label));
+        } else if (grew(criteria, segment.label, history)) { // in a window that was closed since
+            Interval interval = of(segment.label).value_or(Interval{.byHand = true});
+            interval.lower = criteria.lower;
+            interval.upper = criteria.upper;
+            set(segment.label, interval);
+        }
+    }
+}
+
+void SegmentIntervals::followSegments(const core::EditSession& session)
 {
     const core::Document& document = session.document();
     std::erase_if(m_since,
@@ -80,6 +197,15 @@ void SegmentIntervals::set(int label, const Interval& interval)
         {.label = label, .since = label == 0 ? 0 : m_since.at(label), .interval = interval});
 }
 
+void SegmentIntervals::setByHand(int label, double lower, double upper)
+{
+    Interval interval = of(label).value_or(Interval());
+    interval.lower = lower;
+    interval.upper = upper;
+    interval.byHand = true;
+    set(label, interval);
+}
+
 QJsonArray SegmentIntervals::json() const
 {
     QJsonArray list;
@@ -89,7 +215,8 @@ QJsonArray SegmentIntervals::json() const
         list.append(QJsonObject{{QStringLiteral("segment"), each.label},
             {QStringLiteral("lower"), each.interval.lower},
             {QStringLiteral("upper"), each.interval.upper},
-            {QStringLiteral("byHand"), each.interval.byHand}});
+            {QStringLiteral("byHand"), each.interval.byHand},
+            {QStringLiteral("tolerance"), each.interval.tolerance}});
     }
     return list;
 }
@@ -97,7 +224,9 @@ QJsonArray SegmentIntervals::json() const
 void SegmentIntervals::read(const QJsonArray& json, const core::EditSession& session)
 {
     clear();
-    follow(session);
+    followSegments(session);
+    m_position = session.history().position();
+    m_rows = session.history().rows().size();
     for (const QJsonValue& value : json) {
         const int label = value[QLatin1String("segment")].toInt(-1);
         const QJsonValue lower = value[QLatin1String("lower")];
@@ -107,8 +236,12 @@ void SegmentIntervals::read(const QJsonArray& json, const core::EditSession& ses
             set(label,
                 {.lower = lower.toDouble(),
                     .upper = upper.toDouble(),
-                    .byHand = value[QLatin1String("byHand")].toBool()});
+                    .byHand = value[QLatin1String("byHand")].toBool(),
+                    .tolerance =
+                        std::clamp(value[QLatin1String("tolerance")].toDouble(usualTolerance), 0.0,
+                            mostTolerance)});
     }
+    remember(session);
 }
 
 } // namespace ui

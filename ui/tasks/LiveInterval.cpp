@@ -5,6 +5,7 @@
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/session/past/RecentGrowth.h"
 #include "ui/settings/GrowSettings.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 
 namespace ui {
@@ -24,24 +25,13 @@ LiveInterval::LiveInterval(Workspace& workspace, QObject* parent)
     m_watch.setInterval(watchMilliseconds);
     connect(&m_watch, &QTimer::timeout, this, &LiveInterval::poll);
     connect(&workspace, &Workspace::sessionClosing, this, &LiveInterval::close);
-    connect(&workspace, &Workspace::sessionChanged, this, [this] {
-        // A session opens with the bounds that its window had.
-        m_stands.reset();
-        m_rows = 0;
-        followHistory();
-    });
-    connect(
-        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
-            if (change.what == core::DocumentChange::What::History)
-                followHistory();
-        });
 }
 
 bool LiveInterval::possible() const
 {
     const core::EditSession* session = m_workspace.session();
     return session && session->whyReadOnly().isEmpty() && (m_open || !session->transactionOpen())
-        && core::recentCriteria(session->history()).has_value();
+        && m_workspace.seeds().past().of(*session).criteria.has_value();
 }
 
 void LiveInterval::move(double lower, double upper, const std::optional<std::vector<int>>& segments)
@@ -70,23 +60,6 @@ void LiveInterval::end(core::Ending ending)
     close();
     if (open)
         session->end(ending);
-}
-
-void LiveInterval::followHistory()
-{
-    const core::EditSession* session = m_workspace.session();
-    if (!session)
-        return;
-    const std::size_t rows = session->history().rows().size();
-    const bool walked = std::exchange(m_rows, rows) == rows;
-    const auto criteria = core::recentCriteria(session->history());
-    const auto before = m_stands;
-    m_stands.reset();
-    if (criteria)
-        m_stands = {criteria->lower, criteria->upper};
-    // A new step has the bounds that were asked for; those may have been moved on since.
-    if (walked && !m_open && m_stands && m_stands != before)
-        Q_EMIT returned(m_stands->first, m_stands->second, criteria->segments);
 }
 
 void LiveInterval::send(bool atOnce)

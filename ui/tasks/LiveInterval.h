@@ -39,24 +39,17 @@ public:
 
 Q_SIGNALS:
     void progressed();
-    /// Undo, redo or going to another step brought back a growth with other bounds.
-    /// @param segments that it grew (GrowCriteria::segments)
-    void returned(double lower, double upper, const std::optional<std::vector<int>>& segments);
 
 private:
     void send(bool atOnce);
     void poll();
     void close();
     void end(core::Ending ending);
-    void followHistory();
 
     Workspace& m_workspace;
     /// Bounds that were not sent to the session yet.
     std::optional<std::pair<double, double>> m_wanted;
     std::optional<std::vector<int>> m_segments;
-    /// Bounds of the growth at the history's position.
-    std::optional<std::pair<double, double>> m_stands;
-    std::size_t m_rows = 0; ///< number of history rows when it was last checked
     bool m_open = false;
     QTimer m_watch; ///< decides only which bounds are skipped, never the result
     QElapsedTimer m_sinceSent;

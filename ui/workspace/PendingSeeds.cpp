@@ -133,6 +133,7 @@ PendingSeeds::PendingSeeds(Workspace& workspace)
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_seenAlong.clear();
         m_intervals.clear();
+        m_past.clear();
         update();
     });
     connect(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/scene/Scene.h"
+#include "ui/settings/GrowthPast.h"
 #include "ui/settings/SegmentIntervals.h"
 
 #include <QObject>
@@ -53,6 +54,8 @@ public:
 
     /// The interval of each segment; it follows which segments there are.
     [[nodiscard]] SegmentIntervals& intervals() { return m_intervals; }
+    /// What the history of the open session says of growth.
+    [[nodiscard]] GrowthPast& past() { return m_past; }
 
 Q_SIGNALS:
     void changed();
@@ -72,6 +75,7 @@ private:
     std::vector<gpu::SceneSeed> m_hollow;
     std::map<std::array<int, 4>, glm::dvec3> m_seenAlong; ///< by label, x, y, z
     SegmentIntervals m_intervals;
+    GrowthPast m_past;
     std::uint64_t m_asked = 0; ///< number of questions; only the answer to the last one counts
 };
 

@@ -16,10 +16,10 @@
 #include "ui/panels/growth/SeedInterval.h"
 #include "ui/panels/growth/SpreadBar.h"
 #include "ui/panels/growth/ToleranceSection.h"
-#include "ui/settings/SeedValues.h"
 #include "ui/tasks/LiveInterval.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/widgets/HistogramRange.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -53,7 +53,6 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::followInterval);
     connect(m_range, &HistogramRange::rangeSettled, this, &GrowthPanel::settleInterval);
     connect(m_range, &HistogramRange::rangeCancelled, m_liveInterval, &LiveInterval::cancel);
-    connect(m_liveInterval, &LiveInterval::returned, m_fromSeeds, &SeedInterval::follow);
     connect(m_pace, &QComboBox::activated, this, &GrowthPanel::takeSettings);
     connect(m_overwrite, &QCheckBox::toggled, this, &GrowthPanel::takeSettings);
     connect(m_step, &QPushButton::clicked, this, &GrowthPanel::step);
@@ -73,8 +72,10 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     });
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
-            if (change.what == core::DocumentChange::What::History)
+            if (change.what == core::DocumentChange::What::History) {
+                m_fromSeeds->followHistory();
                 m_fromSeeds->ask();
+            }
             showState();
             Q_EMIT summaryChanged(summary());
         });
@@ -348,7 +349,9 @@ void GrowthPanel::shrink(std::optional<int> steps)
 void GrowthPanel::showState()
 {
     core::EditSession* session = m_workspace.session();
-    const int seeds = session ? sketchedSeeds(*session) : 0;
+    const GrowthPast::Known known =
+        session ? m_workspace.seeds().past().of(*session) : GrowthPast::Known();
+    const int seeds = known.seeds;
     const bool allLocked = session && everySegmentLocked(session->document());
     const bool canGrow = running() || (seeds > 0 && !allLocked);
     m_step->setEnabled(canGrow && !running());
@@ -356,7 +359,7 @@ void GrowthPanel::showState()
     m_toClosure->setEnabled(canGrow && !running());
     const core::Growth* growth = session ? session->document().growth(0) : nullptr;
     const bool canShrink = growth && growth->generation > 1 && !allLocked && !running();
-    const bool hasGrown = session && core::recentCriteria(session->history()).has_value();
+    const bool hasGrown = known.criteria.has_value();
     m_resume->setEnabled(canGrow && !running() && hasGrown);
     m_live->setEnabled(hasGrown);
     m_shrink->setEnabled(canShrink);

@@ -4,7 +4,6 @@
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/session/EditSession.h"
-#include "core/session/past/RecentGrowth.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/settings/GrowSettings.h"
 #include "ui/workspace/PendingSeeds.h"
@@ -70,7 +69,7 @@ std::vector<SeededSegment> seededSegments(const Workspace& workspace)
     std::vector<SeededSegment> seeded;
     const core::EditSession& session = *workspace.session();
     const GrowSettings& settings = workspace.growSettings();
-    const auto growing = core::growingSegments(session.history(), session.document());
+    const std::bitset<256>& growing = workspace.seeds().past().of(session).growing;
     for (const core::Segment& segment : session.document().segments) {
         if (!growing.test(std::size_t(segment.label)))
             continue;
@@ -143,7 +142,7 @@ std::vector<GrowthTurn> growthTurns(const Workspace& workspace)
 {
     std::vector<GrowthTurn> turns;
     if (const core::EditSession* session = workspace.session()) {
-        const auto criteria = core::recentCriteria(session->history());
+        const auto& criteria = workspace.seeds().past().of(*session).criteria;
         turns = growthTurns(seededSegments(workspace), workspace.activeSegment(),
             criteria ? criteria->segments : std::nullopt);
     }
@@ -166,7 +165,7 @@ std::optional<std::vector<int>> followingSegments(const Workspace& workspace)
 {
     const core::EditSession& session = *workspace.session();
     const int active = workspace.activeSegment();
-    const auto criteria = core::recentCriteria(session.history());
+    const auto& criteria = workspace.seeds().past().of(session).criteria;
     if (!criteria)
         return std::nullopt;
     const std::vector<SeededSegment> seeded = seededSegments(workspace);
@@ -199,8 +198,7 @@ void shareInterval(Workspace& workspace)
     for (const SeededSegment& each : seededSegments(workspace)) {
         if (each.label == workspace.activeSegment() || (following && !holds(following, each.label)))
             continue;
-        workspace.seeds().intervals().set(
-            each.label, {.lower = settings.lower, .upper = settings.upper, .byHand = true});
+        workspace.seeds().intervals().setByHand(each.label, settings.lower, settings.upper);
     }
 }
 

@@ -14,11 +14,13 @@
 #include <QLabel>
 #include <QLocale>
 #include <QScopedValueRollback>
+#include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ui {
 
@@ -138,6 +140,7 @@ void SeedInterval::switchSegment()
     if (const auto first = before == 0 ? intervals().takeFirst() : std::nullopt;
         first && !intervals().of(m_segment))
         intervals().set(m_segment, *first);
+    placeTolerance();
     const core::Segment* segment = session->document().segment(m_segment);
     if (const auto known = intervals().of(m_segment))
         show({known->lower, known->upper});
@@ -153,8 +156,7 @@ void SeedInterval::followSettings()
         return;
     m_last = interval;
     if (!m_setting)
-        intervals().set(
-            m_segment, {.lower = interval.first, .upper = interval.second, .byHand = true});
+        intervals().setByHand(m_segment, interval.first, interval.second);
     Q_EMIT valuesChanged();
 }
 
@@ -204,7 +206,7 @@ void SeedInterval::take(const core::SketchedCodes& sketched, const std::vector<i
     for (const int code : seeds)
         m_values.push_back(m_workspace.volume()->encoding.value(code));
     m_sketched = sketched;
-    showState();
+    placeTolerance();
     // Whoever only comes back to a segment finds the interval that it had.
     if (maySetItself() && (m_sketchedAnew || !intervals().of(m_segment)))
         takeOffered();
@@ -252,18 +254,13 @@ bool SeedInterval::hasGrown() const
     return !segment->locked && core::hasGrown(session->history(), segment->label);
 }
 
-void SeedInterval::follow(
-    double lower, double upper, const std::optional<std::vector<int>>& segments)
+void SeedInterval::followHistory()
 {
-    const bool grewInIt = segments
-        ? std::find(segments->begin(), segments->end(), m_segment) != segments->end()
-        : hasGrown();
-    if (!grewInIt)
-        return;
     const auto known = intervals().of(m_segment);
-    intervals().set(m_segment, {.lower = lower, .upper = upper, .byHand = !known || known->byHand});
-    show({lower, upper});
-    Q_EMIT valuesChanged();
+    if (!known || m_tolerance->isSliderDown())
+        return;
+    placeTolerance();
+    show({known->lower, known->upper});
 }
 
 bool SeedInterval::takeOffered()
@@ -271,8 +268,11 @@ bool SeedInterval::takeOffered()
     const auto interval = offered();
     if (!interval)
         return false;
-    intervals().set(
-        m_segment, {.lower = interval->first, .upper = interval->second, .byHand = false});
+    intervals().set(m_segment,
+        {.lower = interval->first,
+            .upper = interval->second,
+            .byHand = false,
+            .tolerance = double(m_tolerance->value()) / stepsPerDeviation});
     show(*interval);
     return true;
 }
@@ -282,6 +282,18 @@ void SeedInterval::moveTolerance()
     showState();
     if (takeOffered() && !m_tolerance->isSliderDown())
         m_taken.start();
+}
+
+/// Where the segment has it.
+void SeedInterval::placeTolerance()
+{
+    if (!m_tolerance->isSliderDown()) {
+        const auto known = intervals().of(m_segment);
+        const double tolerance = known ? known->tolerance : usualTolerance;
+        const QSignalBlocker silent(m_tolerance);
+        m_tolerance->setValue(int(std::lround(tolerance * stepsPerDeviation)));
+    }
+    showState();
 }
 
 void SeedInterval::use()

@@ -28,7 +28,8 @@ class Workspace;
 /// The tolerance of a growth, from tight to loose: it sets the interval around what was sketched
 /// for the active segment (core/growth/SketchInterval.h). After a sketch for a segment that has no
 /// voxels the interval is set by itself, unless the user has set it for that segment. Each segment
-/// keeps its own interval (SegmentIntervals). It also knows the values under the seeds.
+/// keeps its own interval and tolerance (SegmentIntervals). It also knows the values under the
+/// seeds.
 ///
 /// While the slider is held only the interval is shown; it counts as changed once, when the slider
 /// is released, or a moment after the last of several steps by keys.
@@ -40,6 +41,8 @@ public:
 
     /// Asks the engine for the values if seeds have been added or removed.
     void ask();
+    /// Shows the interval of the active segment if undo or redo has brought back another one.
+    void followHistory();
     /// Forgets everything, because another study was opened.
     void forget();
     /// The values under the seeds, in modality units.
@@ -59,10 +62,6 @@ public:
 public Q_SLOTS:
     /// Sets the interval by the seeds and the tolerance.
     void use();
-    /// A growth with these bounds is back: they are set if the active segment grew in it.
-    /// @param segments that it grew (GrowCriteria::segments)
-    void follow(double lower, double upper, const std::optional<std::vector<int>>& segments);
-
 Q_SIGNALS:
     void valuesChanged();
     /// The user has changed the interval in the growth's settings.
@@ -75,6 +74,7 @@ private:
     void take(const core::SketchedCodes& sketched, const std::vector<int>& seeds);
     bool takeOffered();
     void moveTolerance();
+    void placeTolerance();
     [[nodiscard]] SegmentIntervals& intervals() const;
     [[nodiscard]] std::vector<core::SeedSketch> sketches() const;
     [[nodiscard]] bool maySetItself() const;

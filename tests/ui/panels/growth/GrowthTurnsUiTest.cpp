@@ -17,6 +17,8 @@
 #include <QLabel>
 #include <QtTest>
 
+#include <utility>
+
 using test::WorkspaceFixture;
 using ui::GrowthTurn;
 using ui::growthTurns;
@@ -174,6 +176,64 @@ private Q_SLOTS:
         two.settle();
         QCOMPARE(two.workspace.seeds().intervals().of(2), second);
         QCOMPARE(two.workspace.growSettings().lower, second->lower);
+    }
+
+    /// Those that grew together follow an interval together, and go back to what each of them had.
+    void sharedBoundsComeBack()
+    {
+        TwoSegments two;
+        for (const int label : {1, 2}) {
+            two.workspace.setActiveSegment(label);
+            ui::GrowSettings settings = two.workspace.growSettings();
+            settings.lower = 0.0;
+            settings.upper = label == 1 ? 50.0 : 60.0;
+            two.workspace.setGrowSettings(settings);
+        }
+        two.click("growToClosure");
+        QVERIFY(two.waitUntilGrown());
+        const core::History& history = two.session().history();
+        const core::RowId grown = history.position();
+        QCOMPARE(history.row(grown).edit.get<core::GrowSteps>().criteria.segments,
+            std::optional(Segments{1, 2}));
+        const auto interval = [&two](int label) {
+            return *two.workspace.seeds().intervals().of(label);
+        };
+        const auto bounds = [&interval](int label) {
+            return std::pair(interval(label).lower, interval(label).upper);
+        };
+        auto* range = two.panel.findChild<ui::HistogramRange*>(QStringLiteral("growthInterval"));
+        range->setRange(0.0, 30.0);
+        Q_EMIT range->rangeEdited(0.0, 30.0);
+        Q_EMIT range->rangeSettled();
+        QVERIFY(QTest::qWaitFor([&] {
+            two.settle();
+            return history.position() == grown + 1;
+        }));
+        for (const int label : {1, 2})
+            QCOMPARE(bounds(label), std::pair(0.0, 30.0));
+        for (int time = 0; time < 2; ++time) {
+            QVERIFY(two.session().undo());
+            two.settle();
+            QCOMPARE(bounds(1), std::pair(0.0, 50.0));
+            QCOMPARE(bounds(2), std::pair(0.0, 60.0));
+            QCOMPARE(two.workspace.growSettings().upper, 60.0); // 2 is the active one
+            QVERIFY(two.session().redo());
+            two.settle();
+            for (const int label : {1, 2})
+                QCOMPARE(bounds(label), std::pair(0.0, 30.0));
+            QCOMPARE(two.workspace.growSettings().upper, 30.0);
+        }
+        // What was set since, of a segment that no undone step grew, stays.
+        QVERIFY(ui::addSegment(two.workspace));
+        two.settle();
+        ui::GrowSettings settings = two.workspace.growSettings();
+        settings.upper = 77.0;
+        two.workspace.setGrowSettings(settings);
+        QVERIFY(two.session().goTo(grown));
+        QVERIFY(two.session().goTo(grown + 2));
+        two.settle();
+        QCOMPARE(interval(3).upper, 77.0);
+        QCOMPARE(bounds(1), std::pair(0.0, 30.0));
     }
 };
 

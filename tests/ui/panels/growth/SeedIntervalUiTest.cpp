@@ -9,6 +9,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GrowthPanel.h"
+#include "ui/settings/SeedValues.h"
 #include "ui/tasks/SketchLook.h"
 #include "ui/tools/aim/LookingDirection.h"
 #include "ui/window/ToolSettings.h"
@@ -16,6 +17,7 @@
 #include "ui/workspace/SegmentActions.h"
 
 #include <QAbstractButton>
+#include <QJsonArray>
 #include <QJsonObject>
 #include <QSlider>
 #include <QtTest>
@@ -40,6 +42,15 @@ public:
             qFatal("no segment");
         apply(middleSeed(1));
         if (!waitFor([this] { return interval(1).has_value(); }))
+            qFatal("no interval was offered");
+    }
+    /// A second segment, sketched in the brain.
+    void addOther()
+    {
+        if (!ui::addSegment(workspace))
+            qFatal("no segment");
+        apply(test::seedAt(2, {{8.0, 0.0, 0.0}}));
+        if (!waitFor([this] { return interval(2).has_value(); }))
             qFatal("no interval was offered");
     }
     template <class Condition> [[nodiscard]] bool waitFor(Condition condition)
@@ -110,6 +121,49 @@ private Q_SLOTS:
         QTest::qWait(700);
         fixture.settle();
         QCOMPARE(history.position(), grown + 2);
+    }
+
+    /// Each segment has its own place of the slider, also after reopening; an interval that is set
+    /// by hand leaves it where it was.
+    void theToleranceIsTheSegments()
+    {
+        Offered fixture;
+        auto* slider = fixture.panel.findChild<QSlider*>(QStringLiteral("growTolerance"));
+        const int usual = slider->value();
+        slider->setValue(6);
+        QCOMPARE(fixture.interval(1)->tolerance, 1.5);
+        const Interval tight = *fixture.interval(1);
+        fixture.addOther();
+        QCOMPARE(slider->value(), usual);
+        slider->setValue(18);
+        QCOMPARE(fixture.interval(2)->tolerance, 4.5);
+        fixture.workspace.setActiveSegment(1);
+        QVERIFY(fixture.waitFor([&] { return slider->isEnabled(); }));
+        QCOMPARE(slider->value(), 6);
+        QCOMPARE(fixture.interval(1), std::optional(tight)); // coming back has changed nothing
+        fixture.setByHand(500.0, 1500.0);
+        QCOMPARE(fixture.interval(1)->tolerance, 1.5);
+
+        QJsonObject state = ui::toolSettings(fixture.workspace, {});
+        fixture.workspace.seeds().intervals().clear();
+        ui::applyToolSettings(state, fixture.workspace, {});
+        QCOMPARE(fixture.interval(1)->tolerance, 1.5);
+        QCOMPARE(fixture.interval(2)->tolerance, 4.5);
+        // Sessions of old do not tell; a file of a stranger tells anything.
+        QJsonArray list = state[QLatin1String("intervals")].toArray();
+        for (const QJsonValue& wild : {QJsonValue(QJsonValue::Undefined), QJsonValue(-1e300),
+                 QJsonValue(1e300), QJsonValue(QStringLiteral("x"))}) {
+            QJsonObject first = list[0].toObject();
+            first[QLatin1String("tolerance")] = wild;
+            list[0] = first;
+            state[QLatin1String("intervals")] = list;
+            ui::applyToolSettings(state, fixture.workspace, {});
+            const double tolerance =
+                fixture.interval(list[0][QLatin1String("segment")].toInt())->tolerance;
+            QVERIFY(tolerance >= 0.0 && tolerance <= 100.0);
+            if (!wild.isDouble())
+                QCOMPARE(tolerance, ui::usualTolerance);
+        }
     }
 
     /// An answer that another sketch has overtaken does not arrive.
