@@ -25,9 +25,11 @@ enum class ProgressStep : std::uint8_t {
     PlacingMask,
     FillingSurfaces,
     FittingSurface,
+    FetchingValues, ///< of the box around a segment
     CuttingIntoPieces, ///< of which chunks are joined
     FindingLikelyParts,
     JoiningParts,
+    ColouringChunks,
     // Exports.
     ReadingSourceHeaders,
     Measuring,

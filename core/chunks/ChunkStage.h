@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QString>
+#include "core/base/ProgressStep.h"
 
 namespace core {
 
 /// The progress of computing chunks.
 struct ChunkStage {
-    QString step;
+    ProgressStep step = ProgressStep::FetchingValues;
     int percent = 0; ///< of all steps, approximately
 };
 

@@ -47,12 +47,16 @@ QString progressText(core::ProgressStep step)
         return ProgressTexts::tr("Filling surfaces");
     case ProgressStep::FittingSurface:
         return ProgressTexts::tr("Fitting the surface");
+    case ProgressStep::FetchingValues:
+        return ProgressTexts::tr("Fetching the values");
     case ProgressStep::CuttingIntoPieces:
         return ProgressTexts::tr("Cutting into small pieces");
     case ProgressStep::FindingLikelyParts:
         return ProgressTexts::tr("Finding likely parts");
     case ProgressStep::JoiningParts:
         return ProgressTexts::tr("Joining what hangs together");
+    case ProgressStep::ColouringChunks:
+        return ProgressTexts::tr("Colouring them");
     case ProgressStep::ReadingSourceHeaders:
         return ProgressTexts::tr("Reading source headers");
     case ProgressStep::Measuring:

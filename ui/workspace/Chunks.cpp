@@ -101,7 +101,7 @@ core::ChunkStage Chunks::stage() const
     const core::SessionChunks* its = chunks();
     // The rest is done here.
     return (its ? its->stage() : std::nullopt)
-        .value_or(core::ChunkStage{.step = QStringLiteral("Colouring them"), .percent = 100});
+        .value_or(core::ChunkStage{.step = core::ProgressStep::ColouringChunks, .percent = 100});
 }
 
 void Chunks::follow()

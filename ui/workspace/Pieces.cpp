@@ -344,8 +344,13 @@ void Pieces::liftCut(core::RowId cut)
 
 void Pieces::withdraw(int layer)
 {
-    m_workspace.session()->questions().bricks({}, [this, layer](const auto&) {
-        core::EditSession& session = *m_workspace.session();
+    core::EditSession* asked = m_workspace.session();
+    if (!asked)
+        return;
+    asked->questions().bricks({}, [this, layer, asked](const auto&) {
+        if (m_workspace.session() != asked)
+            return; // it has been closed since, with its layer
+        core::EditSession& session = *asked;
         const core::History& history = session.history();
         const std::vector<core::RowId> rows = history.standing();
         const auto moved = std::find_if(rows.begin(), rows.end(), [&](core::RowId row) {

@@ -102,24 +102,24 @@ QStringList cellsOf(const QString& line)
 }
 
 /// What a text file says of a segment.
-struct Said {
+struct SegmentNumbers {
     int label = 0;
     QString name;
     Numbers numbers;
 };
 
-std::vector<Said> saidInCsv(const QByteArray& text)
+std::vector<SegmentNumbers> saidInCsv(const QByteArray& text)
 {
     QStringList lines = QString::fromUtf8(text).split(QStringLiteral("\r\n"), Qt::SkipEmptyParts);
     if (lines.isEmpty())
         return {};
     const QStringList names = cellsOf(lines.takeFirst());
-    std::vector<Said> all;
+    std::vector<SegmentNumbers> all;
     for (const QString& line : lines) {
         const QStringList cells = cellsOf(line);
         if (cells.size() != names.size())
             return {};
-        Said said{.label = cells[0].toInt(), .name = cells[1], .numbers = {}};
+        SegmentNumbers said{.label = cells[0].toInt(), .name = cells[1], .numbers = {}};
         for (qsizetype i = 0; i < cells.size(); ++i) {
             bool isNumber = false;
             const double number = cells[i].toDouble(&isNumber);
@@ -131,14 +131,14 @@ std::vector<Said> saidInCsv(const QByteArray& text)
     return all;
 }
 
-std::vector<Said> saidInJson(const QByteArray& text)
+std::vector<SegmentNumbers> saidInJson(const QByteArray& text)
 {
-    std::vector<Said> all;
+    std::vector<SegmentNumbers> all;
     const QJsonArray segments =
         QJsonDocument::fromJson(text).object()[QLatin1String("segments")].toArray();
     for (const QJsonValue& value : segments) {
         const QJsonObject entry = value.toObject();
-        Said said{.label = entry[QLatin1String("label")].toInt(),
+        SegmentNumbers said{.label = entry[QLatin1String("label")].toInt(),
             .name = entry[QLatin1String("name")].toString(),
             .numbers = {}};
         for (auto field = entry.constBegin(); field != entry.constEnd(); ++field) {
@@ -156,7 +156,7 @@ bool agree(double a, double b, double tolerance)
 }
 
 /// @return what differs; empty if nothing does
-QString differenceOf(const Said& said, const Numbers& right, double tolerance)
+QString differenceOf(const SegmentNumbers& said, const Numbers& right, double tolerance)
 {
     for (const auto& [name, number] : right) {
         const auto found = said.numbers.find(name);
@@ -171,7 +171,7 @@ QString differenceOf(const Said& said, const Numbers& right, double tolerance)
     return {};
 }
 
-Result<std::vector<Said>> saidInReport(
+Result<std::vector<SegmentNumbers>> saidInReport(
     const QString& file, const ExportExpectation& expected, const Progress& progress)
 {
     const auto mismatch = [&](const QString& what) {
@@ -192,13 +192,13 @@ Result<std::vector<Said>> saidInReport(
         if (!report->evidence.contains(header.sopInstanceUid))
             return mismatch(QStringLiteral("a source image is not among the evidence"));
     }
-    std::vector<Said> all;
+    std::vector<SegmentNumbers> all;
     for (std::size_t i = 0; i < report->groups.size() && i < expected.segments.size(); ++i) {
         const SrFileGroup& group = report->groups[i];
         if (group.segmentNumber != int(i) + 1 || !report->evidence.contains(group.segUid)
             || group.sourceSeriesUid != headers->front().seriesUid)
             return mismatch(QStringLiteral("what measurement group %1 refers to").arg(i + 1));
-        Said said{.label = expected.segments[i].label, .name = group.name, .numbers = {}};
+        SegmentNumbers said{.label = expected.segments[i].label, .name = group.name, .numbers = {}};
         const std::map<QString, QString> names{
             {QStringLiteral("118565006"), QStringLiteral("volumeMl")},
             {QStringLiteral("373098007"), QStringLiteral("mean")},
@@ -227,7 +227,7 @@ Result<ReportLines> checkStatisticsExport(
         return failure(ErrorCode::ExportMismatch, file, what);
     };
     const bool isReport = expected.format == ExportFormat::Sr;
-    std::vector<Said> all;
+    std::vector<SegmentNumbers> all;
     if (isReport) {
         auto said = saidInReport(file, expected, progress);
         if (!said)

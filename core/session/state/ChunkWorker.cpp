@@ -40,14 +40,14 @@ tl::unexpected<Error> tooLarge(const VoxelBox& box)
 /// question on.
 struct ChunkWorker::Job {
     Job()
-        : progress([this](const QString& name, int done, int total) { note(name, done, total); })
+        : progress([this](ProgressStep now, int done, int total) { note(now, done, total); })
     {
     }
-    void note(const QString& name, int done, int total)
+    void note(ProgressStep now, int done, int total)
     {
         const std::lock_guard lock(mutex);
-        if (name != stage.step) {
-            stage.step = name;
+        if (now != stage.step) {
+            stage.step = now;
             step = std::min(step + 1, stepEnds.size() - 1);
         }
         const int from = stepEnds[step - 1];
@@ -275,10 +275,10 @@ std::optional<ChunkStage> ChunkWorker::stage() const
     if (!m_job)
         return std::nullopt;
     const std::lock_guard lock(m_job->mutex);
-    if (!m_job->stage.step.isEmpty())
+    if (m_job->step > 0)
         return m_job->stage;
     const std::size_t answered = m_job->asked - m_job->questions;
-    return ChunkStage{.step = QStringLiteral("Fetching the values"),
+    return ChunkStage{.step = ProgressStep::FetchingValues,
         .percent = int(std::size_t(fetched) * answered / std::max<std::size_t>(1, m_job->asked))};
 }
 

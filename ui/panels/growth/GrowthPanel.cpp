@@ -13,6 +13,7 @@
 #include "ui/panels/growth/GrowthButtons.h"
 #include "ui/panels/growth/GrowthRun.h"
 #include "ui/panels/growth/LeakSection.h"
+#include "ui/panels/growth/PinholeOffer.h"
 #include "ui/panels/growth/SeedInterval.h"
 #include "ui/panels/growth/SpreadBar.h"
 #include "ui/panels/growth/ToleranceSection.h"
@@ -42,6 +43,9 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     build();
     connect(m_run, &GrowthRun::begun, m_leak, [this] { m_leak->showAlarm({}); });
     connect(m_run, &GrowthRun::alarmed, m_leak, &LeakSection::showAlarm);
+    connect(m_run, &GrowthRun::begun, m_pinholes, &PinholeOffer::forget);
+    connect(m_run, &GrowthRun::completed, m_pinholes,
+        [this] { m_pinholes->lookInto(m_workspace.activeSegment()); });
     connect(m_run, &GrowthRun::changed, this, &GrowthPanel::showState);
     m_liveInterval = new LiveInterval(workspace, this);
     connect(m_liveInterval, &LiveInterval::progressed, this, &GrowthPanel::showState);
@@ -147,6 +151,7 @@ void GrowthPanel::build()
     m_turnsText->setObjectName(QStringLiteral("growTurns"));
     m_turnsText->setFont(theme::smallFont());
     m_turnsText->setWordWrap(true);
+    m_pinholes = new PinholeOffer(m_workspace, this);
     m_leak = new LeakSection(m_workspace, this);
     connect(m_leak, &LeakSection::goOnRequested, m_run, &GrowthRun::goOn);
     m_progress = new FittingLabel(Qt::AlignLeft, this);
@@ -187,6 +192,7 @@ void GrowthPanel::build()
     layout->addLayout(transport);
     layout->addWidget(m_turnsText);
     layout->addWidget(m_fromSeeds->note());
+    layout->addWidget(m_pinholes);
     layout->addWidget(m_leak);
     layout->addLayout(back);
     layout->addLayout(again);

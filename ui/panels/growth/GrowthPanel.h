@@ -21,6 +21,7 @@ class GrowthRun;
 class HistogramRange;
 class LeakSection;
 class LiveInterval;
+class PinholeOffer;
 class SeedBand;
 class SeedInterval;
 class Workspace;
@@ -78,6 +79,7 @@ private:
     QCheckBox* m_overwrite = nullptr;
     QLabel* m_advice = nullptr;
     QLabel* m_turnsText = nullptr;
+    PinholeOffer* m_pinholes = nullptr;
     LeakSection* m_leak = nullptr;
     QLabel* m_progress = nullptr;
     GenerationSection* m_generations = nullptr;

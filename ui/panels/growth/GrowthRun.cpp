@@ -131,8 +131,10 @@ void GrowthRun::poll()
     finish();
     if (!m_turns.empty())
         m_turns.erase(m_turns.begin());
-    if (m_turns.empty())
+    if (m_turns.empty()) {
+        Q_EMIT completed();
         return m_workspace.say(tr("The growth is complete: nothing is left within the interval"));
+    }
     m_nextTurn = true;
     m_mostRows = session->history().rows().size() + 1;
     m_running = true;

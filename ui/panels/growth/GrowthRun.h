@@ -43,6 +43,7 @@ Q_SIGNALS:
     void begun(); ///< a burst
     void changed(); ///< it has begun, gone on or ended
     void alarmed(const core::LeakAlarm& alarm); ///< which has ended it
+    void completed(); ///< nothing is left within the interval, of the last turn either
 
 private:
     bool beginBurst(const core::Edit& growth, double generationsPerSecond);

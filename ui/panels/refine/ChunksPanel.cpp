@@ -5,6 +5,7 @@
 #include "core/masks/MaskOnVolume.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
+#include "ui/texts/ProgressTexts.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"
 
@@ -301,7 +302,7 @@ void ChunksPanel::showStage()
 {
     const core::ChunkStage stage = m_workspace.chunks().stage();
     m_progress->setValue(stage.percent);
-    m_step->setText(tr("%1 · %2 %").arg(stage.step).arg(stage.percent));
+    m_step->setText(tr("%1 · %2 %").arg(progressText(stage.step)).arg(stage.percent));
 }
 
 void ChunksPanel::takeLook()
