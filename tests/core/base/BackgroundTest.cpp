@@ -228,7 +228,8 @@ void BackgroundTest::withoutItsContextNothingIsTold()
     auto context = std::make_unique<QObject>();
     Background background;
     background.start(
-        context.get(), [](const Progress& progress) { progress.report(QString(), 1, 1); },
+        context.get(),
+        [](const Progress& progress) { progress.report(core::ProgressStep::Measuring, 1, 1); },
         [&told](const Result<void>&) { told = true; },
         [&told](core::ProgressStep, int, int) { told = true; });
     background.start(
@@ -250,7 +251,7 @@ void BackgroundTest::nothingIsToldOfWhatIsDestroyed()
         background.start(
             this,
             [&](const Progress& progress) {
-                progress.report(QString(), 1, 1);
+                progress.report(core::ProgressStep::Measuring, 1, 1);
                 gate.begun.release();
                 while (!progress.cancelled())
                     std::this_thread::yield();

@@ -3,6 +3,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/engine/EngineEdit.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

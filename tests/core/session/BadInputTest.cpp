@@ -4,6 +4,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QtTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/cases/EngineCases.h"
 
 namespace test {
-#include "tests/support/cases/EngineCases.h"
 
 namespace {
 

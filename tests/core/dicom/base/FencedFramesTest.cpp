@@ -126,7 +126,7 @@ void FencedFramesTest::oneFailingSliceIsOneSentence()
     append(files[16], "STOP");
     const auto loaded = core::loadVolume(folder.path());
     QVERIFY(loaded);
-    QCOMPARE(loaded->volume.problems.back().text,
+    QCOMPARE(core::storedText(loaded->volume.problems.back().said),
         QStringLiteral("Slice 17 (%1) could not be decoded: the decoder stopped. It was left out.")
             .arg(name(files[16])));
 }

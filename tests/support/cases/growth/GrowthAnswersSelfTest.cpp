@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
+#include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/StrokeCases.h"
 #include "tests/support/program/TestProgram.h"
 

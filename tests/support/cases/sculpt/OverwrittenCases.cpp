@@ -152,7 +152,7 @@ private:
             .barrier = m_random() % 2 == 0};
         for (int i = randomInt(m_random, 1, 30); i > 0; --i)
             cut.voxels.push_back(randomVoxel(m_random, m_size));
-        m_made.steps.push_back(Cut{cut, ending()});
+        m_made.steps.push_back(Cut{.cut = cut, .ending = ending()});
     }
 
     void shut()
