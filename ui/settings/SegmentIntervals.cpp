@@ -36,13 +36,14 @@ bool grewInOneOfSeveral(const core::Edit& growth)
     return !growth.is<core::ChangeInterval>() && criteria.segments && criteria.segments->size() > 1;
 }
 
-/// Whether a growth grew a segment.
-bool grew(const core::GrowCriteria& criteria, int label, const core::History& history)
+/// Whether the last growth grew a segment.
+bool grew(
+    const core::GrowCriteria& last, const core::Segment& segment, const core::History& history)
 {
-    return criteria.segments
-        ? std::find(criteria.segments->begin(), criteria.segments->end(), label)
-            != criteria.segments->end()
-        : core::hasGrown(history, label);
+    if (!last.segments)
+        return !segment.locked && core::hasGrown(history, segment.label);
+    return std::find(last.segments->begin(), last.segments->end(), segment.label)
+        != last.segments->end();
 }
 
 } // namespace
@@ -68,8 +69,8 @@ void SegmentIntervals::followGrowth(const core::EditSession& session)
     const core::History& history = session.history();
     const core::RowId from = std::exchange(m_position, history.position());
     const bool walked = std::exchange(m_rows, history.rows().size()) == history.rows().size();
-    if (!walked) // a new step has the intervals that were wanted; those may have been moved on
-                 // since
+    // A new step has the intervals that were wanted, and those may have been moved on since.
+    if (!walked)
         return remember(session);
     std::bitset<256> affected;
     const std::vector<core::RowId> before = history.standing(from);
@@ -103,7 +104,7 @@ void SegmentIntervals::remember(const core::EditSession& session)
         std::optional<Interval> interval = of(segment.label);
         if (!interval)
             continue;
-        if (!grewInOneOfSeveral(edit) && grew(criteria, segment.label, history)) {
+        if (!grewInOneOfSeveral(edit) && grew(criteria, segment, history)) {
             interval->lower = criteria.lower;
             interval->upper = criteria.upper;
         }
@@ -120,12 +121,13 @@ void SegmentIntervals::goBack(const core::EditSession& session, const std::bitse
     const core::GrowCriteria& criteria = *core::growCriteriaOf(history.row(growth).edit);
     const auto then = m_then.find(growth);
     for (const core::Segment& segment : session.document().segments) {
-        if (!segments.test(std::size_t(segment.label)))
+        // What has not grown yet keeps what is set for it.
+        if (!segments.test(std::size_t(segment.label)) || !core::hasGrown(history, segment.label))
             continue;
         const bool known = then != m_then.end() && then->second.contains(segment.label);
         if (known) {
             set(segment.label, then->second.at(segment.label));
-        } else if (grew(criteria, segment.label, history)) { // in a window that was closed since
+        } else if (grew(criteria, segment, history)) { // in a window that was closed since
             Interval interval = of(segment.label).value_or(Interval{.byHand = true});
             interval.lower = criteria.lower;
             interval.upper = criteria.upper;

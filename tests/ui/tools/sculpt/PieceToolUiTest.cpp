@@ -202,6 +202,7 @@ private Q_SLOTS:
         for (const bool isStepOnTop : {false, true}) {
             PieceFixture fixture;
             core::EditSession& session = *fixture.workspace.session();
+            fixture.apply(test::newSegment(QStringLiteral("A")));
             fixture.apply(test::paintAt(1, {{0, 0, -12}}));
             QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
             QVERIFY(session.apply(core::SegmentToLayer{.segment = 1, .layer = 1}));
