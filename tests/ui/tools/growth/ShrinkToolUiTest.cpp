@@ -339,7 +339,7 @@ private Q_SLOTS:
         QVERIFY(first.leak < before.leak);
         QCOMPARE(fixture.rows(), rows);
         QVERIFY(QTest::qWaitFor([&] { return stepsDone() >= 4; }, 60000));
-        QVERIFY(fixture.tool.held().words().contains(QStringLiteral("generations back: takes")));
+        QVERIFY(fixture.tool.held().words().contains(QStringLiteral(" back: takes ")));
         QVERIFY(fixture.held().leak < first.leak);
         QCOMPARE(fixture.rows(), rows);
         // A hand that trembles, or moves on, changes nothing.
