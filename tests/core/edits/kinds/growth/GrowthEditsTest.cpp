@@ -40,6 +40,11 @@ private Q_SLOTS:
         shrink.barrier = false;
         cut = cutGrowth(shrink, document);
         QVERIFY(cut && cut->how == CutGrowth::How::Here && !cut->barrier);
+        shrink.steps = 7;
+        QVERIFY(!cutGrowth(shrink, document)); // only here there are no steps
+        shrink.onlyHere = false;
+        cut = cutGrowth(shrink, document);
+        QVERIFY(cut && cut->how == CutGrowth::How::Backwards && cut->steps == 7);
         const PlugLeak plug{.pointLps = shrink.pointsLps.front()};
         cut = cutGrowth(plug, document);
         QVERIFY(cut && cut->how == CutGrowth::How::Neck && cut->barrier);
