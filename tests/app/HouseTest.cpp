@@ -363,7 +363,8 @@ void HouseTest::ruleBites_data()
         false);
     row("core/a/A.cpp", "// \"The mask is empty.\"\nreason = \"no pixel belongs to a segment\";",
         true);
-    row("core/export/A.cpp", "report += QStringLiteral(\"The slices are tilted.\");", true);
+    row("core/export/A.cpp", "report += QStringLiteral(\"The slices are tilted.\");", false);
+    row("core/edits/schema/A.h", "about = \"Carves along the view.\";", true);
     row("ui/texts/A.cpp", "return Texts::tr(\"The mask is empty.\");", true);
     row("core/a/A.cpp", "return tr(\"empty\");", false);
     row("gpu/A.cpp", "return QCoreApplication::translate(\"gpu\", \"empty\");", false);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/operations/Relabelling.h"
 
+#include "core/engine/EngineCommands.h"
+
 #include <utility>
 
 namespace core {
