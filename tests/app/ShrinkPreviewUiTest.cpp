@@ -61,6 +61,7 @@ private Q_SLOTS:
         fixture.edit(test::growBone());
         auto* tool = fixture.window().findChild<ui::ShrinkTool*>();
         QVERIFY(tool);
+        tool->setRest(3600 * 1000); // the pen is held still only to look at pictures
         fixture.workspace().setActiveTool(tool);
         ui::ViewGrid& views = fixture.window().views();
         const auto drawn = [&] {

@@ -34,6 +34,8 @@ public:
 
     [[nodiscard]] const ShrinkPreview& preview() const { return *m_preview; }
     [[nodiscard]] const HeldShrink& held() const { return *m_held; }
+    /// How long the pen rests before the growth goes back; 700 at first.
+    void setRest(int milliseconds) { m_rest.setInterval(milliseconds); }
 
 private:
     void sketchBegan(const ViewContext& view) override;
