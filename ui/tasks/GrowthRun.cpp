@@ -12,7 +12,7 @@ namespace ui {
 
 namespace {
 
-constexpr int watchMilliseconds = 40;
+constexpr int runMilliseconds = 40;
 
 } // namespace
 
@@ -20,7 +20,7 @@ GrowthRun::GrowthRun(Workspace& workspace, QObject* parent)
     : QObject(parent)
     , m_workspace(workspace)
 {
-    m_watch.setInterval(watchMilliseconds);
+    m_watch.setInterval(runMilliseconds);
     connect(&m_watch, &QTimer::timeout, this, &GrowthRun::poll);
 }
 
