@@ -178,6 +178,17 @@ bool EditSession::previewOpen() const
     return open && open->isPreview();
 }
 
+bool EditSession::backwardsOpen() const
+{
+    const VoxelOperation* open = m_queue->interactiveVoxels();
+    return open && open->isBackwards();
+}
+
+bool EditSession::backwardsRefused() const
+{
+    return backwardsOpen() && m_queue->interactiveVoxels()->refused();
+}
+
 void EditSession::closeGrowth()
 {
     m_queue->closeGrowth();

@@ -69,6 +69,8 @@ void SegmentIntervals::followGrowth(const core::EditSession& session)
     const core::History& history = session.history();
     const core::RowId from = std::exchange(m_position, history.position());
     const bool walked = std::exchange(m_rows, history.rows().size()) == history.rows().size();
+    if (walked && from == m_position)
+        return;
     // A new step has the intervals that were wanted, and those may have been moved on since.
     if (!walked)
         return remember(session);

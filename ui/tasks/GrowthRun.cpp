@@ -50,7 +50,8 @@ void GrowthRun::goOn()
 
 void GrowthRun::pause()
 {
-    m_workspace.session()->pauseGrowth();
+    if (core::EditSession* session = m_workspace.session())
+        session->pauseGrowth();
     m_turns.clear();
     finish();
 }
@@ -129,10 +130,11 @@ void GrowthRun::poll()
         return;
     }
     finish();
+    const GrowthTurn last = m_turns.empty() ? GrowthTurn() : m_turns.front();
     if (!m_turns.empty())
         m_turns.erase(m_turns.begin());
     if (m_turns.empty()) {
-        Q_EMIT completed();
+        Q_EMIT completed(last);
         return m_workspace.say(tr("The growth is complete: nothing is left within the interval"));
     }
     m_nextTurn = true;

@@ -43,7 +43,9 @@ Q_SIGNALS:
     void begun(); ///< a burst
     void changed(); ///< it has begun, gone on or ended
     void alarmed(const core::LeakAlarm& alarm); ///< which has ended it
-    void completed(); ///< nothing is left within the interval, of the last turn either
+    /// Nothing is left within the interval, of the last turn either.
+    /// @param last that turn; after resume() it names no segments
+    void completed(const GrowthTurn& last);
 
 private:
     bool beginBurst(const core::Edit& growth, double generationsPerSecond);

@@ -207,6 +207,16 @@ bool grows(const GrowthTurn& turn, int label)
     return !turn.segments || holds(turn.segments, label);
 }
 
+int grownIn(const GrowthTurn& turn, const Workspace& workspace)
+{
+    const core::EditSession* session = workspace.session();
+    const int active = workspace.activeSegment();
+    if (session && active > 0 && grows(turn, active)
+        && workspace.seeds().past().of(*session).growing.test(std::size_t(active)))
+        return active;
+    return turn.segments && turn.segments->size() == 1 ? turn.segments->front() : 0;
+}
+
 bool everySegmentLocked(const core::Document& document)
 {
     return !document.segments.empty()

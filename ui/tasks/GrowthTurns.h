@@ -60,6 +60,10 @@ void shareInterval(Workspace& workspace);
 /// Whether a segment grows in a turn.
 [[nodiscard]] bool grows(const GrowthTurn& turn, int label);
 
+/// The segment that a turn has grown: the active one if it is of the turn and has seeds, or else
+/// the only one of the turn; 0: neither.
+[[nodiscard]] int grownIn(const GrowthTurn& turn, const Workspace& workspace);
+
 /// Whether there are segments, and none may grow.
 [[nodiscard]] bool everySegmentLocked(const core::Document& document);
 

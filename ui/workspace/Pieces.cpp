@@ -347,9 +347,12 @@ void Pieces::withdraw(int layer)
     core::EditSession* asked = m_workspace.session();
     if (!asked)
         return;
-    asked->questions().bricks({}, [this, layer, asked](const auto&) {
-        if (m_workspace.session() != asked)
-            return; // it has been closed since, with its layer
+    asked->questions().bricks({}, [this, layer, asked](const auto& answer) {
+        // It may have been closed, or gone back, since.
+        if (!answer || m_workspace.session() != asked || !asked->document().layer(layer))
+            return;
+        if (!asked->idle()) // the user is at work, which must not be taken from under the hand
+            return m_workspace.say(tr("What could not be lifted has a layer of its own now"));
         core::EditSession& session = *asked;
         const core::History& history = session.history();
         const std::vector<core::RowId> rows = history.standing();
@@ -361,7 +364,7 @@ void Pieces::withdraw(int layer)
         if (moved != rows.end() && *moved == last)
             last = history.row(last).parent;
         const bool isLast = last != 0 && history.row(last).edit.is<core::AddLayer>()
-            && session.document().layers.back().id == layer && session.idle();
+            && session.document().layers.back().id == layer;
         core::Result<void> gone;
         if (isLast)
             gone = session.goTo(history.row(last).parent);

@@ -47,6 +47,8 @@ public:
     }
     /// Whether it takes a growth back from a sketch, step by step.
     [[nodiscard]] bool isBackwards() const;
+    /// Whether nothing of it remains: the engine never opened it, or something has failed.
+    [[nodiscard]] bool refused() const { return m_refused || m_failed; }
     /// Whether it is only shown for the user to decide; the next operation takes it back.
     [[nodiscard]] bool isPreview() const { return m_edit.is<GrowFromSeeds>(); }
     [[nodiscard]] bool standsOpen() const override

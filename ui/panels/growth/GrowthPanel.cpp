@@ -45,7 +45,7 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     connect(m_run, &GrowthRun::alarmed, m_leak, &LeakSection::showAlarm);
     connect(m_run, &GrowthRun::begun, m_pinholes, &PinholeOffer::forget);
     connect(m_run, &GrowthRun::completed, m_pinholes,
-        [this] { m_pinholes->lookInto(m_workspace.activeSegment()); });
+        [this](const GrowthTurn& last) { m_pinholes->lookInto(grownIn(last, m_workspace)); });
     connect(m_run, &GrowthRun::changed, this, &GrowthPanel::showState);
     m_liveInterval = new LiveInterval(workspace, this);
     connect(m_liveInterval, &LiveInterval::progressed, this, &GrowthPanel::showState);

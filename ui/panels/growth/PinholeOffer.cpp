@@ -35,6 +35,15 @@ core::Result<std::int64_t> pinholeVoxels(const std::vector<std::uint8_t>& labels
     return count;
 }
 
+constexpr double smallestVoxelMm3 = 1e-4;
+
+/// What CleanSegment takes for a voxel's volume: on a sheared grid it is more than that.
+double edgesProduct(const core::VolumeGeometry& geometry)
+{
+    const glm::dvec3 spacing = geometry.spacingMm();
+    return spacing.x * spacing.y * spacing.z;
+}
+
 } // namespace
 
 struct PinholeOffer::Look {
@@ -82,6 +91,9 @@ void PinholeOffer::lookInto(int label)
     const core::EditSession* session = m_workspace.session();
     const core::Segment* segment = session ? session->document().segment(label) : nullptr;
     if (!segment || segment->locked)
+        return;
+    // The edit holds cubic millimetres in steps of 2⁻²⁰, which cannot say how many such voxels.
+    if (edgesProduct(session->document().volumes.front().geometry) < smallestVoxelMm3)
         return;
     m_look = std::make_shared<Look>(Look{.label = label,
         .reader = std::make_shared<core::LabelReader>(
@@ -144,7 +156,7 @@ void PinholeOffer::fill()
     if (!session || !m_look)
         return;
     // Half a voxel more, so that rounding decides nothing.
-    const double mm3 = (double(mostVoxels) + 0.5) * m_workspace.volume()->geometry.voxelVolumeMm3();
+    const double mm3 = (double(mostVoxels) + 0.5) * edgesProduct(m_workspace.volume()->geometry);
     const core::CleanSegment edit{
         .segment = m_look->label, .rule = core::IslandRule::FillHoles, .mm3 = mm3};
     forget();

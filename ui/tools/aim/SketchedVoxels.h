@@ -46,6 +46,8 @@ public:
     /// Ends the sketch; answers that are still under way are dropped.
     void end();
     [[nodiscard]] const std::vector<glm::ivec3>& voxels() const { return m_voxels; }
+    /// Whether they are those of the whole path so far.
+    [[nodiscard]] bool isComplete() const { return !m_asking && m_looked >= m_path.size(); }
 
 Q_SIGNALS:
     void grew();

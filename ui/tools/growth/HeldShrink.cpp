@@ -24,14 +24,6 @@ HeldShrink::HeldShrink(Workspace& workspace, QObject* parent)
     , m_workspace(workspace)
 {
     connect(&m_pace, &QTimer::timeout, this, &HeldShrink::goOn);
-    connect(&workspace, &Workspace::failed, this, [this](const core::Error& error) {
-        const core::EditSession* session = m_workspace.session();
-        if (!m_on || !session || session->growthProgress().backwards)
-            return; // then it goes on, and something else has failed
-        m_refused = error;
-        m_pace.stop();
-        Q_EMIT changed();
-    });
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_on = false;
         m_pace.stop();
@@ -52,7 +44,6 @@ bool HeldShrink::begin(const std::vector<glm::ivec3>& voxels)
     }
     m_on = true;
     m_steps = 1;
-    m_refused.reset();
     const double chosen = m_workspace.growSettings().generationsPerSecond;
     const double pace = chosen > 0.0 ? std::min(chosen, fastestPace) : usualPace;
     m_pace.start(int(1000.0 / pace));
@@ -63,9 +54,12 @@ bool HeldShrink::begin(const std::vector<glm::ivec3>& voxels)
 /// A step is asked for when the one before is seen: so it stops at once when the pen is lifted.
 void HeldShrink::goOn()
 {
-    core::EditSession* session = m_workspace.session();
-    if (!m_on || !session || !session->transactionOpen())
-        return m_pace.stop();
+    core::EditSession* session = open();
+    if (!session || session->backwardsRefused()) {
+        m_pace.stop();
+        Q_EMIT changed();
+        return;
+    }
     const auto progress = session->growthProgress().backwards;
     Q_EMIT changed();
     if (!progress)
@@ -80,27 +74,42 @@ void HeldShrink::end(bool kept)
 {
     if (!m_on)
         return;
+    core::EditSession* session = open();
     m_on = false;
     m_pace.stop();
-    if (core::EditSession* session = m_workspace.session(); session && session->transactionOpen())
+    if (session)
         session->end(kept ? core::Ending::Commit : core::Ending::Rollback);
     Q_EMIT changed();
 }
 
+bool HeldShrink::refused() const
+{
+    const core::EditSession* session = open();
+    return session && session->backwardsRefused();
+}
+
+core::EditSession* HeldShrink::open() const
+{
+    core::EditSession* session = m_workspace.session();
+    return m_on && session && session->backwardsOpen() ? session : nullptr;
+}
+
 QString HeldShrink::words() const
 {
-    const core::EditSession* session = m_workspace.session();
-    if (!m_on || !session)
-        return {};
-    if (m_refused)
-        return tr("takes nothing");
+    const core::EditSession* session = open();
+    if (!session)
+        return m_on ? tr("is done") : QString();
+    if (session->backwardsRefused())
+        return tr("takes nothing back by generations; lift the pen to cut it off");
     const auto progress = session->growthProgress().backwards;
     if (!progress)
         return tr("goes back …");
     using Bound = core::BackwardProgress::Bound;
-    const QString taken = tr("%n generation(s) back: takes %1", nullptr, int(progress->steps))
-                              .arg(millilitreText(progress->members,
-                                  m_workspace.volume()->geometry.voxelVolumeMm3()));
+    const QString volume =
+        millilitreText(progress->members, m_workspace.volume()->geometry.voxelVolumeMm3());
+    const QString taken = progress->steps == 1
+        ? tr("1 generation back: takes %1").arg(volume)
+        : tr("%1 generations back: takes %2").arg(progress->steps).arg(volume);
     switch (progress->bound) {
     case Bound::None:
         break;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/Error.h"
-
 #include <glm/glm.hpp>
 
 #include <QObject>
 #include <QString>
 #include <QTimer>
 
-#include <optional>
 #include <vector>
+
+namespace core {
+class EditSession;
+}
 
 namespace ui {
 
@@ -31,6 +32,8 @@ public:
     /// Ends it. @param kept whether what is taken stays so
     void end(bool kept);
     [[nodiscard]] bool on() const { return m_on; }
+    /// Whether it is on, but was refused: it takes nothing.
+    [[nodiscard]] bool refused() const;
 
     /// "3 generations back: takes 12.4 mL", and why it goes no further; empty while it is not on.
     [[nodiscard]] QString words() const;
@@ -40,12 +43,13 @@ Q_SIGNALS:
 
 private:
     void goOn();
+    /// Its session, while the edit that is open there is its own: another edit, or undo, ends it.
+    [[nodiscard]] core::EditSession* open() const;
 
     Workspace& m_workspace;
     QTimer m_pace;
     bool m_on = false;
     int m_steps = 0; ///< that were asked for
-    std::optional<core::Error> m_refused;
 };
 
 } // namespace ui

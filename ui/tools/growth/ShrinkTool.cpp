@@ -95,6 +95,8 @@ void ShrinkTool::rest()
     const bool takes = m_preview->upToDate() && m_preview->voxels().value_or(0) > 0;
     if (!drawing() || modifiers().testFlag(Qt::ControlModifier) || !takes)
         return; // a foresight that is late begins the rest anew
+    if (!m_sketched->isComplete())
+        return m_rest.start();
     const std::vector<glm::ivec3> voxels = m_sketched->voxels();
     m_preview->end();
     m_rest.stop();
@@ -105,6 +107,11 @@ bool ShrinkTool::finishOtherwise(const std::vector<glm::dvec2>&, const ViewConte
 {
     if (!m_held->on())
         return false;
+    if (m_held->refused()) {
+        // Going back would take everything; cutting it off at its narrowest place may not.
+        m_held->end(false);
+        return false;
+    }
     const std::size_t rows = workspace().session()->history().rows().size();
     m_held->end(true);
     tellLastRow(rows);

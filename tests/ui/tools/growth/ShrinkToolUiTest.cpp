@@ -374,6 +374,37 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().stateHash(), leaked);
     }
 
+    /// Another edit ends the held one as a step; what the pen does then is not that edit's end.
+    void anotherEditIsNotTakenForTheHeldOne()
+    {
+        ShrinkFixture fixture;
+        const std::size_t rows = fixture.rows();
+        const QPoint at =
+            fixture.slice.context().toPixel(fixture.placeOf(phantom().click)).toPoint();
+        QTest::mousePress(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
+        QTest::mouseMove(&fixture.slice, at + QPoint(3, 1));
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                fixture.session().poll();
+                return fixture.session().growthProgress().backwards.has_value();
+            },
+            60000));
+        QVERIFY(fixture.session().backwardsOpen());
+        QVERIFY(!fixture.tool.held().refused());
+        QVERIFY(fixture.session().begin(test::growBetween(phantom().lowCode, phantom().highCode)));
+        QVERIFY(!fixture.session().backwardsOpen());
+        QVERIFY(fixture.session().transactionOpen());
+        QTest::keyClick(&fixture.slice, Qt::Key_Escape);
+        QVERIFY(fixture.session().transactionOpen());
+        QTest::mouseRelease(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
+        QVERIFY(fixture.session().transactionOpen());
+        fixture.session().end(core::Ending::Commit);
+        fixture.answered();
+        // The other one had nothing left to grow.
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(fixture.lastShrink());
+    }
+
     void whereNothingGrewTheCursorSaysSo()
     {
         ShrinkFixture fixture;
