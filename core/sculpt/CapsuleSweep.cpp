@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sculpt/CapsuleSweep.h"
 
+#include "core/sculpt/CutFrame.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace core {
 
 namespace {
-
-int rounded14(std::int64_t value)
-{
-    return int((value + (1 << 13)) >> 14);
-}
 
 double distanceToLine(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& along)
 {
@@ -35,15 +32,15 @@ glm::ivec3 strokeBase(const CapsuleFrame& frame, const glm::ivec3& firstVoxel)
     glm::ivec3 base;
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = std::size_t(axis);
-        base[axis] = rounded14(frame.origin[i] + firstVoxel.x * frame.perI[i]
-            + firstVoxel.y * frame.perJ[i] + firstVoxel.z * frame.perK[i]);
+        base[axis] = int(fixedPoint::round14(frame.origin[i] + firstVoxel.x * frame.perI[i]
+            + firstVoxel.y * frame.perJ[i] + firstVoxel.z * frame.perK[i]));
     }
     return base;
 }
 
 glm::ivec3 strokeStep(const Fixed3& perVoxel)
 {
-    return {rounded14(perVoxel[0]), rounded14(perVoxel[1]), rounded14(perVoxel[2])};
+    return fixedPoint::round14(perVoxel);
 }
 
 std::vector<std::uint32_t> bricksNear(

@@ -8,12 +8,17 @@
 #include <glm/glm.hpp>
 
 #include <bitset>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace gpu {
+
+/// As many work groups as every OpenGL 4.5 driver starts at once along an axis
+/// (GL_MAX_COMPUTE_WORK_GROUP_COUNT); a kernel with more to do walks, or is started again.
+constexpr std::size_t mostWorkGroups = 65535;
 
 struct ComputeProgramOptions {
     const char* label = "";

@@ -11,7 +11,8 @@
 namespace core {
 
 /// The members of one label that a cut takes backwards, step by step (GrowthCut.h, rule 12). The
-/// cost of a step is that of what it takes.
+/// search of a step costs as much as what it takes; what becomes of the growth is worked out anew
+/// from all that leaves (GrowthCut.h).
 class BackwardSteps {
 public:
     using Voxels = std::vector<WordBricks::Voxel>;

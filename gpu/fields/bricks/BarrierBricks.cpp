@@ -3,6 +3,7 @@
 
 #include "gpu/fields/bricks/BrickField.h"
 #include "gpu/fields/bricks/FieldPrograms.h"
+#include "gpu/gl/Program.h"
 
 #include <algorithm>
 #include <vector>
@@ -10,8 +11,6 @@
 namespace gpu {
 
 namespace {
-
-constexpr std::size_t mostGroups = 65535; // the least that GL promises; more bricks are walked
 
 } // namespace
 
@@ -59,7 +58,7 @@ core::VoxelBox BarrierBricks::update(BrickField& words)
         Program& kernel = m_programs.findBarriers();
         kernel.set("volumeBricks", m_grid.bricks()).set("brickCount", unsigned(looked.size()));
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        kernel.dispatch({unsigned(std::min(looked.size(), mostGroups)), 1, 1});
+        kernel.dispatch({unsigned(std::min(looked.size(), mostWorkGroups)), 1, 1});
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
         std::vector<std::uint32_t> flags(looked.size());
         found.read(std::span<std::uint32_t>(flags));

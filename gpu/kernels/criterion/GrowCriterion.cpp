@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/criterion/GrowCriterion.h"
 
+#include "gpu/gl/Program.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -27,7 +29,6 @@ std::array<std::pair<const char*, bool>, 7> questions(const core::GrowLimits& li
             {"SIGMAS", limits.sigmas256 > 0}}};
 }
 
-constexpr std::size_t groupsAtOnce = 65535; // the least that GL promises
 constexpr std::size_t voxelsPerGroup = 64;
 constexpr std::size_t bitsPerTexel = 32;
 constexpr std::size_t codeCount = 65536;
@@ -98,7 +99,7 @@ void prepare(Program& kernel, VoxelFields& fields, const core::ProbeSeeds& quest
 template <class Entry>
 void runOver(Program& kernel, const std::vector<Entry>& entries, std::size_t perGroup)
 {
-    const std::size_t atOnce = groupsAtOnce * perGroup;
+    const std::size_t atOnce = mostWorkGroups * perGroup;
     for (std::size_t first = 0; first < entries.size(); first += atOnce) {
         const std::span<const Entry> batch =
             std::span(entries).subspan(first, std::min(atOnce, entries.size() - first));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/labels/EraseKernel.h"
 
+#include "gpu/gl/Program.h"
+
 #include <algorithm>
 
 namespace gpu {
 
 namespace {
-
-constexpr std::size_t mostGroups = 65535; // the least that GL promises; more bricks are walked
 
 Program program(const ShaderLibrary& library, const ShaderDefines& defines)
 {
@@ -27,7 +27,7 @@ std::vector<std::uint32_t> run(
     list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     found.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
     kernel.set("brickCount", unsigned(bricks.size())).set("erase", erase);
-    kernel.dispatch({unsigned(std::min(bricks.size(), mostGroups)), 1, 1});
+    kernel.dispatch({unsigned(std::min(bricks.size(), mostWorkGroups)), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     std::vector<std::uint32_t> flags(bricks.size());
     found.read(std::span<std::uint32_t>(flags));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/passage/PassageField.h"
 
+#include "gpu/gl/Program.h"
+
 #include <algorithm>
 
 namespace gpu {
@@ -99,12 +101,11 @@ void PassageField::setGrowthUniforms(Program& each, const GrowCriterion& criteri
 std::vector<PassageField::LabelBits> PassageField::labelsIn(
     const GrowCriterion& criterion, const std::vector<std::uint32_t>& bricks)
 {
-    constexpr std::size_t groups = 65535; // the least that GL promises
     std::vector<LabelBits> found(bricks.size());
     Program& labels = m_programs.labels();
     setGrowthUniforms(labels, criterion);
-    for (std::size_t first = 0; first < bricks.size(); first += groups) {
-        const std::size_t count = std::min(groups, bricks.size() - first);
+    for (std::size_t first = 0; first < bricks.size(); first += mostWorkGroups) {
+        const std::size_t count = std::min(mostWorkGroups, bricks.size() - first);
         const Buffer list = bufferOf("passage bricks", std::span(bricks).subspan(first, count));
         Buffer answers({.label = "passage labels", .bytes = count * sizeof(LabelBits)});
         list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);

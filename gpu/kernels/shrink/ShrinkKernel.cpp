@@ -2,14 +2,13 @@
 #include "gpu/kernels/shrink/ShrinkKernel.h"
 
 #include "core/growth/SeedWord.h"
+#include "gpu/gl/Program.h"
 
 #include <algorithm>
 
 namespace gpu {
 
 namespace {
-
-constexpr std::size_t mostGroups = 65535; // the least that GL promises; more bricks are walked
 
 Program program(const ShaderLibrary& library, const char* label, const char* path,
     const ShaderDefines& defines = {})
@@ -34,7 +33,7 @@ void setGrid(Program& each, const core::BrickGrid& grid, std::size_t bricks)
 
 void dispatch(Program& each, std::size_t bricks)
 {
-    each.dispatch({unsigned(std::min(bricks, mostGroups)), 1, 1});
+    each.dispatch({unsigned(std::min(bricks, mostWorkGroups)), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 

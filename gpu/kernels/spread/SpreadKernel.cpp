@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/spread/SpreadKernel.h"
 
+#include "gpu/gl/Program.h"
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -13,7 +15,6 @@ namespace {
 constexpr std::uint32_t resting = 0xFFFFFFFFu; // spread.glsl
 constexpr std::uint32_t changedLabel = 1; // spreadLabel.comp
 constexpr std::uint32_t changedWord = 2;
-constexpr std::size_t mostGroups = 65535; // the least that GL promises; more bricks are walked
 constexpr int leastStepLabels = 2; // below it is no competition
 
 /// Found of spreadInit.comp.
@@ -73,7 +74,7 @@ std::pair<core::VoxelBox, int> seedBox(
     list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     found.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
     find.set("brickCount", unsigned(bricks.size()));
-    find.dispatch({unsigned(std::min(bricks.size(), mostGroups)), 1, 1});
+    find.dispatch({unsigned(std::min(bricks.size(), mostWorkGroups)), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     found.read(std::span<Seen>(&seen, 1));
     int labels = 0;
@@ -178,7 +179,7 @@ void SpreadKernel::advance(std::size_t bricks)
 
 void SpreadKernel::init(std::size_t bricks)
 {
-    const std::size_t count = std::min({bricks, m_field.brickCount() - m_next, mostGroups});
+    const std::size_t count = std::min({bricks, m_field.brickCount() - m_next, mostWorkGroups});
     setSeeds(m_steps.init, m_fields, m_spread);
     bind();
     m_steps.init.set("firstSlot", unsigned(m_next)).set("brickCount", unsigned(count));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/spread/ToleranceKernel.h"
 
+#include "gpu/gl/Program.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -10,7 +12,6 @@ namespace gpu {
 namespace {
 
 constexpr std::uint32_t notReached = 0xFFFFFFFFu; // tolerance.glsl
-constexpr std::size_t mostGroupsAtOnce = 65535; // the least that GL promises
 constexpr std::size_t sizeCount = 65536;
 /// Looking at what voxels are, and counting them, is so much less work than bringing to rest.
 constexpr std::size_t looksPerBrick = 8;
@@ -39,9 +40,9 @@ std::optional<int> centreOf(Program& kernel, VoxelFields& fields, const core::To
     fields.codes().bindUnit(0);
     words.pageTable().bindUnit(1);
     words.atlas().bindUnit(2);
-    for (std::size_t first = 0; first < bricks.size(); first += mostGroupsAtOnce) {
+    for (std::size_t first = 0; first < bricks.size(); first += mostWorkGroups) {
         const std::span<const std::uint32_t> batch =
-            std::span(bricks).subspan(first, std::min(mostGroupsAtOnce, bricks.size() - first));
+            std::span(bricks).subspan(first, std::min(mostWorkGroups, bricks.size() - first));
         Buffer list({.label = "tolerance seed bricks", .bytes = batch.size_bytes()});
         list.write(batch);
         const Buffer found(
@@ -184,7 +185,7 @@ void ToleranceKernel::advance(std::size_t bricks)
 void ToleranceKernel::look(std::size_t bricks)
 {
     const std::size_t all = std::size_t(m_fields.grid().brickCount());
-    const std::size_t count = std::min({bricks, all - m_next, mostGroupsAtOnce});
+    const std::size_t count = std::min({bricks, all - m_next, mostWorkGroups});
     BrickField& words = m_fields.seedWords(m_field.rule.plane);
     m_criterion.setUniforms(m_init);
     m_criterion.bind(m_fields);
@@ -225,7 +226,7 @@ void ToleranceKernel::relax(std::size_t bricks)
     }
     if (chosen.empty())
         return take(Phase::Count);
-    const std::size_t most = std::min(bricks, mostGroupsAtOnce);
+    const std::size_t most = std::min(bricks, mostWorkGroups);
     if (chosen.size() > most) {
         // Least first: what comes later is then seldom undercut.
         std::nth_element(chosen.begin(), chosen.begin() + std::ptrdiff_t(most), chosen.end(),
@@ -251,7 +252,7 @@ void ToleranceKernel::relax(std::size_t bricks)
 void ToleranceKernel::count(std::size_t bricks)
 {
     const std::size_t all = std::size_t(m_fields.grid().brickCount());
-    const std::size_t count = std::min({bricks, all - m_next, mostGroupsAtOnce});
+    const std::size_t count = std::min({bricks, all - m_next, mostWorkGroups});
     Program& kernel = m_programs.count();
     kernel.set("firstBrick", unsigned(m_next));
     m_field.tolerances.bindImage(0, GL_READ_ONLY);

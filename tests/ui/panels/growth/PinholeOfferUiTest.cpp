@@ -13,6 +13,7 @@
 #include <QAbstractButton>
 #include <QtTest>
 
+#include <cmath>
 #include <vector>
 
 using test::WorkspaceFixture;
@@ -20,9 +21,18 @@ using test::WorkspaceFixture;
 namespace {
 
 /// The small head, with air at some voxels of its ventricle.
-core::LoadedVolume withAirAt(const std::vector<glm::ivec3>& voxels)
+/// @param tilted the slices are stacked 25° off their normal, as with a tilted gantry
+core::LoadedVolume withAirAt(const std::vector<glm::ivec3>& voxels, bool tilted)
 {
     core::LoadedVolume loaded = test::smallHead::volume();
+    if (tilted) {
+        glm::dmat4& indexToWorld = loaded.volume.geometry.indexToWorld;
+        const glm::dvec3 middle = loaded.volume.geometry.toIndex(glm::dvec3(0.0));
+        const double angle = 25.0 * 3.14159265358979323846 / 180.0;
+        indexToWorld[2] =
+            glm::length(indexToWorld[2]) * glm::dvec4(0.0, std::sin(angle), std::cos(angle), 0.0);
+        indexToWorld[3] -= glm::dvec4(loaded.volume.geometry.toWorld(middle), 0.0);
+    }
     constexpr auto side = std::size_t(test::smallHead::side);
     for (const glm::ivec3& voxel : voxels)
         loaded.codes[(std::size_t(voxel.z) * side + std::size_t(voxel.y)) * side
@@ -46,8 +56,8 @@ std::vector<glm::ivec3> cavity()
 
 class Grown : public WorkspaceFixture {
 public:
-    explicit Grown(const std::vector<glm::ivec3>& air)
-        : WorkspaceFixture(withAirAt(air))
+    explicit Grown(const std::vector<glm::ivec3>& air, bool tilted = false)
+        : WorkspaceFixture(withAirAt(air, tilted))
         , panel(workspace)
         , offer(*panel.findChild<ui::PinholeOffer*>())
     {
@@ -135,6 +145,23 @@ private Q_SLOTS:
         Q_EMIT fixture.offer.linkActivated(QStringLiteral("fill")); // it was withdrawn
         fixture.settle();
         QCOMPARE(fixture.session().stateHash(), before);
+    }
+
+    /// Of a sheared grid, too, all is filled that was offered.
+    void aTiltedScanHasItsPinholesFilled()
+    {
+        std::vector<glm::ivec3> hole; // as large as a pinhole may be
+        for (int i = 0; i < ui::PinholeOffer::mostVoxels; ++i)
+            hole.emplace_back(21 + (i & 1), 19 + (i >> 1 & 1), 20 + (i >> 2));
+        Grown fixture(hole, true);
+        QVERIFY(QTest::qWaitFor([&] {
+            fixture.settle();
+            return !fixture.offer.isHidden();
+        }));
+        const std::int64_t voxels = fixture.voxels();
+        Q_EMIT fixture.offer.linkActivated(QStringLiteral("fill"));
+        fixture.settle();
+        QCOMPARE(fixture.voxels(), voxels + 8);
     }
 
     /// It is about what has just grown, and nothing else.

@@ -2,6 +2,8 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/growth/ShrinkTool.h"
 
+#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
@@ -403,6 +405,41 @@ private Q_SLOTS:
         // The other one had nothing left to grow.
         QCOMPARE(fixture.rows(), rows + 1);
         QVERIFY(fixture.lastShrink());
+    }
+
+    /// Beside the seed, going back would take all that has grown: it is refused, and lifting the
+    /// pen cuts off what was sketched, as without the rest.
+    void aRefusedHoldLeavesThePlainCut()
+    {
+        ShrinkFixture fixture;
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        const glm::ivec3 seed = phantom().seed;
+        core::GrowCriteria line{
+            .lower = double(phantom().lowCode), .upper = double(phantom().highCode)};
+        line.box =
+            core::GrowBox{fixture.placeOf(seed), fixture.placeOf(seed + glm::ivec3(3, 0, 0))};
+        fixture.apply(test::growBy(line));
+        QCOMPARE(fixture.held().body, std::int64_t(4));
+        fixture.workspace.setCrosshairLps(fixture.placeOf(seed));
+        const std::size_t rows = fixture.rows();
+        const QPoint at =
+            fixture.slice.context().toPixel(fixture.placeOf(seed + glm::ivec3(1, 0, 0))).toPoint();
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        QTest::mousePress(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                fixture.session().poll();
+                return fixture.tool.held().refused();
+            },
+            60000));
+        QCOMPARE(failed.size(), 1);
+        QVERIFY(failed[0][0].value<core::Error>().code == core::ErrorCode::EverythingGrown);
+        QTest::mouseRelease(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
+        fixture.answered();
+        QVERIFY(!fixture.tool.held().on());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(fixture.lastShrink() && !fixture.lastShrink()->steps);
+        QCOMPARE(fixture.held().body, std::int64_t(1));
     }
 
     void whereNothingGrewTheCursorSaysSo()
