@@ -435,7 +435,9 @@ private Q_SLOTS:
         QCOMPARE(failed.size(), 1);
         QVERIFY(failed[0][0].value<core::Error>().code == core::ErrorCode::EverythingGrown);
         QTest::mouseRelease(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
-        fixture.answered();
+        fixture.session().poll();
+        const auto settled = fixture.session().settle();
+        QVERIFY(settled || settled.error().code == core::ErrorCode::EverythingGrown); // of the hold
         QVERIFY(!fixture.tool.held().on());
         QCOMPARE(fixture.rows(), rows + 1);
         QVERIFY(fixture.lastShrink() && !fixture.lastShrink()->steps);
