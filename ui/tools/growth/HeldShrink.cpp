@@ -98,7 +98,7 @@ QString HeldShrink::words() const
 {
     const core::EditSession* session = open();
     if (!session)
-        return m_on ? tr("is done") : QString();
+        return m_on ? tr("has become a step of the history") : QString();
     if (session->backwardsRefused())
         return tr("takes nothing back by generations; lift the pen to cut it off");
     const auto progress = session->growthProgress().backwards;
