@@ -29,6 +29,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+namespace auditUiTest {
+
 namespace {
 
 constexpr int patience = 300000; ///< ms; only a hang takes that long
@@ -290,4 +292,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(AuditUiTest)
+
+} // namespace auditUiTest
+
 #include "AuditUiTest.moc"

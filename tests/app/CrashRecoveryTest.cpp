@@ -23,6 +23,8 @@
 
 #include <sys/stat.h>
 
+namespace crashRecoveryTest {
+
 using namespace core;
 
 namespace {
@@ -53,7 +55,11 @@ const char* const companions[]{"", "-wal", "-journal"};
 
 } // namespace
 
-Q_DECLARE_METATYPE(Moment)
+} // namespace crashRecoveryTest
+
+Q_DECLARE_METATYPE(crashRecoveryTest::Moment)
+
+namespace crashRecoveryTest {
 
 /// kill -9 in the middle of `burin run`, and disks that fill up under it: what was printed is in
 /// the file, nothing is torn, and the session goes on from there as if nothing had been.
@@ -402,4 +408,7 @@ void CrashRecoveryTest::cleanupTestCase()
 }
 
 BURIN_TEST(CrashRecoveryTest)
+
+} // namespace crashRecoveryTest
+
 #include "CrashRecoveryTest.moc"

@@ -13,6 +13,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace damagedSessionGlTest {
+
 using namespace core;
 using test::burin;
 using test::key;
@@ -286,4 +288,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(DamagedSessionGlTest)
+
+} // namespace damagedSessionGlTest
+
 #include "DamagedSessionGlTest.moc"

@@ -30,6 +30,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace displayStateUiTest {
+
 namespace {
 
 constexpr int patience = 120000; ///< ms; only a hang takes that long
@@ -436,4 +438,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(DisplayStateUiTest)
+
+} // namespace displayStateUiTest
+
 #include "DisplayStateUiTest.moc"

@@ -30,6 +30,8 @@
 
 #include <malloc.h>
 
+namespace drivenWindowUiTest {
+
 using test::Dialogs;
 
 namespace {
@@ -335,4 +337,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(DrivenWindowUiTest)
+
+} // namespace drivenWindowUiTest
+
 #include "DrivenWindowUiTest.moc"

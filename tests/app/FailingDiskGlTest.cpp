@@ -11,6 +11,8 @@
 #include <cstring>
 #include <memory>
 
+namespace failingDiskGlTest {
+
 using test::FileFault;
 using test::Outcome;
 
@@ -170,4 +172,7 @@ void FailingDiskGlTest::cleanupTestCase()
 }
 
 BURIN_TEST(FailingDiskGlTest)
+
+} // namespace failingDiskGlTest
+
 #include "FailingDiskGlTest.moc"

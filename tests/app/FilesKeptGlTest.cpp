@@ -12,6 +12,8 @@
 
 #include <sys/stat.h>
 
+namespace filesKeptGlTest {
+
 using test::key;
 using test::Outcome;
 using test::toJson;
@@ -217,4 +219,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(FilesKeptGlTest)
+
+} // namespace filesKeptGlTest
+
 #include "FilesKeptGlTest.moc"

@@ -20,6 +20,8 @@
 
 #include <csignal>
 
+namespace filesWrittenUiTest {
+
 using test::FileEvent;
 using test::key;
 using test::Outcome;
@@ -394,4 +396,7 @@ void FilesWrittenUiTest::cleanupTestCase()
 }
 
 BURIN_WINDOW_TEST(FilesWrittenUiTest)
+
+} // namespace filesWrittenUiTest
+
 #include "FilesWrittenUiTest.moc"

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <map>
 
+namespace growthDiceItkGlTest {
+
 using namespace core;
 using test::RealGrowth;
 using test::RealStructure;
@@ -255,4 +257,7 @@ private:
 };
 
 BURIN_TEST(GrowthDiceItkGlTest)
+
+} // namespace growthDiceItkGlTest
+
 #include "GrowthDiceItkGlTest.moc"

@@ -26,6 +26,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace growthFiguresGlTest {
+
 using namespace core;
 using test::GrowthFigure;
 using test::inColours;
@@ -472,4 +474,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(GrowthFiguresGlTest)
+
+} // namespace growthFiguresGlTest
+
 #include "GrowthFiguresGlTest.moc"

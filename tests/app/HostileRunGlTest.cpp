@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace hostileRunGlTest {
+
 /// `burin run` on a study beside hostile files: it works on the study.
 class HostileRunGlTest : public QObject {
     Q_OBJECT
@@ -85,4 +87,7 @@ void HostileRunGlTest::oneByOne()
 }
 
 BURIN_TEST(HostileRunGlTest)
+
+} // namespace hostileRunGlTest
+
 #include "HostileRunGlTest.moc"

@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace hostileStudiesTest {
+
 namespace {
 
 constexpr double longestSeconds = 10.0;
@@ -108,4 +110,7 @@ void HostileStudiesTest::besideAStudy()
 }
 
 BURIN_TEST(HostileStudiesTest)
+
+} // namespace hostileStudiesTest
+
 #include "HostileStudiesTest.moc"

@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace hostileStudyUiTest {
+
 namespace {
 
 void store(const QString& path, const QByteArray& bytes)
@@ -52,4 +54,7 @@ void HostileStudyUiTest::eachIsRefusedInWordsAndAStudyOpensAfterIt()
 }
 
 BURIN_WINDOW_TEST(HostileStudyUiTest)
+
+} // namespace hostileStudyUiTest
+
 #include "HostileStudyUiTest.moc"

@@ -12,6 +12,8 @@
 
 #include <array>
 
+namespace houseGoldenGlTest {
+
 using test::burin;
 using test::key;
 using test::Outcome;
@@ -120,4 +122,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(HouseGoldenGlTest)
+
+} // namespace houseGoldenGlTest
+
 #include "HouseGoldenGlTest.moc"

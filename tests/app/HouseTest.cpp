@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+namespace houseTest {
+
 namespace {
 
 /// What files of one room must not include (DESIGN §2).
@@ -454,4 +456,7 @@ void HouseTest::foldersAreSmallAndNamed()
 }
 
 BURIN_TEST(HouseTest)
+
+} // namespace houseTest
+
 #include "HouseTest.moc"

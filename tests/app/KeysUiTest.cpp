@@ -7,6 +7,8 @@
 #include <QMap>
 #include <QTest>
 
+namespace keysUiTest {
+
 /// The keys of the whole window, as all of its parts together give them.
 class KeysUiTest : public QObject {
     Q_OBJECT
@@ -40,4 +42,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(KeysUiTest)
+
+} // namespace keysUiTest
+
 #include "KeysUiTest.moc"

@@ -12,6 +12,8 @@
 
 #include <memory>
 
+namespace killStormGlTest {
+
 using test::Outcome;
 
 /// A storm of SIGKILLs, at any instant of what writes sessions and exports. Afterwards sessions
@@ -111,4 +113,7 @@ void KillStormGlTest::cleanupTestCase()
 }
 
 BURIN_TEST(KillStormGlTest)
+
+} // namespace killStormGlTest
+
 #include "KillStormGlTest.moc"

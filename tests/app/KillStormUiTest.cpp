@@ -21,6 +21,8 @@
 #include <cstdio>
 #include <optional>
 
+namespace killStormUiTest {
+
 /// What is killed: the window, with somebody who works in it without pause: steps, pictures of them
 /// (the window keeps those by itself), "Save session as" every few steps. It tells on stdout what
 /// is done, and ends with its process.
@@ -189,4 +191,7 @@ void KillStormUiTest::anyInstant()
 
 BURIN_WINDOW_TEST(WindowUnderStorm)
 BURIN_WINDOW_TEST(KillStormUiTest)
+
+} // namespace killStormUiTest
+
 #include "KillStormUiTest.moc"

@@ -13,6 +13,8 @@
 
 #include <functional>
 
+namespace laserUiTest {
+
 /// The laser in the real window, with the real engine: by its key, shown before the press, cut,
 /// undone. With BURIN_SCREENSHOTS on the demonstration head, for people who want to look.
 class LaserUiTest : public QObject {
@@ -85,4 +87,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(LaserUiTest)
+
+} // namespace laserUiTest
+
 #include "LaserUiTest.moc"

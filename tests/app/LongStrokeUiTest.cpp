@@ -23,6 +23,8 @@
 
 #include <sys/resource.h>
 
+namespace longStrokeUiTest {
+
 namespace {
 
 constexpr double samplesPerSecond = 120.0;
@@ -212,4 +214,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(LongStrokeUiTest)
+
+} // namespace longStrokeUiTest
+
 #include "LongStrokeUiTest.moc"

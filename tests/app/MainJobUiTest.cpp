@@ -30,6 +30,8 @@
 #include <QTreeWidget>
 #include <QtTest>
 
+namespace mainJobUiTest {
+
 namespace {
 
 constexpr int patience = 300000; ///< ms; only a hang takes that long
@@ -387,4 +389,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(MainJobUiTest)
+
+} // namespace mainJobUiTest
+
 #include "MainJobUiTest.moc"

@@ -41,6 +41,8 @@
 #include <QTreeWidget>
 #include <QtTest>
 
+namespace manualPicturesUiTest {
+
 /// The manual's pictures of the history, of studies that come in and of masks that go out, in the
 /// real window on the demonstration study and on shared ones. It takes a
 /// minute, so it only runs where somebody wants them: BURIN_SCREENSHOTS names the folder.
@@ -344,4 +346,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(ManualPicturesUiTest)
+
+} // namespace manualPicturesUiTest
+
 #include "ManualPicturesUiTest.moc"

@@ -15,6 +15,8 @@
 
 #include <set>
 
+namespace memoryFailureGlTest {
+
 using test::key;
 using test::Outcome;
 
@@ -309,4 +311,7 @@ void MemoryFailureGlTest::littleAddressSpace()
 }
 
 BURIN_TEST(MemoryFailureGlTest)
+
+} // namespace memoryFailureGlTest
+
 #include "MemoryFailureGlTest.moc"

@@ -25,6 +25,8 @@
 #include <QTest>
 #include <QUrl>
 
+namespace openSessionUiTest {
+
 namespace {
 
 constexpr int patience = 120000; ///< ms; only a hang takes that long
@@ -245,4 +247,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(OpenSessionUiTest)
+
+} // namespace openSessionUiTest
+
 #include "OpenSessionUiTest.moc"

@@ -18,6 +18,8 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+namespace openingUiTest {
+
 /// A study that is loaded is put into the engine beside the GUI thread, which goes on meanwhile.
 class OpeningUiTest : public QObject, test::WithApplication {
     Q_OBJECT
@@ -153,4 +155,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(OpeningUiTest)
+
+} // namespace openingUiTest
+
 #include "OpeningUiTest.moc"

@@ -20,6 +20,8 @@
 #include <memory>
 #include <vector>
 
+namespace otherDriversGlTest {
+
 namespace {
 
 using Settings = std::vector<std::pair<const char*, const char*>>;
@@ -159,4 +161,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(OtherDriversGlTest)
+
+} // namespace otherDriversGlTest
+
 #include "OtherDriversGlTest.moc"

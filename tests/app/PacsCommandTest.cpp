@@ -11,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace pacsCommandTest {
+
 /// `burin echo`, `find`, `get` and `send`: JSON that others build on, text, statuses, one line
 /// where they fail.
 class PacsCommandTest : public QObject {
@@ -183,4 +185,7 @@ void PacsCommandTest::wrongArguments()
 }
 
 BURIN_TEST(PacsCommandTest)
+
+} // namespace pacsCommandTest
+
 #include "PacsCommandTest.moc"

@@ -12,6 +12,8 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+namespace patientPrivacyGlTest {
+
 using test::burin;
 using test::key;
 using test::Outcome;
@@ -165,4 +167,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(PatientPrivacyGlTest)
+
+} // namespace patientPrivacyGlTest
+
 #include "PatientPrivacyGlTest.moc"

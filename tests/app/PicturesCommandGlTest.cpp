@@ -13,6 +13,8 @@
 #include <QJsonDocument>
 #include <QTest>
 
+namespace picturesCommandGlTest {
+
 using test::burin;
 using test::key;
 using test::Outcome;
@@ -183,4 +185,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(PicturesCommandGlTest)
+
+} // namespace picturesCommandGlTest
+
 #include "PicturesCommandGlTest.moc"

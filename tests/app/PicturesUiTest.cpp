@@ -19,6 +19,8 @@
 #include <optional>
 #include <set>
 
+namespace picturesUiTest {
+
 // The window with the real engine: what the pictures show against where things are in the patient.
 
 namespace {
@@ -118,7 +120,11 @@ int greyOf(double value, const core::WindowLevel& window)
 
 } // namespace
 
+} // namespace picturesUiTest
+
 Q_DECLARE_METATYPE(glm::dvec3)
+
+namespace picturesUiTest {
 
 class PicturesUiTest : public QObject {
     Q_OBJECT
@@ -373,4 +379,7 @@ void PicturesUiTest::continuedSessionLooksAsItWasLeft()
 }
 
 BURIN_WINDOW_TEST(PicturesUiTest)
+
+} // namespace picturesUiTest
+
 #include "PicturesUiTest.moc"

@@ -19,6 +19,8 @@
 
 #include <sys/stat.h>
 
+namespace privateFilesUiTest {
+
 using test::key;
 using test::Outcome;
 
@@ -238,4 +240,7 @@ void PrivateFilesUiTest::whatTellsIsItsOwnersAlone()
 }
 
 BURIN_WINDOW_TEST(PrivateFilesUiTest)
+
+} // namespace privateFilesUiTest
+
 #include "PrivateFilesUiTest.moc"

@@ -27,6 +27,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace reenactmentGlTest {
+
 using namespace core;
 using test::drawSketch;
 using test::sceneOf;
@@ -481,4 +483,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ReenactmentGlTest)
+
+} // namespace reenactmentGlTest
+
 #include "ReenactmentGlTest.moc"

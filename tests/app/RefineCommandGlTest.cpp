@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+namespace refineCommandGlTest {
+
 using namespace core;
 using test::burin;
 using test::key;
@@ -83,4 +85,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RefineCommandGlTest)
+
+} // namespace refineCommandGlTest
+
 #include "RefineCommandGlTest.moc"

@@ -14,6 +14,8 @@
 #include <QPainter>
 #include <QtTest>
 
+namespace refinementFiguresUiTest {
+
 namespace {
 
 constexpr QSize panelSize(430, 400);
@@ -192,4 +194,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(RefinementFiguresUiTest)
+
+} // namespace refinementFiguresUiTest
+
 #include "RefinementFiguresUiTest.moc"

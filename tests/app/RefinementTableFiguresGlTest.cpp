@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace refinementTableFiguresGlTest {
+
 using namespace reenact;
 
 namespace {
@@ -125,4 +127,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RefinementTableFiguresGlTest)
+
+} // namespace refinementTableFiguresGlTest
+
 #include "RefinementTableFiguresGlTest.moc"

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace refinementTableTest {
+
 using namespace core;
 using namespace reenact;
 
@@ -210,4 +212,7 @@ void RefinementTableTest::cleanupTestCase()
 }
 
 BURIN_TEST(RefinementTableTest)
+
+} // namespace refinementTableTest
+
 #include "RefinementTableTest.moc"

@@ -10,6 +10,8 @@
 #include <QJsonDocument>
 #include <QTest>
 
+namespace repairCommandGlTest {
+
 using test::burin;
 using test::key;
 using test::Outcome;
@@ -117,4 +119,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RepairCommandGlTest)
+
+} // namespace repairCommandGlTest
+
 #include "RepairCommandGlTest.moc"

@@ -11,6 +11,8 @@
 #include <QJsonDocument>
 #include <QTest>
 
+namespace runChunksGlTest {
+
 using namespace core;
 using test::burin;
 using test::key;
@@ -100,4 +102,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RunChunksGlTest)
+
+} // namespace runChunksGlTest
+
 #include "RunChunksGlTest.moc"

@@ -14,6 +14,8 @@
 #include <QJsonDocument>
 #include <QTest>
 
+namespace runElsewhereGlTest {
+
 using namespace core;
 using test::burin;
 using test::key;
@@ -101,4 +103,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RunElsewhereGlTest)
+
+} // namespace runElsewhereGlTest
+
 #include "RunElsewhereGlTest.moc"

@@ -9,6 +9,8 @@
 #include <QJsonDocument>
 #include <QTest>
 
+namespace runMasksGlTest {
+
 using namespace core;
 using test::burin;
 using test::key;
@@ -117,4 +119,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RunMasksGlTest)
+
+} // namespace runMasksGlTest
+
 #include "RunMasksGlTest.moc"

@@ -20,6 +20,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+namespace runOracleTest {
+
 using namespace core;
 
 namespace {
@@ -163,4 +165,7 @@ void RunOracleTest::runsAlike()
 }
 
 BURIN_TEST(RunOracleTest)
+
+} // namespace runOracleTest
+
 #include "RunOracleTest.moc"

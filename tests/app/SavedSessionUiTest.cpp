@@ -23,6 +23,8 @@
 
 #include <optional>
 
+namespace savedSessionUiTest {
+
 using test::Dialogs;
 using test::look;
 using test::press;
@@ -265,4 +267,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(SavedSessionUiTest)
+
+} // namespace savedSessionUiTest
+
 #include "SavedSessionUiTest.moc"

@@ -28,6 +28,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+namespace sessionLifeUiTest {
+
 using test::Dialogs;
 using test::look;
 using test::press;
@@ -433,4 +435,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(SessionLifeUiTest)
+
+} // namespace sessionLifeUiTest
+
 #include "SessionLifeUiTest.moc"

@@ -13,6 +13,8 @@
 
 #include <functional>
 
+namespace shrinkPreviewUiTest {
+
 /// The Shrink tool in the real window, with the real engine: what it would take is hatched in the
 /// pictures while the pen is down, and only then.
 class ShrinkPreviewUiTest : public QObject {
@@ -111,4 +113,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(ShrinkPreviewUiTest)
+
+} // namespace shrinkPreviewUiTest
+
 #include "ShrinkPreviewUiTest.moc"

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 
+namespace fuzzCorpusTest {
+
 namespace {
 
 struct Target {
@@ -75,4 +77,7 @@ void FuzzCorpusTest::everyFolderIsATarget()
 }
 
 BURIN_TEST(FuzzCorpusTest)
+
+} // namespace fuzzCorpusTest
+
 #include "FuzzCorpusTest.moc"

@@ -7,6 +7,8 @@
 
 #include <set>
 
+namespace commandHelpTest {
+
 /// What each verb says of itself: what every option of its line in the overview means.
 class CommandHelpTest : public QObject {
     Q_OBJECT
@@ -94,4 +96,7 @@ void CommandHelpTest::wordsAreUnderstood()
 }
 
 BURIN_TEST(CommandHelpTest)
+
+} // namespace commandHelpTest
+
 #include "CommandHelpTest.moc"

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+namespace compareCommandTest {
+
 namespace {
 
 constexpr int edge = 12;
@@ -116,4 +118,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(CompareCommandTest)
+
+} // namespace compareCommandTest
+
 #include "CompareCommandTest.moc"

@@ -26,6 +26,8 @@
 
 #include <future>
 
+namespace historyCommandGlTest {
+
 using namespace core;
 using test::burin;
 using test::goTo;
@@ -455,4 +457,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(HistoryCommandGlTest)
+
+} // namespace historyCommandGlTest
+
 #include "HistoryCommandGlTest.moc"

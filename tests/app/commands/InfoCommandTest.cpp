@@ -11,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace infoCommandTest {
+
 namespace {
 
 struct Output {
@@ -147,4 +149,7 @@ void InfoCommandTest::failuresAreOneLine()
 }
 
 BURIN_TEST(InfoCommandTest)
+
+} // namespace infoCommandTest
+
 #include "InfoCommandTest.moc"

@@ -9,6 +9,8 @@
 #include <QFile>
 #include <QTest>
 
+namespace lostContextGlTest {
+
 using test::key;
 using test::Outcome;
 
@@ -242,4 +244,7 @@ void LostContextGlTest::aSessionGoesOn()
 }
 
 BURIN_TEST(LostContextGlTest)
+
+} // namespace lostContextGlTest
+
 #include "LostContextGlTest.moc"

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace meshCommandTest {
+
 namespace {
 
 constexpr int edge = 40;
@@ -150,4 +152,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(MeshCommandTest)
+
+} // namespace meshCommandTest
+
 #include "MeshCommandTest.moc"

@@ -9,6 +9,8 @@
 #include <QJsonDocument>
 #include <QTest>
 
+namespace replayCommandGlTest {
+
 using namespace core;
 using test::burin;
 using test::goTo;
@@ -116,4 +118,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ReplayCommandGlTest)
+
+} // namespace replayCommandGlTest
+
 #include "ReplayCommandGlTest.moc"

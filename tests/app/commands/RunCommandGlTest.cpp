@@ -26,6 +26,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace runCommandGlTest {
+
 using namespace core;
 using test::burin;
 using test::key;
@@ -484,4 +486,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RunCommandGlTest)
+
+} // namespace runCommandGlTest
+
 #include "RunCommandGlTest.moc"

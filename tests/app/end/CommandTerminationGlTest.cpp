@@ -14,6 +14,8 @@
 
 #include <csignal>
 
+namespace commandTerminationGlTest {
+
 using test::key;
 using test::toJson;
 
@@ -139,4 +141,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(CommandTerminationGlTest)
+
+} // namespace commandTerminationGlTest
+
 #include "CommandTerminationGlTest.moc"

@@ -17,6 +17,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+namespace endNoteTest {
+
 namespace {
 
 void endNobodyCatches(const std::function<void()>& work) noexcept
@@ -116,4 +118,7 @@ private:
 };
 
 BURIN_TEST(EndNoteTest)
+
+} // namespace endNoteTest
+
 #include "EndNoteTest.moc"

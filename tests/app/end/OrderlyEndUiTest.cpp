@@ -12,6 +12,8 @@
 
 #include <csignal>
 
+namespace orderlyEndUiTest {
+
 using test::key;
 using test::toJson;
 
@@ -107,4 +109,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(OrderlyEndUiTest)
+
+} // namespace orderlyEndUiTest
+
 #include "OrderlyEndUiTest.moc"

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace firstPictureGlTest {
+
 namespace {
 
 /// What of a picture is lit, and how.
@@ -102,4 +104,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(FirstPictureGlTest)
+
+} // namespace firstPictureGlTest
+
 #include "FirstPictureGlTest.moc"

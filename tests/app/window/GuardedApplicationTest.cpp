@@ -9,6 +9,8 @@
 #include <new>
 #include <optional>
 
+namespace guardedApplicationTest {
+
 namespace {
 
 int argumentCount = 1;
@@ -66,4 +68,7 @@ private:
 };
 
 BURIN_PLAIN_TEST(GuardedApplicationTest)
+
+} // namespace guardedApplicationTest
+
 #include "GuardedApplicationTest.moc"

@@ -14,6 +14,8 @@
 #include <QPushButton>
 #include <QTest>
 
+namespace lostContextUiTest {
+
 using test::LosingGl;
 
 /// The graphics driver loses its context while a study is open: the window closes it, whole on
@@ -130,4 +132,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(LostContextUiTest)
+
+} // namespace lostContextUiTest
+
 #include "LostContextUiTest.moc"

@@ -9,6 +9,8 @@
 #include <QDir>
 #include <QFile>
 
+namespace openCommandUiTest {
+
 class OpenCommandUiTest : public QObject {
     Q_OBJECT
 
@@ -190,4 +192,7 @@ void OpenCommandUiTest::screenshotOfTheDemonstration()
 // A client of the display itself: a server that loses its last client begins anew, and turns away
 // who comes meanwhile (Qt aborts then).
 BURIN_WINDOW_TEST(OpenCommandUiTest)
+
+} // namespace openCommandUiTest
+
 #include "OpenCommandUiTest.moc"

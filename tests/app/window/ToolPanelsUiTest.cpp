@@ -9,6 +9,8 @@
 #include <QAction>
 #include <QTest>
 
+namespace toolPanelsUiTest {
+
 /// The panel of a tool opens when the user takes the tool, and only then.
 class ToolPanelsUiTest : public QObject {
     Q_OBJECT
@@ -55,4 +57,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(ToolPanelsUiTest)
+
+} // namespace toolPanelsUiTest
+
 #include "ToolPanelsUiTest.moc"

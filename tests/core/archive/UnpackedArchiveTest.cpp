@@ -11,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace unpackedArchiveTest {
+
 namespace {
 
 QStringList filesIn(const QString& folder)
@@ -196,4 +198,7 @@ private:
 };
 
 BURIN_TEST(UnpackedArchiveTest)
+
+} // namespace unpackedArchiveTest
+
 #include "UnpackedArchiveTest.moc"

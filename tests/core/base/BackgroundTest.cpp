@@ -12,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+namespace backgroundTest {
+
 using namespace core;
 
 namespace {
@@ -319,4 +321,7 @@ void BackgroundTest::whoIsToldMayStartOrDestroy()
 }
 
 BURIN_TEST(BackgroundTest)
+
+} // namespace backgroundTest
+
 #include "BackgroundTest.moc"

@@ -16,6 +16,8 @@
 
 #include <sys/resource.h>
 
+namespace guardedTest {
+
 using namespace core;
 
 namespace {
@@ -172,4 +174,7 @@ void GuardedTest::theReserveIsThereOnce()
 }
 
 BURIN_TEST(GuardedTest)
+
+} // namespace guardedTest
+
 #include "GuardedTest.moc"

@@ -10,6 +10,8 @@
 #include <memory>
 #include <thread>
 
+namespace onMainThreadTest {
+
 using namespace core;
 
 /// What another thread answers is told on the first one.
@@ -51,4 +53,7 @@ void OnMainThreadTest::withoutItsContextNothingIsTold()
 }
 
 BURIN_TEST(OnMainThreadTest)
+
+} // namespace onMainThreadTest
+
 #include "OnMainThreadTest.moc"

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <utility>
 
+namespace sha256Test {
+
 using core::Sha256;
 
 class Sha256Test : public QObject {
@@ -53,4 +55,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(Sha256Test)
+
+} // namespace sha256Test
+
 #include "Sha256Test.moc"

@@ -10,6 +10,8 @@
 #include <atomic>
 #include <thread>
 
+namespace brickBytesTest {
+
 using namespace core;
 
 class BrickBytesTest : public QObject {
@@ -95,4 +97,7 @@ private:
 };
 
 BURIN_TEST(BrickBytesTest)
+
+} // namespace brickBytesTest
+
 #include "BrickBytesTest.moc"

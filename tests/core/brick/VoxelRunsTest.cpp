@@ -9,6 +9,8 @@
 #include <random>
 #include <set>
 
+namespace voxelRunsTest {
+
 using core::VoxelRuns;
 
 namespace {
@@ -124,4 +126,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(VoxelRunsTest)
+
+} // namespace voxelRunsTest
+
 #include "VoxelRunsTest.moc"

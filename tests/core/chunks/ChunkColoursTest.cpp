@@ -7,6 +7,8 @@
 
 #include <random>
 
+namespace chunkColoursTest {
+
 using core::ChunkColours;
 using core::ChunkTree;
 
@@ -73,4 +75,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ChunkColoursTest)
+
+} // namespace chunkColoursTest
+
 #include "ChunkColoursTest.moc"

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+namespace chunkMapTest {
+
 namespace {
 
 using core::ChunkMap;
@@ -125,4 +127,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ChunkMapTest)
+
+} // namespace chunkMapTest
+
 #include "ChunkMapTest.moc"

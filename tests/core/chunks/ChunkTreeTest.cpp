@@ -13,6 +13,8 @@
 #include <random>
 #include <set>
 
+namespace chunkTreeTest {
+
 namespace {
 
 using core::ChunkSource;
@@ -352,4 +354,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ChunkTreeTest)
+
+} // namespace chunkTreeTest
+
 #include "ChunkTreeTest.moc"

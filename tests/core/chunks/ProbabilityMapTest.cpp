@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+namespace probabilityMapTest {
+
 using core::ProbabilityMap;
 
 /// Probability maps as bytes, and as an edit stores them.
@@ -49,4 +51,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ProbabilityMapTest)
+
+} // namespace probabilityMapTest
+
 #include "ProbabilityMapTest.moc"

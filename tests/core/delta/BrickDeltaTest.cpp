@@ -8,6 +8,8 @@
 #include <random>
 #include <zstd.h>
 
+namespace brickDeltaTest {
+
 using namespace core;
 
 namespace {
@@ -161,4 +163,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(BrickDeltaTest)
+
+} // namespace brickDeltaTest
+
 #include "BrickDeltaTest.moc"

@@ -10,6 +10,8 @@
 #include <random>
 #include <zstd.h>
 
+namespace growthDeltaTest {
+
 using namespace core;
 
 namespace {
@@ -350,4 +352,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(GrowthDeltaTest)
+
+} // namespace growthDeltaTest
+
 #include "GrowthDeltaTest.moc"

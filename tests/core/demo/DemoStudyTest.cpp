@@ -12,6 +12,8 @@
 
 #include <cmath>
 
+namespace demoStudyTest {
+
 /// The demonstration study is a plausible head, the same each time, and valid DICOM.
 class DemoStudyTest : public QObject {
     Q_OBJECT
@@ -168,4 +170,7 @@ void DemoStudyTest::cancelLeavesNothing()
 }
 
 BURIN_TEST(DemoStudyTest)
+
+} // namespace demoStudyTest
+
 #include "DemoStudyTest.moc"

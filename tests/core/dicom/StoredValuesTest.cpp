@@ -12,6 +12,8 @@
 
 #include <memory>
 
+namespace storedValuesTest {
+
 using core::VolumeProblem;
 using test::SyntheticSeries;
 
@@ -210,4 +212,7 @@ void StoredValuesTest::unitIsHounsfieldOnlyForCt()
 }
 
 BURIN_TEST(StoredValuesTest)
+
+} // namespace storedValuesTest
+
 #include "StoredValuesTest.moc"

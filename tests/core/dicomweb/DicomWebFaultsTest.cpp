@@ -27,6 +27,8 @@
 #include <memory>
 #include <thread>
 
+namespace dicomWebFaultsTest {
+
 using core::ErrorCode;
 using test::WebReply;
 
@@ -664,4 +666,7 @@ void DicomWebFaultsTest::storageIsWhole()
 }
 
 BURIN_TEST(DicomWebFaultsTest)
+
+} // namespace dicomWebFaultsTest
+
 #include "DicomWebFaultsTest.moc"

@@ -26,6 +26,8 @@
 #include <memory>
 #include <string>
 
+namespace dicomWebRoundTripTest {
+
 using core::ErrorCode;
 
 /// Against a real server of DICOMweb: what was sent is found and comes back as it was.
@@ -286,4 +288,7 @@ void DicomWebRoundTripTest::tls()
 }
 
 BURIN_TEST(DicomWebRoundTripTest)
+
+} // namespace dicomWebRoundTripTest
+
 #include "DicomWebRoundTripTest.moc"

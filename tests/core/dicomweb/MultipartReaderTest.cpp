@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace multipartReaderTest {
+
 namespace {
 
 /// Keeps all; a real one does not.
@@ -167,4 +169,7 @@ void MultipartReaderTest::boundaries()
 }
 
 BURIN_TEST(MultipartReaderTest)
+
+} // namespace multipartReaderTest
+
 #include "MultipartReaderTest.moc"

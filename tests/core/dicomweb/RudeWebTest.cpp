@@ -19,12 +19,18 @@
 
 #include <atomic>
 
+namespace rudeWebTest {
+
 using core::ErrorCode;
 using test::WebReply;
 using Client = test::RudeServer::Client;
 using Talk = std::function<void(const Client&)>;
 
-Q_DECLARE_METATYPE(Talk)
+} // namespace rudeWebTest
+
+Q_DECLARE_METATYPE(rudeWebTest::Talk)
+
+namespace rudeWebTest {
 
 namespace {
 
@@ -335,4 +341,7 @@ void RudeWebTest::strangersAreNotTrusted()
 }
 
 BURIN_TEST(RudeWebTest)
+
+} // namespace rudeWebTest
+
 #include "RudeWebTest.moc"

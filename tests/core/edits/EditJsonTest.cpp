@@ -27,6 +27,8 @@
 #include <cmath>
 #include <limits>
 
+namespace editJsonTest {
+
 using namespace core;
 
 namespace {
@@ -452,4 +454,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(EditJsonTest)
+
+} // namespace editJsonTest
+
 #include "EditJsonTest.moc"

@@ -14,6 +14,8 @@
 #include <cstring>
 #include <random>
 
+namespace editQuantiseTest {
+
 using namespace core;
 
 namespace {
@@ -190,4 +192,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(EditQuantiseTest)
+
+} // namespace editQuantiseTest
+
 #include "EditQuantiseTest.moc"

@@ -8,6 +8,8 @@
 
 #include <QTest>
 
+namespace editTaskTest {
+
 using namespace core;
 
 namespace {
@@ -44,4 +46,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(EditTaskTest)
+
+} // namespace editTaskTest
+
 #include "EditTaskTest.moc"

@@ -11,6 +11,8 @@
 #include <map>
 #include <set>
 
+namespace changeFactsTest {
+
 using namespace core;
 
 namespace {
@@ -204,4 +206,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ChangeFactsTest)
+
+} // namespace changeFactsTest
+
 #include "ChangeFactsTest.moc"

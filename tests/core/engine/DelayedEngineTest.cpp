@@ -12,6 +12,8 @@
 #include <atomic>
 #include <numeric>
 
+namespace delayedEngineTest {
+
 using namespace core;
 
 namespace {
@@ -114,4 +116,7 @@ void DelayedEngineTest::delayChangesNothing()
 }
 
 BURIN_TEST(DelayedEngineTest)
+
+} // namespace delayedEngineTest
+
 #include "DelayedEngineTest.moc"

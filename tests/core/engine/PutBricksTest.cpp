@@ -7,6 +7,8 @@
 
 #include <QtTest>
 
+namespace putBricksTest {
+
 /// Bricks put in place, differences laid over them, guards and single seed words, on the oracle.
 class PutBricksTest : public QObject {
     Q_OBJECT
@@ -24,4 +26,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(PutBricksTest)
+
+} // namespace putBricksTest
+
 #include "PutBricksTest.moc"

@@ -14,6 +14,8 @@
 
 #include <cmath>
 
+namespace referenceDrillModesTest {
+
 using namespace core;
 using reference::ReferenceEngine;
 using test::Codes;
@@ -312,4 +314,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ReferenceDrillModesTest)
+
+} // namespace referenceDrillModesTest
+
 #include "ReferenceDrillModesTest.moc"

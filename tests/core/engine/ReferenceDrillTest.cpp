@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace referenceDrillTest {
+
 using namespace core;
 using reference::ReferenceEngine;
 using test::Codes;
@@ -285,4 +287,7 @@ void ReferenceDrillTest::portionsMakeNoDifference()
 }
 
 BURIN_TEST(ReferenceDrillTest)
+
+} // namespace referenceDrillTest
+
 #include "ReferenceDrillTest.moc"

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <map>
 
+namespace referenceEngineTest {
+
 using namespace core;
 using reference::ReferenceEngine;
 using test::Codes;
@@ -187,4 +189,7 @@ void ReferenceEngineTest::casesAreWorthRunning()
 }
 
 BURIN_TEST(ReferenceEngineTest)
+
+} // namespace referenceEngineTest
+
 #include "ReferenceEngineTest.moc"

@@ -15,6 +15,8 @@
 #include <memory>
 #include <set>
 
+namespace referenceGrowthTest {
+
 using namespace core;
 using reference::ReferenceEngine;
 using test::Codes;
@@ -565,4 +567,7 @@ void ReferenceGrowthTest::anErasedLabelNeverGrowsAgain()
 }
 
 BURIN_TEST(ReferenceGrowthTest)
+
+} // namespace referenceGrowthTest
+
 #include "ReferenceGrowthTest.moc"

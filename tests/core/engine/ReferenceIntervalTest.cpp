@@ -14,6 +14,8 @@
 #include <array>
 #include <memory>
 
+namespace referenceIntervalTest {
+
 using namespace core;
 using reference::ReferenceEngine;
 using test::Codes;
@@ -293,4 +295,7 @@ void ReferenceIntervalTest::barriersLeaveWhatIsLockedOrPainted()
 }
 
 BURIN_TEST(ReferenceIntervalTest)
+
+} // namespace referenceIntervalTest
+
 #include "ReferenceIntervalTest.moc"

@@ -17,6 +17,8 @@
 #include <cmath>
 #include <limits>
 
+namespace referenceLaserTest {
+
 using namespace core;
 using reference::ReferenceEngine;
 using test::Bytes;
@@ -397,4 +399,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ReferenceLaserTest)
+
+} // namespace referenceLaserTest
+
 #include "ReferenceLaserTest.moc"

@@ -9,6 +9,8 @@
 
 #include <memory>
 
+namespace referenceOverwrittenTest {
+
 using namespace core;
 using reference::ReferenceEngine;
 using test::lastResult;
@@ -305,4 +307,7 @@ void ReferenceOverwrittenTest::nothingStaleComesBack()
 }
 
 BURIN_TEST(ReferenceOverwrittenTest)
+
+} // namespace referenceOverwrittenTest
+
 #include "ReferenceOverwrittenTest.moc"

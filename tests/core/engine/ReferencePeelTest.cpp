@@ -14,6 +14,8 @@
 
 #include <cmath>
 
+namespace referencePeelTest {
+
 using namespace core;
 using reference::ReferenceEngine;
 using test::Bytes;
@@ -323,4 +325,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ReferencePeelTest)
+
+} // namespace referencePeelTest
+
 #include "ReferencePeelTest.moc"

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <variant>
 
+namespace referencePressTest {
+
 using namespace core;
 using reference::ReferenceEngine;
 using test::Bytes;
@@ -340,4 +342,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ReferencePressTest)
+
+} // namespace referencePressTest
+
 #include "ReferencePressTest.moc"

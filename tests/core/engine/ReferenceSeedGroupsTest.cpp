@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <tuple>
 
+namespace referenceSeedGroupsTest {
+
 using namespace core;
 using reference::ReferenceEngine;
 
@@ -137,4 +139,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ReferenceSeedGroupsTest)
+
+} // namespace referenceSeedGroupsTest
+
 #include "ReferenceSeedGroupsTest.moc"

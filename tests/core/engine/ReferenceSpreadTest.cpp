@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 
+namespace referenceSpreadTest {
+
 using namespace core;
 
 namespace {
@@ -156,4 +158,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ReferenceSpreadTest)
+
+} // namespace referenceSpreadTest
+
 #include "ReferenceSpreadTest.moc"

@@ -19,6 +19,8 @@
 #include <cstring>
 #include <set>
 
+namespace carvedVolumeTest {
+
 using namespace core;
 
 namespace {
@@ -368,4 +370,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(CarvedVolumeTest)
+
+} // namespace carvedVolumeTest
+
 #include "CarvedVolumeTest.moc"

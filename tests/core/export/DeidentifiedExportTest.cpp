@@ -20,6 +20,8 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+namespace deidentifiedExportTest {
+
 using namespace core;
 
 namespace {
@@ -368,4 +370,7 @@ void DeidentifiedExportTest::aNameThatWasLeftIsFound()
 }
 
 BURIN_TEST(DeidentifiedExportTest)
+
+} // namespace deidentifiedExportTest
+
 #include "DeidentifiedExportTest.moc"

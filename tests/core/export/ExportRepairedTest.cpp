@@ -21,6 +21,8 @@
 #include <memory>
 #include <set>
 
+namespace exportRepairedTest {
+
 using namespace core;
 using test::SyntheticSeries;
 
@@ -303,4 +305,7 @@ void ExportRepairedTest::carvedSeriesIsRefused()
 }
 
 BURIN_TEST(ExportRepairedTest)
+
+} // namespace exportRepairedTest
+
 #include "ExportRepairedTest.moc"

@@ -22,6 +22,8 @@
 #include <functional>
 #include <random>
 
+namespace exportRtStructTest {
+
 namespace {
 
 using Alter = std::function<void(DcmDataset&)>;
@@ -120,7 +122,11 @@ void movePoints(
 
 } // namespace
 
-Q_DECLARE_METATYPE(Alter)
+} // namespace exportRtStructTest
+
+Q_DECLARE_METATYPE(exportRtStructTest::Alter)
+
+namespace exportRtStructTest {
 
 /// Masks as DICOM RTSTRUCT: written, checked by Burin, read by pydicom and dciodvfy.
 class ExportRtStructTest : public QObject {
@@ -395,4 +401,7 @@ void ExportRtStructTest::faultInTheFileIsCaught()
 }
 
 BURIN_TEST(ExportRtStructTest)
+
+} // namespace exportRtStructTest
+
 #include "ExportRtStructTest.moc"

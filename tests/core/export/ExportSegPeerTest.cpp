@@ -15,6 +15,8 @@
 
 #include <cmath>
 
+namespace exportSegPeerTest {
+
 /// A DICOM SEG of many frames against one that pydicom makes of the same mask: the same pixels, in
 /// a file that is not larger. How long either took is printed; Burin's check included, pydicom has
 /// none.
@@ -92,4 +94,7 @@ void ExportSegPeerTest::thousandFrames()
 }
 
 BURIN_TEST(ExportSegPeerTest)
+
+} // namespace exportSegPeerTest
+
 #include "ExportSegPeerTest.moc"

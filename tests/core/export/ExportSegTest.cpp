@@ -23,6 +23,8 @@
 #include <random>
 #include <sstream>
 
+namespace exportSegTest {
+
 namespace {
 
 const core::CodedConcept skull{.scheme = QStringLiteral("SCT"),
@@ -492,4 +494,7 @@ void ExportSegTest::uidsAreNewEachTime()
 }
 
 BURIN_TEST(ExportSegTest)
+
+} // namespace exportSegTest
+
 #include "ExportSegTest.moc"

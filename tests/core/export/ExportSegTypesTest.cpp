@@ -18,6 +18,8 @@
 
 #include <random>
 
+namespace exportSegTypesTest {
+
 namespace {
 
 core::CodedConcept sct(const char* value, const char* meaning)
@@ -423,4 +425,7 @@ void ExportSegTypesTest::aByteThatIsWrongIsFound()
 }
 
 BURIN_TEST(ExportSegTypesTest)
+
+} // namespace exportSegTypesTest
+
 #include "ExportSegTypesTest.moc"

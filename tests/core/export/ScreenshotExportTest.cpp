@@ -12,6 +12,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace screenshotExportTest {
+
 /// Pictures of the window as DICOM Secondary Capture.
 class ScreenshotExportTest : public QObject {
     Q_OBJECT
@@ -91,4 +93,7 @@ void ScreenshotExportTest::existingFileIsRefused()
 }
 
 BURIN_TEST(ScreenshotExportTest)
+
+} // namespace screenshotExportTest
+
 #include "ScreenshotExportTest.moc"

@@ -23,6 +23,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+namespace fencedDecoderTest {
+
 using namespace core;
 using Bytes = std::vector<std::uint8_t>;
 using Outcome = WorkerProcess::Outcome;
@@ -448,4 +450,7 @@ int runFencedDecoder(int argc, char** argv)
 } // namespace
 
 BURIN_TEST_RUN(FencedDecoderTest, runFencedDecoder)
+
+} // namespace fencedDecoderTest
+
 #include "FencedDecoderTest.moc"

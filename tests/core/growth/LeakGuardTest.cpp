@@ -13,6 +13,8 @@
 #include <tuple>
 #include <vector>
 
+namespace leakGuardTest {
+
 using namespace core;
 
 namespace {
@@ -255,4 +257,7 @@ private Q_SLOTS:
 };
 
 BURIN_PLAIN_TEST(LeakGuardTest)
+
+} // namespace leakGuardTest
+
 #include "LeakGuardTest.moc"

@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+namespace passageTest {
+
 using namespace core;
 using reference::ReferenceEngine;
 using test::Codes;
@@ -396,4 +398,7 @@ private:
 };
 
 BURIN_TEST(PassageTest)
+
+} // namespace passageTest
+
 #include "PassageTest.moc"

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <vector>
 
+namespace seedStatisticsTest {
+
 using namespace core;
 
 namespace {
@@ -84,4 +86,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SeedStatisticsTest)
+
+} // namespace seedStatisticsTest
+
 #include "SeedStatisticsTest.moc"

@@ -8,6 +8,8 @@
 
 #include <functional>
 
+namespace sketchIntervalTest {
+
 using namespace core;
 
 namespace {
@@ -187,4 +189,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SketchIntervalTest)
+
+} // namespace sketchIntervalTest
+
 #include "SketchIntervalTest.moc"

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <functional>
 
+namespace toleranceTest {
+
 using namespace core;
 namespace seedWord = core::seedWord;
 
@@ -180,4 +182,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ToleranceTest)
+
+} // namespace toleranceTest
+
 #include "ToleranceTest.moc"

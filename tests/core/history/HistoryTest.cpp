@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+namespace historyTest {
+
 using namespace core;
 
 namespace {
@@ -99,4 +101,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(HistoryTest)
+
+} // namespace historyTest
+
 #include "HistoryTest.moc"

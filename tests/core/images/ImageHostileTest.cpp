@@ -17,6 +17,8 @@
 
 #include <tiff.h>
 
+namespace imageHostileTest {
+
 using core::LoadedVolume;
 using core::Result;
 using test::picture;
@@ -318,4 +320,7 @@ void ImageHostileTest::pngThatLies()
 }
 
 BURIN_TEST(ImageHostileTest)
+
+} // namespace imageHostileTest
+
 #include "ImageHostileTest.moc"

@@ -10,6 +10,8 @@
 
 #include <tiff.h>
 
+namespace imageStackItkTest {
+
 using test::picture;
 using test::writeTiff;
 
@@ -97,4 +99,7 @@ void ImageStackItkTest::filesOfAFolder()
 }
 
 BURIN_TEST(ImageStackItkTest)
+
+} // namespace imageStackItkTest
+
 #include "ImageStackItkTest.moc"

@@ -14,6 +14,8 @@
 
 #include <tiff.h>
 
+namespace imageStackTest {
+
 using core::LoadedVolume;
 using core::Result;
 using core::VolumeProblem;
@@ -455,4 +457,7 @@ void ImageStackTest::picturesThatAreNotRead()
 }
 
 BURIN_TEST(ImageStackTest)
+
+} // namespace imageStackTest
+
 #include "ImageStackTest.moc"

@@ -11,6 +11,8 @@
 #include <random>
 #include <set>
 
+namespace segmentIslandsTest {
+
 namespace {
 
 using core::IslandRule;
@@ -179,4 +181,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SegmentIslandsTest)
+
+} // namespace segmentIslandsTest
+
 #include "SegmentIslandsTest.moc"

@@ -16,6 +16,8 @@
 #include <random>
 #include <set>
 
+namespace contourMaskTest {
+
 namespace {
 
 using core::MaskNote;
@@ -309,4 +311,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ContourMaskTest)
+
+} // namespace contourMaskTest
+
 #include "ContourMaskTest.moc"

@@ -16,6 +16,8 @@
 #include <cstring>
 #include <random>
 
+namespace labelMaskTest {
+
 namespace {
 
 using core::MaskNote;
@@ -444,4 +446,7 @@ private:
 };
 
 BURIN_TEST(LabelMaskTest)
+
+} // namespace labelMaskTest
+
 #include "LabelMaskTest.moc"

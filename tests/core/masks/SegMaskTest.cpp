@@ -16,6 +16,8 @@
 #include <random>
 #include <set>
 
+namespace segMaskTest {
+
 namespace {
 
 using core::MaskNote;
@@ -322,4 +324,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SegMaskTest)
+
+} // namespace segMaskTest
+
 #include "SegMaskTest.moc"

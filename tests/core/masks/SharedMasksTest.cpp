@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <map>
 
+namespace sharedMasksTest {
+
 namespace {
 
 QString messageOf(const core::Error& error)
@@ -203,4 +205,7 @@ private:
 };
 
 BURIN_TEST(SharedMasksTest)
+
+} // namespace sharedMasksTest
+
 #include "SharedMasksTest.moc"

@@ -9,6 +9,8 @@
 
 #include <cstring>
 
+namespace meshReaderTest {
+
 namespace {
 
 /// A tetrahedron in each of the forms that programs write.
@@ -204,4 +206,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(MeshReaderTest)
+
+} // namespace meshReaderTest
+
 #include "MeshReaderTest.moc"

@@ -8,6 +8,8 @@
 
 #include <QTest>
 
+namespace metaImageReaderTest {
+
 // The voxels are those of the NRRD tests; the headers share nothing.
 using test::sameAffine;
 using test::nrrd::gzipped;
@@ -283,4 +285,7 @@ void MetaImageReaderTest::masksAreCheckedAgainstTheFile()
 }
 
 BURIN_TEST(MetaImageReaderTest)
+
+} // namespace metaImageReaderTest
+
 #include "MetaImageReaderTest.moc"

@@ -12,6 +12,8 @@
 #include <functional>
 #include <random>
 
+namespace maskComparisonTest {
+
 namespace {
 
 using core::MaskComparison;
@@ -262,4 +264,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(MaskComparisonTest)
+
+} // namespace maskComparisonTest
+
 #include "MaskComparisonTest.moc"

@@ -18,6 +18,8 @@
 #include <cstring>
 #include <limits>
 
+namespace niftiReaderTest {
+
 namespace {
 
 // Offsets of nifti1.h that a test changes.
@@ -428,4 +430,7 @@ void NiftiReaderTest::nextToDicomOnlyByName()
 }
 
 BURIN_TEST(NiftiReaderTest)
+
+} // namespace niftiReaderTest
+
 #include "NiftiReaderTest.moc"

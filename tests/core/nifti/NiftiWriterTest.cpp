@@ -18,6 +18,8 @@
 
 #include <random>
 
+namespace niftiWriterTest {
+
 class NiftiWriterTest : public QObject {
     Q_OBJECT
 
@@ -169,4 +171,7 @@ void NiftiWriterTest::fullDiskLeavesNothing()
 }
 
 BURIN_TEST(NiftiWriterTest)
+
+} // namespace niftiWriterTest
+
 #include "NiftiWriterTest.moc"

@@ -9,6 +9,8 @@
 #include <QDir>
 #include <QTest>
 
+namespace nrrdFilesTest {
+
 using namespace test::nrrd;
 
 /// NRRD files that are in pieces, damaged or meant to do harm.
@@ -245,4 +247,7 @@ void NrrdFilesTest::randomBytesAreSurvived()
 }
 
 BURIN_TEST(NrrdFilesTest)
+
+} // namespace nrrdFilesTest
+
 #include "NrrdFilesTest.moc"

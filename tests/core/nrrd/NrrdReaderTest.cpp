@@ -12,6 +12,8 @@
 
 #include <cmath>
 
+namespace nrrdReaderTest {
+
 using namespace test::nrrd;
 using test::sameAffine;
 
@@ -293,4 +295,7 @@ void NrrdReaderTest::masksAreCheckedAgainstTheFile()
 }
 
 BURIN_TEST(NrrdReaderTest)
+
+} // namespace nrrdReaderTest
+
 #include "NrrdReaderTest.moc"

@@ -12,6 +12,8 @@
 
 #include <cstring>
 
+namespace nrrdWriterTest {
+
 namespace {
 
 core::VolumeGeometry obliqueGrid()
@@ -141,4 +143,7 @@ void NrrdWriterTest::aFullDiskIsNamed()
 }
 
 BURIN_TEST(NrrdWriterTest)
+
+} // namespace nrrdWriterTest
+
 #include "NrrdWriterTest.moc"

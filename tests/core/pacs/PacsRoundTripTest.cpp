@@ -18,8 +18,14 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+namespace pacsRoundTripTest {
+
 using Program = test::PacsServer::Program;
-Q_DECLARE_METATYPE(Program)
+} // namespace pacsRoundTripTest
+
+Q_DECLARE_METATYPE(pacsRoundTripTest::Program)
+
+namespace pacsRoundTripTest {
 
 /// Against the servers of the field: what was sent is found and comes back as it was.
 class PacsRoundTripTest : public QObject {
@@ -197,4 +203,7 @@ void PacsRoundTripTest::maskComesBack()
 }
 
 BURIN_TEST(PacsRoundTripTest)
+
+} // namespace pacsRoundTripTest
+
 #include "PacsRoundTripTest.moc"

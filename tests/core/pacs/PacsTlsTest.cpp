@@ -16,6 +16,8 @@
 
 #include <memory>
 
+namespace pacsTlsTest {
+
 using core::ErrorCode;
 
 /// A node that takes only secured connections, of those it knows.
@@ -127,4 +129,7 @@ void PacsTlsTest::filesThatAreNone()
 }
 
 BURIN_TEST(PacsTlsTest)
+
+} // namespace pacsTlsTest
+
 #include "PacsTlsTest.moc"

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+namespace patienceTest {
+
 using core::Patience;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -65,4 +67,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(PatienceTest)
+
+} // namespace patienceTest
+
 #include "PatienceTest.moc"

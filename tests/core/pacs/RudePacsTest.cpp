@@ -15,11 +15,17 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace rudePacsTest {
+
 using core::ErrorCode;
 using Client = test::RudeServer::Client;
 using Talk = std::function<void(const Client&)>;
 
-Q_DECLARE_METATYPE(Talk)
+} // namespace rudePacsTest
+
+Q_DECLARE_METATYPE(rudePacsTest::Talk)
+
+namespace rudePacsTest {
 
 namespace {
 
@@ -329,4 +335,7 @@ void RudePacsTest::slowDownloadsComeThrough()
 }
 
 BURIN_TEST(RudePacsTest)
+
+} // namespace rudePacsTest
+
 #include "RudePacsTest.moc"

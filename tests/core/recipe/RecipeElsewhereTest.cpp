@@ -19,6 +19,8 @@
 
 #include <set>
 
+namespace recipeElsewhereTest {
+
 using namespace core;
 
 namespace {
@@ -191,4 +193,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RecipeElsewhereTest)
+
+} // namespace recipeElsewhereTest
+
 #include "RecipeElsewhereTest.moc"

@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace repeatedKeyTest {
+
 using namespace core;
 
 /// A key that stands twice in an object is a mistake, not the last one's right.
@@ -65,4 +67,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RepeatedKeyTest)
+
+} // namespace repeatedKeyTest
+
 #include "RepeatedKeyTest.moc"

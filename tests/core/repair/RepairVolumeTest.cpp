@@ -17,6 +17,8 @@
 #include <functional>
 #include <memory>
 
+namespace repairVolumeTest {
+
 using core::VolumeProblem;
 using test::SyntheticSeries;
 
@@ -385,4 +387,7 @@ void RepairVolumeTest::whatCannotBeRepairedIsSaid()
 }
 
 BURIN_TEST(RepairVolumeTest)
+
+} // namespace repairVolumeTest
+
 #include "RepairVolumeTest.moc"

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+namespace seriesRepairTest {
+
 using core::SeriesRepair;
 
 /// The words that name a repair.
@@ -64,4 +66,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SeriesRepairTest)
+
+} // namespace seriesRepairTest
+
 #include "SeriesRepairTest.moc"

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace outlineRasterTest {
+
 using namespace core;
 using test::Random;
 
@@ -346,4 +348,7 @@ private Q_SLOTS:
 };
 
 BURIN_PLAIN_TEST(OutlineRasterTest)
+
+} // namespace outlineRasterTest
+
 #include "OutlineRasterTest.moc"

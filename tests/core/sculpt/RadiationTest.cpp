@@ -11,6 +11,8 @@
 #include <array>
 #include <cmath>
 
+namespace radiationTest {
+
 using test::Bytes;
 
 namespace {
@@ -314,4 +316,7 @@ void RadiationTest::changesStayWithinReach()
 }
 
 BURIN_TEST(RadiationTest)
+
+} // namespace radiationTest
+
 #include "RadiationTest.moc"

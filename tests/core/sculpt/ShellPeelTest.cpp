@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace shellPeelTest {
+
 using namespace core;
 using test::Random;
 
@@ -182,4 +184,7 @@ private Q_SLOTS:
 };
 
 BURIN_PLAIN_TEST(ShellPeelTest)
+
+} // namespace shellPeelTest
+
 #include "ShellPeelTest.moc"

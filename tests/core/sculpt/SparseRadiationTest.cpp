@@ -13,6 +13,8 @@
 #include <set>
 #include <tuple>
 
+namespace sparseRadiationTest {
+
 using namespace core::radiation;
 using reference::SparsePoint;
 
@@ -169,4 +171,7 @@ void SparseRadiationTest::anEmptySumIsNothing()
 }
 
 BURIN_TEST(SparseRadiationTest)
+
+} // namespace sparseRadiationTest
+
 #include "SparseRadiationTest.moc"

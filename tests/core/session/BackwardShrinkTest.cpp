@@ -15,6 +15,8 @@
 
 #include <algorithm>
 
+namespace backwardShrinkTest {
+
 using namespace core;
 
 namespace {
@@ -209,4 +211,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(BackwardShrinkTest)
+
+} // namespace backwardShrinkTest
+
 #include "BackwardShrinkTest.moc"

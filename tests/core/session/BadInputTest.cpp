@@ -13,6 +13,8 @@
 #include <limits>
 #include <memory>
 
+namespace badInputTest {
+
 using namespace core;
 
 namespace {
@@ -322,4 +324,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(BadInputTest)
+
+} // namespace badInputTest
+
 #include "BadInputTest.moc"

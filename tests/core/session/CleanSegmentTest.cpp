@@ -15,6 +15,8 @@
 
 #include <algorithm>
 
+namespace cleanSegmentTest {
+
 using namespace core;
 
 namespace {
@@ -175,4 +177,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(CleanSegmentTest)
+
+} // namespace cleanSegmentTest
+
 #include "CleanSegmentTest.moc"

@@ -24,6 +24,8 @@
 #include <algorithm>
 #include <atomic>
 
+namespace editSessionTest {
+
 using namespace core;
 
 namespace {
@@ -594,4 +596,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(EditSessionTest)
+
+} // namespace editSessionTest
+
 #include "EditSessionTest.moc"

@@ -18,6 +18,8 @@
 
 #include <optional>
 
+namespace foreignSessionTest {
+
 using namespace core;
 
 namespace {
@@ -240,4 +242,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ForeignSessionTest)
+
+} // namespace foreignSessionTest
+
 #include "ForeignSessionTest.moc"

@@ -15,6 +15,8 @@
 #include <map>
 #include <set>
 
+namespace growFromSeedsTest {
+
 using namespace core;
 
 namespace {
@@ -199,4 +201,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(GrowFromSeedsTest)
+
+} // namespace growFromSeedsTest
+
 #include "GrowFromSeedsTest.moc"

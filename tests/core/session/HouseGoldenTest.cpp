@@ -15,6 +15,8 @@
 
 #include <set>
 
+namespace houseGoldenTest {
+
 using namespace core;
 
 /// However the house is rebuilt: recipes, sessions, names and hashes stay what they were when they
@@ -134,4 +136,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(HouseGoldenTest)
+
+} // namespace houseGoldenTest
+
 #include "HouseGoldenTest.moc"

@@ -22,6 +22,8 @@
 
 #include <algorithm>
 
+namespace importMaskTest {
+
 using namespace core;
 
 namespace {
@@ -291,4 +293,7 @@ private:
 };
 
 BURIN_TEST(ImportMaskTest)
+
+} // namespace importMaskTest
+
 #include "ImportMaskTest.moc"

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 
+namespace invertSegmentTest {
+
 using namespace core;
 
 namespace {
@@ -161,4 +163,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(InvertSegmentTest)
+
+} // namespace invertSegmentTest
+
 #include "InvertSegmentTest.moc"

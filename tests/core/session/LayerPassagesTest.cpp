@@ -18,6 +18,8 @@
 
 #include <QTest>
 
+namespace layerPassagesTest {
+
 using namespace core;
 
 namespace {
@@ -280,4 +282,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(LayerPassagesTest)
+
+} // namespace layerPassagesTest
+
 #include "LayerPassagesTest.moc"

@@ -15,6 +15,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace protectTest {
+
 using namespace core;
 
 namespace {
@@ -261,4 +263,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ProtectTest)
+
+} // namespace protectTest
+
 #include "ProtectTest.moc"

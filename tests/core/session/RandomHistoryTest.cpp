@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace randomHistoryTest {
+
 /// Random sequences of all kinds of commands with undo, redo, branches and files: after each step
 /// the session holds what a recomputation says.
 class RandomHistoryTest : public QObject {
@@ -54,4 +56,7 @@ private:
 };
 
 BURIN_TEST(RandomHistoryTest)
+
+} // namespace randomHistoryTest
+
 #include "RandomHistoryTest.moc"

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 
+namespace removeSegmentTest {
+
 using namespace core;
 
 namespace {
@@ -245,4 +247,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RemoveSegmentTest)
+
+} // namespace removeSegmentTest
+
 #include "RemoveSegmentTest.moc"

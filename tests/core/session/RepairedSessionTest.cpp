@@ -20,6 +20,8 @@
 
 #include <memory>
 
+namespace repairedSessionTest {
+
 using namespace core;
 
 namespace {
@@ -172,4 +174,7 @@ void RepairedSessionTest::forgedWayBackIsRefused()
 }
 
 BURIN_TEST(RepairedSessionTest)
+
+} // namespace repairedSessionTest
+
 #include "RepairedSessionTest.moc"

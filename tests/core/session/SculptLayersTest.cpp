@@ -19,6 +19,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace sculptLayersTest {
+
 using namespace core;
 
 namespace {
@@ -253,4 +255,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SculptLayersTest)
+
+} // namespace sculptLayersTest
+
 #include "SculptLayersTest.moc"

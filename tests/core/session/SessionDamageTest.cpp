@@ -24,6 +24,8 @@
 #include <optional>
 #include <utility>
 
+namespace sessionDamageTest {
+
 using namespace core;
 
 /// What comes before the damage opens, the rest is named, and the file keeps its bytes.
@@ -477,4 +479,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SessionDamageTest)
+
+} // namespace sessionDamageTest
+
 #include "SessionDamageTest.moc"

@@ -19,6 +19,8 @@
 #include <memory>
 #include <string>
 
+namespace sessionInTimeTest {
+
 using namespace core;
 
 namespace {
@@ -123,4 +125,7 @@ void SessionInTimeTest::volumesWithoutTimeSayNothing()
 }
 
 BURIN_TEST(SessionInTimeTest)
+
+} // namespace sessionInTimeTest
+
 #include "SessionInTimeTest.moc"

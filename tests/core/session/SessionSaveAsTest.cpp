@@ -20,6 +20,8 @@
 
 #include <future>
 
+namespace sessionSaveAsTest {
+
 using namespace core;
 
 namespace {
@@ -347,4 +349,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SessionSaveAsTest)
+
+} // namespace sessionSaveAsTest
+
 #include "SessionSaveAsTest.moc"

@@ -9,6 +9,8 @@
 
 #include <QtTest>
 
+namespace strokeHashTest {
+
 /// An edit finished, cancelled, undone, redone, made again, reopened and replayed, on the oracle.
 class StrokeHashTest : public QObject {
     Q_OBJECT
@@ -62,4 +64,7 @@ void StrokeHashTest::agrees()
 }
 
 BURIN_TEST(StrokeHashTest)
+
+} // namespace strokeHashTest
+
 #include "StrokeHashTest.moc"

@@ -23,6 +23,8 @@
 
 #include <algorithm>
 
+namespace surfaceBarrierTest {
+
 using namespace core;
 
 namespace {
@@ -272,4 +274,7 @@ void SurfaceBarrierTest::withoutASurfaceItIsRefused()
 }
 
 BURIN_TEST(SurfaceBarrierTest)
+
+} // namespace surfaceBarrierTest
+
 #include "SurfaceBarrierTest.moc"

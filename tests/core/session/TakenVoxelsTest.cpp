@@ -17,6 +17,8 @@
 
 #include <algorithm>
 
+namespace takenVoxelsTest {
+
 using namespace core;
 
 /// What a growth takes from a painted segment, through rows, undo and a session file.
@@ -161,4 +163,7 @@ void TakenVoxelsTest::undoBringsBackWhatIsRememberedOfADeletedSegment()
 }
 
 BURIN_TEST(TakenVoxelsTest)
+
+} // namespace takenVoxelsTest
+
 #include "TakenVoxelsTest.moc"

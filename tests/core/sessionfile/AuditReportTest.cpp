@@ -17,6 +17,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace auditReportTest {
+
 using namespace core;
 
 namespace {
@@ -185,4 +187,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(AuditReportTest)
+
+} // namespace auditReportTest
+
 #include "AuditReportTest.moc"

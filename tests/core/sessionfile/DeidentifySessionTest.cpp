@@ -17,6 +17,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace deidentifySessionTest {
+
 using namespace core;
 
 namespace {
@@ -176,4 +178,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(DeidentifySessionTest)
+
+} // namespace deidentifySessionTest
+
 #include "DeidentifySessionTest.moc"

@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <optional>
 
+namespace rowTitlesTest {
+
 using namespace core;
 
 namespace {
@@ -245,4 +247,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RowTitlesTest)
+
+} // namespace rowTitlesTest
+
 #include "RowTitlesTest.moc"

@@ -23,6 +23,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace sessionFileTest {
+
 using namespace core;
 
 namespace {
@@ -520,4 +522,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SessionFileTest)
+
+} // namespace sessionFileTest
+
 #include "SessionFileTest.moc"

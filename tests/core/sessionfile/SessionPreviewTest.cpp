@@ -13,6 +13,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace sessionPreviewTest {
+
 using namespace core;
 using Condition = SessionPreview::Condition;
 
@@ -99,4 +101,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SessionPreviewTest)
+
+} // namespace sessionPreviewTest
+
 #include "SessionPreviewTest.moc"

@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace downloadCacheTest {
+
 namespace {
 
 constexpr qint64 entryBytes = 10000;
@@ -146,4 +148,7 @@ void DownloadCacheTest::brokenDownloadsGoWithAll()
 }
 
 BURIN_TEST(DownloadCacheTest)
+
+} // namespace downloadCacheTest
+
 #include "DownloadCacheTest.moc"

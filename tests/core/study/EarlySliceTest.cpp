@@ -15,6 +15,8 @@
 #include <cmath>
 #include <memory>
 
+namespace earlySliceTest {
+
 using test::SyntheticSeries;
 
 namespace {
@@ -282,4 +284,7 @@ void EarlySliceTest::cancelledAfterItIsCancelled()
 }
 
 BURIN_TEST(EarlySliceTest)
+
+} // namespace earlySliceTest
+
 #include "EarlySliceTest.moc"

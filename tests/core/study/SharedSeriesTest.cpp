@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <set>
 
+namespace sharedSeriesTest {
+
 namespace {
 
 /// Folders that hold files themselves: some cases repeat the same UIDs from folder to folder.
@@ -395,4 +397,7 @@ void SharedSeriesTest::namesInEveryScript()
 }
 
 BURIN_TEST(SharedSeriesTest)
+
+} // namespace sharedSeriesTest
+
 #include "SharedSeriesTest.moc"

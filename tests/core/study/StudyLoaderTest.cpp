@@ -13,6 +13,8 @@
 
 #include <memory>
 
+namespace studyLoaderTest {
+
 using core::VolumeProblem;
 using test::SyntheticSeries;
 
@@ -326,4 +328,7 @@ void StudyLoaderTest::directoryFileStandsForItsFolder()
 }
 
 BURIN_TEST(StudyLoaderTest)
+
+} // namespace studyLoaderTest
+
 #include "StudyLoaderTest.moc"

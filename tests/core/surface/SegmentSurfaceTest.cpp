@@ -10,6 +10,8 @@
 #include <map>
 #include <numeric>
 
+namespace segmentSurfaceTest {
+
 namespace {
 
 struct Labels {
@@ -270,4 +272,7 @@ void SegmentSurfaceTest::nothing()
 }
 
 BURIN_TEST(SegmentSurfaceTest)
+
+} // namespace segmentSurfaceTest
+
 #include "SegmentSurfaceTest.moc"

@@ -7,6 +7,8 @@
 
 #include <string_view>
 
+namespace sliceContoursTest {
+
 namespace {
 
 /// '#' is label 1; rows end in '/'.
@@ -187,4 +189,7 @@ void SliceContoursTest::theVeryPixelsOfNoise()
 }
 
 BURIN_TEST(SliceContoursTest)
+
+} // namespace sliceContoursTest
+
 #include "SliceContoursTest.moc"

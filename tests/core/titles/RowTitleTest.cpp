@@ -8,6 +8,8 @@
 #include <QSet>
 #include <QTest>
 
+namespace rowTitleTest {
+
 using namespace core;
 
 namespace {
@@ -275,4 +277,7 @@ private Q_SLOTS:
 };
 
 BURIN_PLAIN_TEST(RowTitleTest)
+
+} // namespace rowTitleTest
+
 #include "RowTitleTest.moc"

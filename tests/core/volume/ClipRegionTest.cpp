@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+namespace clipRegionTest {
+
 using core::ClipRegion;
 using core::VolumeGeometry;
 
@@ -158,4 +160,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ClipRegionTest)
+
+} // namespace clipRegionTest
+
 #include "ClipRegionTest.moc"

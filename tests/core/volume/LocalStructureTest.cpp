@@ -8,6 +8,8 @@
 #include <functional>
 #include <vector>
 
+namespace localStructureTest {
+
 namespace {
 
 constexpr int side = 41;
@@ -122,4 +124,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(LocalStructureTest)
+
+} // namespace localStructureTest
+
 #include "LocalStructureTest.moc"

@@ -12,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+namespace sliceChainTest {
+
 class SliceChainTest : public QObject {
     Q_OBJECT
 
@@ -82,4 +84,7 @@ void SliceChainTest::waitsForWhatIsDone()
 }
 
 BURIN_TEST(SliceChainTest)
+
+} // namespace sliceChainTest
+
 #include "SliceChainTest.moc"

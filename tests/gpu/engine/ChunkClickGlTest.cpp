@@ -16,6 +16,8 @@
 
 #include <algorithm>
 
+namespace chunkClickGlTest {
+
 using namespace core;
 
 /// How long a click on a chunk takes, with the chunks there (seed B, section 4.2: at once).
@@ -105,4 +107,7 @@ void ChunkClickGlTest::manyClicks()
 }
 
 BURIN_TEST(ChunkClickGlTest)
+
+} // namespace chunkClickGlTest
+
 #include "ChunkClickGlTest.moc"

@@ -15,6 +15,8 @@
 #include <condition_variable>
 #include <mutex>
 
+namespace contextLossGlTest {
+
 using namespace core;
 using test::LosingGl;
 
@@ -318,4 +320,7 @@ void ContextLossGlTest::whileAVolumeOpens()
 }
 
 BURIN_TEST(ContextLossGlTest)
+
+} // namespace contextLossGlTest
+
 #include "ContextLossGlTest.moc"

@@ -20,6 +20,8 @@
 
 #include <map>
 
+namespace engineConformanceGlTest {
+
 using namespace core;
 using reference::DelayedEngine;
 using reference::ReferenceEngine;
@@ -374,4 +376,7 @@ void EngineConformanceGlTest::opensOneVolumeAfterTheOther()
 }
 
 BURIN_TEST(EngineConformanceGlTest)
+
+} // namespace engineConformanceGlTest
+
 #include "EngineConformanceGlTest.moc"

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+namespace engineThreadGlTest {
+
 using gpu::EngineThread;
 
 namespace {
@@ -138,4 +140,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(EngineThreadGlTest)
+
+} // namespace engineThreadGlTest
+
 #include "EngineThreadGlTest.moc"

@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+namespace gpuEditEngineGlTest {
+
 /// What is the GPU engine's own: pages, queues, batches. Rules shared with the oracle are held by
 /// EngineConformanceGlTest.
 class GpuEditEngineGlTest : public QObject {
@@ -124,4 +126,7 @@ void GpuEditEngineGlTest::swapsBackAndForth()
 }
 
 BURIN_TEST(GpuEditEngineGlTest)
+
+} // namespace gpuEditEngineGlTest
+
 #include "GpuEditEngineGlTest.moc"

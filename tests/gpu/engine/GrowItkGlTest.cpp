@@ -17,6 +17,8 @@
 #include <span>
 #include <vector>
 
+namespace growItkGlTest {
+
 /// Growth to closure is ITK's ConnectedThreshold, voxel for voxel, and the oracle's, word for word;
 /// where all 27 voxels of a neighbourhood must qualify it is ITK's NeighborhoodConnected.
 class GrowItkGlTest : public QObject {
@@ -214,4 +216,7 @@ void GrowItkGlTest::realSeries()
 }
 
 BURIN_TEST(GrowItkGlTest)
+
+} // namespace growItkGlTest
+
 #include "GrowItkGlTest.moc"

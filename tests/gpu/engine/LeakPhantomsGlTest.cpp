@@ -16,6 +16,8 @@
 #include <memory>
 #include <optional>
 
+namespace leakPhantomsGlTest {
+
 using test::LeakPhantom;
 using test::leakPhantom;
 
@@ -374,4 +376,7 @@ void LeakPhantomsGlTest::convexBodies()
 }
 
 BURIN_WINDOW_TEST(LeakPhantomsGlTest)
+
+} // namespace leakPhantomsGlTest
+
 #include "LeakPhantomsGlTest.moc"

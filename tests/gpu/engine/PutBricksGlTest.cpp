@@ -6,6 +6,8 @@
 
 #include <QtTest>
 
+namespace putBricksGlTest {
+
 /// What PutBricksTest asks of the oracle, of the GPU.
 class PutBricksGlTest : public QObject {
     Q_OBJECT
@@ -27,4 +29,7 @@ private:
 };
 
 BURIN_TEST(PutBricksGlTest)
+
+} // namespace putBricksGlTest
+
 #include "PutBricksGlTest.moc"

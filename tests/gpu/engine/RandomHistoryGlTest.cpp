@@ -8,6 +8,8 @@
 
 #include <QtTest>
 
+namespace randomHistoryGlTest {
+
 /// What RandomHistoryTest does on the oracle, on the GPU: the same truth and the same hashes.
 class RandomHistoryGlTest : public QObject {
     Q_OBJECT
@@ -38,4 +40,7 @@ private:
 };
 
 BURIN_TEST(RandomHistoryGlTest)
+
+} // namespace randomHistoryGlTest
+
 #include "RandomHistoryGlTest.moc"

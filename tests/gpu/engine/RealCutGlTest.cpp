@@ -17,6 +17,8 @@
 #include <optional>
 #include <variant>
 
+namespace realCutGlTest {
+
 using test::RealStructure;
 
 /// Strokes over what has grown in real studies: what CutGrowth promises holds (CutPromises.h), and
@@ -140,4 +142,7 @@ void RealCutGlTest::strokes()
 }
 
 BURIN_TEST(RealCutGlTest)
+
+} // namespace realCutGlTest
+
 #include "RealCutGlTest.moc"

@@ -11,6 +11,8 @@
 #include <map>
 #include <optional>
 
+namespace refusedMemoryGlTest {
+
 using namespace core;
 using test::EngineCase;
 using test::RefusingGl;
@@ -323,4 +325,7 @@ void RefusedMemoryGlTest::aVolumeThatDoesNotFit()
 }
 
 BURIN_TEST(RefusedMemoryGlTest)
+
+} // namespace refusedMemoryGlTest
+
 #include "RefusedMemoryGlTest.moc"

@@ -24,6 +24,8 @@
 
 #include <algorithm>
 
+namespace sessionWithoutLooksGlTest {
+
 using namespace core;
 
 namespace {
@@ -148,4 +150,7 @@ private:
 };
 
 BURIN_TEST(SessionWithoutLooksGlTest)
+
+} // namespace sessionWithoutLooksGlTest
+
 #include "SessionWithoutLooksGlTest.moc"

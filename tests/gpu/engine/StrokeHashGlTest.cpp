@@ -10,6 +10,8 @@
 
 #include <QtTest>
 
+namespace strokeHashGlTest {
+
 /// The hashes of everything that can become of an edit are those of the oracle.
 class StrokeHashGlTest : public QObject {
     Q_OBJECT
@@ -52,4 +54,7 @@ void StrokeHashGlTest::agrees()
 }
 
 BURIN_TEST(StrokeHashGlTest)
+
+} // namespace strokeHashGlTest
+
 #include "StrokeHashGlTest.moc"

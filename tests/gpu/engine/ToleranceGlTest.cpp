@@ -14,6 +14,8 @@
 
 #include <algorithm>
 
+namespace toleranceGlTest {
+
 using namespace core;
 using reference::DenseArray;
 namespace seedWord = core::seedWord;
@@ -189,4 +191,7 @@ void ToleranceGlTest::howLongItTakes()
 }
 
 BURIN_TEST(ToleranceGlTest)
+
+} // namespace toleranceGlTest
+
 #include "ToleranceGlTest.moc"

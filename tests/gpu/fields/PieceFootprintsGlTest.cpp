@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <random>
 
+namespace pieceFootprintsGlTest {
+
 using namespace gpu;
 using reference::DenseArray;
 
@@ -143,4 +145,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(PieceFootprintsGlTest)
+
+} // namespace pieceFootprintsGlTest
+
 #include "PieceFootprintsGlTest.moc"

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace frameSchedulerGlTest {
+
 using namespace gpu;
 
 class FrameSchedulerGlTest : public test::FrameTest {
@@ -253,4 +255,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(FrameSchedulerGlTest)
+
+} // namespace frameSchedulerGlTest
+
 #include "FrameSchedulerGlTest.moc"

@@ -18,6 +18,8 @@
 #include <cstring>
 #include <numeric>
 
+namespace glObjectsGlTest {
+
 using namespace gpu;
 
 class GlObjectsGlTest : public test::GlTest {
@@ -213,4 +215,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(GlObjectsGlTest)
+
+} // namespace glObjectsGlTest
+
 #include "GlObjectsGlTest.moc"

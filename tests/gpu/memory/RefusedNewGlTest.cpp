@@ -14,6 +14,8 @@
 #include <new>
 #include <random>
 
+namespace refusedNewGlTest {
+
 // This program's operator new. Of its own code's allocations (not those of libraries, among them
 // the driver) one of at least a brick is refused now and then.
 
@@ -114,4 +116,7 @@ void RefusedNewGlTest::aSessionGoesOn()
 }
 
 BURIN_TEST(RefusedNewGlTest)
+
+} // namespace refusedNewGlTest
+
 #include "RefusedNewGlTest.moc"

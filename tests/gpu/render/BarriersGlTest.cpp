@@ -9,6 +9,8 @@
 
 #include <optional>
 
+namespace barriersGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -225,4 +227,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(BarriersGlTest)
+
+} // namespace barriersGlTest
+
 #include "BarriersGlTest.moc"

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 
+namespace baselineGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -123,4 +125,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(BaselineGlTest)
+
+} // namespace baselineGlTest
+
 #include "BaselineGlTest.moc"

@@ -12,6 +12,8 @@
 #include <functional>
 #include <memory>
 
+namespace chunksShownGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -525,4 +527,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ChunksShownGlTest)
+
+} // namespace chunksShownGlTest
+
 #include "ChunksShownGlTest.moc"

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace clippingGlTest {
+
 using namespace gpu;
 using test::isLit;
 using test::PixelRay;
@@ -298,4 +300,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ClippingGlTest)
+
+} // namespace clippingGlTest
+
 #include "ClippingGlTest.moc"

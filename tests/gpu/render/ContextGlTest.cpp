@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace contextGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -272,4 +274,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ContextGlTest)
+
+} // namespace contextGlTest
+
 #include "ContextGlTest.moc"

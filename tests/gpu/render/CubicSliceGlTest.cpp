@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace cubicSliceGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -208,4 +210,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(CubicSliceGlTest)
+
+} // namespace cubicSliceGlTest
+
 #include "CubicSliceGlTest.moc"

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace growthMarksGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -216,4 +218,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(GrowthMarksGlTest)
+
+} // namespace growthMarksGlTest
+
 #include "GrowthMarksGlTest.moc"

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace partlyHiddenGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -159,4 +161,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(PartlyHiddenGlTest)
+
+} // namespace partlyHiddenGlTest
+
 #include "PartlyHiddenGlTest.moc"

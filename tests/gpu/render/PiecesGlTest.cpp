@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace piecesGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -461,4 +463,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(PiecesGlTest)
+
+} // namespace piecesGlTest
+
 #include "PiecesGlTest.moc"

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace planeOrderGlTest {
+
 using namespace gpu;
 using test::noMatter;
 using test::plainLook;
@@ -492,4 +494,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(PlaneOrderGlTest)
+
+} // namespace planeOrderGlTest
+
 #include "PlaneOrderGlTest.moc"

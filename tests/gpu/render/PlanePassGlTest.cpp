@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace planePassGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -433,4 +435,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(PlanePassGlTest)
+
+} // namespace planePassGlTest
+
 #include "PlanePassGlTest.moc"

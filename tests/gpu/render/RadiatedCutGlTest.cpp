@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace radiatedCutGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -213,4 +215,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RadiatedCutGlTest)
+
+} // namespace radiatedCutGlTest
+
 #include "RadiatedCutGlTest.moc"

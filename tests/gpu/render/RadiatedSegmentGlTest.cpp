@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace radiatedSegmentGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -127,4 +129,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RadiatedSegmentGlTest)
+
+} // namespace radiatedSegmentGlTest
+
 #include "RadiatedSegmentGlTest.moc"

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace seedDotsGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -234,4 +236,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SeedDotsGlTest)
+
+} // namespace seedDotsGlTest
+
 #include "SeedDotsGlTest.moc"

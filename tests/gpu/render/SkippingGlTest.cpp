@@ -13,6 +13,8 @@
 #include <cmath>
 #include <random>
 
+namespace skippingGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -271,4 +273,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SkippingGlTest)
+
+} // namespace skippingGlTest
+
 #include "SkippingGlTest.moc"

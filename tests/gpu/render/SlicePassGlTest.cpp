@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstdlib>
 
+namespace slicePassGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -311,4 +313,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SlicePassGlTest)
+
+} // namespace slicePassGlTest
+
 #include "SlicePassGlTest.moc"

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace stereoGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -219,4 +221,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(StereoGlTest)
+
+} // namespace stereoGlTest
+
 #include "StereoGlTest.moc"

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace surfaceContourGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -326,4 +328,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SurfaceContourGlTest)
+
+} // namespace surfaceContourGlTest
+
 #include "SurfaceContourGlTest.moc"

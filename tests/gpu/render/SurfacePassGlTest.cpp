@@ -16,6 +16,8 @@
 #include <cstdlib>
 #include <ctime>
 
+namespace surfacePassGlTest {
+
 using namespace gpu;
 using test::apart;
 using test::isLit;
@@ -688,4 +690,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SurfacePassGlTest)
+
+} // namespace surfacePassGlTest
+
 #include "SurfacePassGlTest.moc"

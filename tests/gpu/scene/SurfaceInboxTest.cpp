@@ -8,6 +8,8 @@
 #include <map>
 #include <thread>
 
+namespace surfaceInboxTest {
+
 using namespace gpu;
 
 namespace {
@@ -102,4 +104,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SurfaceInboxTest)
+
+} // namespace surfaceInboxTest
+
 #include "SurfaceInboxTest.moc"

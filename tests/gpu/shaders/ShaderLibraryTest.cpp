@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace shaderLibraryTest {
+
 using gpu::ShaderError;
 using gpu::ShaderLibrary;
 using gpu::ShaderSource;
@@ -105,4 +107,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ShaderLibraryTest)
+
+} // namespace shaderLibraryTest
+
 #include "ShaderLibraryTest.moc"

@@ -7,6 +7,8 @@
 
 #include <thread>
 
+namespace failingLogSelfTest {
+
 /// The log must fail a test: this program runs its own functions again as a child and reads how
 /// they ended.
 class FailingLogSelfTest : public QObject {
@@ -84,4 +86,7 @@ void FailingLogSelfTest::endsAsExpected()
 }
 
 BURIN_TEST(FailingLogSelfTest)
+
+} // namespace failingLogSelfTest
+
 #include "FailingLogSelfTest.moc"

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace errorTextTest {
+
 using core::ErrorCode;
 
 /// What is said of errors.
@@ -39,4 +41,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ErrorTextTest)
+
+} // namespace errorTextTest
+
 #include "ErrorTextTest.moc"

@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+namespace rowTitleTextTest {
+
 using core::RowTitle;
 using core::RowTitleCode;
 
@@ -79,4 +81,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RowTitleTextTest)
+
+} // namespace rowTitleTextTest
+
 #include "RowTitleTextTest.moc"

@@ -16,6 +16,8 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+namespace tabOrderUiTest {
+
 /// The tab key goes through dialogs as one reads them.
 class TabOrderUiTest : public QObject {
     Q_OBJECT
@@ -75,4 +77,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(TabOrderUiTest)
+
+} // namespace tabOrderUiTest
+
 #include "TabOrderUiTest.moc"

@@ -13,6 +13,8 @@
 
 #include <set>
 
+namespace codeDialogUiTest {
+
 class CodeDialogUiTest : public QObject {
     Q_OBJECT
 
@@ -96,4 +98,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(CodeDialogUiTest)
+
+} // namespace codeDialogUiTest
+
 #include "CodeDialogUiTest.moc"

@@ -16,6 +16,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+namespace deidentifySessionUiTest {
+
 /// "Save de-identified session as …" in the window as `burin open` makes it.
 class DeidentifySessionUiTest : public QObject {
     Q_OBJECT
@@ -117,4 +119,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(DeidentifySessionUiTest)
+
+} // namespace deidentifySessionUiTest
+
 #include "DeidentifySessionUiTest.moc"

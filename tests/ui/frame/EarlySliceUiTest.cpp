@@ -21,6 +21,8 @@
 #include <memory>
 #include <thread>
 
+namespace earlySliceUiTest {
+
 namespace {
 
 const QString somewhere = QStringLiteral("/somewhere/study");
@@ -350,4 +352,7 @@ void EarlySliceUiTest::closingTheWindowAborts()
 }
 
 BURIN_WINDOW_TEST(EarlySliceUiTest)
+
+} // namespace earlySliceUiTest
+
 #include "EarlySliceUiTest.moc"

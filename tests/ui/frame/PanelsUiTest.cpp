@@ -27,6 +27,8 @@
 
 #include <initializer_list>
 
+namespace panelsUiTest {
+
 namespace {
 
 /// The window with the panels that the program has.
@@ -308,4 +310,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(PanelsUiTest)
+
+} // namespace panelsUiTest
+
 #include "PanelsUiTest.moc"

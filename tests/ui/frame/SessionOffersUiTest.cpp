@@ -24,6 +24,8 @@
 #include <QTimer>
 #include <QToolButton>
 
+namespace sessionOffersUiTest {
+
 using Condition = core::SessionPreview::Condition;
 
 namespace {
@@ -316,4 +318,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(SessionOffersUiTest)
+
+} // namespace sessionOffersUiTest
+
 #include "SessionOffersUiTest.moc"

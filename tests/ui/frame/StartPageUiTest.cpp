@@ -8,6 +8,8 @@
 #include <QPushButton>
 #include <QtTest>
 
+namespace startPageUiTest {
+
 /// What the page before a study shows, at whatever width.
 class StartPageUiTest : public QObject {
     Q_OBJECT
@@ -44,4 +46,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(StartPageUiTest)
+
+} // namespace startPageUiTest
+
 #include "StartPageUiTest.moc"

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace transferFunctionEditorUiTest {
+
 using ui::TransferFunctionEditor;
 
 class TransferFunctionEditorUiTest : public QObject {
@@ -178,4 +180,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(TransferFunctionEditorUiTest)
+
+} // namespace transferFunctionEditorUiTest
+
 #include "TransferFunctionEditorUiTest.moc"

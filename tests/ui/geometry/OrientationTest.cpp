@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace orientationTest {
+
 class OrientationTest : public QObject {
     Q_OBJECT
 
@@ -166,4 +168,7 @@ void OrientationTest::orbitFollowsThePointer()
 }
 
 BURIN_TEST(OrientationTest)
+
+} // namespace orientationTest
+
 #include "OrientationTest.moc"

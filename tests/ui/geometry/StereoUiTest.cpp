@@ -11,6 +11,8 @@
 #include <cmath>
 #include <stdexcept>
 
+namespace stereoUiTest {
+
 namespace {
 
 constexpr gpu::ViewId rightEye = 1002; // of the view whose name is 2
@@ -140,4 +142,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(StereoUiTest)
+
+} // namespace stereoUiTest
+
 #include "StereoUiTest.moc"

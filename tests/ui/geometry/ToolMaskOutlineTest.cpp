@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace toolMaskOutlineTest {
+
 namespace {
 
 using Curve = std::vector<glm::dvec2>;
@@ -77,4 +79,7 @@ private Q_SLOTS:
 };
 
 BURIN_PLAIN_TEST(ToolMaskOutlineTest)
+
+} // namespace toolMaskOutlineTest
+
 #include "ToolMaskOutlineTest.moc"

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+namespace stylusGlueTest {
+
 using ui::PointerReading;
 using ui::StylusGlue;
 
@@ -189,4 +191,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(StylusGlueTest)
+
+} // namespace stylusGlueTest
+
 #include "StylusGlueTest.moc"

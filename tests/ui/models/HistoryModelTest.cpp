@@ -13,6 +13,8 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+namespace historyModelTest {
+
 using test::WorkspaceFixture;
 using ui::HistoryModel;
 
@@ -318,4 +320,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(HistoryModelTest)
+
+} // namespace historyModelTest
+
 #include "HistoryModelTest.moc"

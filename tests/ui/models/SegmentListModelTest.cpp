@@ -14,6 +14,8 @@
 
 #include <array>
 
+namespace segmentListModelTest {
+
 using test::WorkspaceFixture;
 using ui::SegmentListModel;
 
@@ -131,4 +133,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SegmentListModelTest)
+
+} // namespace segmentListModelTest
+
 #include "SegmentListModelTest.moc"

@@ -36,6 +36,8 @@
 #include <memory>
 #include <string>
 
+namespace pacsBrowserUiTest {
+
 namespace {
 
 constexpr int patience = 60000; // ms; only a hang takes that long
@@ -480,4 +482,7 @@ void PacsBrowserUiTest::masksAreSent()
 }
 
 BURIN_WINDOW_TEST(PacsBrowserUiTest)
+
+} // namespace pacsBrowserUiTest
+
 #include "PacsBrowserUiTest.moc"

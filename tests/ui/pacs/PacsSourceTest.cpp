@@ -10,6 +10,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace pacsSourceTest {
+
 namespace {
 
 core::PacsSource archive()
@@ -115,4 +117,7 @@ void PacsSourceTest::namesAreNoAddresses()
 }
 
 BURIN_TEST(PacsSourceTest)
+
+} // namespace pacsSourceTest
+
 #include "PacsSourceTest.moc"

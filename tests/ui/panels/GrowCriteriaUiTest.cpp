@@ -19,6 +19,8 @@
 #include <QToolButton>
 #include <QtTest>
 
+namespace growCriteriaUiTest {
+
 using test::WorkspaceFixture;
 
 namespace {
@@ -271,4 +273,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(GrowCriteriaUiTest)
+
+} // namespace growCriteriaUiTest
+
 #include "GrowCriteriaUiTest.moc"

@@ -19,6 +19,8 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+namespace seriesDoctorUiTest {
+
 /// The series doctor in the window: found, chosen, applied, taken back.
 class SeriesDoctorUiTest : public QObject {
     Q_OBJECT
@@ -142,4 +144,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(SeriesDoctorUiTest)
+
+} // namespace seriesDoctorUiTest
+
 #include "SeriesDoctorUiTest.moc"

@@ -15,6 +15,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace auditPagesTest {
+
 using namespace core;
 using ui::AuditPages;
 using ui::AuditTexts;
@@ -262,4 +264,7 @@ int runAuditPages(int argc, char** argv)
 } // namespace
 
 BURIN_TEST_RUN(AuditPagesTest, runAuditPages)
+
+} // namespace auditPagesTest
+
 #include "AuditPagesTest.moc"

@@ -14,6 +14,8 @@
 
 #include <random>
 
+namespace growthPastTest {
+
 class GrowthPastTest : public QObject {
     Q_OBJECT
 
@@ -90,4 +92,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(GrowthPastTest)
+
+} // namespace growthPastTest
+
 #include "GrowthPastTest.moc"

@@ -19,6 +19,8 @@
 
 #include <utility>
 
+namespace growthTurnsUiTest {
+
 using test::WorkspaceFixture;
 using ui::GrowthTurn;
 using ui::growthTurns;
@@ -238,4 +240,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(GrowthTurnsUiTest)
+
+} // namespace growthTurnsUiTest
+
 #include "GrowthTurnsUiTest.moc"

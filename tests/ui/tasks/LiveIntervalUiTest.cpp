@@ -21,6 +21,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace liveIntervalUiTest {
+
 using test::WorkspaceFixture;
 namespace head = test::smallHead;
 
@@ -241,4 +243,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(LiveIntervalUiTest)
+
+} // namespace liveIntervalUiTest
+
 #include "LiveIntervalUiTest.moc"

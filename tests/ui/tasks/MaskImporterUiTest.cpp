@@ -16,6 +16,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace maskImporterUiTest {
+
 namespace {
 
 class ImportFixture : public test::WindowFixture {
@@ -156,4 +158,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(MaskImporterUiTest)
+
+} // namespace maskImporterUiTest
+
 #include "MaskImporterUiTest.moc"

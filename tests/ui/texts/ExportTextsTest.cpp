@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace exportTextsTest {
+
 using core::ExportRemark;
 
 /// What the export dialogs say of codes of core.
@@ -29,4 +31,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ExportTextsTest)
+
+} // namespace exportTextsTest
+
 #include "ExportTextsTest.moc"

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+namespace maskTextsTest {
+
 using core::MaskNote;
 
 namespace {
@@ -79,4 +81,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(MaskTextsTest)
+
+} // namespace maskTextsTest
+
 #include "MaskTextsTest.moc"

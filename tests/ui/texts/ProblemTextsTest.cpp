@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace problemTextsTest {
+
 using core::ProblemCode;
 using core::ProblemSentence;
 
@@ -92,4 +94,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ProblemTextsTest)
+
+} // namespace problemTextsTest
+
 #include "ProblemTextsTest.moc"

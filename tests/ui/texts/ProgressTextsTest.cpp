@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace progressTextsTest {
+
 using core::ProgressStep;
 
 /// What the window says while work that takes long is done.
@@ -54,4 +56,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ProgressTextsTest)
+
+} // namespace progressTextsTest
+
 #include "ProgressTextsTest.moc"

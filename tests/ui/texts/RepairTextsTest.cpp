@@ -10,6 +10,8 @@
 
 #include <vector>
 
+namespace repairTextsTest {
+
 using core::RepairOffer;
 
 namespace {
@@ -101,4 +103,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RepairTextsTest)
+
+} // namespace repairTextsTest
+
 #include "RepairTextsTest.moc"

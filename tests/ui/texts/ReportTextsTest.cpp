@@ -8,6 +8,8 @@
 
 #include <set>
 
+namespace reportTextsTest {
+
 using core::ReportCode;
 using core::ReportSentence;
 
@@ -249,4 +251,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ReportTextsTest)
+
+} // namespace reportTextsTest
+
 #include "ReportTextsTest.moc"

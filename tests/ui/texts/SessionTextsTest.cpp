@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+namespace sessionTextsTest {
+
 /// What is said of a session file.
 class SessionTextsTest : public QObject {
     Q_OBJECT
@@ -108,4 +110,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SessionTextsTest)
+
+} // namespace sessionTextsTest
+
 #include "SessionTextsTest.moc"

@@ -20,6 +20,8 @@
 
 #include <cmath>
 
+namespace clippingUiTest {
+
 namespace {
 
 /// The small head, the panel unfolded and the tool in hand, seen from the front.
@@ -345,4 +347,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(ClippingUiTest)
+
+} // namespace clippingUiTest
+
 #include "ClippingUiTest.moc"

@@ -22,6 +22,8 @@
 
 #include <cmath>
 
+namespace freehandMaskUiTest {
+
 namespace {
 
 using Curve = std::vector<glm::dvec2>; ///< millimetres right of and above the view's middle
@@ -354,4 +356,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(FreehandMaskUiTest)
+
+} // namespace freehandMaskUiTest
+
 #include "FreehandMaskUiTest.moc"

@@ -21,6 +21,8 @@
 #include <QTest>
 #include <QToolButton>
 
+namespace contextSwitchUiTest {
+
 using gpu::Context;
 
 namespace {
@@ -320,4 +322,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(ContextSwitchUiTest)
+
+} // namespace contextSwitchUiTest
+
 #include "ContextSwitchUiTest.moc"

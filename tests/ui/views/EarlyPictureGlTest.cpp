@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace earlyPictureGlTest {
+
 namespace {
 
 /// Two in three voxels of a slice wander through the window, so that interpolation shows.
@@ -123,4 +125,7 @@ void EarlyPictureGlTest::noneOfAnotherPlane()
 }
 
 BURIN_TEST(EarlyPictureGlTest)
+
+} // namespace earlyPictureGlTest
+
 #include "EarlyPictureGlTest.moc"

@@ -15,6 +15,8 @@
 
 #include <QtTest>
 
+namespace seenReadoutUiTest {
+
 namespace {
 
 class ReadoutFixture : public test::WindowFixture {
@@ -155,4 +157,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(SeenReadoutUiTest)
+
+} // namespace seenReadoutUiTest
+
 #include "SeenReadoutUiTest.moc"

@@ -12,6 +12,8 @@
 #include <QTest>
 #include <QWheelEvent>
 
+namespace viewsUiTest {
+
 using ui::SliceView;
 
 namespace {
@@ -521,4 +523,7 @@ void ViewsUiTest::nothingIsDrawnWhileNothingChanges()
 }
 
 BURIN_WINDOW_TEST(ViewsUiTest)
+
+} // namespace viewsUiTest
+
 #include "ViewsUiTest.moc"

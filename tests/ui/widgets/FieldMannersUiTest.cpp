@@ -17,6 +17,8 @@
 
 #include <optional>
 
+namespace fieldMannersUiTest {
+
 /// What one did not mean does not happen: the wheel over a panel, keys in a number field.
 class FieldMannersUiTest : public QObject {
     Q_OBJECT
@@ -134,4 +136,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(FieldMannersUiTest)
+
+} // namespace fieldMannersUiTest
+
 #include "FieldMannersUiTest.moc"

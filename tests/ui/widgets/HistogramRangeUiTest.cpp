@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+namespace histogramRangeUiTest {
+
 using ui::HistogramRange;
 using ui::HistogramRangePlot;
 
@@ -211,4 +213,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(HistogramRangeUiTest)
+
+} // namespace histogramRangeUiTest
+
 #include "HistogramRangeUiTest.moc"

@@ -12,6 +12,8 @@
 #include <QTimer>
 #include <QtTest>
 
+namespace bookmarksUiTest {
+
 namespace {
 
 struct Fixture : test::WindowFixture {
@@ -142,4 +144,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(BookmarksUiTest)
+
+} // namespace bookmarksUiTest
+
 #include "BookmarksUiTest.moc"

@@ -17,6 +17,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+namespace keyframeRecorderUiTest {
+
 using namespace core;
 
 namespace {
@@ -272,4 +274,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(KeyframeRecorderUiTest)
+
+} // namespace keyframeRecorderUiTest
+
 #include "KeyframeRecorderUiTest.moc"

@@ -21,6 +21,8 @@
 
 #include <algorithm>
 
+namespace mainWindowUiTest {
+
 class MainWindowUiTest : public QObject {
     Q_OBJECT
 
@@ -212,4 +214,7 @@ void MainWindowUiTest::openingTellsWhyNot()
 }
 
 BURIN_WINDOW_TEST(MainWindowUiTest)
+
+} // namespace mainWindowUiTest
+
 #include "MainWindowUiTest.moc"

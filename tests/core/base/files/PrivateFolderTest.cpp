@@ -9,6 +9,8 @@
 
 #include <sys/stat.h>
 
+namespace privateFolderTest {
+
 namespace {
 
 /// Who may do what, as chmod says it.
@@ -72,4 +74,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(PrivateFolderTest)
+
+} // namespace privateFolderTest
+
 #include "PrivateFolderTest.moc"

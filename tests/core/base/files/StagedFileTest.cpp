@@ -15,6 +15,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+namespace stagedFileTest {
+
 using namespace core;
 
 /// The one door for files that are written: what it refuses, and that nothing is lost on the way.
@@ -194,4 +196,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(StagedFileTest)
+
+} // namespace stagedFileTest
+
 #include "StagedFileTest.moc"

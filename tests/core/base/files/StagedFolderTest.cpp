@@ -10,6 +10,8 @@
 
 #include <optional>
 
+namespace stagedFolderTest {
+
 using namespace core;
 
 /// The door for folders that are written: whole or not there, and nothing in its way is touched.
@@ -86,4 +88,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(StagedFolderTest)
+
+} // namespace stagedFolderTest
+
 #include "StagedFolderTest.moc"

@@ -16,6 +16,8 @@
 #include <cstdlib>
 #include <cstring>
 
+namespace fencedFramesTest {
+
 namespace {
 
 constexpr const char* weakOption = "--weak-decoder";
@@ -190,4 +192,7 @@ int runFencedFrames(int argc, char** argv)
 } // namespace
 
 BURIN_TEST_RUN(FencedFramesTest, runFencedFrames)
+
+} // namespace fencedFramesTest
+
 #include "FencedFramesTest.moc"

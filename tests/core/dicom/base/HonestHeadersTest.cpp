@@ -14,6 +14,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace honestHeadersTest {
+
 /// The check before DCMTK refuses no honest file and costs little.
 class HonestHeadersTest : public QObject {
     Q_OBJECT
@@ -106,4 +108,7 @@ void HonestHeadersTest::costOfAHeader()
 }
 
 BURIN_TEST(HonestHeadersTest)
+
+} // namespace honestHeadersTest
+
 #include "HonestHeadersTest.moc"

@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <random>
 
+namespace preflightTest {
+
 namespace {
 
 const char* const syntaxes[] = {"1.2.840.10008.1.2", "1.2.840.10008.1.2.1",
@@ -451,4 +453,7 @@ void PreflightTest::dcmtkNestsNoDeeper()
 }
 
 BURIN_TEST(PreflightTest)
+
+} // namespace preflightTest
+
 #include "PreflightTest.moc"

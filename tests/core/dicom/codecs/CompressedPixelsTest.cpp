@@ -10,6 +10,8 @@
 
 #include <random>
 
+namespace compressedPixelsTest {
+
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -189,4 +191,7 @@ void CompressedPixelsTest::unknownSyntaxIsUnknown()
 }
 
 BURIN_TEST(CompressedPixelsTest)
+
+} // namespace compressedPixelsTest
+
 #include "CompressedPixelsTest.moc"

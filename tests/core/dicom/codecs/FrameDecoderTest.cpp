@@ -16,6 +16,8 @@
 
 #include <random>
 
+namespace frameDecoderTest {
+
 namespace {
 
 QByteArray sha256(const std::vector<std::uint16_t>& stored, bool isSigned)
@@ -185,4 +187,7 @@ void FrameDecoderTest::damagedBytesNeverCrash()
 }
 
 BURIN_TEST(FrameDecoderTest)
+
+} // namespace frameDecoderTest
+
 #include "FrameDecoderTest.moc"

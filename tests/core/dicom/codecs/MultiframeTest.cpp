@@ -16,6 +16,8 @@
 
 #include <functional>
 
+namespace multiframeTest {
+
 using core::VolumeProblem;
 
 namespace {
@@ -268,4 +270,7 @@ void MultiframeTest::tornFramesAreJoined()
 }
 
 BURIN_TEST(MultiframeTest)
+
+} // namespace multiframeTest
+
 #include "MultiframeTest.moc"

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace imageQuantityTest {
+
 /// What an image measures, by the words of its header.
 class ImageQuantityTest : public QObject {
     Q_OBJECT
@@ -71,4 +73,7 @@ void ImageQuantityTest::everyPlaceMustHaveEveryQuantity()
 }
 
 BURIN_TEST(ImageQuantityTest)
+
+} // namespace imageQuantityTest
+
 #include "ImageQuantityTest.moc"

@@ -14,6 +14,8 @@
 
 #include <cmath>
 
+namespace pixelMeaningTest {
+
 using test::SyntheticSeries;
 
 namespace {
@@ -196,4 +198,7 @@ void PixelMeaningTest::sharedParametricMap()
 }
 
 BURIN_TEST(PixelMeaningTest)
+
+} // namespace pixelMeaningTest
+
 #include "PixelMeaningTest.moc"

@@ -8,6 +8,8 @@
 
 #include <functional>
 
+namespace seriesSplitTest {
+
 using core::ImageHeader;
 
 namespace {
@@ -30,7 +32,11 @@ using Change = std::function<void(ImageHeader& image)>;
 
 } // namespace
 
-Q_DECLARE_METATYPE(Change)
+} // namespace seriesSplitTest
+
+Q_DECLARE_METATYPE(seriesSplitTest::Change)
+
+namespace seriesSplitTest {
 
 /// What parts a series and what does not, and which images are no slices.
 class SeriesSplitTest : public QObject {
@@ -155,4 +161,7 @@ void SeriesSplitTest::noSlicesAreNamed()
 }
 
 BURIN_TEST(SeriesSplitTest)
+
+} // namespace seriesSplitTest
+
 #include "SeriesSplitTest.moc"

@@ -13,6 +13,8 @@
 #include <cmath>
 #include <memory>
 
+namespace sliceStackTest {
+
 using core::VolumeProblem;
 using test::SyntheticSeries;
 
@@ -328,4 +330,7 @@ void SliceStackTest::planesAreCandidates()
 }
 
 BURIN_TEST(SliceStackTest)
+
+} // namespace sliceStackTest
+
 #include "SliceStackTest.moc"

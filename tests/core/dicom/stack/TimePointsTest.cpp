@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace timePointsTest {
+
 using core::ImageHeader;
 using core::SlicePlace;
 using core::TimeAxis;
@@ -177,4 +179,7 @@ void TimePointsTest::timesOfDayAreReadable()
 }
 
 BURIN_TEST(TimePointsTest)
+
+} // namespace timePointsTest
+
 #include "TimePointsTest.moc"

@@ -25,6 +25,8 @@
 #include <QJsonDocument>
 #include <QTest>
 
+namespace documentEditsTest {
+
 using namespace core;
 
 namespace {
@@ -85,7 +87,11 @@ std::vector<int> bookmarks(const Document& document)
 
 } // namespace
 
+} // namespace documentEditsTest
+
 Q_DECLARE_METATYPE(core::Edit)
+
+namespace documentEditsTest {
 
 class DocumentEditsTest : public QObject {
     Q_OBJECT
@@ -357,4 +363,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(DocumentEditsTest)
+
+} // namespace documentEditsTest
+
 #include "DocumentEditsTest.moc"

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <set>
 
+namespace capsuleEditsTest {
+
 using namespace core;
 
 namespace {
@@ -384,4 +386,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(CapsuleEditsTest)
+
+} // namespace capsuleEditsTest
+
 #include "CapsuleEditsTest.moc"

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace pickRaysTest {
+
 using core::OrthographicView;
 using core::VolumeGeometry;
 
@@ -124,4 +126,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(PickRaysTest)
+
+} // namespace pickRaysTest
+
 #include "PickRaysTest.moc"

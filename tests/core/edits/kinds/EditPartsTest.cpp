@@ -16,6 +16,8 @@
 
 #include <utility>
 
+namespace editPartsTest {
+
 using namespace core;
 
 /// What an edit holds is found in it, and nothing where it holds another thing by that name.
@@ -60,4 +62,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(EditPartsTest)
+
+} // namespace editPartsTest
+
 #include "EditPartsTest.moc"

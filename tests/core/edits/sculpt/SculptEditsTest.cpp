@@ -9,6 +9,8 @@
 
 #include <QTest>
 
+namespace sculptEditsTest {
+
 using namespace core;
 
 /// What of an older cut can be revised.
@@ -65,4 +67,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SculptEditsTest)
+
+} // namespace sculptEditsTest
+
 #include "SculptEditsTest.moc"

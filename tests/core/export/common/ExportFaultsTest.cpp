@@ -18,6 +18,8 @@
 #include <random>
 #include <utility>
 
+namespace exportFaultsTest {
+
 /// Faults put into a written file, or into the source behind the program's back: each must be named
 /// by the check. Everything here is asymmetric, so that no fault can hide.
 class ExportFaultsTest : public QObject {
@@ -170,9 +172,13 @@ constexpr int voxelStart = 352;
 
 } // namespace
 
-Q_DECLARE_METATYPE(Alter)
+} // namespace exportFaultsTest
+
+Q_DECLARE_METATYPE(exportFaultsTest::Alter)
 Q_DECLARE_METATYPE(std::function<void(QByteArray&)>)
 Q_DECLARE_METATYPE(std::function<void(core::Volume&)>)
+
+namespace exportFaultsTest {
 
 void ExportFaultsTest::initTestCase()
 {
@@ -485,4 +491,7 @@ void ExportFaultsTest::faultOfTheVolumeIsCaught()
 }
 
 BURIN_TEST(ExportFaultsTest)
+
+} // namespace exportFaultsTest
+
 #include "ExportFaultsTest.moc"

@@ -22,6 +22,8 @@
 
 #include <random>
 
+namespace exportNiftiTest {
+
 namespace {
 
 core::Segment segmentOf(int label, int plane = 0)
@@ -252,4 +254,7 @@ void ExportNiftiTest::choices()
 }
 
 BURIN_TEST(ExportNiftiTest)
+
+} // namespace exportNiftiTest
+
 #include "ExportNiftiTest.moc"

@@ -12,6 +12,8 @@
 #include <functional>
 #include <random>
 
+namespace exportSegNrrdFaultsTest {
+
 /// Faults put into a written .seg.nrrd: each must be named by the check, as those of
 /// ExportFaultsTest.
 class ExportSegNrrdFaultsTest : public QObject {
@@ -53,7 +55,11 @@ void alter(const QString& file, const Alter& change)
 
 } // namespace
 
-Q_DECLARE_METATYPE(Alter)
+} // namespace exportSegNrrdFaultsTest
+
+Q_DECLARE_METATYPE(exportSegNrrdFaultsTest::Alter)
+
+namespace exportSegNrrdFaultsTest {
 
 void ExportSegNrrdFaultsTest::initTestCase()
 {
@@ -155,4 +161,7 @@ void ExportSegNrrdFaultsTest::faultInTheFileIsCaught()
 }
 
 BURIN_TEST(ExportSegNrrdFaultsTest)
+
+} // namespace exportSegNrrdFaultsTest
+
 #include "ExportSegNrrdFaultsTest.moc"

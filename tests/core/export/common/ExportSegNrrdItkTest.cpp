@@ -9,6 +9,8 @@
 
 #include <random>
 
+namespace exportSegNrrdItkTest {
+
 /// A mask for 3D Slicer as the library that it reads with sees it.
 class ExportSegNrrdItkTest : public QObject {
     Q_OBJECT
@@ -68,4 +70,7 @@ void ExportSegNrrdItkTest::itkSeesTheSame()
 }
 
 BURIN_TEST(ExportSegNrrdItkTest)
+
+} // namespace exportSegNrrdItkTest
+
 #include "ExportSegNrrdItkTest.moc"

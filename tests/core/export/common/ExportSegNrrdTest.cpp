@@ -16,6 +16,8 @@
 
 #include <random>
 
+namespace exportSegNrrdTest {
+
 namespace {
 
 const core::CodedConcept skull{.scheme = QStringLiteral("SCT"),
@@ -436,4 +438,7 @@ void ExportSegNrrdTest::whatWasThereStays()
 }
 
 BURIN_TEST(ExportSegNrrdTest)
+
+} // namespace exportSegNrrdTest
+
 #include "ExportSegNrrdTest.moc"

@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <functional>
 
+namespace exportSharedTest {
+
 /// Masks on real studies, written, checked by Burin, and read by pydicom, dciodvfy and nibabel.
 class ExportSharedTest : public QObject {
     Q_OBJECT
@@ -243,4 +245,7 @@ void ExportSharedTest::imagesWithoutUids()
 }
 
 BURIN_TEST(ExportSharedTest)
+
+} // namespace exportSharedTest
+
 #include "ExportSharedTest.moc"

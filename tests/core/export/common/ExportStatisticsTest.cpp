@@ -18,6 +18,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace exportStatisticsTest {
+
 using namespace core;
 
 namespace {
@@ -313,4 +315,7 @@ void ExportStatisticsTest::withoutValuesNothingIsWritten()
 }
 
 BURIN_TEST(ExportStatisticsTest)
+
+} // namespace exportStatisticsTest
+
 #include "ExportStatisticsTest.moc"

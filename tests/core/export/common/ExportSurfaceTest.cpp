@@ -16,6 +16,8 @@
 #include <functional>
 #include <random>
 
+namespace exportSurfaceTest {
+
 namespace {
 
 using Format = core::ExportFormat;
@@ -101,7 +103,11 @@ core::Result<core::ReadMesh> readAs(Format format, const QString& file)
 
 } // namespace
 
-Q_DECLARE_METATYPE(Alter)
+} // namespace exportSurfaceTest
+
+Q_DECLARE_METATYPE(exportSurfaceTest::Alter)
+
+namespace exportSurfaceTest {
 
 /// Surfaces as STL, OBJ, PLY and glTF.
 class ExportSurfaceTest : public QObject {
@@ -350,4 +356,7 @@ void ExportSurfaceTest::faultInTheFileIsCaught()
 }
 
 BURIN_TEST(ExportSurfaceTest)
+
+} // namespace exportSurfaceTest
+
 #include "ExportSurfaceTest.moc"

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <set>
 
+namespace backwardCutTest {
+
 using namespace core;
 using test::Words;
 using Bound = BackwardProgress::Bound;
@@ -246,4 +248,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(BackwardCutTest)
+
+} // namespace backwardCutTest
+
 #include "BackwardCutTest.moc"

@@ -10,6 +10,8 @@
 
 #include <array>
 
+namespace cutPromisesTest {
+
 using namespace core;
 using test::Random;
 using test::randomInt;
@@ -238,4 +240,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(CutPromisesTest)
+
+} // namespace cutPromisesTest
+
 #include "CutPromisesTest.moc"

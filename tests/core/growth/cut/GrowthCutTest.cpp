@@ -7,6 +7,8 @@
 
 #include <cstdlib>
 
+namespace growthCutTest {
+
 using namespace core;
 
 namespace {
@@ -206,4 +208,7 @@ private Q_SLOTS:
 };
 
 BURIN_PLAIN_TEST(GrowthCutTest)
+
+} // namespace growthCutTest
+
 #include "GrowthCutTest.moc"

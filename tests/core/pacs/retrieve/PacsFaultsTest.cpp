@@ -25,10 +25,16 @@
 #include <memory>
 #include <thread>
 
+namespace pacsFaultsTest {
+
 using core::ErrorCode;
 using Fault = test::FaultyWire::Fault;
-Q_DECLARE_METATYPE(Fault)
-Q_DECLARE_METATYPE(ErrorCode)
+} // namespace pacsFaultsTest
+
+Q_DECLARE_METATYPE(pacsFaultsTest::Fault)
+Q_DECLARE_METATYPE(core::ErrorCode)
+
+namespace pacsFaultsTest {
 
 namespace {
 
@@ -423,4 +429,7 @@ void PacsFaultsTest::filesThatAreNoneAreNotSent()
 }
 
 BURIN_TEST(PacsFaultsTest)
+
+} // namespace pacsFaultsTest
+
 #include "PacsFaultsTest.moc"

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace boundaryForceTest {
+
 /// The smooth boundary of a mask, and the way to it.
 class BoundaryForceTest : public QObject {
     Q_OBJECT
@@ -200,4 +202,7 @@ void BoundaryForceTest::onlyYellowFollows()
 }
 
 BURIN_TEST(BoundaryForceTest)
+
+} // namespace boundaryForceTest
+
 #include "BoundaryForceTest.moc"

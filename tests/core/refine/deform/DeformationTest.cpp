@@ -13,6 +13,8 @@
 #include <cmath>
 #include <functional>
 
+namespace deformationTest {
+
 namespace {
 
 using Forces = std::vector<const core::ExternalForce*>;
@@ -296,4 +298,7 @@ void DeformationTest::afterRestructuring()
 }
 
 BURIN_TEST(DeformationTest)
+
+} // namespace deformationTest
+
 #include "DeformationTest.moc"

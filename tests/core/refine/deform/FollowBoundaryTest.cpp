@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace followBoundaryTest {
+
 namespace {
 
 constexpr glm::dvec3 middleMm(19.5);
@@ -63,4 +65,7 @@ void FollowBoundaryTest::itIsKeptApartIfAsked()
 }
 
 BURIN_TEST(FollowBoundaryTest)
+
+} // namespace followBoundaryTest
+
 #include "FollowBoundaryTest.moc"

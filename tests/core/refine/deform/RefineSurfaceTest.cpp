@@ -12,6 +12,8 @@
 
 #include <cmath>
 
+namespace refineSurfaceTest {
+
 namespace {
 
 core::SimplexMesh surfaceOf(const test::ShapedMask& shape, int vertices)
@@ -217,4 +219,7 @@ void RefineSurfaceTest::thinningStopsAtGreenAndAtEdges()
 }
 
 BURIN_TEST(RefineSurfaceTest)
+
+} // namespace refineSurfaceTest
+
 #include "RefineSurfaceTest.moc"

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <functional>
 
+namespace doubtfulVerticesTest {
+
 using namespace core;
 
 namespace {
@@ -138,4 +140,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(DoubtfulVerticesTest)
+
+} // namespace doubtfulVerticesTest
+
 #include "DoubtfulVerticesTest.moc"

@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace initialFitTest {
+
 namespace {
 
 struct RoundTrip {
@@ -309,4 +311,7 @@ void InitialFitTest::nothing()
 }
 
 BURIN_TEST(InitialFitTest)
+
+} // namespace initialFitTest
+
 #include "InitialFitTest.moc"

@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+namespace measuredFitTest {
+
 namespace {
 
 core::MeasuredFit fitted(const test::ShapedMask& mask, std::optional<int> vertices)
@@ -108,4 +110,7 @@ void MeasuredFitTest::nothing()
 }
 
 BURIN_TEST(MeasuredFitTest)
+
+} // namespace measuredFitTest
+
 #include "MeasuredFitTest.moc"

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace internalForcesTest {
+
 /// Internal forces against closed forms.
 class InternalForcesTest : public QObject {
     Q_OBJECT
@@ -140,4 +142,7 @@ void InternalForcesTest::neighboursInALine()
 }
 
 BURIN_TEST(InternalForcesTest)
+
+} // namespace internalForcesTest
+
 #include "InternalForcesTest.moc"

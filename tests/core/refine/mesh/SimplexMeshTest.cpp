@@ -12,6 +12,8 @@
 #include <cmath>
 #include <set>
 
+namespace simplexMeshTest {
+
 namespace {
 
 /// A ball and a ring beside it.
@@ -390,4 +392,7 @@ void SimplexMeshTest::greenStays()
 }
 
 BURIN_TEST(SimplexMeshTest)
+
+} // namespace simplexMeshTest
+
 #include "SimplexMeshTest.moc"

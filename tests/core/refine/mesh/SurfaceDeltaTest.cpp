@@ -9,6 +9,8 @@
 
 #include <bit>
 
+namespace surfaceDeltaTest {
+
 namespace {
 
 core::SimplexMesh ballAndRing()
@@ -195,4 +197,7 @@ void SurfaceDeltaTest::onlyWhatFitsIsApplied()
 }
 
 BURIN_TEST(SurfaceDeltaTest)
+
+} // namespace surfaceDeltaTest
+
 #include "SurfaceDeltaTest.moc"

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace surfaceMirrorTest {
+
 using namespace core;
 
 namespace {
@@ -111,4 +113,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SurfaceMirrorTest)
+
+} // namespace surfaceMirrorTest
+
 #include "SurfaceMirrorTest.moc"

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <set>
 
+namespace crossingGuardTest {
+
 namespace {
 
 core::VolumeGeometry grid()
@@ -332,4 +334,7 @@ void CrossingGuardTest::aTrialIsTakenBack()
 }
 
 BURIN_TEST(CrossingGuardTest)
+
+} // namespace crossingGuardTest
+
 #include "CrossingGuardTest.moc"

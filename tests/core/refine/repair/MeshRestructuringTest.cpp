@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace meshRestructuringTest {
+
 namespace {
 
 /// Everything looked at, until nothing more is done.
@@ -259,4 +261,7 @@ void MeshRestructuringTest::stormsKeepTheSurfaceWhole()
 }
 
 BURIN_TEST(MeshRestructuringTest)
+
+} // namespace meshRestructuringTest
+
 #include "MeshRestructuringTest.moc"

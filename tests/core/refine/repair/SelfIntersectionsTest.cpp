@@ -12,6 +12,8 @@
 #include <cmath>
 #include <set>
 
+namespace selfIntersectionsTest {
+
 namespace {
 
 core::VolumeGeometry grid(const glm::dvec3& spacingMm = glm::dvec3(1.0))
@@ -235,4 +237,7 @@ void SelfIntersectionsTest::greenStays()
 }
 
 BURIN_TEST(SelfIntersectionsTest)
+
+} // namespace selfIntersectionsTest
+
 #include "SelfIntersectionsTest.moc"

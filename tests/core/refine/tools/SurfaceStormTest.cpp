@@ -25,6 +25,8 @@
 #include <ctime>
 #include <memory>
 
+namespace surfaceStormTest {
+
 using namespace core;
 
 namespace {
@@ -441,4 +443,7 @@ void SurfaceStormTest::aNoisySegmentIsNotShattered()
 }
 
 BURIN_TEST(SurfaceStormTest)
+
+} // namespace surfaceStormTest
+
 #include "SurfaceStormTest.moc"

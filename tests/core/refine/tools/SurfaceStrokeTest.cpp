@@ -21,6 +21,8 @@
 #include <numbers>
 #include <random>
 
+namespace surfaceStrokeTest {
+
 namespace {
 
 using Where = std::function<bool(const glm::dvec3&)>;
@@ -699,4 +701,7 @@ void SurfaceStrokeTest::stepsAreQuick()
 }
 
 BURIN_TEST(SurfaceStrokeTest)
+
+} // namespace surfaceStrokeTest
+
 #include "SurfaceStrokeTest.moc"

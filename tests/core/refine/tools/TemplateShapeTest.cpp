@@ -16,6 +16,8 @@
 #include <cmath>
 #include <functional>
 
+namespace templateShapeTest {
+
 namespace {
 
 void markRed(core::SimplexMesh& mesh, const std::function<bool(const glm::dvec3&)>& where)
@@ -382,4 +384,7 @@ void TemplateShapeTest::whatIsRefused()
 }
 
 BURIN_TEST(TemplateShapeTest)
+
+} // namespace templateShapeTest
+
 #include "TemplateShapeTest.moc"

@@ -11,6 +11,8 @@
 #include <array>
 #include <random>
 
+namespace surfaceFillTest {
+
 namespace {
 
 using core::LatticeSurface;
@@ -275,4 +277,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SurfaceFillTest)
+
+} // namespace surfaceFillTest
+
 #include "SurfaceFillTest.moc"

@@ -26,6 +26,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace chunksTest {
+
 using namespace core;
 
 namespace {
@@ -542,4 +544,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ChunksTest)
+
+} // namespace chunksTest
+
 #include "ChunksTest.moc"

@@ -12,6 +12,8 @@
 
 #include <QTest>
 
+namespace revertTest {
+
 using namespace core;
 
 namespace {
@@ -314,4 +316,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RevertTest)
+
+} // namespace revertTest
+
 #include "RevertTest.moc"

@@ -26,6 +26,8 @@
 #include <map>
 #include <random>
 
+namespace reviseTest {
+
 using namespace core;
 
 namespace {
@@ -171,8 +173,12 @@ private:
 
 } // namespace
 
+} // namespace reviseTest
+
 Q_DECLARE_METATYPE(core::Edit)
 Q_DECLARE_METATYPE(core::ReviseStroke)
+
+namespace reviseTest {
 
 class ReviseTest : public QObject {
     Q_OBJECT
@@ -506,4 +512,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ReviseTest)
+
+} // namespace reviseTest
+
 #include "ReviseTest.moc"

@@ -20,6 +20,8 @@
 
 #include <algorithm>
 
+namespace recentGrowthTest {
+
 using namespace core;
 
 namespace {
@@ -243,4 +245,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RecentGrowthTest)
+
+} // namespace recentGrowthTest
+
 #include "RecentGrowthTest.moc"

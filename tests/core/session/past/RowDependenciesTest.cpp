@@ -18,6 +18,8 @@
 
 #include <algorithm>
 
+namespace rowDependenciesTest {
+
 using namespace core;
 
 namespace {
@@ -225,4 +227,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RowDependenciesTest)
+
+} // namespace rowDependenciesTest
+
 #include "RowDependenciesTest.moc"

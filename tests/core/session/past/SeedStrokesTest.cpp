@@ -21,6 +21,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace seedStrokesTest {
+
 using namespace core;
 
 namespace {
@@ -314,4 +316,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SeedStrokesTest)
+
+} // namespace seedStrokesTest
+
 #include "SeedStrokesTest.moc"

@@ -14,6 +14,8 @@
 
 #include <QTest>
 
+namespace sketchedSeedsTest {
+
 using namespace core;
 
 namespace {
@@ -172,4 +174,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SketchedSeedsTest)
+
+} // namespace sketchedSeedsTest
+
 #include "SketchedSeedsTest.moc"

@@ -10,6 +10,8 @@
 
 #include <QTest>
 
+namespace touchSearchTest {
+
 using namespace core;
 
 namespace {
@@ -106,4 +108,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(TouchSearchTest)
+
+} // namespace touchSearchTest
+
 #include "TouchSearchTest.moc"

@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <numeric>
 
+namespace voxelQuestionsTest {
+
 using namespace core;
 
 namespace {
@@ -234,4 +236,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(VoxelQuestionsTest)
+
+} // namespace voxelQuestionsTest
+
 #include "VoxelQuestionsTest.moc"

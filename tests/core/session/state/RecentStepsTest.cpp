@@ -13,6 +13,8 @@
 
 #include <random>
 
+namespace recentStepsTest {
+
 using namespace core;
 
 namespace {
@@ -110,4 +112,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RecentStepsTest)
+
+} // namespace recentStepsTest
+
 #include "RecentStepsTest.moc"

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 
+namespace referenceMasksTest {
+
 using namespace core;
 
 namespace {
@@ -206,4 +208,7 @@ void ReferenceMasksTest::untouchedAndPushed(
 }
 
 BURIN_TEST(ReferenceMasksTest)
+
+} // namespace referenceMasksTest
+
 #include "ReferenceMasksTest.moc"

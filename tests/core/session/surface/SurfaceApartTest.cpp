@@ -18,6 +18,8 @@
 #include <memory>
 #include <vector>
 
+namespace surfaceApartTest {
+
 using namespace core;
 
 /// What changes a mask under its surface, whether it is about that segment or not, is told: now,
@@ -126,4 +128,7 @@ void SurfaceApartTest::partsNot()
 }
 
 BURIN_TEST(SurfaceApartTest)
+
+} // namespace surfaceApartTest
+
 #include "SurfaceApartTest.moc"

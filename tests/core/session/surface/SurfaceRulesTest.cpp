@@ -20,6 +20,8 @@
 
 #include <memory>
 
+namespace surfaceRulesTest {
+
 using namespace core;
 
 namespace {
@@ -125,4 +127,7 @@ void SurfaceRulesTest::layingIsAborted()
 }
 
 BURIN_TEST(SurfaceRulesTest)
+
+} // namespace surfaceRulesTest
+
 #include "SurfaceRulesTest.moc"

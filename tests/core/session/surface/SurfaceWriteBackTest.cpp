@@ -26,6 +26,8 @@
 #include <algorithm>
 #include <functional>
 
+namespace surfaceWriteBackTest {
+
 using namespace core;
 
 namespace {
@@ -423,4 +425,7 @@ void SurfaceWriteBackTest::tooFewVertices()
 }
 
 BURIN_TEST(SurfaceWriteBackTest)
+
+} // namespace surfaceWriteBackTest
+
 #include "SurfaceWriteBackTest.moc"

@@ -11,6 +11,8 @@
 
 #include <QTest>
 
+namespace writeBackRuleTest {
+
 using namespace core;
 
 namespace {
@@ -169,4 +171,7 @@ void WriteBackRuleTest::whatYellowWasMovedOver()
 }
 
 BURIN_TEST(WriteBackRuleTest)
+
+} // namespace writeBackRuleTest
+
 #include "WriteBackRuleTest.moc"

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+namespace rowTextTest {
+
 using namespace core;
 
 namespace {
@@ -100,4 +102,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RowTextTest)
+
+} // namespace rowTextTest
+
 #include "RowTextTest.moc"

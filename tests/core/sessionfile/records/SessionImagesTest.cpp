@@ -36,6 +36,8 @@
 #include <future>
 #include <random>
 
+namespace sessionImagesTest {
+
 using namespace core;
 
 namespace {
@@ -500,4 +502,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SessionImagesTest)
+
+} // namespace sessionImagesTest
+
 #include "SessionImagesTest.moc"

@@ -10,6 +10,8 @@
 #include <map>
 #include <random>
 
+namespace stateHashTest {
+
 using namespace core;
 
 namespace {
@@ -175,4 +177,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(StateHashTest)
+
+} // namespace stateHashTest
+
 #include "StateHashTest.moc"

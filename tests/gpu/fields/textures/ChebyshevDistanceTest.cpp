@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <random>
 
+namespace chebyshevDistanceTest {
+
 class ChebyshevDistanceTest : public QObject {
     Q_OBJECT
 
@@ -59,4 +61,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(ChebyshevDistanceTest)
+
+} // namespace chebyshevDistanceTest
+
 #include "ChebyshevDistanceTest.moc"

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <random>
 
+namespace macroCellsGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -136,4 +138,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(MacroCellsGlTest)
+
+} // namespace macroCellsGlTest
+
 #include "MacroCellsGlTest.moc"

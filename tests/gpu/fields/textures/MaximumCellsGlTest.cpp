@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+namespace maximumCellsGlTest {
+
 using namespace gpu;
 
 class MaximumCellsGlTest : public test::GlTest {
@@ -71,4 +73,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(MaximumCellsGlTest)
+
+} // namespace maximumCellsGlTest
+
 #include "MaximumCellsGlTest.moc"

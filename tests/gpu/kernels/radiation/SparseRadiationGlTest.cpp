@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+namespace sparseRadiationGlTest {
+
 using namespace gpu;
 
 /// The kernel's tiles equal the oracle's field, to the bit.
@@ -110,4 +112,7 @@ void SparseRadiationGlTest::ofMoreTilesAndPointsThanOnePass()
 }
 
 BURIN_TEST(SparseRadiationGlTest)
+
+} // namespace sparseRadiationGlTest
+
 #include "SparseRadiationGlTest.moc"

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <random>
 
+namespace rayBlocksGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -246,4 +248,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RayBlocksGlTest)
+
+} // namespace rayBlocksGlTest
+
 #include "RayBlocksGlTest.moc"

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace raycastPassGlTest {
+
 using namespace gpu;
 
 namespace {
@@ -319,4 +321,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(RaycastPassGlTest)
+
+} // namespace raycastPassGlTest
+
 #include "RaycastPassGlTest.moc"

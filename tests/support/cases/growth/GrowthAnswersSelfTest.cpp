@@ -15,6 +15,8 @@
 #include <tuple>
 #include <utility>
 
+namespace growthAnswersSelfTest {
+
 using test::EngineCase;
 using test::GrowthAnswers;
 
@@ -165,4 +167,7 @@ private:
 };
 
 BURIN_PLAIN_TEST(GrowthAnswersSelfTest)
+
+} // namespace growthAnswersSelfTest
+
 #include "GrowthAnswersSelfTest.moc"

@@ -15,6 +15,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+namespace carvedExportUiTest {
+
 /// The dialog around core/export/CarvedVolume.h: what it offers, and what it says.
 class CarvedExportUiTest : public QObject {
     Q_OBJECT
@@ -75,4 +77,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(CarvedExportUiTest)
+
+} // namespace carvedExportUiTest
+
 #include "CarvedExportUiTest.moc"

@@ -29,6 +29,8 @@
 #include <QTreeWidget>
 #include <QtTest>
 
+namespace exportDialogUiTest {
+
 namespace {
 
 QString text(const char* latin)
@@ -414,4 +416,7 @@ private:
 };
 
 BURIN_WINDOW_TEST(ExportDialogUiTest)
+
+} // namespace exportDialogUiTest
+
 #include "ExportDialogUiTest.moc"

@@ -12,6 +12,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+namespace historyMemoryDialogUiTest {
+
 class HistoryMemoryDialogUiTest : public QObject {
     Q_OBJECT
 
@@ -66,4 +68,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(HistoryMemoryDialogUiTest)
+
+} // namespace historyMemoryDialogUiTest
+
 #include "HistoryMemoryDialogUiTest.moc"

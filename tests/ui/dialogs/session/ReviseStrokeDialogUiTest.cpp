@@ -22,6 +22,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace reviseStrokeDialogUiTest {
+
 using Kind = core::ToolMask::Kind;
 
 namespace {
@@ -225,4 +227,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(ReviseStrokeDialogUiTest)
+
+} // namespace reviseStrokeDialogUiTest
+
 #include "ReviseStrokeDialogUiTest.moc"

@@ -18,6 +18,8 @@
 #include <QTest>
 #include <QTimer>
 
+namespace spacingDialogUiTest {
+
 /// How large the voxels of pictures are is asked for on opening, and only there.
 class SpacingDialogUiTest : public QObject, protected test::VolumeFiles {
     Q_OBJECT
@@ -155,4 +157,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(SpacingDialogUiTest)
+
+} // namespace spacingDialogUiTest
+
 #include "SpacingDialogUiTest.moc"

@@ -20,6 +20,8 @@
 
 #include <numeric>
 
+namespace growthPanelUiTest {
+
 using test::WorkspaceFixture;
 using ui::GrowthPanel;
 
@@ -391,4 +393,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(GrowthPanelUiTest)
+
+} // namespace growthPanelUiTest
+
 #include "GrowthPanelUiTest.moc"

@@ -21,6 +21,8 @@
 #include <QLabel>
 #include <QtTest>
 
+namespace leakSectionUiTest {
+
 using test::WorkspaceFixture;
 
 namespace {
@@ -309,4 +311,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(LeakSectionUiTest)
+
+} // namespace leakSectionUiTest
+
 #include "LeakSectionUiTest.moc"

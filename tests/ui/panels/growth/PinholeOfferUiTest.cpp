@@ -16,6 +16,8 @@
 #include <cmath>
 #include <vector>
 
+namespace pinholeOfferUiTest {
+
 using test::WorkspaceFixture;
 
 namespace {
@@ -207,4 +209,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(PinholeOfferUiTest)
+
+} // namespace pinholeOfferUiTest
+
 #include "PinholeOfferUiTest.moc"

@@ -22,6 +22,8 @@
 #include <QSlider>
 #include <QtTest>
 
+namespace seedIntervalUiTest {
+
 using test::WorkspaceFixture;
 using Interval = ui::SegmentIntervals::Interval;
 
@@ -302,4 +304,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(SeedIntervalUiTest)
+
+} // namespace seedIntervalUiTest
+
 #include "SeedIntervalUiTest.moc"

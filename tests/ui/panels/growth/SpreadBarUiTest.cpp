@@ -14,6 +14,8 @@
 #include <QToolButton>
 #include <QtTest>
 
+namespace spreadBarUiTest {
+
 using test::WorkspaceFixture;
 using ui::SpreadBar;
 
@@ -159,4 +161,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(SpreadBarUiTest)
+
+} // namespace spreadBarUiTest
+
 #include "SpreadBarUiTest.moc"

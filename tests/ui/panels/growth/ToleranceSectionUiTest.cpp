@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace toleranceSectionUiTest {
+
 namespace smallHead = test::smallHead;
 using test::WorkspaceFixture;
 using ui::ToleranceBar;
@@ -272,4 +274,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(ToleranceSectionUiTest)
+
+} // namespace toleranceSectionUiTest
+
 #include "ToleranceSectionUiTest.moc"

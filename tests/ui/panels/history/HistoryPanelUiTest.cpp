@@ -29,6 +29,8 @@
 #include <algorithm>
 #include <functional>
 
+namespace historyPanelUiTest {
+
 class HistoryPanelUiTest : public QObject {
     Q_OBJECT
 
@@ -531,4 +533,7 @@ private:
 };
 
 BURIN_WINDOW_TEST(HistoryPanelUiTest)
+
+} // namespace historyPanelUiTest
+
 #include "HistoryPanelUiTest.moc"

@@ -25,6 +25,8 @@
 #include <QToolButton>
 #include <QtTest>
 
+namespace layersPanelUiTest {
+
 namespace {
 
 struct Fixture : test::WindowFixture {
@@ -243,4 +245,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(LayersPanelUiTest)
+
+} // namespace layersPanelUiTest
+
 #include "LayersPanelUiTest.moc"

@@ -18,6 +18,8 @@
 #include <QTimer>
 #include <QtTest>
 
+namespace segmentsPanelUiTest {
+
 namespace {
 
 struct Fixture : test::WindowFixture {
@@ -249,4 +251,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(SegmentsPanelUiTest)
+
+} // namespace segmentsPanelUiTest
+
 #include "SegmentsPanelUiTest.moc"

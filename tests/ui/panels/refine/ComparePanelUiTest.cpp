@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace comparePanelUiTest {
+
 namespace {
 
 constexpr double radius = 10.0; // voxels
@@ -206,4 +208,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(ComparePanelUiTest)
+
+} // namespace comparePanelUiTest
+
 #include "ComparePanelUiTest.moc"

@@ -11,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+namespace refinePanelUiTest {
+
 namespace {
 
 /// A ball as segment 1, and the panel.
@@ -72,4 +74,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(RefinePanelUiTest)
+
+} // namespace refinePanelUiTest
+
 #include "RefinePanelUiTest.moc"

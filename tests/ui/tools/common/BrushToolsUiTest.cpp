@@ -26,6 +26,8 @@
 #include <cmath>
 #include <set>
 
+namespace brushToolsUiTest {
+
 namespace {
 
 using Brush = ui::Workspace::Brush;
@@ -447,4 +449,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(BrushToolsUiTest)
+
+} // namespace brushToolsUiTest
+
 #include "BrushToolsUiTest.moc"

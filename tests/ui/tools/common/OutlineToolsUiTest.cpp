@@ -22,6 +22,8 @@
 #include <cmath>
 #include <vector>
 
+namespace outlineToolsUiTest {
+
 namespace {
 
 /// The real window with the small head and both tools.
@@ -367,4 +369,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(OutlineToolsUiTest)
+
+} // namespace outlineToolsUiTest
+
 #include "OutlineToolsUiTest.moc"

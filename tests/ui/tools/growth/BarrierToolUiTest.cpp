@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace barrierToolUiTest {
+
 namespace {
 
 using Brush = ui::Workspace::Brush;
@@ -289,4 +291,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(BarrierToolUiTest)
+
+} // namespace barrierToolUiTest
+
 #include "BarrierToolUiTest.moc"

@@ -17,6 +17,8 @@
 #include <array>
 #include <set>
 
+namespace seedToolUiTest {
+
 namespace {
 
 class SeedFixture : public test::WindowFixture {
@@ -347,4 +349,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(SeedToolUiTest)
+
+} // namespace seedToolUiTest
+
 #include "SeedToolUiTest.moc"

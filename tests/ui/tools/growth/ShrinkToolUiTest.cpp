@@ -23,6 +23,8 @@
 #include <tuple>
 #include <vector>
 
+namespace shrinkToolUiTest {
+
 namespace {
 
 const test::LeakPhantom& phantom()
@@ -472,4 +474,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(ShrinkToolUiTest)
+
+} // namespace shrinkToolUiTest
+
 #include "ShrinkToolUiTest.moc"

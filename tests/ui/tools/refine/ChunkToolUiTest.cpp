@@ -31,6 +31,8 @@
 
 #include <algorithm>
 
+namespace chunkToolUiTest {
+
 namespace {
 
 using Mode = core::ChunkToggle::Mode;
@@ -558,4 +560,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(ChunkToolUiTest)
+
+} // namespace chunkToolUiTest
+
 #include "ChunkToolUiTest.moc"

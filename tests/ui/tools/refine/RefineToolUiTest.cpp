@@ -33,6 +33,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace refineToolUiTest {
+
 namespace {
 
 using Mode = ui::Refinement::Mode;
@@ -606,4 +608,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(RefineToolUiTest)
+
+} // namespace refineToolUiTest
+
 #include "RefineToolUiTest.moc"

@@ -26,6 +26,8 @@
 #include <QToolButton>
 #include <QtTest>
 
+namespace drillOptionsUiTest {
+
 using ui::ToolMaskPreset;
 using Kind = core::ToolMask::Kind;
 
@@ -247,4 +249,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(DrillOptionsUiTest)
+
+} // namespace drillOptionsUiTest
+
 #include "DrillOptionsUiTest.moc"

@@ -20,6 +20,8 @@
 #include <QLabel>
 #include <QtTest>
 
+namespace drillToolUiTest {
+
 namespace {
 
 /// The real window with the small head and the drill in hand.
@@ -398,4 +400,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(DrillToolUiTest)
+
+} // namespace drillToolUiTest
+
 #include "DrillToolUiTest.moc"

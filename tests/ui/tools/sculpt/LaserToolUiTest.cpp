@@ -25,6 +25,8 @@
 #include <limits>
 #include <memory>
 
+namespace laserToolUiTest {
+
 namespace {
 
 /// The real window with the small head, seen from the front; its surface is a ball of 16 mm.
@@ -377,4 +379,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(LaserToolUiTest)
+
+} // namespace laserToolUiTest
+
 #include "LaserToolUiTest.moc"

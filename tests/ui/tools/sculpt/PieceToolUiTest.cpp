@@ -33,6 +33,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace pieceToolUiTest {
+
 namespace {
 
 /// The small head seen from the front, its upper half cut off by a brush in layer 1.
@@ -434,4 +436,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(PieceToolUiTest)
+
+} // namespace pieceToolUiTest
+
 #include "PieceToolUiTest.moc"

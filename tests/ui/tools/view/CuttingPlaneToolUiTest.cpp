@@ -17,6 +17,8 @@
 #include <cmath>
 #include <memory>
 
+namespace cuttingPlaneToolUiTest {
+
 namespace {
 
 bool isNear(const glm::dvec3& a, const glm::dvec3& b, double within = 1e-9)
@@ -369,4 +371,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(CuttingPlaneToolUiTest)
+
+} // namespace cuttingPlaneToolUiTest
+
 #include "CuttingPlaneToolUiTest.moc"

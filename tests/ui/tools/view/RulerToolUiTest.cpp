@@ -21,6 +21,8 @@
 #include <cmath>
 #include <memory>
 
+namespace rulerToolUiTest {
+
 namespace {
 
 class Fixture : public test::WindowFixture {
@@ -185,4 +187,7 @@ private Q_SLOTS:
 };
 
 BURIN_WINDOW_TEST(RulerToolUiTest)
+
+} // namespace rulerToolUiTest
+
 #include "RulerToolUiTest.moc"

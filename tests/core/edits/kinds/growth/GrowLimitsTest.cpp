@@ -18,6 +18,8 @@
 
 #include <cmath>
 
+namespace growLimitsTest {
+
 using namespace core;
 
 namespace {
@@ -277,4 +279,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(GrowLimitsTest)
+
+} // namespace growLimitsTest
+
 #include "GrowLimitsTest.moc"

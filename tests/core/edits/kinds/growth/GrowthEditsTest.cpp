@@ -19,6 +19,8 @@
 #include <array>
 #include <cstdint>
 
+namespace growthEditsTest {
+
 using namespace core;
 
 class GrowthEditsTest : public QObject {
@@ -279,4 +281,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(GrowthEditsTest)
+
+} // namespace growthEditsTest
+
 #include "GrowthEditsTest.moc"

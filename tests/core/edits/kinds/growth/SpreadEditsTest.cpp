@@ -8,6 +8,8 @@
 
 #include <QTest>
 
+namespace spreadEditsTest {
+
 using namespace core;
 
 class SpreadEditsTest : public QObject {
@@ -50,4 +52,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(SpreadEditsTest)
+
+} // namespace spreadEditsTest
+
 #include "SpreadEditsTest.moc"

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <limits>
 
+namespace drillPathSamplerTest {
+
 using namespace core;
 
 namespace {
@@ -167,4 +169,7 @@ private Q_SLOTS:
 };
 
 BURIN_PLAIN_TEST(DrillPathSamplerTest)
+
+} // namespace drillPathSamplerTest
+
 #include "DrillPathSamplerTest.moc"

@@ -15,6 +15,8 @@
 
 #include <cmath>
 
+namespace toolMasksTest {
+
 using namespace core;
 using Kind = ToolMask::Kind;
 
@@ -175,4 +177,7 @@ private Q_SLOTS:
 };
 
 BURIN_PLAIN_TEST(ToolMasksTest)
+
+} // namespace toolMasksTest
+
 #include "ToolMasksTest.moc"

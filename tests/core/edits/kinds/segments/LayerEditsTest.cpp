@@ -13,6 +13,8 @@
 
 #include <cmath>
 
+namespace layerEditsTest {
+
 using namespace core;
 
 class LayerEditsTest : public QObject {
@@ -133,4 +135,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(LayerEditsTest)
+
+} // namespace layerEditsTest
+
 #include "LayerEditsTest.moc"

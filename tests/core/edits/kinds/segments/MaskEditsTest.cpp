@@ -14,6 +14,8 @@
 #include <random>
 #include <set>
 
+namespace maskEditsTest {
+
 using namespace core;
 
 namespace {
@@ -163,4 +165,7 @@ private Q_SLOTS:
 };
 
 BURIN_TEST(MaskEditsTest)
+
+} // namespace maskEditsTest
+
 #include "MaskEditsTest.moc"
