@@ -186,6 +186,16 @@ QStringList brokenRules(const QString& file, const QString& text)
         broken << QStringLiteral("%1 starts a thread: core/base/TaskThread and ParallelFor do, "
                                  "which catch what it throws")
                       .arg(file);
+    static const QRegularExpression testClass(
+        QStringLiteral("^BURIN_(?:WINDOW_|PLAIN_)?TEST(?:_RUN)?\\((\\w)(\\w*)"),
+        QRegularExpression::MultilineOption);
+    if (const auto match = testClass.match(text); match.hasMatch()) {
+        const QString own = match.captured(1).toLower() + match.captured(2);
+        if (!text.contains(QStringLiteral("\nnamespace %1 {\n").arg(own)))
+            broken << QStringLiteral("%1 is compiled with other tests: what it names belongs "
+                                     "into a namespace %2")
+                          .arg(file, own);
+    }
     if (inFolder(file, {QStringLiteral("core"), QStringLiteral("gpu")})) {
         static const QRegularExpression translation(
             QStringLiteral("\\btr\\(\\s*\"|::translate\\(\\s*\"|\\bQ_DECLARE_TR_FUNCTIONS\\b"));
@@ -351,6 +361,8 @@ void HouseTest::ruleBites_data()
     row("core/session/A.cpp", "#include \"core/session/operations/OperationQueue.h\"", true);
     row("app/A.cpp", "#include <epoxy/gl.h>", false);
     row("app/A.cpp", "#include \"ui/A.h\"\n#include \"gpu/A.h\"\n#include \"core/A.h\"", true);
+    row("tests/core/ATest.cpp", "\nclass ATest {\n};\n\nBURIN_TEST(ATest)\n", false);
+    row("tests/ui/AUiTest.cpp", "\nnamespace aUiTest {\n\nBURIN_WINDOW_TEST(AUiTest)\n", true);
     row("tests/reference/A.cpp", "#include \"gpu/A.h\"", false);
     row("ui/A.h", "#include \"core/base/TaskThread.h\"", false);
     row("ui/A.h", "#include \"core/base/Background.h\"", true);
