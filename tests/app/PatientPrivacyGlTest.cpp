@@ -80,8 +80,9 @@ private Q_SLOTS:
         const QTemporaryDir out;
         const QString study = studies.filePath(QStringLiteral("one"));
         test::writeSeries(test::markedSeries(), study);
-        const Outcome made = burin({key("run"), CommandFixture::recipe("r.json", ::recipe(out)),
-            key("--study"), study, key("--session"), path("a.burin")});
+        const Outcome made =
+            burin({key("run"), CommandFixture::recipe("r.json", patientPrivacyGlTest::recipe(out)),
+                key("--study"), study, key("--session"), path("a.burin")});
         QVERIFY2(made.status == 0, qPrintable(made.complaint));
         for (const QByteArray& marker : test::markers()) {
             QVERIFY2(!made.output.contains(marker), made.output.constData());
@@ -112,7 +113,7 @@ private Q_SLOTS:
         const QTemporaryDir out;
         const QString study = studies.filePath(QStringLiteral("one"));
         test::writeSeries(test::markedSeries(), study);
-        QJsonObject content = ::recipe(out);
+        QJsonObject content = patientPrivacyGlTest::recipe(out);
         content.remove(key("export"));
         const Outcome made = burin({key("run"), CommandFixture::recipe("r.json", content),
             key("--study"), study, key("--session"), path("a.burin")});
@@ -152,7 +153,7 @@ private Q_SLOTS:
             const QString study = studies.filePath(QString::number(i));
             const QByteArray session = QByteArray::number(i++) + ".burin";
             test::writeSeries(series, study);
-            QJsonObject content = ::recipe(out);
+            QJsonObject content = patientPrivacyGlTest::recipe(out);
             content.remove(key("export"));
             const Outcome made = burin({key("run"), CommandFixture::recipe("p.json", content),
                 key("--study"), study, key("--session"), path(session.constData())});
