@@ -51,9 +51,11 @@ bool refuses(std::size_t bytes, const void* caller)
 
 } // namespace
 
+} // namespace refusedNewGlTest
+
 void* operator new(std::size_t bytes)
 {
-    if (refuses(bytes, __builtin_return_address(0)))
+    if (refusedNewGlTest::refuses(bytes, __builtin_return_address(0)))
         throw core::MemoryRefused(bytes);
     if (void* place = std::malloc(bytes > 0 ? bytes : 1))
         return place;
@@ -69,6 +71,8 @@ void operator delete(void* place, std::size_t) noexcept
 {
     std::free(place);
 }
+
+namespace refusedNewGlTest {
 
 /// A hasty user whose program gets no memory now and then, on whatever thread asks for it: a step
 /// is carried out whole or refused with everything as it was, or the session has to be opened
