@@ -189,13 +189,18 @@ QStringList brokenRules(const QString& file, const QString& text)
     static const QRegularExpression testClass(
         QStringLiteral("^BURIN_(?:WINDOW_|PLAIN_)?TEST(?:_RUN)?\\((\\w)(\\w*)"),
         QRegularExpression::MultilineOption);
-    if (const auto match = testClass.match(text); match.hasMatch()) {
-        const QString own = match.captured(1).toLower() + match.captured(2);
-        if (!text.contains(QStringLiteral("\nnamespace %1 {\n").arg(own)))
-            broken << QStringLiteral("%1 is compiled with other tests: what it names belongs "
-                                     "into a namespace %2")
-                          .arg(file, own);
+    QStringList own; // of the classes in it; one gives its name
+    for (auto match = testClass.globalMatch(text); match.hasNext();) {
+        const auto found = match.next();
+        own += found.captured(1).toLower() + found.captured(2);
     }
+    const bool stands = std::any_of(own.begin(), own.end(), [&text](const QString& name) {
+        return text.contains(QStringLiteral("\nnamespace %1 {\n").arg(name));
+    });
+    if (!own.isEmpty() && !stands)
+        broken << QStringLiteral("%1 is compiled with other tests: what it names belongs into a "
+                                 "namespace %2")
+                      .arg(file, own.last());
     if (inFolder(file, {QStringLiteral("core"), QStringLiteral("gpu")})) {
         static const QRegularExpression translation(
             QStringLiteral("\\btr\\(\\s*\"|::translate\\(\\s*\"|\\bQ_DECLARE_TR_FUNCTIONS\\b"));

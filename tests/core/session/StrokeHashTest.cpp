@@ -28,7 +28,7 @@ void StrokeHashTest::agrees_data()
     int row = 0;
     for (const test::StrokeCase& stroke : test::strokeCases(test::longRun() ? 100 : 12))
         QTest::addRow("%s", stroke.name.constData())
-            << stroke << (test::longRun() || row++ % 3 == 0);
+            << stroke << (test::longRun() || row++ % 6 == 0);
 }
 
 void StrokeHashTest::agrees()

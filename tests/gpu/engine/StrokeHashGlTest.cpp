@@ -35,7 +35,7 @@ void StrokeHashGlTest::agrees_data()
     int row = 1;
     for (const test::StrokeCase& stroke : test::strokeCases(test::longRun() ? 100 : 8))
         QTest::addRow("%s", stroke.name.constData())
-            << stroke << (test::longRun() || row++ % 3 == 0);
+            << stroke << (test::longRun() || row++ % 6 == 0);
 }
 
 void StrokeHashGlTest::agrees()
