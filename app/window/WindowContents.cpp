@@ -43,6 +43,7 @@
 #include "ui/window/KeyframeRecorder.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/PieceActions.h"
+#include "ui/window/SpaceSteering.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QAction>
@@ -206,6 +207,7 @@ void addContents(ui::MainWindow& window)
     const std::vector<ui::Tool*> tools = addTools(window);
     addPanels(window);
     addExport(window);
+    new ui::SpaceSteering(window);
     new ui::KeyframeRecorder(workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
     new ui::DisplayState(workspace, window.views(), tools, &window);

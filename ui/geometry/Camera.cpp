@@ -38,6 +38,24 @@ void Camera::orbit(double rightwards, double downwards)
     up = glm::normalize(glm::cross(towardsViewer, axis));
 }
 
+void Camera::turn(const glm::dvec3& degrees)
+{
+    const double angle = glm::length(degrees);
+    if (angle <= 0.0)
+        return;
+    // The camera goes the other way round.
+    const glm::dvec3 axis = glm::dmat3(right(), up, towardsViewer) * (degrees / angle);
+    towardsViewer = glm::normalize(turned(towardsViewer, axis, -glm::radians(angle)));
+    up = turned(up, axis, -glm::radians(angle));
+    // At right angles after any number of turns.
+    up = glm::normalize(up - glm::dot(up, towardsViewer) * towardsViewer);
+}
+
+void Camera::zoom(double factor)
+{
+    heightMm = std::clamp(heightMm * factor, 1.0, 1e4);
+}
+
 void Camera::pan(double rightMm, double downMm)
 {
     targetLps += up * downMm - right() * rightMm;

@@ -19,6 +19,12 @@ struct Camera {
     /// Turns like a turntable: the patient's long axis stays upright. Angles in degrees; the object
     /// follows the pointer to the right and downwards.
     void orbit(double rightwards, double downwards);
+    /// Turns the object about an axis through the target, right, up or towards the viewer or in
+    /// between, by the right-hand rule.
+    /// @param degrees along the axis
+    void turn(const glm::dvec3& degrees);
+    /// Multiplies the height of the scene, within what can be seen.
+    void zoom(double factor);
     /// Moves the target so that the object follows the pointer, in millimetres of the view plane (y
     /// down).
     void pan(double rightMm, double downMm);

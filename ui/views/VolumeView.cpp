@@ -203,6 +203,15 @@ void VolumeView::turn(double rightwards, double downwards)
     requestMovingFrame();
 }
 
+void VolumeView::moveCamera(const Camera& camera)
+{
+    const bool turnedOnly =
+        camera.targetLps == m_camera.targetLps && camera.heightMm == m_camera.heightMm;
+    m_fitted = m_fitted && turnedOnly;
+    m_camera = camera;
+    requestMovingFrame();
+}
+
 bool VolumeView::takes(gpu::ViewId view) const
 {
     return ImageView::takes(view) || view == otherEye(viewId());
@@ -273,7 +282,7 @@ void VolumeView::dragged(Gesture gesture, const QPointF& from, const QPointF& to
         m_camera.pan(moved.x() * mmPerPixel, moved.y() * mmPerPixel);
         break;
     case Gesture::Zoom:
-        m_camera.heightMm = std::clamp(m_camera.heightMm * std::exp(moved.y() * 0.008), 1.0, 1e4);
+        m_camera.zoom(std::exp(moved.y() * 0.008));
         break;
     case Gesture::Window:
         return changeWindow(moved);
@@ -315,7 +324,7 @@ void VolumeView::leaveEvent(QEvent* event)
 void VolumeView::wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers)
 {
     const glm::dvec3 held = context().toLps(at);
-    m_camera.heightMm = std::clamp(m_camera.heightMm * std::pow(1.15, -steps), 1.0, 1e4);
+    m_camera.zoom(std::pow(1.15, -steps));
     m_camera.targetLps += held - context().toLps(at);
     m_fitted = false;
     requestMovingFrame();

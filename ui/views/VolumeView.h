@@ -37,6 +37,8 @@ public:
     void setStereo(const Stereo& stereo);
     /// Turns as a drag does: the object follows to the right and downwards, by degrees.
     void turn(double rightwards, double downwards);
+    /// As setCamera() in the midst of a movement: a quick picture is drawn first.
+    void moveCamera(const Camera& camera);
     [[nodiscard]] bool takes(gpu::ViewId view) const override;
     void takeFrame(const gpu::Frame& frame) override;
 
