@@ -170,6 +170,18 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"remove all islands", volume, {first, paint}, specks});
     cases.push_back({"undo only what was cleaned", volume, {first, paint, specks, drill},
         core::RevertRows{{3}}});
+    CleanSegment clicked{.segment = 1, .rule = IslandRule::KeepClicked};
+    clicked.islandLps = geometry.toWorld({20.0, 16.0, 12.0});
+    cases.push_back({"keep only a clicked island", volume, {first, paint}, clicked});
+    clicked.rule = IslandRule::RemoveClicked;
+    cases.push_back({"remove a clicked island", volume, {first, paint}, clicked});
+    clicked.rule = IslandRule::GiveClicked;
+    clicked.to = 2;
+    cases.push_back({"give a clicked island away", volume, {first, second, paint}, clicked});
+    cases.push_back({"growth after an island was given away", volume,
+        {first, second, paint, clicked, seeds}, all});
+    cases.push_back({"undo only an island that was given away", volume,
+        {first, second, paint, clicked, drill}, core::RevertRows{{4}}});
     cases.push_back({"merge layers", volume, {layer, drill, other, brush}, merge});
     cases.push_back({"merge an empty layer", volume, {layer, other}, merge});
     cases.push_back({"delete a layer", volume, {layer, drill, other}, removeLayer});
