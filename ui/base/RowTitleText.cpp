@@ -220,6 +220,10 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Remove one island of '%1'");
     case RowTitleCode::GiveClickedIsland:
         return tr("Give one island of '%1' to '%2'");
+    case RowTitleCode::MergeSegments:
+        return tr("Merge segment '%1' into '%2'");
+    case RowTitleCode::SwapSegments:
+        return tr("Swap segments '%1' and '%2'");
     case RowTitleCode::SegmentSeen:
         return tr("Segment what is seen as '%1'");
     case RowTitleCode::LayerToSegment:

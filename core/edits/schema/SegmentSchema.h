@@ -5,6 +5,7 @@
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
@@ -99,6 +100,21 @@ template <class Visitor> void visitFields(Visitor& visit, CleanSegment& edit)
     visit.maybe("to", edit.to, segmentNumber,
         "of giveClicked: the segment that receives the island; it must not be locked either",
         "no island is given away");
+}
+
+template <> inline constexpr const char* editName<CombineSegments> = "combineSegments";
+template <>
+inline constexpr const char* editMeaning<CombineSegments> =
+    "Gives a segment all voxels of another one, or exchanges theirs; neither is locked. Segments "
+    "share no voxel, so there is nothing to copy, subtract or intersect.";
+template <class Visitor> void visitFields(Visitor& visit, CombineSegments& edit)
+{
+    visitSegment(visit, edit.segment);
+    visit.field("with", Presence::Required, edit.with, segmentNumber, "the other segment");
+    visit.field("how", Presence::Required, edit.how,
+        editFields::Choice<CombineSegments::How, 2>{{"merge", "swap"}},
+        "the other's voxels become the segment's, and it stays in the list, empty; or each "
+        "receives those of the other");
 }
 
 template <> inline constexpr const char* editName<PaintStroke> = "paint";

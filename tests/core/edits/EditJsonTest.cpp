@@ -14,6 +14,7 @@
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
@@ -143,7 +144,16 @@ private Q_SLOTS:
                 parse(qPrintable(QStringLiteral("{'edit':'cleanSegment','segment':2,'rule':'%1',"
                                                 "'islandLps':[0,0,0]}")
                                      .arg(QLatin1String(rule))))));
-        for (const Edit& edit : {*carved, *seen, *inverted, *cleaned, *given})
+        const Result<Edit> merged =
+            editFromJson(parse("{'edit':'combineSegments','segment':2,'with':1,'how':'merge'}"));
+        const Result<Edit> swapped =
+            editFromJson(parse("{'edit':'combineSegments','segment':3,'with':1,'how':'swap'}"));
+        QVERIFY(merged && swapped);
+        QVERIFY(merged->get<CombineSegments>().how == CombineSegments::How::Merge);
+        QVERIFY(swapped->get<CombineSegments>().how == CombineSegments::How::Swap);
+        QCOMPARE(swapped->get<CombineSegments>().segment, 3);
+        QCOMPARE(swapped->get<CombineSegments>().with, 1);
+        for (const Edit& edit : {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -155,6 +165,10 @@ private Q_SLOTS:
                 "{'edit':'cleanSegment','segment':2,'rule':'keepClicked','islandLps':'here'}",
                 "{'edit':'cleanSegment','segment':2,'rule':'giveClicked','islandLps':[1,2,3],'to':"
                 "0}",
+                "{'edit':'combineSegments','segment':2,'with':1}",
+                "{'edit':'combineSegments','segment':2,'how':'merge'}",
+                "{'edit':'combineSegments','segment':2,'with':0,'how':'merge'}",
+                "{'edit':'combineSegments','segment':2,'with':1,'how':'subtract'}",
                 "{'edit':'invertSegment'}", "{'edit':'invertSegment','segment':0}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }
