@@ -16,7 +16,7 @@ struct Combination {
     QMenu* menu = nullptr;
     QString text;
     QString named; ///< with the segment's name
-    void (*run)(Workspace& workspace, int label, int other);
+    void (*run)(Workspace& workspace, int label, int other) = nullptr;
 
     void list(Workspace& workspace, int label, bool isNamed) const
     {
