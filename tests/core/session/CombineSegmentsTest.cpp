@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/segments/CombineSegments.h"
+#include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/growth/SeedWord.h"
 #include "core/session/EditSession.h"
