@@ -61,6 +61,7 @@ QString recipeIfAtFault(const core::Error& error, const core::Recipe& recipe)
     case ErrorCode::SeedsStay:
     case ErrorCode::NothingGrown:
     case ErrorCode::EverythingGrown:
+    case ErrorCode::NoIslandThere:
     case ErrorCode::StepsEntangled:
         return recipe.path;
     default:

@@ -38,6 +38,7 @@ enum class ErrorCode {
     SeedsStay,
     NothingGrown, ///< at the places where a growth was to be removed
     EverythingGrown, ///< would be removed
+    NoIslandThere, ///< at the place that was clicked; argument 0: the segment's name
     StepsEntangled, ///< argument 0: why steps cannot be undone alone
     // Session: argument 0 is the file, argument 1 the reason.
     SessionDamaged,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace core {
 
@@ -69,6 +70,16 @@ public:
             root = m_parent[root];
         }
         return root;
+    }
+    /// The part that holds a voxel; none if no run does.
+    [[nodiscard]] std::optional<std::uint32_t> partAt(const glm::ivec3& voxel)
+    {
+        const std::size_t row = rowAt(voxel.y, voxel.z);
+        for (std::size_t at = m_firstOfRow[row]; at < m_firstOfRow[row + 1]; ++at) {
+            if (m_runs[at].begin <= voxel.x && voxel.x < m_runs[at].end)
+                return partOf(at);
+        }
+        return std::nullopt;
     }
     /// Calls @p visit(run, y, z) for all of them in the order of memory.
     template <class Visit> void forEach(const Visit& visit)
@@ -180,6 +191,14 @@ std::vector<std::int64_t> sizesOf(Parts& parts)
     return sizes;
 }
 
+/// Of an index in memory, x fastest.
+glm::ivec3 voxelAt(std::size_t index, const glm::ivec3& size)
+{
+    const auto columns = std::size_t(size.x);
+    const auto rows = std::size_t(size.y);
+    return {int(index % columns), int(index / columns % rows), int(index / columns / rows)};
+}
+
 /// Parts of the background that reach the box's border lead out of the segment: no voxel beyond
 /// the box is the segment's.
 void dropOpen(Parts& parts, const glm::ivec3& size, std::vector<std::int64_t>& sizes)
@@ -199,8 +218,11 @@ void dropOpen(Parts& parts, const glm::ivec3& size, std::vector<std::int64_t>& s
 } // namespace
 
 Result<IslandChange> islandChange(std::span<const std::uint8_t> labels, const glm::ivec3& size,
-    std::uint8_t label, IslandRule rule, std::int64_t voxels, const Progress& progress)
+    std::uint8_t label, IslandRule rule, std::int64_t voxels, const Progress& progress,
+    std::size_t clicked)
 {
+    if (isOfClicked(rule) && (clicked >= labels.size() || labels[clicked] != label))
+        return IslandChange();
     const Box box = boxOf(labels, size, label);
     if (box.empty())
         return IslandChange();
@@ -212,6 +234,9 @@ Result<IslandChange> islandChange(std::span<const std::uint8_t> labels, const gl
     if (holes)
         dropOpen(parts, box.size(), sizes);
     const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
+    std::optional<std::uint32_t> clickedPart;
+    if (isOfClicked(rule))
+        clickedPart = parts.partAt(voxelAt(clicked, size) - box.first);
     const auto isMeant = [&](std::uint32_t part) {
         switch (rule) {
         case IslandRule::FillHoles:
@@ -220,6 +245,11 @@ Result<IslandChange> islandChange(std::span<const std::uint8_t> labels, const gl
             return std::ptrdiff_t(part) != largest;
         case IslandRule::RemoveSmall:
             return sizes[part] < voxels;
+        case IslandRule::KeepClicked:
+            return part != clickedPart;
+        case IslandRule::RemoveClicked:
+        case IslandRule::GiveClicked:
+            return part == clickedPart;
         }
         return false;
     };

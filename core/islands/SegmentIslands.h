@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,7 +22,17 @@ enum class IslandRule : std::uint8_t {
     FillHoles, ///< holes of at most so many voxels become the segment's
     KeepLargest, ///< all islands but the largest go; of equal ones the first in memory stays
     RemoveSmall, ///< islands of fewer voxels go
+    KeepClicked, ///< all islands but one that is pointed at go
+    RemoveClicked, ///< that one goes
+    GiveClicked, ///< that one becomes another segment's
 };
+
+/// Whether the rule is about one island, which is told by one of its voxels.
+[[nodiscard]] constexpr bool isOfClicked(IslandRule rule)
+{
+    return rule == IslandRule::KeepClicked || rule == IslandRule::RemoveClicked
+        || rule == IslandRule::GiveClicked;
+}
 
 /// The voxels that a rule gives to a segment, or takes from it.
 struct IslandChange {
@@ -32,12 +43,13 @@ struct IslandChange {
 /// The voxels of a segment's islands or holes that a rule is about.
 /// @param labels of the whole volume in the segment's plane, x fastest
 /// @param voxels for FillHoles the most that a hole has, for RemoveSmall the least that an island
-/// keeps; KeepLargest does not ask
-/// What lies in a hole and is another segment's counts as the hole's, too; whether it is taken is
-/// the caller's rule. Cost: two passes over the volume, and memory ∝ the runs of voxels along x.
-/// Any thread. Errors: Cancelled.
+/// keeps; the others do not ask
+/// @param clicked of the rules about one island: the index in @p labels of a voxel of it; where
+/// that voxel is not the label's, no voxel is meant What lies in a hole and is another segment's
+/// counts as the hole's, too; whether it is taken is the caller's rule. Cost: two passes over the
+/// volume, and memory ∝ the runs of voxels along x. Any thread. Errors: Cancelled.
 [[nodiscard]] Result<IslandChange> islandChange(std::span<const std::uint8_t> labels,
     const glm::ivec3& size, std::uint8_t label, IslandRule rule, std::int64_t voxels,
-    const Progress& progress);
+    const Progress& progress, std::size_t clicked = 0);
 
 } // namespace core

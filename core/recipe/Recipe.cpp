@@ -99,7 +99,8 @@ void addFilled(std::set<int>& labels, const FilledSegments& filled, const Docume
 {
     for (std::size_t i = 0; i < document.segments.size(); ++i) {
         const Segment& segment = document.segments[i];
-        if (filled.label == segment.label || (filled.added && i >= segmentsBefore)
+        if (filled.label == segment.label || filled.other == segment.label
+            || (filled.added && i >= segmentsBefore)
             || (!filled.name.isEmpty() && filled.name == segment.name))
             labels.insert(segment.label);
     }

@@ -93,6 +93,8 @@ QString errorText(const core::Error& error)
     case ErrorCode::EverythingGrown:
         return ErrorTexts::tr("nothing was taken back: so far back, all that has grown would go; "
                               "take fewer generations, or shrink to the seeds");
+    case ErrorCode::NoIslandThere:
+        return ErrorTexts::tr("segment '%1' has no voxel at that place").arg(first);
     case ErrorCode::StepsEntangled:
         return ErrorTexts::tr("cannot undo only that: %1").arg(first);
     case ErrorCode::SeedOutsideVolume:

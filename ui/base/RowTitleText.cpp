@@ -214,6 +214,16 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Keep the largest island of '%1'");
     case RowTitleCode::RemoveSmallIslands:
         return tr("Remove small islands of '%1'");
+    case RowTitleCode::KeepClickedIsland:
+        return tr("Keep only one island of '%1'");
+    case RowTitleCode::RemoveClickedIsland:
+        return tr("Remove one island of '%1'");
+    case RowTitleCode::GiveClickedIsland:
+        return tr("Give one island of '%1' to '%2'");
+    case RowTitleCode::MergeSegments:
+        return tr("Merge segment '%1' into '%2'");
+    case RowTitleCode::SwapSegments:
+        return tr("Swap segments '%1' and '%2'");
     case RowTitleCode::SegmentSeen:
         return tr("Segment what is seen as '%1'");
     case RowTitleCode::LayerToSegment:

@@ -28,6 +28,7 @@ const Binding bindings[] = {
     {"Shift + move", "crosshair follows", ""},
     {"Middle drag", "pan", "pan"},
     {"Right drag", "zoom; grey scale with a tool", "zoom"},
+    {"Right click", "menu of the island there", "the same, where one is seen"},
     {"Wheel", "slices; Shift: five at a time", "zoom"},
     {"Ctrl + wheel", "zoom", "zoom"},
     {"Ctrl held, with a brush", "paint erases, carve restores", "paint erases, carve restores"},

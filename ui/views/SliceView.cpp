@@ -5,6 +5,7 @@
 #include "ui/base/Theme.h"
 #include "ui/base/TimeText.h"
 #include "ui/geometry/OrientationLetters.h"
+#include "ui/menus/VoxelMenu.h"
 #include "ui/overlays/Annotations.h"
 #include "ui/overlays/ClipOutline.h"
 #include "ui/overlays/MeasurementLines.h"
@@ -261,6 +262,11 @@ void SliceView::clicked(const QPointF& at)
 {
     if (!workspace().activeTool())
         workspace().setCrosshairLps(context().toLps(at));
+}
+
+void SliceView::menuAsked(const QPointF& at)
+{
+    openVoxelMenu(workspace(), *this, context().toLps(at), mapToGlobal(at.toPoint()));
 }
 
 void SliceView::hovered(const PointerSample& sample)

@@ -142,6 +142,8 @@ void ViewPointer::released(const PointerReading& reading)
             m_tool->release(reading.sample, m_view.context());
     } else if (click && reading.button == Qt::LeftButton) {
         m_view.clicked(reading.sample.position);
+    } else if (click && reading.button == Qt::RightButton) {
+        m_view.menuAsked(reading.sample.position);
     }
     m_view.refresh();
 }

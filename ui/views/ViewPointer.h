@@ -29,6 +29,8 @@ public:
     virtual void dragged(Gesture gesture, const QPointF& from, const QPointF& to) = 0;
     /// A left click without a drag and without a tool.
     virtual void clicked(const QPointF&) { }
+    /// A right click without a drag.
+    virtual void menuAsked(const QPointF&) { }
     virtual void doubleClicked() = 0;
     /// The pointer has moved with no button down.
     virtual void hovered(const PointerSample&) { }

@@ -4,10 +4,12 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/base/TimeText.h"
+#include "ui/menus/VoxelMenu.h"
 #include "ui/overlays/Annotations.h"
 #include "ui/overlays/ClipOutline.h"
 #include "ui/overlays/MeasurementLines.h"
 #include "ui/overlays/PieceBadges.h"
+#include "ui/tools/aim/SeenVoxels.h"
 #include "ui/views/ContextSwitch.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/CuttingPlane.h"
@@ -18,6 +20,7 @@
 #include "ui/workspace/Refinement.h"
 
 #include <QPainter>
+#include <QPointer>
 
 #include <algorithm>
 #include <array>
@@ -313,6 +316,24 @@ void VolumeView::hovered(const PointerSample& sample)
     m_readout.pointAt(std::get<gpu::VolumeScene>(seen.scene), seen.toViewPlaneMm(sample.position));
     if (workspace().activeTool())
         update();
+}
+
+void VolumeView::menuAsked(const QPointF& at)
+{
+    const ViewContext seen = context();
+    const auto& scene = std::get<gpu::VolumeScene>(seen.scene);
+    // As for the readout: rays of a perspective view differ in direction.
+    if (!workspace().session() || !scene.orthographic || !takesOverlays())
+        return;
+    askWhatIsSeen(workspace(), scene, {seen.toViewPlaneMm(at)},
+        [self = QPointer(this), where = mapToGlobal(at.toPoint())](
+            const core::Result<SeenVoxels>& voxels) {
+            const core::Volume* volume = self ? self->workspace().volume() : nullptr;
+            if (!volume || !voxels || voxels->empty() || !voxels->front())
+                return;
+            const glm::dvec3 voxel(voxels->front()->voxel);
+            openVoxelMenu(self->workspace(), *self, volume->geometry.toWorld(voxel), where);
+        });
 }
 
 void VolumeView::leaveEvent(QEvent* event)

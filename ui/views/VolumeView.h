@@ -50,6 +50,7 @@ protected:
     [[nodiscard]] Gesture gestureFor(Qt::MouseButton button, bool toolWorksHere) const override;
     void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
     void clicked(const QPointF& at) override;
+    void menuAsked(const QPointF& at) override;
     void hovered(const PointerSample& sample) override;
     void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) override;
     void paintAnnotations(QPainter& painter, const ViewContext& shown) override;

@@ -17,6 +17,7 @@
 #include "ui/frame/ToolColumn.h"
 #include "ui/frame/WindowHeader.h"
 #include "ui/input/Tool.h"
+#include "ui/menus/SegmentMenus.h"
 #include "ui/settings/RecentStudies.h"
 #include "ui/tasks/MaskImporter.h"
 #include "ui/views/ViewGrid.h"
@@ -28,6 +29,7 @@
 #include "ui/window/StageActions.h"
 #include "ui/window/StatusLine.h"
 #include "ui/window/WindowActions.h"
+#include "ui/workspace/SegmentActions.h"
 
 #include <QApplication>
 #include <QDragEnterEvent>
@@ -103,6 +105,10 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     const QStringList stage = addStageActions(*this);
     m_header->fillMenus(m_actions, plane, stage);
     m_bookmarks->fill(m_header->bookmarksMenu());
+    // Before what is done to the segment alone.
+    addCombinations(
+        m_header->segmentsMenu(), &m_actions[QLatin1String(segmentActions().front().id)], workspace,
+        [&workspace] { return workspace.activeSegment(); }, true);
     setMenuWidget(m_header);
     buildCentre();
     connectOpener();

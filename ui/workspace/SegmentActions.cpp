@@ -4,6 +4,7 @@
 #include "core/document/SegmentColours.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace ui {
 
@@ -109,8 +111,20 @@ void invertSegment(Workspace& workspace, int label)
                       .arg(session->foreseenDocument().segment(label)->name));
 }
 
-/// What is cleaned of a segment, and what is told if there was nothing.
-void clean(Workspace& workspace, const core::CleanSegment& edit, const QString& nothing)
+/// The name of a segment; its number if there is none.
+QString nameOfSegment(const Workspace& workspace, int label)
+{
+    const core::EditSession* session = workspace.session();
+    if (!session)
+        return QString::number(label);
+    const core::Document document = session->foreseenDocument();
+    const core::Segment* segment = document.segment(label);
+    return segment ? segment->name : QString::number(label);
+}
+
+/// What is told of an edit that may find nothing to do.
+/// @param nothing what is told then
+void carryOut(Workspace& workspace, const core::Edit& edit, const QString& nothing)
 {
     core::EditSession* session = workspace.session();
     if (!session)
@@ -121,37 +135,37 @@ void clean(Workspace& workspace, const core::CleanSegment& edit, const QString& 
     const auto failed = std::make_shared<bool>(false);
     QObject::connect(
         &workspace, &Workspace::failed, failures, [failed](const core::Error&) { *failed = true; });
-    if (const auto cleaned = session->apply(edit); !cleaned) {
+    if (const auto applied = session->apply(edit); !applied) {
         delete failures;
-        return workspace.fail(cleaned.error());
+        return workspace.fail(applied.error());
     }
-    const QString name = session->foreseenDocument().segment(edit.segment)->name;
     // Only when it has been looked at is it known whether there was anything.
     session->questions().afterAll([guard = QPointer(&workspace), watch = QPointer(failures),
-                                      session, rows, nothing, name, failed] {
+                                      session, rows, nothing, kind = edit.kind(), failed] {
         delete watch;
         if (!guard || guard->session() != session || *failed)
             return;
         // A growth that stood open has left a row of its own.
         const std::vector<core::HistoryRow>& now = session->history().rows();
         for (std::size_t row = rows; row < now.size(); ++row) {
-            if (now[row].edit.is<core::CleanSegment>())
+            if (now[row].edit.kind() == kind)
                 return guard->say(QObject::tr("%1; Ctrl+Z takes it back").arg(nameOf(now[row])));
         }
-        guard->say(nothing.arg(name));
+        guard->say(nothing);
     });
 }
 
 void fillHoles(Workspace& workspace, int label)
 {
-    clean(workspace, {.segment = label, .rule = core::IslandRule::FillHoles},
-        QObject::tr("'%1' has no hole that is closed on all sides"));
+    carryOut(workspace, core::CleanSegment{.segment = label, .rule = core::IslandRule::FillHoles},
+        QObject::tr("'%1' has no hole that is closed on all sides")
+            .arg(nameOfSegment(workspace, label)));
 }
 
 void keepLargestIsland(Workspace& workspace, int label)
 {
-    clean(workspace, {.segment = label, .rule = core::IslandRule::KeepLargest},
-        QObject::tr("'%1' is one island already"));
+    carryOut(workspace, core::CleanSegment{.segment = label, .rule = core::IslandRule::KeepLargest},
+        QObject::tr("'%1' is one island already").arg(nameOfSegment(workspace, label)));
 }
 
 void removeSmallIslands(Workspace& workspace, int label)
@@ -160,14 +174,55 @@ void removeSmallIslands(Workspace& workspace, int label)
     const core::Segment* segment = session ? session->document().segment(label) : nullptr;
     if (!segment)
         return;
-    clean(workspace,
-        {.segment = label,
+    carryOut(workspace,
+        core::CleanSegment{.segment = label,
             .rule = core::IslandRule::RemoveSmall,
             .mm3 = smallIslandMm3(workspace, *segment)},
-        QObject::tr("'%1' has no island that is so small"));
+        QObject::tr("'%1' has no island that is so small").arg(segment->name));
+}
+
+/// @param to label that receives the island; none: nobody
+void aboutIsland(Workspace& workspace, int label, core::IslandRule rule, const glm::dvec3& placeLps,
+    std::optional<int> to)
+{
+    carryOut(workspace,
+        core::CleanSegment{.segment = label, .rule = rule, .islandLps = placeLps, .to = to},
+        rule == core::IslandRule::KeepClicked
+            ? QObject::tr("'%1' is one island already").arg(nameOfSegment(workspace, label))
+            : QObject::tr("'%1' has no island there").arg(nameOfSegment(workspace, label)));
 }
 
 } // namespace
+
+void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps)
+{
+    aboutIsland(workspace, label, core::IslandRule::RemoveClicked, placeLps, std::nullopt);
+}
+
+void keepOnlyIsland(Workspace& workspace, int label, const glm::dvec3& placeLps)
+{
+    aboutIsland(workspace, label, core::IslandRule::KeepClicked, placeLps, std::nullopt);
+}
+
+void giveIsland(Workspace& workspace, int label, int to, const glm::dvec3& placeLps)
+{
+    aboutIsland(workspace, label, core::IslandRule::GiveClicked, placeLps, to);
+}
+
+void mergeSegments(Workspace& workspace, int from, int into)
+{
+    carryOut(workspace, core::CombineSegments{.segment = into, .with = from},
+        QObject::tr("'%1' has no voxels").arg(nameOfSegment(workspace, from)));
+}
+
+void swapSegments(Workspace& workspace, int one, int other)
+{
+    carryOut(workspace,
+        core::CombineSegments{
+            .segment = one, .with = other, .how = core::CombineSegments::How::Swap},
+        QObject::tr("neither '%1' nor '%2' has voxels")
+            .arg(nameOfSegment(workspace, one), nameOfSegment(workspace, other)));
+}
 
 QString namedText(const SegmentAction& action, const core::Segment* segment)
 {

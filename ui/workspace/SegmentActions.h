@@ -6,13 +6,15 @@
 #include <QKeySequence>
 #include <QString>
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
 #include <vector>
 
 namespace core {
 struct Document;
 struct Segment;
-}
+} // namespace core
 
 namespace ui {
 
@@ -34,6 +36,17 @@ core::Result<int> ensureActiveSegment(Workspace& workspace);
 /// Deletes a segment with its voxels, as a step of its own, and tells the user. The segment below
 /// it, or else above it, becomes the active one. Failures are reported by the workspace.
 void removeSegment(Workspace& workspace, int label);
+
+/// Gives all voxels of a segment to another one, or exchanges those of two, as a step of its own,
+/// and tells the user what it did, or that there was nothing.
+void mergeSegments(Workspace& workspace, int from, int into);
+void swapSegments(Workspace& workspace, int one, int other);
+
+/// The same for the island of a segment that has a voxel at a place: it goes, all others go, or it
+/// becomes another segment's.
+void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps);
+void keepOnlyIsland(Workspace& workspace, int label, const glm::dvec3& placeLps);
+void giveIsland(Workspace& workspace, int label, int to, const glm::dvec3& placeLps);
 
 /// What is done to a segment as a whole, and not to one that is locked: in the menu of its row, and
 /// to the active one in the menu Segments.

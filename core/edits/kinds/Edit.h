@@ -26,6 +26,7 @@ struct ChangePiece;
 struct ChangeSegment;
 struct ChunkToggle;
 struct CleanSegment;
+struct CombineSegments;
 struct CutPiece;
 struct DivideSegment;
 struct DrillStroke;
@@ -80,7 +81,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, ImportMask,
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
-    SurfaceBarrier, InvertSegment, CleanSegment>;
+    SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

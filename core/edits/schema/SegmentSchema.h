@@ -5,6 +5,7 @@
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
@@ -80,18 +81,40 @@ template <class Visitor> void visitFields(Visitor& visit, InvertSegment& edit)
 template <> inline constexpr const char* editName<CleanSegment> = "cleanSegment";
 template <>
 inline constexpr const char* editMeaning<CleanSegment> =
-    "Fills holes of a segment that is not locked, or removes islands from it. Voxels of others "
-    "stay "
-    "theirs. Does nothing where there is none.";
+    "Fills holes of a segment that is not locked, removes islands from it, or gives one to another "
+    "segment. Voxels of others stay theirs. Does nothing where there is none.";
 template <class Visitor> void visitFields(Visitor& visit, CleanSegment& edit)
 {
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
     visit.field("rule", Presence::Required, edit.rule,
-        editFields::Choice<IslandRule, 3>{{"fillHoles", "keepLargest", "removeSmall"}},
+        editFields::Choice<IslandRule, 6>{{"fillHoles", "keepLargest", "removeSmall", "keepClicked",
+            "removeClicked", "giveClicked"}},
         "holes are surrounded on all sides; islands do not touch each other, not even at a corner");
     visit.maybe("mm3", edit.mm3, editFields::Number{"mm³", 0.0, 1e9, quantum::perCubicMillimetre},
         "the largest hole that is filled, or the smallest island that stays",
         "every hole is filled");
+    visit.maybe("islandLps", edit.islandLps, positionLps,
+        "a place in the island that keepClicked, removeClicked and giveClicked are about, patient "
+        "coordinates (LPS)",
+        "the rule is about no single island");
+    visit.maybe("to", edit.to, segmentNumber,
+        "of giveClicked: the segment that receives the island; it must not be locked either",
+        "no island is given away");
+}
+
+template <> inline constexpr const char* editName<CombineSegments> = "combineSegments";
+template <>
+inline constexpr const char* editMeaning<CombineSegments> =
+    "Gives a segment all voxels of another one, or exchanges theirs; neither is locked. Segments "
+    "share no voxel, so there is nothing to copy, subtract or intersect.";
+template <class Visitor> void visitFields(Visitor& visit, CombineSegments& edit)
+{
+    visitSegment(visit, edit.segment);
+    visit.field("with", Presence::Required, edit.with, segmentNumber, "the other segment");
+    visit.field("how", Presence::Required, edit.how,
+        editFields::Choice<CombineSegments::How, 2>{{"merge", "swap"}},
+        "the other's voxels become the segment's, and it stays in the list, empty; or each "
+        "receives those of the other");
 }
 
 template <> inline constexpr const char* editName<PaintStroke> = "paint";

@@ -10,9 +10,9 @@
 
 namespace core {
 
-/// Fills holes of a segment or removes islands from it: it reads the labels of the segment's plane,
-/// works out on the side thread which voxels are meant, and lets the engine write them; one row if
-/// it changed anything.
+/// Fills holes of a segment, removes islands from it or gives one away: it reads the labels of the
+/// segment's plane, works out on the side thread which voxels are meant, and lets the engine write
+/// them; one row if it changed anything.
 class IslandOperation final : public Operation {
 public:
     /// @param again as in VoxelOperation

@@ -14,6 +14,7 @@
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
@@ -129,7 +130,30 @@ private Q_SLOTS:
         QVERIFY(cleaned->get<CleanSegment>().rule == IslandRule::RemoveSmall);
         QCOMPARE(*quantised(*cleaned).get<CleanSegment>().mm3, 40.0);
         QVERIFY(!editFromJson(parse("{'edit':'cleanSegment','segment':2,'rule':'polish'}")));
-        for (const Edit& edit : {*carved, *seen, *inverted, *cleaned})
+        // An edit of before says the same as ever: what came later is not written.
+        QCOMPARE(editToJson(*cleaned).size(), 4);
+        const Result<Edit> given = editFromJson(
+            parse("{'edit':'cleanSegment','segment':2,'rule':'giveClicked','islandLps':[1,-2.5,3],"
+                  "'to':5}"));
+        QVERIFY(given);
+        QVERIFY(given->get<CleanSegment>().rule == IslandRule::GiveClicked);
+        QVERIFY(given->get<CleanSegment>().islandLps == glm::dvec3(1.0, -2.5, 3.0));
+        QVERIFY(given->get<CleanSegment>().to == 5);
+        for (const char* rule : {"keepClicked", "removeClicked"})
+            QVERIFY(editFromJson(
+                parse(qPrintable(QStringLiteral("{'edit':'cleanSegment','segment':2,'rule':'%1',"
+                                                "'islandLps':[0,0,0]}")
+                                     .arg(QLatin1String(rule))))));
+        const Result<Edit> merged =
+            editFromJson(parse("{'edit':'combineSegments','segment':2,'with':1,'how':'merge'}"));
+        const Result<Edit> swapped =
+            editFromJson(parse("{'edit':'combineSegments','segment':3,'with':1,'how':'swap'}"));
+        QVERIFY(merged && swapped);
+        QVERIFY(merged->get<CombineSegments>().how == CombineSegments::How::Merge);
+        QVERIFY(swapped->get<CombineSegments>().how == CombineSegments::How::Swap);
+        QCOMPARE(swapped->get<CombineSegments>().segment, 3);
+        QCOMPARE(swapped->get<CombineSegments>().with, 1);
+        for (const Edit& edit : {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -137,6 +161,14 @@ private Q_SLOTS:
                 "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,1]]}",
                 "{'edit':'segmentSeen','segment':2,'hidden':[[0,0,0,1]]}",
                 "{'edit':'segmentSeen','segment':2,'hidden':{}}", "{'edit':'mergeLayers','from':1}",
+                "{'edit':'cleanSegment','segment':2,'rule':'keepClicked','islandLps':[1,2]}",
+                "{'edit':'cleanSegment','segment':2,'rule':'keepClicked','islandLps':'here'}",
+                "{'edit':'cleanSegment','segment':2,'rule':'giveClicked','islandLps':[1,2,3],'to':"
+                "0}",
+                "{'edit':'combineSegments','segment':2,'with':1}",
+                "{'edit':'combineSegments','segment':2,'how':'merge'}",
+                "{'edit':'combineSegments','segment':2,'with':0,'how':'merge'}",
+                "{'edit':'combineSegments','segment':2,'with':1,'how':'subtract'}",
                 "{'edit':'invertSegment'}", "{'edit':'invertSegment','segment':0}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }

@@ -43,6 +43,21 @@ class EditTaskTest : public QObject {
 
 private Q_SLOTS:
     void effectsFitTogether() { checkKinds(AllEdits()); }
+
+    /// Whoever may have its first voxels from an edit is told, so that a code is asked for in time.
+    void whoReceivesVoxelsIsTold()
+    {
+        CombineSegments both{.segment = 1, .with = 2};
+        QVERIFY(effectsOf(both).fills.label == 1 && !effectsOf(both).fills.other);
+        both.how = CombineSegments::How::Swap;
+        QVERIFY(effectsOf(both).fills.label == 1 && effectsOf(both).fills.other == 2);
+        CleanSegment clean{.segment = 1};
+        QVERIFY(effectsOf(clean).fills.label == 1 && !effectsOf(clean).boundToStudy);
+        clean.islandLps = glm::dvec3(0.0);
+        clean.to = 3;
+        QVERIFY(effectsOf(clean).fills.label == 3 && effectsOf(clean).writesTo == 1);
+        QVERIFY(effectsOf(clean).boundToStudy); // it names a place
+    }
 };
 
 BURIN_TEST(EditTaskTest)

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <map>
@@ -74,8 +75,8 @@ bool isOpen(const std::vector<std::size_t>& part, const glm::ivec3& size)
 }
 
 /// By the definition, from all parts.
-std::pair<std::set<std::uint64_t>, std::int64_t> expected(
-    const Labels& labels, const glm::ivec3& size, IslandRule rule, std::int64_t voxels)
+std::pair<std::set<std::uint64_t>, std::int64_t> expected(const Labels& labels,
+    const glm::ivec3& size, IslandRule rule, std::int64_t voxels, std::size_t clicked)
 {
     const bool holes = rule == IslandRule::FillHoles;
     const auto parts = partsOf(labels, size, !holes, !holes);
@@ -88,9 +89,13 @@ std::pair<std::set<std::uint64_t>, std::int64_t> expected(
     std::int64_t count = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto part = std::int64_t(parts[i].size());
+        const bool isClicked =
+            std::find(parts[i].begin(), parts[i].end(), clicked) != parts[i].end();
         const bool goes = holes               ? part <= voxels && !isOpen(parts[i], size)
             : rule == IslandRule::KeepLargest ? i != largest
-                                              : part < voxels;
+            : rule == IslandRule::RemoveSmall ? part < voxels
+            : rule == IslandRule::KeepClicked ? !isClicked
+                                              : isClicked;
         if (!goes)
             continue;
         ++count;
@@ -122,7 +127,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("rule");
         QTest::addColumn<qint64>("voxels");
         for (const int percent : {4, 15, 50, 85, 96}) {
-            for (int rule = 0; rule < 3; ++rule) {
+            for (int rule = 0; rule < 6; ++rule) {
                 for (const std::int64_t voxels : {std::int64_t(1), std::int64_t(3), any})
                     QTest::addRow(
                         "%d %%, rule %d, %lld", percent, rule, static_cast<long long>(voxels))
@@ -142,10 +147,16 @@ private Q_SLOTS:
             Labels labels(std::size_t(size.x * size.y * size.z));
             for (std::uint8_t& label : labels)
                 label = int(random() % 100) < percent ? 1 : random() % 5 == 0 ? 2 : 0;
-            const auto change =
-                core::islandChange(labels, size, 1, IslandRule(rule), voxels, core::Progress());
+            // Any voxel of the segment may be clicked; where it has none, there is nothing.
+            const auto own = std::count(labels.begin(), labels.end(), std::uint8_t(1));
+            std::size_t clicked = 0;
+            for (auto skipped = own > 0 ? random() % std::uint32_t(own) : 0;
+                 own > 0 && (labels[clicked] != 1 || skipped-- > 0);)
+                ++clicked;
+            const auto change = core::islandChange(
+                labels, size, 1, IslandRule(rule), voxels, core::Progress(), clicked);
             QVERIFY(change);
-            const auto [meant, parts] = expected(labels, size, IslandRule(rule), voxels);
+            const auto [meant, parts] = expected(labels, size, IslandRule(rule), voxels, clicked);
             QVERIFY(voxelsOf(change->voxels) == meant);
             QCOMPARE(change->parts, parts);
         }
@@ -158,6 +169,26 @@ private Q_SLOTS:
             core::islandChange(labels, {5, 1, 1}, 1, IslandRule::KeepLargest, 0, core::Progress());
         QVERIFY(change);
         QVERIFY(voxelsOf(change->voxels) == (std::set<std::uint64_t>{2, 4}));
+    }
+
+    /// A click beside the segment means no island, whichever rule it is for.
+    void aClickBesideItMeansNothing()
+    {
+        const Labels labels{1, 0, 1, 2, 1};
+        for (const IslandRule rule :
+            {IslandRule::KeepClicked, IslandRule::RemoveClicked, IslandRule::GiveClicked}) {
+            for (const std::size_t clicked : {std::size_t(1), std::size_t(3), std::size_t(5)}) {
+                const auto change =
+                    core::islandChange(labels, {5, 1, 1}, 1, rule, any, core::Progress(), clicked);
+                QVERIFY(change && change->voxels.empty() && change->parts == 0);
+            }
+            const auto change =
+                core::islandChange(labels, {5, 1, 1}, 1, rule, any, core::Progress(), 2);
+            QVERIFY(change);
+            QVERIFY(voxelsOf(change->voxels)
+                == (rule == IslandRule::KeepClicked ? std::set<std::uint64_t>{0, 4}
+                                                    : std::set<std::uint64_t>{2}));
+        }
     }
 
     void nothingInNothing()

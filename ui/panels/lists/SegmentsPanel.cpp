@@ -5,6 +5,7 @@
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDialog.h"
+#include "ui/menus/SegmentMenus.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/panels/lists/SegmentDelegate.h"
 #include "ui/tasks/UndoOnly.h"
@@ -185,6 +186,8 @@ void SegmentsPanel::showMenu(const QPoint& position)
     down->setEnabled(index.row() + 1 < m_model->rowCount());
     menu.addSeparator();
     const int label = index.data(SegmentListModel::LabelRole).toInt();
+    addCombinations(
+        menu, nullptr, m_workspace, [label] { return label; }, false);
     for (const SegmentAction& each : segmentActions()) {
         QAction* item =
             menu.addAction(each.text, this, [this, label, &each] { each.run(m_workspace, label); });

@@ -20,9 +20,61 @@ using namespace rowWords;
 
 namespace {
 
+/// Who gains or loses voxels. A segment that receives an island takes voxels of the segment alone.
 Result<LabelTarget> targetOf(const CleanSegment& edit, const Document& document)
 {
-    return labelTarget({.segment = edit.segment, .name = {}}, false, document);
+    const Result<LabelTarget> own =
+        labelTarget({.segment = edit.segment, .name = {}}, false, document);
+    if (!own || !edit.to)
+        return own;
+    Result<LabelTarget> other = labelTarget({.segment = edit.to, .name = {}}, false, document);
+    if (!other)
+        return other;
+    if (other->plane != own->plane)
+        return failure(ErrorCode::InvalidField, QStringLiteral("cleanSegment.to"),
+            QStringLiteral("lies on another label plane than the segment"));
+    other->overwritable.set(own->label);
+    return other;
+}
+
+Error wrongField(const char* field, const QString& reason)
+{
+    return {ErrorCode::InvalidField,
+        {QStringLiteral("cleanSegment.%1").arg(QLatin1String(field)), reason}};
+}
+
+/// Whether it has what its rule asks for, and no more.
+std::optional<Error> fieldAtFault(const CleanSegment& edit)
+{
+    if (edit.rule == IslandRule::RemoveSmall && !edit.mm3)
+        return wrongField("mm3", QStringLiteral("is needed to tell which islands are small"));
+    if (isOfClicked(edit.rule) && edit.mm3)
+        return wrongField("mm3", QStringLiteral("means nothing where one island is clicked"));
+    if (isOfClicked(edit.rule) != edit.islandLps.has_value())
+        return wrongField("islandLps",
+            edit.islandLps ? QStringLiteral("means nothing where no island is clicked")
+                           : QStringLiteral("is needed to tell which island is meant"));
+    if ((edit.rule == IslandRule::GiveClicked) != edit.to.has_value())
+        return wrongField("to",
+            edit.to ? QStringLiteral("means nothing where no island is given away")
+                    : QStringLiteral("is needed to tell who receives the island"));
+    if (edit.to == edit.segment)
+        return wrongField("to", QStringLiteral("is the segment itself"));
+    return std::nullopt;
+}
+
+/// Where labels of the whole volume have the clicked voxel; 0 if none is asked for.
+Result<std::size_t> clickedOf(const CleanSegment& edit, const VolumeGeometry& geometry)
+{
+    if (!edit.islandLps)
+        return std::size_t(0);
+    const std::optional<glm::ivec3> voxel = voxelNearest(*edit.islandLps, geometry);
+    if (!voxel)
+        return tl::unexpected(wrongField("islandLps",
+            QStringLiteral("%1 lies outside the volume").arg(pointText(*edit.islandLps))));
+    return (std::size_t(voxel->z) * std::size_t(geometry.size.y) + std::size_t(voxel->y))
+        * std::size_t(geometry.size.x)
+        + std::size_t(voxel->x);
 }
 
 /// IslandRule's number of voxels.
@@ -43,9 +95,10 @@ std::int64_t voxelsOf(const CleanSegment& edit, const VolumeGeometry& geometry)
 
 Result<void> check(const CleanSegment& edit, const Document& document)
 {
-    if (edit.rule == IslandRule::RemoveSmall && !edit.mm3)
-        return failure(ErrorCode::InvalidField, QStringLiteral("cleanSegment.mm3"),
-            QStringLiteral("is needed to tell which islands are small"));
+    if (const std::optional<Error> error = fieldAtFault(edit))
+        return tl::unexpected(*error);
+    if (const auto clicked = clickedOf(edit, document.volumes.front().geometry); !clicked)
+        return tl::unexpected(clicked.error());
     return discardValue(targetOf(edit, document));
 }
 
@@ -59,7 +112,8 @@ EditEffects effects(const CleanSegment& edit)
     return {.task = EditTask::Islands,
         .standsOpen = false,
         .writesTo = edit.segment,
-        .fills = {.label = edit.segment}};
+        .fills = {.label = edit.to.value_or(edit.segment)},
+        .boundToStudy = edit.islandLps.has_value()};
 }
 
 RowTitle rowTitle(const CleanSegment& edit, const RowFacts& row)
@@ -69,10 +123,26 @@ RowTitle rowTitle(const CleanSegment& edit, const RowFacts& row)
     RowTitle title{.code = RowTitleCode::FillHoles,
         .arguments = {segmentName(edit.segment, row.document)},
         .then = {flowTitle(flow.gained, flow.lost)}};
-    if (edit.rule == IslandRule::KeepLargest)
+    switch (edit.rule) {
+    case IslandRule::FillHoles:
+        break;
+    case IslandRule::KeepLargest:
         title.code = RowTitleCode::KeepLargestIsland;
-    if (edit.rule == IslandRule::RemoveSmall)
+        break;
+    case IslandRule::RemoveSmall:
         title.code = RowTitleCode::RemoveSmallIslands;
+        break;
+    case IslandRule::KeepClicked:
+        title.code = RowTitleCode::KeepClickedIsland;
+        break;
+    case IslandRule::RemoveClicked:
+        title.code = RowTitleCode::RemoveClickedIsland;
+        break;
+    case IslandRule::GiveClicked:
+        title.code = RowTitleCode::GiveClickedIsland;
+        title.arguments.push_back(segmentName(edit.to.value_or(0), row.document));
+        break;
+    }
     return title;
 }
 
@@ -89,12 +159,18 @@ Result<RelabelListed> relabelListed(
     if (!target)
         return tl::unexpected(target.error());
     const VolumeGeometry& geometry = document.volumes.front().geometry;
+    const Result<std::size_t> clicked = clickedOf(edit, geometry);
+    if (!clicked)
+        return tl::unexpected(clicked.error());
+    const auto label = std::uint8_t(edit.segment);
+    if (isOfClicked(edit.rule) && labels[*clicked] != label)
+        return failure(ErrorCode::NoIslandThere, document.segment(edit.segment)->name);
     const Result<IslandChange> change = islandChange(
-        labels, geometry.size, target->label, edit.rule, voxelsOf(edit, geometry), Progress());
+        labels, geometry.size, label, edit.rule, voxelsOf(edit, geometry), Progress(), *clicked);
     if (!change)
         return tl::unexpected(change.error());
-    const std::uint8_t asked =
-        edit.rule == IslandRule::FillHoles ? RelabelListed::give : RelabelListed::take;
+    const bool gives = edit.rule == IslandRule::FillHoles || edit.rule == IslandRule::GiveClicked;
+    const std::uint8_t asked = gives ? RelabelListed::give : RelabelListed::take;
     const BrickGrid grid{geometry.size};
     std::map<std::uint32_t, std::vector<std::uint8_t>> bricks;
     const auto columns = std::uint64_t(geometry.size.x);

@@ -2,6 +2,7 @@
 #include "core/session/past/RowDependencies.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
@@ -214,11 +215,14 @@ private Q_SLOTS:
         QVERIFY(removal.covers({Field::SeedWords, 0, 3}));
         QVERIFY(removal.covers({Field::Labels, 0, 3}));
         QVERIFY(!removal.covers({Field::Coverage, 1, 3}));
-        const RowDependencies inversion(InvertSegment{.segment = 1}, document, {});
-        QVERIFY(inversion.covers({Field::SeedWords, 0, 3}));
-        QVERIFY(inversion.covers({Field::Labels, 0, 3}));
-        QVERIFY(!inversion.covers({Field::Labels, 1, 3}));
-        QVERIFY(!inversion.covers({Field::Coverage, 1, 3}));
+        for (const Edit& wholePlane : std::vector<Edit>{
+                 InvertSegment{.segment = 1}, CombineSegments{.segment = 1, .with = 2}}) {
+            const RowDependencies whole(wholePlane, document, {});
+            QVERIFY(whole.covers({Field::SeedWords, 0, 3}));
+            QVERIFY(whole.covers({Field::Labels, 0, 3}));
+            QVERIFY(!whole.covers({Field::Labels, 1, 3}));
+            QVERIFY(!whole.covers({Field::Coverage, 1, 3}));
+        }
         const BrickKey written{Field::Labels, 0, 2};
         const RowDependencies revert(test::revertRows({1}), document, {written});
         QVERIFY(revert.covers(written));

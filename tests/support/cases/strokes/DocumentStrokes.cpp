@@ -16,6 +16,7 @@
 #include "core/edits/kinds/pieces/SendPiecesHome.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
@@ -170,6 +171,33 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"remove all islands", volume, {first, paint}, specks});
     cases.push_back({"undo only what was cleaned", volume, {first, paint, specks, drill},
         core::RevertRows{{3}}});
+    CleanSegment clicked{.segment = 1, .rule = IslandRule::KeepClicked};
+    clicked.islandLps = geometry.toWorld({20.0, 16.0, 12.0});
+    cases.push_back({"keep only a clicked island", volume, {first, paint}, clicked});
+    clicked.rule = IslandRule::RemoveClicked;
+    cases.push_back({"remove a clicked island", volume, {first, paint}, clicked});
+    clicked.rule = IslandRule::GiveClicked;
+    clicked.to = 2;
+    cases.push_back({"give a clicked island away", volume, {first, second, paint}, clicked});
+    cases.push_back({"growth after an island was given away", volume,
+        {first, second, paint, clicked, seeds}, all});
+    cases.push_back({"undo only an island that was given away", volume,
+        {first, second, paint, clicked, drill}, core::RevertRows{{4}}});
+    const core::CombineSegments mergeSegments{.segment = 2, .with = 1};
+    const core::CombineSegments swap{
+        .segment = 1, .with = 2, .how = core::CombineSegments::How::Swap};
+    cases.push_back({"merge a segment into another", volume, {first, seeds, second, others, some},
+        mergeSegments});
+    cases.push_back(
+        {"merge an empty segment into another", volume, {first, second}, mergeSegments});
+    cases.push_back(
+        {"swap two that have grown", volume, {first, seeds, second, others, some}, swap});
+    cases.push_back({"growth after a merge of segments", volume,
+        {first, seeds, second, others, some, mergeSegments}, all});
+    cases.push_back({"growth after a swap of segments", volume,
+        {first, seeds, second, others, some, swap}, all});
+    cases.push_back({"undo only a merge of segments", volume,
+        {first, paint, second, mergeSegments, drill}, core::RevertRows{{4}}});
     cases.push_back({"merge layers", volume, {layer, drill, other, brush}, merge});
     cases.push_back({"merge an empty layer", volume, {layer, other}, merge});
     cases.push_back({"delete a layer", volume, {layer, drill, other}, removeLayer});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
@@ -118,11 +119,11 @@ private Q_SLOTS:
         document.segments = {{.label = 1, .name = QStringLiteral("Free")},
             {.label = 3, .name = QStringLiteral("Locked"), .locked = true},
             {.label = 255, .plane = 1, .name = QStringLiteral("Elsewhere")}};
-        const MapLabels map = *mapLabels({.segment = 1}, document);
+        const MapLabels map = *mapLabels(InvertSegment{.segment = 1}, document);
         QCOMPARE(int(map.plane), 0);
         for (std::size_t label = 0; label < 256; ++label)
             QCOMPARE(std::size_t(map.becomes[label]), label < 2 ? 1 - label : label);
-        const MapLabels last = *mapLabels({.segment = 255}, document);
+        const MapLabels last = *mapLabels(InvertSegment{.segment = 255}, document);
         QCOMPARE(int(last.plane), 1);
         QVERIFY(last.becomes[0] == 255 && last.becomes[255] == 0 && last.becomes[1] == 1);
         const auto code = [&](int segment) {
@@ -131,6 +132,45 @@ private Q_SLOTS:
         QCOMPARE(code(3), ErrorCode::SegmentLocked);
         QCOMPARE(code(2), ErrorCode::UnknownSegment);
         QVERIFY(checkAgainst(document, InvertSegment{.segment = 1}));
+    }
+
+    /// Both segments are of one label plane, and every other label of it stays.
+    void segmentsAreCombinedWithinTheirPlane()
+    {
+        test::Random random{7};
+        Document document = test::randomDocument({9, 9, 9}, random, false);
+        document.segments = {{.label = 1, .name = QStringLiteral("One")},
+            {.label = 3, .name = QStringLiteral("Locked"), .locked = true},
+            {.label = 4, .plane = 1, .name = QStringLiteral("Elsewhere")},
+            {.label = 7, .name = QStringLiteral("Two")},
+            {.label = 255, .plane = 1, .name = QStringLiteral("There, too")}};
+        using How = CombineSegments::How;
+        for (const How how : {How::Merge, How::Swap}) {
+            const MapLabels map =
+                *mapLabels(CombineSegments{.segment = 1, .with = 7, .how = how}, document);
+            QCOMPARE(int(map.plane), 0);
+            for (std::size_t label = 0; label < 256; ++label) {
+                const bool back = label == 1 && how == How::Swap;
+                QCOMPARE(std::size_t(map.becomes[label]), label == 7 ? 1 : back ? 7 : label);
+            }
+            const MapLabels there =
+                *mapLabels(CombineSegments{.segment = 255, .with = 4, .how = how}, document);
+            QCOMPARE(int(there.plane), 1);
+            QCOMPARE(int(there.becomes[4]), 255);
+            QCOMPARE(int(there.becomes[255]), how == How::Swap ? 4 : 255);
+            const auto code = [&](int segment, int with) {
+                return checkAgainst(
+                    document, CombineSegments{.segment = segment, .with = with, .how = how})
+                    .error()
+                    .code;
+            };
+            QCOMPARE(code(1, 4), ErrorCode::InvalidField); // another plane
+            QCOMPARE(code(255, 7), ErrorCode::InvalidField);
+            QCOMPARE(code(1, 3), ErrorCode::SegmentLocked);
+            QCOMPARE(code(3, 1), ErrorCode::SegmentLocked);
+            QCOMPARE(code(1, 2), ErrorCode::UnknownSegment);
+            QVERIFY(checkAgainst(document, CombineSegments{.segment = 7, .with = 1, .how = how}));
+        }
     }
 };
 

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/menus/SegmentMenus.h"
+
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "ui/panels/lists/SegmentsPanel.h"
+
+#include <QApplication>
+#include <QListView>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTimer>
+#include <QtTest>
+
+namespace segmentMenusUiTest {
+
+namespace {
+
+/// Brain has grown, bone has a dab, skin & hair nothing.
+struct Fixture : test::WindowFixture {
+    Fixture()
+        : WindowFixture(test::smallStudy())
+    {
+        window.addPanel(new ui::SegmentsPanel(workspace));
+        window.showPanels(true);
+        list = window.findChild<QListView*>(QStringLiteral("segmentList"));
+        for (const core::Edit& edit : std::vector<core::Edit>{test::addSegment("Brain"),
+                 test::addSegment("Bone"), test::addSegment("Skin & hair"), test::seedInBrain(1),
+                 test::growBrain(), test::paintAt(2, test::pointsInBone(), 1.5)})
+            apply(edit);
+        workspace.setActiveSegment(1);
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    void apply(const core::Edit& edit)
+    {
+        QVERIFY(session().apply(edit));
+        QVERIFY(session().settle());
+    }
+    [[nodiscard]] std::int64_t voxels(int label)
+    {
+        return session().document().segment(label)->voxels;
+    }
+    /// A part of the menu Segments, as it is once that has opened.
+    [[nodiscard]] QMenu& ofBar(const char* name)
+    {
+        QMenu& segments = window.segmentsMenu();
+        segments.popup(window.mapToGlobal(QPoint(40, 40)));
+        segments.close();
+        return *segments.findChild<QMenu*>(QLatin1String(name));
+    }
+
+    QListView* list = nullptr;
+};
+
+QStringList textsOf(const QMenu& menu)
+{
+    QStringList texts;
+    for (const QAction* each : menu.actions())
+        texts += each->text();
+    return texts;
+}
+
+QString spaced(std::int64_t count)
+{
+    QString digits = QString::number(count);
+    for (qsizetype place = digits.size() - 3; place > 0; place -= 3)
+        digits.insert(place, QLatin1Char(' '));
+    return digits;
+}
+
+} // namespace
+
+class SegmentMenusUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    /// From the menu bar, about the active segment, whose name it says.
+    void theBarMergesTheActiveSegment()
+    {
+        Fixture fixture;
+        const std::int64_t brain = fixture.voxels(1);
+        const std::int64_t bone = fixture.voxels(2);
+        QVERIFY(brain > 1000 && bone > 0);
+        QMenu& merge = fixture.ofBar("mergeSegments");
+        QCOMPARE(merge.title(), QStringLiteral("Merge 'Brain' into"));
+        QCOMPARE(
+            textsOf(merge), (QStringList{QStringLiteral("Bone"), QStringLiteral("Skin && hair")}));
+        QVERIFY(merge.menuAction()->isEnabled());
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const std::size_t rows = fixture.session().history().rows().size();
+        merge.actions().front()->trigger();
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(),
+            QStringLiteral("Merge segment 'Brain' into 'Bone', +%1 voxels; Ctrl+Z takes it back")
+                .arg(spaced(brain)));
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        QCOMPARE(fixture.voxels(1), std::int64_t(0));
+        QCOMPARE(fixture.voxels(2), brain + bone);
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), brain);
+        QCOMPARE(fixture.voxels(2), bone);
+
+        // Another one is active: the menu is about that one.
+        fixture.workspace.setActiveSegment(3);
+        QCOMPARE(fixture.ofBar("swapSegments").title(), QStringLiteral("Swap 'Skin && hair' with"));
+        QCOMPARE(textsOf(fixture.ofBar("swapSegments")),
+            (QStringList{QStringLiteral("Brain"), QStringLiteral("Bone")}));
+    }
+
+    /// Where there is nothing to be merged, that is told, and no step is made.
+    void anEmptyOneHasNothingToGive()
+    {
+        Fixture fixture;
+        fixture.workspace.setActiveSegment(3);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const std::size_t rows = fixture.session().history().rows().size();
+        fixture.ofBar("mergeSegments").actions().front()->trigger();
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(), QStringLiteral("'Skin & hair' has no voxels"));
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+    }
+
+    /// From the menu of a row, about the segment of that row.
+    void aRowSwaps()
+    {
+        Fixture fixture;
+        const std::int64_t brain = fixture.voxels(1);
+        const std::int64_t bone = fixture.voxels(2);
+        const QPoint at = fixture.list->visualRect(fixture.list->model()->index(1, 0)).center();
+        QString title;
+        QStringList others;
+        QTimer::singleShot(0, &fixture.window, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu);
+            auto* swap = menu->findChild<QMenu*>(QStringLiteral("swapSegments"));
+            if (swap && !swap->isEmpty()) {
+                title = swap->title();
+                others = textsOf(*swap);
+                swap->actions().front()->trigger();
+            }
+            menu->close();
+        });
+        Q_EMIT fixture.list->customContextMenuRequested(at);
+        QCOMPARE(title, QStringLiteral("Swap with"));
+        QCOMPARE(others, (QStringList{QStringLiteral("Brain"), QStringLiteral("Skin && hair")}));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), bone);
+        QCOMPARE(fixture.voxels(2), brain);
+        QCOMPARE(fixture.session().history().rows().back().name,
+            QStringLiteral("Swap segments 'Bone' and 'Brain', +%1 −%2 voxels")
+                .arg(spaced(brain), spaced(bone)));
+    }
+
+    /// What cannot be chosen says why.
+    void whatCannotBeSaysWhy()
+    {
+        Fixture fixture;
+        fixture.apply(test::lockSegment(2));
+        for (const char* name : {"mergeSegments", "swapSegments"}) {
+            QMenu& menu = fixture.ofBar(name);
+            QVERIFY(menu.toolTipsVisible() && menu.menuAction()->isEnabled());
+            QVERIFY(!menu.actions().at(0)->isEnabled());
+            QCOMPARE(menu.actions().at(0)->toolTip(), QStringLiteral("'Bone' is locked"));
+            QVERIFY(menu.actions().at(1)->isEnabled());
+        }
+        fixture.apply(test::lockSegment(3));
+        QMenu& merge = fixture.ofBar("mergeSegments");
+        QCOMPARE(merge.actions().size(), 2);
+        QCOMPARE(merge.menuAction()->toolTip(), QStringLiteral("every other segment is locked"));
+        fixture.apply(test::lockSegment(1));
+        QVERIFY(!fixture.ofBar("mergeSegments").menuAction()->isEnabled());
+        QCOMPARE(merge.menuAction()->toolTip(), QStringLiteral("'Brain' is locked"));
+        QVERIFY(fixture.window.segmentsMenu().toolTipsVisible());
+        for (const int label : {1, 2, 3})
+            fixture.apply(test::lockSegment(label, false));
+        for (const int label : {2, 3})
+            fixture.apply(core::RemoveSegment{.segment = label});
+        QVERIFY(!fixture.ofBar("mergeSegments").menuAction()->isEnabled());
+        QCOMPARE(merge.menuAction()->toolTip(), QStringLiteral("there is no other segment"));
+        fixture.apply(core::RemoveSegment{.segment = 1});
+        QVERIFY(!fixture.ofBar("mergeSegments").menuAction()->isEnabled());
+        QCOMPARE(merge.title(), QStringLiteral("Merge into"));
+        QCOMPARE(merge.menuAction()->toolTip(), QStringLiteral("there is no segment"));
+    }
+};
+
+BURIN_WINDOW_TEST(SegmentMenusUiTest)
+
+} // namespace segmentMenusUiTest
+
+#include "SegmentMenusUiTest.moc"

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/menus/VoxelMenu.h"
+
+#include "tests/support/cases/SurfaceCases.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QApplication>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QtTest>
+
+namespace voxelMenuUiTest {
+
+namespace {
+
+/// A window that is clicked into with the right button.
+class Fixture : public test::WindowFixture {
+public:
+    explicit Fixture(core::LoadedVolume volume)
+        : WindowFixture(std::move(volume))
+    {
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    void apply(const core::Edit& edit)
+    {
+        QVERIFY(session().apply(edit));
+        QVERIFY(session().settle());
+    }
+    /// Until every question is answered that an answer led to.
+    void settle()
+    {
+        for (int round = 0; round < 5; ++round) {
+            if (!session().settle())
+                qFatal("not settled");
+            session().poll();
+        }
+    }
+    [[nodiscard]] std::int64_t voxels(int label)
+    {
+        return session().document().segment(label)->voxels;
+    }
+    /// Null if none opens.
+    [[nodiscard]] QMenu* clicked(QWidget& view, const QPoint& at)
+    {
+        QTest::mouseClick(&view, Qt::RightButton, {}, at);
+        settle();
+        return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    }
+};
+
+/// Two dabs of a segment in one axial slice, and two segments that are empty.
+class Dabs : public Fixture {
+public:
+    Dabs()
+        : Fixture(test::smallStudy())
+    {
+        for (const char* name : {"Parts", "Other", "Third"})
+            apply(test::addSegment(name));
+        apply(test::paintAt(1, {placeOf({10, 10, 10})}, 2.0));
+        one = voxels(1);
+        apply(test::paintAt(1, {placeOf({28, 24, 10})}, 3.0));
+        other = voxels(1) - one;
+        workspace.setCrosshairLps(placeOf({20, 17, 10}));
+    }
+    [[nodiscard]] glm::dvec3 placeOf(const glm::ivec3& voxel) const
+    {
+        return workspace.volume()->geometry.toWorld(glm::dvec3(voxel));
+    }
+    [[nodiscard]] QMenu* clickedAt(const glm::ivec3& voxel)
+    {
+        ui::SliceView& axial = window.views().axial();
+        return clicked(axial, axial.context().toPixel(placeOf(voxel)).toPoint());
+    }
+
+    std::int64_t one = 0; ///< voxels of the first dab
+    std::int64_t other = 0;
+};
+
+QStringList textsOf(const QMenu& menu)
+{
+    QStringList texts;
+    for (const QAction* each : menu.actions())
+        texts += each->text();
+    return texts;
+}
+
+/// Chooses an entry, as a click into the menu does, which closes it.
+void choose(QMenu& menu, QAction& entry)
+{
+    entry.trigger();
+    menu.close();
+}
+
+} // namespace
+
+class VoxelMenuUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void aSlicesMenuRemovesTheIsland()
+    {
+        Dabs fixture;
+        QVERIFY(fixture.one > 10 && fixture.other > fixture.one);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QMenu* menu = fixture.clickedAt({10, 11, 10});
+        QVERIFY(menu);
+        QCOMPARE(textsOf(*menu),
+            (QStringList{QStringLiteral("Remove this island of 'Parts'"),
+                QStringLiteral("Keep only this island of 'Parts'"),
+                QStringLiteral("Give this island of 'Parts' to")}));
+        choose(*menu, *menu->actions().at(0));
+        fixture.settle();
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(),
+            QStringLiteral("Remove one island of 'Parts', −%1 voxels; Ctrl+Z takes it back")
+                .arg(fixture.one));
+        QCOMPARE(fixture.voxels(1), fixture.other);
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), fixture.one + fixture.other);
+    }
+
+    void andKeepsItAlone()
+    {
+        Dabs fixture;
+        QMenu* menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        choose(*menu, *menu->actions().at(1));
+        fixture.settle();
+        QCOMPARE(fixture.voxels(1), fixture.one);
+        // It is alone now, which is told instead of a step.
+        const std::size_t rows = fixture.session().history().rows().size();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        choose(*menu, *menu->actions().at(1));
+        fixture.settle();
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(), QStringLiteral("'Parts' is one island already"));
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+    }
+
+    void andGivesItToAnother()
+    {
+        Dabs fixture;
+        QMenu* menu = fixture.clickedAt({28, 24, 10});
+        QVERIFY(menu);
+        auto* give = menu->findChild<QMenu*>(QStringLiteral("giveIsland"));
+        QVERIFY(give && give->menuAction()->isEnabled());
+        QCOMPARE(textsOf(*give), (QStringList{QStringLiteral("Other"), QStringLiteral("Third")}));
+        choose(*menu, *give->actions().at(1));
+        fixture.settle();
+        QCOMPARE(fixture.voxels(1), fixture.one);
+        QCOMPARE(fixture.voxels(2), std::int64_t(0));
+        QCOMPARE(fixture.voxels(3), fixture.other);
+        QCOMPARE(fixture.session().history().rows().back().name,
+            QStringLiteral("Give one island of 'Parts' to 'Third', −%1 voxels").arg(fixture.other));
+        // Now it is the third one's.
+        menu = fixture.clickedAt({28, 24, 10});
+        QVERIFY(menu);
+        QCOMPARE(menu->actions().front()->text(), QStringLiteral("Remove this island of 'Third'"));
+        menu->close();
+    }
+
+    void whatCannotBeSaysWhy()
+    {
+        Dabs fixture;
+        const auto grey = [](const QMenu& menu, const QString& why) {
+            for (const QAction* each : menu.actions()) {
+                if (each->isEnabled() || each->toolTip() != why)
+                    return false;
+            }
+            return menu.toolTipsVisible() && menu.actions().size() == 3;
+        };
+        QMenu* menu = fixture.clickedAt({20, 5, 10});
+        QVERIFY(menu);
+        QCOMPARE(textsOf(*menu),
+            (QStringList{QStringLiteral("Remove this island"),
+                QStringLiteral("Keep only this island"), QStringLiteral("Give this island to")}));
+        QVERIFY(grey(*menu, QStringLiteral("no segment has a voxel there")));
+        menu->close();
+
+        fixture.apply(test::lockSegment(2));
+        menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        auto* give = menu->findChild<QMenu*>(QStringLiteral("giveIsland"));
+        QVERIFY(give && menu->actions().front()->isEnabled());
+        QVERIFY(!give->actions().at(0)->isEnabled() && give->actions().at(1)->isEnabled());
+        QCOMPARE(give->actions().at(0)->toolTip(), QStringLiteral("'Other' is locked"));
+        menu->close();
+
+        fixture.apply(test::lockSegment(1));
+        menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        QVERIFY(grey(*menu, QStringLiteral("'Parts' is locked")));
+        menu->close();
+    }
+
+    /// Outside the volume there is nothing to ask for, and a drag is no click.
+    void noMenuWhereNoneIsMeant()
+    {
+        Dabs fixture;
+        ui::SliceView& axial = fixture.window.views().axial();
+        QVERIFY(!fixture.clicked(axial, QPoint(3, axial.height() / 2)));
+        const QPoint from = axial.context().toPixel(fixture.placeOf({10, 10, 10})).toPoint();
+        QTest::mousePress(&axial, Qt::RightButton, {}, from);
+        const QPointF to = QPointF(from) + QPointF(0.0, 20.0);
+        QMouseEvent move(
+            QEvent::MouseMove, to, axial.mapToGlobal(to), Qt::NoButton, Qt::RightButton, {});
+        QApplication::sendEvent(&axial, &move);
+        QTest::mouseRelease(&axial, Qt::RightButton, {}, to.toPoint());
+        fixture.settle();
+        QVERIFY(!QApplication::activePopupWidget());
+    }
+
+    /// In the 3D view it is about what is seen there: here segments alone.
+    void the3dViewRemovesWhatIsSeen()
+    {
+        Fixture fixture(test::smallHead::volume());
+        ui::VolumeView& view = fixture.window.views().volume();
+        view.lookFrom({0.0, -1.0, 0.0});
+        fixture.apply(test::ballMask(glm::ivec3(test::smallHead::side), 6.0));
+        ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+        display.surfaceThreshold = 300.0;
+        display.context = gpu::Context::Hidden;
+        fixture.workspace.setVolumeDisplay(display);
+        const core::Segment ball = fixture.session().document().segments.front();
+        QVERIFY(ball.voxels > 100);
+        QMenu* menu = fixture.clicked(view, view.rect().center());
+        QVERIFY(menu);
+        QCOMPARE(menu->actions().front()->text(),
+            QStringLiteral("Remove this island of '%1'").arg(ball.name));
+        choose(*menu, *menu->actions().front());
+        fixture.settle();
+        QCOMPARE(fixture.voxels(ball.label), std::int64_t(0));
+        // Nothing is seen there any more.
+        QVERIFY(!fixture.clicked(view, view.rect().center()));
+    }
+};
+
+BURIN_WINDOW_TEST(VoxelMenuUiTest)
+
+} // namespace voxelMenuUiTest
+
+#include "VoxelMenuUiTest.moc"

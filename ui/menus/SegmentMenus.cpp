@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/menus/SegmentMenus.h"
+
+#include "core/session/EditSession.h"
+#include "ui/workspace/SegmentActions.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QMenu>
+
+namespace ui {
+
+namespace {
+
+/// One of the two, as it is when the menu opens.
+struct Combination {
+    QMenu* menu = nullptr;
+    QString text;
+    QString named; ///< with the segment's name
+    void (*run)(Workspace& workspace, int label, int other) = nullptr;
+
+    void list(Workspace& workspace, int label, bool isNamed) const
+    {
+        const core::EditSession* session = workspace.session();
+        const core::Segment* segment = session ? session->document().segment(label) : nullptr;
+        menu->clear();
+        menu->setTitle(isNamed && segment ? named.arg(menuText(segment->name)) : text);
+        QString why = whyUnchangeable(segment);
+        if (why.isEmpty())
+            why = listOtherSegments(
+                *menu, session->document(), label, [&workspace, label, combine = run](int other) {
+                    combine(workspace, label, other);
+                });
+        // Where one is locked, the list shows which.
+        menu->menuAction()->setEnabled(!menu->isEmpty());
+        menu->menuAction()->setToolTip(why);
+    }
+};
+
+} // namespace
+
+QString menuText(const QString& name)
+{
+    return QString(name).replace(QLatin1Char('&'), QLatin1String("&&"));
+}
+
+QString whyUnchangeable(const core::Segment* segment)
+{
+    if (!segment)
+        return QObject::tr("there is no segment");
+    return segment->locked ? QObject::tr("'%1' is locked").arg(segment->name) : QString();
+}
+
+QString listOtherSegments(
+    QMenu& menu, const core::Document& document, int but, const std::function<void(int)>& choose)
+{
+    menu.setToolTipsVisible(true);
+    QString why = QObject::tr("there is no other segment");
+    bool possible = false;
+    for (const core::Segment& each : document.segments) {
+        if (each.label == but)
+            continue;
+        QAction* entry = menu.addAction(menuText(each.name));
+        QObject::connect(entry, &QAction::triggered, &menu,
+            [choose, label = int(each.label)] { choose(label); });
+        const QString locked = whyUnchangeable(&each);
+        entry->setEnabled(locked.isEmpty());
+        entry->setToolTip(locked);
+        possible = possible || locked.isEmpty();
+        why = QObject::tr("every other segment is locked");
+    }
+    return possible ? QString() : why;
+}
+
+void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
+    const std::function<int()>& label, bool named)
+{
+    menu.setToolTipsVisible(true);
+    const auto add = [&](const char* name) {
+        auto* sub = new QMenu(&menu);
+        sub->setObjectName(QLatin1String(name));
+        menu.insertMenu(before, sub);
+        return sub;
+    };
+    const Combination merge{add("mergeSegments"), QObject::tr("Merge into"),
+        QObject::tr("Merge '%1' into"), &mergeSegments};
+    const Combination swap{add("swapSegments"), QObject::tr("Swap with"),
+        QObject::tr("Swap '%1' with"), &swapSegments};
+    const auto list = [&workspace, merge, swap, label, named] {
+        merge.list(workspace, label(), named);
+        swap.list(workspace, label(), named);
+    };
+    QObject::connect(&menu, &QMenu::aboutToShow, merge.menu, list);
+    list();
+}
+
+} // namespace ui

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+#include <functional>
+
+class QAction;
+class QMenu;
+
+namespace core {
+struct Document;
+struct Segment;
+} // namespace core
+
+namespace ui {
+
+class Workspace;
+
+// Parts of menus in which another segment is chosen for what is done to one. An entry that cannot
+// be chosen says why by its tool tip.
+
+/// A name as an entry of a menu shows it, where an ampersand would mark a letter.
+[[nodiscard]] QString menuText(const QString& name);
+
+/// Why no voxel of a segment can be changed; empty if they can.
+/// @param segment null: there is none
+[[nodiscard]] QString whyUnchangeable(const core::Segment* segment);
+
+/// Fills a menu with all segments but one, in the order of their list.
+/// @param choose is called with the label of the chosen one
+/// @return why none of them can be chosen; empty if one can
+QString listOtherSegments(
+    QMenu& menu, const core::Document& document, int but, const std::function<void(int)>& choose);
+
+/// Adds "Merge into" and "Swap with" to a menu. They are listed anew whenever the menu opens.
+/// @param before the action that they stand before; null: at the end
+/// @param label of the segment that the menu is about then
+/// @param named whether they say that segment's name, since no list shows whose they are
+void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
+    const std::function<int()>& label, bool named);
+
+} // namespace ui
