@@ -81,6 +81,7 @@ Result<ChunkTree> ChunkTree::of(const ChunkSource& source, const Progress& progr
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
     ChunkTree tree;
+    tree.m_noise = field->noise();
     std::vector<std::uint32_t> chunkOfPiece(std::size_t(pieces) * 2, none);
     // Pieces are numbered by their first voxels, and so are leaves.
     std::vector<std::uint32_t> leafOfPiece(pieces, none);
@@ -152,6 +153,22 @@ void ChunkTree::order()
         if (m_leafOfVoxel[voxel] != none)
             m_voxels[next[m_leafOfVoxel[voxel]]++] = std::uint32_t(voxel);
     }
+}
+
+std::optional<ChunkTree::Chunk> ChunkTree::parent(Chunk chunk) const
+{
+    return m_parents[chunk] == none ? std::nullopt : std::optional(m_parents[chunk]);
+}
+
+int ChunkTree::fewestWith(Chunk chunk) const
+{
+    // The division before the one in which it is joined.
+    return m_parents[chunk] == none ? fewest() : int(2 * m_leaves - m_parents[chunk]);
+}
+
+int ChunkTree::mostWith(Chunk chunk) const
+{
+    return chunk < m_leaves ? finest() : int(2 * m_leaves - chunk) - 1;
 }
 
 std::uint32_t ChunkTree::firstUnmade(int count) const
