@@ -12,13 +12,20 @@ namespace core {
 namespace {
 
 constexpr std::int64_t whole = 256; ///< of a share
-/// A contact is narrow if so many times its faces are fewer than those of a cube of the size.
+/// So that a neck with an eighth of the faces of a cube's side counts half.
 constexpr std::int64_t narrowTimes = 4;
+/// Of a chunk at least such a part must be left as doubt.
+constexpr std::int64_t leastShare = 16;
 /// Less doubt than this part of the segment is not worth a look, and less than so many voxels.
 constexpr std::int64_t leastPart = 4000;
 constexpr std::int64_t leastDoubt = 16;
 /// How many of the most doubtful chunks the suggested number of chunks goes by.
 constexpr std::size_t suggestedBy = 3;
+/// The others if they are at least this part as doubtful as the first, and if the number is at most
+/// so many times the first one's, or one that nobody minds.
+constexpr std::int64_t doubtfulPart = 8;
+constexpr int timesAsMany = 2;
+constexpr int fewEnough = 60;
 
 /// The faces of one side of a cube of so many voxels.
 std::int64_t facesOfCube(std::int64_t voxels)
@@ -136,18 +143,28 @@ std::int64_t DoubtfulChunks::doubtOf(Chunk chunk, const Around& around) const
     const bool inside = isInside(chunk);
     if (voxels > (inside ? m_allHeld / 2 : m_allHeld))
         return 0;
-    const std::size_t own = inside ? 1 : 0;
-    const std::size_t other = 1 - own;
-    const std::int64_t foreign =
-        shareOf(around.bonds[other], around.bonds[other] + around.bonds[own]);
-    const std::int64_t faces = around.faces[own];
+    // The likelihood is that of the side on which the chunk was when it was divided.
+    const bool stays = inside == (owner == m_segment);
+    const std::int64_t likelihood = stays ? m_tree.likelihood(chunk) : -m_tree.likelihood(chunk);
     const std::int64_t cube = facesOfCube(voxels);
-    // Without a contact with the rest the neck is as narrow as can be.
-    const std::int64_t second = inside
-        ? shareOf(cube, cube + narrowTimes * faces)
-        : (around.faces[other] > 0 ? around.bonds[other] / around.faces[other] : 0);
-    const std::int64_t unlikely = ChunkField::most - m_tree.likelihood(chunk);
-    return voxels * foreign / whole * second / whole * unlikely / (2 * ChunkField::most);
+    const auto [outerBonds, innerBonds] = around.bonds;
+    const auto [outerFaces, innerFaces] = around.faces;
+    const std::int64_t contact = innerBonds / std::int64_t(ChunkSurvey::alike);
+    std::int64_t first = 0;
+    std::int64_t second = 0;
+    if (inside) {
+        first = shareOf(outerFaces, outerFaces + contact);
+        second =
+            shareOf(std::max<std::int64_t>(0, cube - 2 * contact), cube + narrowTimes * contact);
+    } else if (innerFaces > 0) {
+        const std::int64_t foreign = shareOf(innerBonds, innerBonds + outerBonds);
+        first = foreign * foreign / whole;
+        second = innerBonds / innerFaces * contact / (contact + cube);
+    }
+    const std::int64_t third = 2 * ChunkField::most - likelihood;
+    const std::int64_t doubt =
+        voxels * first / whole * second / whole * third / (3 * ChunkField::most);
+    return leastShare * doubt < voxels ? 0 : doubt;
 }
 
 std::vector<DoubtfulChunks::Chunk> DoubtfulChunks::inOrder(std::vector<Chunk> chunks) const
@@ -220,7 +237,11 @@ std::optional<int> DoubtfulChunks::suggestedCount() const
     std::vector<Chunk> taken;
     int least = m_tree.fewest();
     int greatest = m_tree.finest();
+    const std::int64_t doubt = m_doubts[all.front()] / doubtfulPart;
+    const int most = std::max(fewEnough, timesAsMany * m_tree.fewestWith(all.front()));
     for (const Chunk chunk : all) {
+        if (m_doubts[chunk] < doubt || taken.size() == suggestedBy)
+            break;
         const bool isKnown = std::any_of(taken.begin(), taken.end(),
             [&](Chunk before) { return contains(before, chunk) || contains(chunk, before); });
         if (isKnown)
@@ -228,12 +249,10 @@ std::optional<int> DoubtfulChunks::suggestedCount() const
         taken.push_back(chunk);
         const int low = std::max(least, m_tree.fewestWith(chunk));
         const int high = std::min(greatest, m_tree.mostWith(chunk));
-        if (low <= high) {
+        if (low <= std::min(high, most)) {
             least = low;
             greatest = high;
         }
-        if (taken.size() == suggestedBy)
-            break;
     }
     return least;
 }

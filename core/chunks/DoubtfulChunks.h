@@ -11,11 +11,18 @@ namespace core {
 /// hang together more with the other side of its border than with their own. Decides no voxel;
 /// whole numbers only, so that the same is offered on every machine.
 ///
-/// The doubt of a chunk is its size, less by three shares:
-/// 1. of its bonds with everything around it, those with the other side (ChunkSurvey::Border);
-/// 2. outside, how alike both sides of its border with the segment are: a missing lobe has none;
-///    inside, how narrow its contact with the rest of the segment is: a leak has a neck;
-/// 3. how little likely it belongs where it is (ChunkTree::likelihood()).
+/// The doubt of a chunk is its size, less by three shares. Outside the segment:
+/// 1. of its bonds with everything around it (ChunkSurvey::Border), those with the segment,
+/// squared;
+/// 2. how alike both sides of its border with the segment are, and how wide that is beside a cube
+/// of
+///    its size: a missing lobe has a wide contact and no edge there.
+/// Inside, with the bonds to the rest of the segment counted as faces that are wholly alike:
+/// 1. of these and its faces to the outside, the latter: what lies within is not in doubt;
+/// 2. how narrow they are: a leak has a neck. More of them than half a side of a cube of its size
+///    is none.
+/// On both sides: 3. how little likely it belongs where it is (ChunkTree::likelihood()). A chunk of
+/// which less than a sixteenth is left is not in doubt.
 /// A chunk outside counts if it is not larger than the segment, one inside if it is not larger than
 /// half of it.
 class DoubtfulChunks {
@@ -41,7 +48,8 @@ public:
     /// The most doubtful chunks of a division, the first most; fewer if there is less doubt.
     [[nodiscard]] std::vector<Doubtful> of(int count, std::size_t most) const;
     /// The least number of chunks at which the most doubtful chunk of the whole tree stands by
-    /// itself, and as many as possible of those that come next; none: nothing is in doubt.
+    /// itself, and the two that come next unless they are much less in doubt, or take many more
+    /// chunks; none: nothing is in doubt.
     [[nodiscard]] std::optional<int> suggestedCount() const;
 
 private:
