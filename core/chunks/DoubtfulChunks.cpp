@@ -14,6 +14,8 @@ namespace {
 constexpr std::int64_t whole = 256; ///< of a share
 /// So that a neck with an eighth of the faces of a cube's side counts half.
 constexpr std::int64_t narrowTimes = 4;
+/// So that a contact with twice the faces of a cube's side counts half.
+constexpr std::int64_t wideTimes = 2;
 /// Of a chunk at least such a part must be left as doubt.
 constexpr std::int64_t leastShare = 16;
 /// Less doubt than this part of the segment is not worth a look, and less than so many voxels.
@@ -157,9 +159,8 @@ std::int64_t DoubtfulChunks::doubtOf(Chunk chunk, const Around& around) const
         second =
             shareOf(std::max<std::int64_t>(0, cube - 2 * contact), cube + narrowTimes * contact);
     } else if (innerFaces > 0) {
-        const std::int64_t foreign = shareOf(innerBonds, innerBonds + outerBonds);
-        first = foreign * foreign / whole;
-        second = innerBonds / innerFaces * contact / (contact + cube);
+        first = shareOf(innerBonds, innerBonds + outerBonds);
+        second = innerBonds / innerFaces * contact / (contact + wideTimes * cube);
     }
     const std::int64_t third = 2 * ChunkField::most - likelihood;
     const std::int64_t doubt =
