@@ -12,10 +12,13 @@ namespace core {
 namespace {
 
 constexpr std::int64_t whole = 256; ///< of a share
-/// So that a neck with an eighth of the faces of a cube's side counts half.
+/// So that a neck with a sixth of the faces of a cube's side counts half.
 constexpr std::int64_t narrowTimes = 4;
 /// So that a contact with twice the faces of a cube's side counts half.
 constexpr std::int64_t wideTimes = 2;
+/// What is likelier outside by so much leaves nothing to be added: less than one deviation, since
+/// missing parts of organs are about as likely on both sides, and their neighbours a bit less.
+constexpr std::int64_t lostLead = 40;
 /// Of a chunk at least such a part must be left as doubt.
 constexpr std::int64_t leastShare = 16;
 /// Less doubt than this part of the segment is not worth a look, and less than so many voxels.
@@ -154,17 +157,19 @@ std::int64_t DoubtfulChunks::doubtOf(Chunk chunk, const Around& around) const
     const std::int64_t contact = innerBonds / std::int64_t(ChunkSurvey::alike);
     std::int64_t first = 0;
     std::int64_t second = 0;
+    std::int64_t unlikely = 0;
     if (inside) {
+        unlikely = shareOf(2 * ChunkField::most - likelihood, 3 * ChunkField::most);
         first = shareOf(outerFaces, outerFaces + contact);
-        second =
-            shareOf(std::max<std::int64_t>(0, cube - 2 * contact), cube + narrowTimes * contact);
+        second = shareOf(std::max<std::int64_t>(0, cube - contact), cube + narrowTimes * contact);
     } else if (innerFaces > 0) {
+        const std::int64_t lead =
+            shareOf(std::clamp<std::int64_t>(lostLead - likelihood, 0, lostLead), lostLead);
+        unlikely = lead * lead / whole;
         first = shareOf(innerBonds, innerBonds + outerBonds);
         second = innerBonds / innerFaces * contact / (contact + wideTimes * cube);
     }
-    const std::int64_t third = 2 * ChunkField::most - likelihood;
-    const std::int64_t doubt =
-        voxels * first / whole * second / whole * third / (3 * ChunkField::most);
+    const std::int64_t doubt = voxels * first / whole * second / whole * unlikely / whole;
     return leastShare * doubt < voxels ? 0 : doubt;
 }
 

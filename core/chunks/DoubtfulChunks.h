@@ -12,17 +12,16 @@ namespace core {
 /// whole numbers only, so that the same is offered on every machine.
 ///
 /// The doubt of a chunk is its size, less by three shares. Outside the segment:
-/// 1. of its bonds with everything around it (ChunkSurvey::Border), those with the segment,
-/// squared;
+/// 1. of its bonds with everything around it (ChunkSurvey::Border), those with the segment;
 /// 2. how alike both sides of its border with the segment are, and how wide that is beside a cube
 /// of
-///    its size: a missing lobe has a wide contact and no edge there.
+///    its size: a missing lobe has a wide contact and no edge there;
+/// 3. how little likelier it is outside (ChunkTree::likelihood()), squared.
 /// Inside, with the bonds to the rest of the segment counted as faces that are wholly alike:
 /// 1. of these and its faces to the outside, the latter: what lies within is not in doubt;
-/// 2. how narrow they are: a leak has a neck. More of them than half a side of a cube of its size
-///    is none.
-/// On both sides: 3. how little likely it belongs where it is (ChunkTree::likelihood()). A chunk of
-/// which less than a sixteenth is left is not in doubt.
+/// 2. how narrow they are: a leak has a neck, and as many as a side of a cube of its size are none;
+/// 3. how little likely it is inside.
+/// A chunk of which less than a sixteenth is left is not in doubt.
 /// A chunk outside counts if it is not larger than the segment, one inside if it is not larger than
 /// half of it.
 class DoubtfulChunks {

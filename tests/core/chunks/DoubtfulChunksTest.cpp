@@ -304,17 +304,20 @@ private:
                         tree.likelihood(chunk) * (inside == (tree.owner(chunk) == 1) ? 1 : -1);
                     std::int64_t first = 0;
                     std::int64_t second = 0;
+                    std::int64_t third = 0;
                     if (inside) {
                         first = share(faces[0], faces[0] + contact);
-                        second =
-                            cube > 2 * contact ? share(cube - 2 * contact, cube + 4 * contact) : 0;
+                        second = cube > contact ? share(cube - contact, cube + 4 * contact) : 0;
+                        third = share(510 - belongs, 765);
                     } else if (faces[1] > 0) {
                         first = share(bonds[1], bonds[0] + bonds[1]);
                         second = bonds[1] / faces[1] * contact / (contact + 2 * cube);
+                        const std::int64_t lead = share(std::clamp(40 - belongs, 0, 40), 40);
+                        third = lead * lead / 256;
                     }
                     std::int64_t doubt = voxels * first / 256;
                     doubt = doubt * second / 256;
-                    doubt = doubt * (510 - belongs) / 765;
+                    doubt = doubt * third / 256;
                     if (16 * doubt >= voxels && doubt >= std::max<std::int64_t>(16, held / 4000))
                         expected[chunk] = doubt;
                 }
