@@ -2,6 +2,7 @@
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/segments/ImportMask.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "ui/panels/refine/ChunksPanel.h"
