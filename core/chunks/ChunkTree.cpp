@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/chunks/ChunkTree.h"
 
+#include "core/base/LargePages.h"
 #include "core/base/ParallelFor.h"
 #include "core/chunks/ChunkPieces.h"
 
@@ -145,7 +146,7 @@ void ChunkTree::order()
         m_spans[join.first].begin = m_spans[m_leaves + i].begin;
         m_spans[join.second].begin = m_spans[join.first].begin + m_spans[join.first].count;
     }
-    m_voxels.resize(all);
+    resizeInLargePages(m_voxels, all);
     std::vector<std::uint32_t> next(m_leaves);
     for (std::uint32_t leaf = 0; leaf < m_leaves; ++leaf)
         next[leaf] = m_spans[leaf].begin;
