@@ -164,7 +164,9 @@ void Chunks::take(const std::shared_ptr<const ChunkLeaves>& leaves)
         [&tree](Chunk chunk) { return tree.voxels(chunk).size() < speckVoxels; }));
     m_members.begin(m_leaves, m_segment);
     const auto now = division();
-    const bool isNew = now && now->id > std::exchange(m_suggestAfter, noDivision);
+    const bool isNew = now && now->id > m_suggestAfter;
+    if (isNew)
+        m_suggestAfter = noDivision;
     if (const auto suggested = suggestedCount(); isNew && suggested) {
         Look look = m_look;
         look.count = *suggested;

@@ -8,8 +8,8 @@
 #include "core/history/History.h"
 #include "gpu/scene/Scene.h"
 #include "ui/settings/ChunkLeaves.h"
-#include "ui/workspace/ChunkMembers.h"
 #include "ui/settings/LikelyChunks.h"
+#include "ui/workspace/ChunkMembers.h"
 
 #include <QObject>
 
