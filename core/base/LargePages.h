@@ -10,12 +10,19 @@ namespace core {
 /// volume then needs a hundred page faults instead of sixty thousand. It changes nothing else.
 void useLargePages(void* memory, std::size_t bytes);
 
-/// Resizes an empty vector to @p count zeros, in large pages.
-template <class Value> void resizeInLargePages(std::vector<Value>& values, std::size_t count)
+/// Makes room in an empty vector for @p count values, in large pages.
+template <class Value> void reserveInLargePages(std::vector<Value>& values, std::size_t count)
 {
     values.reserve(count);
     useLargePages(values.data(), count * sizeof(Value));
-    values.resize(count);
+}
+
+/// Resizes an empty vector to @p count times a value, zero by default, in large pages.
+template <class Value>
+void resizeInLargePages(std::vector<Value>& values, std::size_t count, const Value& value = {})
+{
+    reserveInLargePages(values, count);
+    values.resize(count, value);
 }
 
 } // namespace core

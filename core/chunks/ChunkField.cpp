@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/chunks/ChunkField.h"
 
+#include "core/base/LargePages.h"
 #include "core/base/ParallelFor.h"
 #include "core/chunks/OwnerCosts.h"
 #include "core/chunks/OwnerDepths.h"
@@ -147,9 +148,9 @@ struct Likelihoods {
     std::vector<std::uint8_t> others;
 
     explicit Likelihoods(std::size_t voxels)
-        : own(voxels, std::uint8_t(mostDeviations))
-        , others(voxels, std::uint8_t(mostDeviations))
     {
+        resizeInLargePages(own, voxels, std::uint8_t(mostDeviations));
+        resizeInLargePages(others, voxels, std::uint8_t(mostDeviations));
     }
     void take(const ChunkSource& source, const BorderedBox& box, Owner owner,
         const std::vector<std::uint8_t>& costs)
@@ -220,7 +221,7 @@ Result<ChunkField> ChunkField::of(const ChunkSource& source, const Progress& pro
     }
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
-    field.m_likelihoods.resize(source.owners.size());
+    resizeInLargePages(field.m_likelihoods, source.owners.size());
     for (std::size_t voxel = 0; voxel < field.m_likelihoods.size(); ++voxel)
         field.m_likelihoods[voxel] = source.owners[voxel] == outside
             ? std::int16_t(0)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace core {
 
@@ -59,10 +60,12 @@ double ChunkMap::suitableMarginMm(std::int64_t voxels, const VolumeGeometry& geo
     return margin;
 }
 
-ChunkMap::ChunkMap(const glm::ivec3& volumeSize, const VoxelBox& box, ChunkTree tree)
+ChunkMap::ChunkMap(
+    const glm::ivec3& volumeSize, const VoxelBox& box, ChunkTree tree, ChunkSurvey survey)
     : m_volumeSize(volumeSize)
     , m_box(box)
     , m_tree(std::move(tree))
+    , m_survey(std::move(survey))
 {
 }
 

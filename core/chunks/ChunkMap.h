@@ -3,7 +3,7 @@
 
 #include "core/brick/BrickGrid.h"
 #include "core/brick/VoxelRuns.h"
-#include "core/chunks/ChunkTree.h"
+#include "core/chunks/ChunkSurvey.h"
 #include "core/volume/VolumeGeometry.h"
 
 #include <optional>
@@ -36,9 +36,12 @@ public:
         std::int64_t voxels, const VolumeGeometry& geometry);
 
     /// @param volumeSize of the volume that contains the box
-    ChunkMap(const glm::ivec3& volumeSize, const VoxelBox& box, ChunkTree tree);
+    /// @param survey of the tree; empty: nothing is known to be in doubt
+    ChunkMap(
+        const glm::ivec3& volumeSize, const VoxelBox& box, ChunkTree tree, ChunkSurvey survey = {});
 
     [[nodiscard]] const ChunkTree& tree() const { return m_tree; }
+    [[nodiscard]] const ChunkSurvey& survey() const { return m_survey; }
     [[nodiscard]] const VoxelBox& box() const { return m_box; }
     [[nodiscard]] const glm::ivec3& volumeSize() const { return m_volumeSize; }
     /// The chunk of a division that contains a voxel of the volume; none: the voxel is outside the
@@ -73,6 +76,7 @@ private:
     glm::ivec3 m_volumeSize;
     VoxelBox m_box;
     ChunkTree m_tree;
+    ChunkSurvey m_survey;
 };
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/chunks/ChunkPieces.h"
 
+#include "core/base/LargePages.h"
 #include "core/base/ParallelFor.h"
 #include "core/chunks/SharedProgress.h"
 
@@ -218,7 +219,7 @@ Result<ChunkPieces> chunkPieces(
     const ChunkSource& source, const ChunkField& field, const Progress& progress)
 {
     ChunkPieces pieces;
-    pieces.ofVoxel.assign(source.owners.size(), ChunkPieces::none);
+    resizeInLargePages(pieces.ofVoxel, source.owners.size(), ChunkPieces::none);
     const int count = (source.size.z + side - 1) / side;
     auto layers = std::vector<Layer>(std::size_t(count));
     Cutting cutting(source, field, pieces);
@@ -237,12 +238,18 @@ Result<ChunkPieces> chunkPieces(
         layer.begin = pieceCount;
         pieceCount += std::uint32_t(layer.found.size());
     }
+    // Each join makes one more (PieceJoining).
+    reserveInLargePages(pieces.pieces, 2 * std::size_t(pieceCount));
     pieces.pieces.resize(pieceCount);
     pieces.owners.resize(pieceCount);
     parallelFor(count, [&](int i) { cutting.number(i * side, layers[std::size_t(i)]); });
     forEachLayer([&](int z, Layer& layer) { cutting.findContacts(z, layer); });
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
+    std::size_t contacts = 0;
+    for (const Layer& layer : layers)
+        contacts += layer.contacts.size();
+    reserveInLargePages(pieces.contacts, contacts);
     for (const Layer& layer : layers)
         pieces.contacts.insert(pieces.contacts.end(), layer.contacts.begin(), layer.contacts.end());
     return pieces;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/chunks/ChunkTree.h"
 
+#include "core/base/LargePages.h"
 #include "core/base/ParallelFor.h"
 #include "core/chunks/ChunkPieces.h"
 
@@ -81,6 +82,7 @@ Result<ChunkTree> ChunkTree::of(const ChunkSource& source, const Progress& progr
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
     ChunkTree tree;
+    tree.m_noise = field->noise();
     std::vector<std::uint32_t> chunkOfPiece(std::size_t(pieces) * 2, none);
     // Pieces are numbered by their first voxels, and so are leaves.
     std::vector<std::uint32_t> leafOfPiece(pieces, none);
@@ -144,7 +146,7 @@ void ChunkTree::order()
         m_spans[join.first].begin = m_spans[m_leaves + i].begin;
         m_spans[join.second].begin = m_spans[join.first].begin + m_spans[join.first].count;
     }
-    m_voxels.resize(all);
+    resizeInLargePages(m_voxels, all);
     std::vector<std::uint32_t> next(m_leaves);
     for (std::uint32_t leaf = 0; leaf < m_leaves; ++leaf)
         next[leaf] = m_spans[leaf].begin;
@@ -152,6 +154,22 @@ void ChunkTree::order()
         if (m_leafOfVoxel[voxel] != none)
             m_voxels[next[m_leafOfVoxel[voxel]]++] = std::uint32_t(voxel);
     }
+}
+
+std::optional<ChunkTree::Chunk> ChunkTree::parent(Chunk chunk) const
+{
+    return m_parents[chunk] == none ? std::nullopt : std::optional(m_parents[chunk]);
+}
+
+int ChunkTree::fewestWith(Chunk chunk) const
+{
+    // The division before the one in which it is joined.
+    return m_parents[chunk] == none ? fewest() : int(2 * m_leaves - m_parents[chunk]);
+}
+
+int ChunkTree::mostWith(Chunk chunk) const
+{
+    return chunk < m_leaves ? finest() : int(2 * m_leaves - chunk) - 1;
 }
 
 std::uint32_t ChunkTree::firstUnmade(int count) const

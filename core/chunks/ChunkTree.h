@@ -30,6 +30,17 @@ public:
     [[nodiscard]] int fewest() const { return int(m_leaves) - int(m_joins.size()); }
     [[nodiscard]] int finest() const { return int(m_leaves); }
 
+    /// All chunks of the tree are numbered 0 … chunkCount() − 1: those of the finest division, then
+    /// the joins in their order, so that a chunk stands before the one that it is joined into.
+    [[nodiscard]] Chunk chunkCount() const { return Chunk(m_parents.size()); }
+    /// The chunk that it is joined into; none: it is joined with no other.
+    [[nodiscard]] std::optional<Chunk> parent(Chunk chunk) const;
+    /// The least and the greatest number of chunks at which a chunk stands by itself.
+    [[nodiscard]] int fewestWith(Chunk chunk) const;
+    [[nodiscard]] int mostWith(Chunk chunk) const;
+    /// As ChunkField::noise().
+    [[nodiscard]] int noise() const { return m_noise; }
+
     /// The chunks of a division into @p count chunks, ascending; count is between fewest() and
     /// finest().
     [[nodiscard]] std::vector<Chunk> division(int count) const;
@@ -37,6 +48,9 @@ public:
     [[nodiscard]] std::optional<Chunk> chunkAt(std::size_t voxel, int count) const;
     /// The chunk of the finest division that contains a voxel, 0 … finest() − 1; for drawing.
     [[nodiscard]] std::optional<Chunk> leafAt(std::size_t voxel) const;
+    /// The same for all voxels of the box; noLeaf: the voxel was left out.
+    static constexpr Chunk noLeaf = ~Chunk(0);
+    [[nodiscard]] std::span<const Chunk> leaves() const { return m_leafOfVoxel; }
     /// For each chunk of the finest division, the chunk of a division that contains it.
     [[nodiscard]] std::vector<Chunk> chunksOfLeaves(int count) const;
     /// The voxels of a chunk, by their index in the box. Cost: none.
@@ -54,12 +68,13 @@ private:
         std::uint32_t begin = 0;
         std::uint32_t count = 0;
     };
-    static constexpr std::uint32_t none = ~std::uint32_t(0);
+    static constexpr std::uint32_t none = noLeaf;
 
     void order();
     /// The first chunk that a division does not contain yet; `none` is beyond it, too.
     [[nodiscard]] std::uint32_t firstUnmade(int count) const;
 
+    int m_noise = 1;
     std::uint32_t m_leaves = 0; ///< chunks below this number are not joins
     std::vector<Join> m_joins; ///< chunk m_leaves + i, in the order of joining
     std::vector<std::uint32_t> m_parents; ///< by chunk; none: it is part of no join

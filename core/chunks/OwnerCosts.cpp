@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/chunks/OwnerCosts.h"
 
+#include "core/base/LargePages.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -35,9 +37,11 @@ int inDeviations(int difference, int deviation)
 
 BorderedBox::BorderedBox(const ChunkSource& source)
     : size(source.size)
-    , codes(slice() * (std::size_t(size.z) + 2), 0)
-    , costs(codes.size(), std::uint8_t(0))
 {
+    // Paths go through them in all directions, so that with small pages hardly any step finds its
+    // page's address at hand.
+    resizeInLargePages(codes, slice() * (std::size_t(size.z) + 2));
+    resizeInLargePages(costs, codes.size());
     std::size_t from = 0;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {
@@ -59,7 +63,9 @@ std::vector<std::uint8_t> OwnerCosts::of(
     const auto stepOf = [&](const std::vector<std::uint8_t>& table, int difference) {
         return int(table[std::min(std::size_t(std::abs(difference)), table.size() - 1)]);
     };
-    std::vector<std::uint8_t> costs = box.costs;
+    std::vector<std::uint8_t> costs;
+    reserveInLargePages(costs, box.costs.size());
+    costs.assign(box.costs.begin(), box.costs.end());
     // A bucket for each cost, so the order within one does not matter; the last comes first, since
     // it lies near the one before.
     std::array<std::vector<std::uint32_t>, std::size_t(highestCost)> buckets;

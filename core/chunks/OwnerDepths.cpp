@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/chunks/OwnerDepths.h"
 
+#include "core/base/LargePages.h"
 #include "core/base/ParallelFor.h"
 
 #include <algorithm>
@@ -45,7 +46,8 @@ std::vector<std::uint16_t> ownerDepths(const ChunkSource& source)
     const auto rows = std::size_t(source.size.y);
     const std::size_t slice = columns * rows;
     const auto slices = std::size_t(source.size.z);
-    std::vector<Depth> depth(source.owners.size(), unknown);
+    std::vector<Depth> depth;
+    resizeInLargePages(depth, source.owners.size(), unknown);
     // The steps between two voxels are those along each axis added up, so axes follow each other.
     parallelFor(source.size.z, [&](int z) {
         Depth* here = depth.data() + std::size_t(z) * slice;

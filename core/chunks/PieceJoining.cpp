@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/chunks/PieceJoining.h"
 
+#include "core/base/LargePages.h"
 #include "core/chunks/ChunkField.h"
 
 #include <algorithm>
@@ -65,7 +66,6 @@ PieceJoining::Node PieceJoining::nodeOf(const Piece& piece, std::uint32_t number
 PieceJoining::PieceJoining(
     std::vector<Piece> pieces, const std::vector<Contact>& contacts, int noise)
     : m_pieces(std::move(pieces))
-    , m_neighbours(m_pieces.size())
     , m_left(std::uint32_t(m_pieces.size()))
 {
     constexpr std::int64_t greatestCode = std::numeric_limits<std::uint16_t>::max();
@@ -76,8 +76,9 @@ PieceJoining::PieceJoining(
             std::uint16_t(std::min(mostTaken, apart * ChunkField::deviation / noise)));
     // Each join leaves one piece less and makes one.
     m_pieces.reserve(2 * m_pieces.size());
-    m_nodes.reserve(2 * m_pieces.size());
-    m_neighbours.reserve(2 * m_pieces.size());
+    reserveInLargePages(m_nodes, 2 * m_pieces.size());
+    reserveInLargePages(m_neighbours, 2 * m_pieces.size());
+    m_neighbours.resize(m_pieces.size());
     for (std::uint32_t i = 0; i < m_pieces.size(); ++i)
         m_nodes.push_back(nodeOf(m_pieces[i], i));
     std::vector<std::uint32_t> counts(m_pieces.size(), 0);

@@ -22,7 +22,7 @@ layout(binding = 7) uniform sampler2D palette;   // rgb, shown
 
 #if CHUNKS
 layout(binding = 24) uniform usampler3D chunkLeaves; // leaf + 1 by voxel of their box
-layout(binding = 25) uniform sampler2D chunkColours; // row by leaf, alpha 0: none
+layout(binding = 25) uniform sampler2D chunkColours; // by leaf, alpha 0: none; above it the rims
 uniform ivec3 chunkOrigin;
 uniform float chunkOpacity;
 #endif
@@ -59,6 +59,7 @@ const vec3 barrierColour = vec3(0.93, 0.25, 0.36);
 const float barrierWidth = 1.2; // pixels
 const float cutPreviewWidth = 1.5; // pixels
 const float chunkWidth = 0.8; // pixels
+const float chunkRimWidth = 1.8; // pixels
 const vec3 pieceColour = vec3(0.29, 0.64, 1.0);
 const float pieceWidth = 1.5; // pixels
 #if PLANE
@@ -99,13 +100,22 @@ uint labelAt(ivec3 voxel)
 }
 
 #if CHUNKS
-vec4 chunkAt(vec3 index)
+int chunkLeafAt(vec3 index)
 {
     const ivec3 within = nearestVoxel(index) - chunkOrigin;
     const bool has = all(greaterThanEqual(within, ivec3(0)))
         && all(lessThan(within, textureSize(chunkLeaves, 0)));
-    const uint leaf = has ? texelFetch(chunkLeaves, within, 0).r : 0u;
-    return texelFetch(chunkColours, ivec2(int(leaf), 0), 0);
+    return has ? int(texelFetch(chunkLeaves, within, 0).r) : 0;
+}
+
+vec4 chunkAt(vec3 index)
+{
+    return texelFetch(chunkColours, ivec2(chunkLeafAt(index), 0), 0);
+}
+
+vec4 chunkRimAt(vec3 index)
+{
+    return texelFetch(chunkColours, ivec2(chunkLeafAt(index), 1), 0);
 }
 #endif
 
@@ -154,6 +164,13 @@ void main()
         meets = meets || chunkAt(indexAt(pixel + around(i) * chunkWidth)) != chunk;
     const float chunkShare = chunkOpacity * (meets ? 2.0 : 1.0) * chunk.a;
     result = mix(result, chunk.rgb * (meets ? 0.8 : 1.0), min(chunkShare, 1.0));
+    // The rim lies inside of its chunk, so that the line of a segment beside it hides no part of it.
+    const vec4 chunkRim = chunkRimAt(index);
+    bool chunkEnds = false;
+    for (int i = 0; i < 8 && chunkRim.a > 0.0; i += 2)
+        chunkEnds
+            = chunkEnds || chunkRimAt(indexAt(pixel + around(i) * chunkRimWidth)) != chunkRim;
+    result = mix(result, chunkRim.rgb, chunkEnds ? chunkRim.a : 0.0);
 #endif
 
 #if LABELED

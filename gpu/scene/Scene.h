@@ -73,6 +73,9 @@ struct SceneChunks {
     std::shared_ptr<const std::vector<std::uint16_t>> leaves;
     /// Colour of each chunk of the finest division, 0xAARRGGBB. AA scales `opacity`; 0: not drawn.
     std::vector<std::uint32_t> argb;
+    /// Rim of each of these, 0xAARRGGBB: chunks that are outlined have one, all their voxels the
+    /// same, and those that touch different ones. AA 0, or no list: none.
+    std::vector<std::uint32_t> rims{};
     float opacity = 0.3f;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/settings/ChunkLeaves.h"
 
+#include "core/chunks/DoubtfulChunks.h"
+
 #include <utility>
 
 namespace ui {
@@ -14,7 +16,7 @@ glm::ivec3 sizeOf(const core::VoxelBox& box)
 
 } // namespace
 
-ChunkLeaves::ChunkLeaves(std::shared_ptr<const core::ChunkMap> chunks)
+ChunkLeaves::ChunkLeaves(std::shared_ptr<const core::ChunkMap> chunks, int segment)
     : map(std::move(chunks))
     , voxels(std::size_t(map->tree().finest()))
     , colours(map->tree(), sizeOf(map->box()))
@@ -30,6 +32,10 @@ ChunkLeaves::ChunkLeaves(std::shared_ptr<const core::ChunkMap> chunks)
             (*leaves)[voxel] = std::uint16_t(leaf + 1);
     }
     ofVoxel = std::move(leaves);
+    const auto label = std::uint8_t(segment);
+    suggestedCount = core::DoubtfulChunks(
+        map->tree(), map->survey(), label, core::DoubtfulChunks::ownedBy(map->tree(), label))
+                         .suggestedCount();
 }
 
 } // namespace ui

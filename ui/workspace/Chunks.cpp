@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/Chunks.h"
 
+#include "core/chunks/BoxWalk.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/masks/ReadProbabilities.h"
 #include "core/session/SessionChunks.h"
@@ -33,6 +34,11 @@ constexpr std::uint32_t otherShare = 90;
 constexpr std::uint32_t litOwnShare = 255;
 constexpr std::uint32_t litOtherShare = 225;
 
+/// Rims of chunks that are likely to be added, and to be taken.
+constexpr std::uint32_t addRim = 0xFF8CFFA0;
+constexpr std::uint32_t takeRim = 0xFFFF8070;
+constexpr int noDivision = std::numeric_limits<int>::max();
+
 std::uint32_t mixed(std::uint32_t rgb, std::uint32_t other, int percent)
 {
     std::uint32_t result = 0;
@@ -50,6 +56,7 @@ Chunks::Chunks(Workspace& workspace)
     : QObject(&workspace)
     , m_workspace(workspace)
     , m_members(workspace)
+    , m_suggestAfter(noDivision)
 {
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_background.cancel();
@@ -57,7 +64,9 @@ Chunks::Chunks(Workspace& workspace)
         m_wanted.reset();
         m_leaves.reset();
         m_members.begin(nullptr, 0);
+        m_likely.forget();
         m_lit.clear();
+        m_suggestAfter = noDivision;
         m_dividedAfter = std::numeric_limits<core::RowId>::max();
         if (m_look.shown) {
             m_look.shown = false;
@@ -74,6 +83,11 @@ Chunks::Chunks(Workspace& workspace)
                 m_members.look(change.box);
         });
     connect(&m_members, &ChunkMembers::changed, this, [this] {
+        lookForLikely();
+        colour();
+        Q_EMIT changed();
+    });
+    connect(&m_likely, &LikelyChunks::changed, this, [this] {
         colour();
         Q_EMIT changed();
     });
@@ -121,12 +135,16 @@ void Chunks::follow()
         m_specks = 0;
         m_count = 0;
         m_lit.clear();
+        m_likely.forget();
         m_members.begin(nullptr, 0);
         colour();
         m_background.cancel();
         if (m_wanted)
             m_background.start(
-                this, [map = m_wanted] { return std::make_shared<const ChunkLeaves>(map); },
+                this,
+                [map = m_wanted, segment = m_segment] {
+                    return std::make_shared<const ChunkLeaves>(map, segment);
+                },
                 [this](const core::Result<std::shared_ptr<const ChunkLeaves>>& leaves) {
                     if (leaves)
                         return take(*leaves);
@@ -145,8 +163,38 @@ void Chunks::take(const std::shared_ptr<const ChunkLeaves>& leaves)
     m_specks = int(std::count_if(roots.begin(), roots.end(),
         [&tree](Chunk chunk) { return tree.voxels(chunk).size() < speckVoxels; }));
     m_members.begin(m_leaves, m_segment);
+    const auto now = division();
+    const bool isNew = now && now->id > m_suggestAfter;
+    if (isNew)
+        m_suggestAfter = noDivision;
+    if (const auto suggested = suggestedCount(); isNew && suggested) {
+        Look look = m_look;
+        look.count = *suggested;
+        setLook(look);
+    }
     colour();
     Q_EMIT changed();
+}
+
+std::optional<int> Chunks::suggestedCount() const
+{
+    if (!m_leaves || !m_leaves->suggestedCount)
+        return std::nullopt;
+    return std::clamp(*m_leaves->suggestedCount - m_specks, fewest, most);
+}
+
+glm::dvec3 Chunks::placeLps(const Likely& likely) const
+{
+    const core::VoxelBox& box = m_leaves->map->box();
+    const core::BoxWalk walk(box.maximum - box.minimum);
+    return m_workspace.volume()->geometry.toWorld(
+        glm::dvec3(box.minimum + walk.placeOf(likely.middle)));
+}
+
+void Chunks::lookForLikely()
+{
+    if (m_leaves)
+        m_likely.look(m_leaves, m_segment, m_members.own(), count());
 }
 
 void Chunks::setLook(const Look& look)
@@ -157,9 +205,12 @@ void Chunks::setLook(const Look& look)
     if (wanted == m_look)
         return;
     const bool shows = wanted.shown != m_look.shown;
-    if (wanted.count != m_look.count)
+    const bool divides = wanted.count != m_look.count;
+    if (divides)
         m_lit.clear();
     m_look = wanted;
+    if (divides)
+        lookForLikely();
     if (shows) {
         // Who asks again has it tried again.
         if (core::SessionChunks* its = chunks(); its && m_look.shown)
@@ -239,12 +290,17 @@ void Chunks::countOwn()
 std::vector<std::uint32_t> Chunks::argbOfLeaves(bool bodies) const
 {
     const core::ChunkTree& tree = m_leaves->map->tree();
+    const auto isLikely = [this](Chunk chunk) {
+        const std::vector<Likely>& all = m_likely.all();
+        return std::any_of(all.begin(), all.end(),
+            [chunk](const Likely& likely) { return likely.chunk == chunk; });
+    };
     std::vector<std::uint32_t> argb(m_chunkOfLeaf.size());
     for (std::size_t leaf = 0; leaf < argb.size(); ++leaf) {
         const Chunk chunk = m_chunkOfLeaf[leaf];
         const bool isOwn = m_has[chunk];
         const bool isLit = std::find(m_lit.begin(), m_lit.end(), chunk) != m_lit.end();
-        const bool isHidden = bodies && !isOwn && !isLit
+        const bool isHidden = bodies && !isOwn && !isLit && !isLikely(chunk)
             && (m_look.bodies == Bodies::Own
                 || (m_look.bodies == Bodies::Alike && tree.likelihood(chunk) >= 0));
         const std::uint32_t rgb = palette[m_colourOfLeaf[leaf]];
@@ -256,12 +312,31 @@ std::vector<std::uint32_t> Chunks::argbOfLeaves(bool bodies) const
     return argb;
 }
 
-std::shared_ptr<const gpu::SceneChunks> Chunks::scene(std::vector<std::uint32_t> argb) const
+/// Empty: none has one.
+std::vector<std::uint32_t> Chunks::rimsOfLeaves() const
+{
+    std::vector<std::uint32_t> rims;
+    for (std::size_t i = 0; i < m_likely.all().size(); ++i) {
+        const Likely& likely = m_likely.all()[i];
+        rims.resize(m_chunkOfLeaf.size(), 0);
+        // A line is drawn where colours differ, so two that touch must not have the same.
+        const std::uint32_t rim = (likely.isInside ? takeRim : addRim) + std::uint32_t(i);
+        for (std::size_t leaf = 0; leaf < rims.size(); ++leaf) {
+            if (m_chunkOfLeaf[leaf] == likely.chunk)
+                rims[leaf] = rim;
+        }
+    }
+    return rims;
+}
+
+std::shared_ptr<const gpu::SceneChunks> Chunks::scene(
+    std::vector<std::uint32_t> argb, const std::vector<std::uint32_t>& rims) const
 {
     auto chunks = std::make_shared<gpu::SceneChunks>();
     chunks->box = m_leaves->map->box();
     chunks->leaves = m_leaves->ofVoxel;
     chunks->argb = std::move(argb);
+    chunks->rims = rims;
     chunks->opacity = m_look.opacity;
     return chunks;
 }
@@ -277,19 +352,20 @@ void Chunks::colour()
         return;
     }
     countOwn();
-    const auto same = [this](const std::shared_ptr<const gpu::SceneChunks>& shown,
+    const std::vector<std::uint32_t> rims = rimsOfLeaves();
+    const auto same = [&](const std::shared_ptr<const gpu::SceneChunks>& shown,
                           const std::vector<std::uint32_t>& argb) {
         return shown && shown->leaves == m_leaves->ofVoxel && shown->argb == argb
-            && shown->opacity == m_look.opacity;
+            && shown->rims == rims && shown->opacity == m_look.opacity;
     };
     std::vector<std::uint32_t> areas = argbOfLeaves(false);
     std::vector<std::uint32_t> bodies = argbOfLeaves(true);
     const bool sameAreas = same(m_areas, areas);
     const bool sameBodies = same(m_bodies, bodies);
     if (!sameAreas)
-        m_areas = scene(std::move(areas));
+        m_areas = scene(std::move(areas), rims);
     if (!sameBodies)
-        m_bodies = scene(std::move(bodies));
+        m_bodies = scene(std::move(bodies), rims);
     if (!sameAreas || !sameBodies)
         Q_EMIT pictureChanged();
 }
@@ -335,6 +411,7 @@ void Chunks::apply(const core::DivideSegment& division)
 {
     core::EditSession* session = m_workspace.session();
     m_dividedAfter = core::RowId(session->history().rows().size());
+    m_suggestAfter = session->document().lastChunksGiven();
     if (const auto applied = session->apply(division); !applied)
         return m_workspace.fail(applied.error());
     if (const core::Segment* segment = session->document().segment(division.segment))

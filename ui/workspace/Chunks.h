@@ -8,6 +8,7 @@
 #include "core/history/History.h"
 #include "gpu/scene/Scene.h"
 #include "ui/settings/ChunkLeaves.h"
+#include "ui/settings/LikelyChunks.h"
 #include "ui/workspace/ChunkMembers.h"
 
 #include <QObject>
@@ -58,8 +59,9 @@ public:
     }
     /// Whether chunks are to be shown and are still being computed.
     [[nodiscard]] bool isWorking() const;
-    /// Whether the chunks of the segment are being counted, so that what is shown may change.
-    [[nodiscard]] bool isCounting() const { return m_members.isCounting(); }
+    /// Whether the chunks of the segment are being counted, or those in doubt looked for, so that
+    /// what is shown may change.
+    [[nodiscard]] bool isCounting() const { return m_members.isCounting() || m_likely.isLooking(); }
     /// How far the computation is; changes without a signal.
     [[nodiscard]] core::ChunkStage stage() const;
     [[nodiscard]] const Look& look() const { return m_look; }
@@ -76,6 +78,15 @@ public:
     /// Whether the segment contains more than half of the chunk.
     [[nodiscard]] bool has(Chunk chunk) const;
     [[nodiscard]] double millilitres(Chunk chunk) const;
+    /// The number of chunks, as in Look, at which what is most in doubt stands by itself; a new
+    /// division begins with it. None: nothing is in doubt, or the chunks are not there.
+    [[nodiscard]] std::optional<int> suggestedCount() const;
+    /// The few chunks that the user will most likely click on, which are drawn with a rim; the
+    /// most likely one first.
+    using Likely = core::DoubtfulChunks::Doubtful;
+    [[nodiscard]] const std::vector<Likely>& likely() const { return m_likely.all(); }
+    /// A place in one of them, about in its middle.
+    [[nodiscard]] glm::dvec3 placeLps(const Likely& likely) const;
     /// Sets the chunks that are drawn brightly because a tool points at them.
     void setLit(std::vector<Chunk> chunks);
 
@@ -107,17 +118,21 @@ private:
     void countOwn();
     void colour();
     [[nodiscard]] std::vector<std::uint32_t> argbOfLeaves(bool bodies) const;
+    [[nodiscard]] std::vector<std::uint32_t> rimsOfLeaves() const;
+    void lookForLikely();
     [[nodiscard]] std::shared_ptr<const gpu::SceneChunks> scene(
-        std::vector<std::uint32_t> argb) const;
+        std::vector<std::uint32_t> argb, const std::vector<std::uint32_t>& rims) const;
 
     Workspace& m_workspace;
     Look m_look;
     ChunkMembers m_members;
+    LikelyChunks m_likely;
     /// The chunks from which m_leaves are made or being made.
     std::shared_ptr<const core::ChunkMap> m_wanted;
     std::shared_ptr<const ChunkLeaves> m_leaves;
     int m_segment = 0; ///< the segment that they belong to
     core::RowId m_dividedAfter = 0; ///< a division after this row comes from divide()
+    int m_suggestAfter; ///< a division with a greater id begins with the suggested number
     int m_specks = 0; ///< number of small chunks that are never merged
     std::vector<Chunk> m_chunkOfLeaf; ///< for the present count, like the next two
     std::vector<std::uint8_t> m_colourOfLeaf;

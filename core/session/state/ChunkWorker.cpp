@@ -186,15 +186,17 @@ Result<ChunkWorker::Map> ChunkWorker::mapOf(Job& job) const
 {
     const VoxelBox& box = job.owned.box;
     try {
-        Result<ChunkTree> tree = ChunkTree::of({.size = box.maximum - box.minimum,
-                                                   .codes = job.codes,
-                                                   .owners = job.owned.owners,
-                                                   .probabilities = job.owned.probabilities,
-                                                   .likely = job.owned.segment},
-            job.progress);
+        const ChunkSource source{.size = box.maximum - box.minimum,
+            .codes = job.codes,
+            .owners = job.owned.owners,
+            .probabilities = job.owned.probabilities,
+            .likely = job.owned.segment};
+        Result<ChunkTree> tree = ChunkTree::of(source, job.progress);
         if (!tree)
             return tl::unexpected(tree.error());
-        return std::make_shared<const ChunkMap>(m_geometry.size, box, *std::move(tree));
+        ChunkSurvey survey = ChunkSurvey::of(source, *tree);
+        return std::make_shared<const ChunkMap>(
+            m_geometry.size, box, *std::move(tree), std::move(survey));
     } catch (const std::bad_alloc&) {
         return tooLarge(box);
     }

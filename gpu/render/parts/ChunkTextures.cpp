@@ -25,12 +25,12 @@ bool ChunkTextures::update(const SceneChunks* chunks, Drawn drawn)
     if (m_boxes.size() > width)
         return false;
     if (drawn == Drawn::Areas) {
-        takeColours(m_areas, chunks->argb);
+        takeColours(m_areas, *chunks);
         return true;
     }
     const bool begins = !m_bodies;
     const core::VoxelBox changed = changedBy(chunks->argb);
-    takeColours(m_bodyColours, chunks->argb);
+    takeColours(m_bodyColours, *chunks);
     if (begins || !changed.empty()) {
         m_bodies.update(size, *chunks->leaves, m_bodyColours.row, changed);
         m_changed = true;
@@ -76,24 +76,30 @@ core::VoxelBox ChunkTextures::changedBy(const std::vector<std::uint32_t>& argb) 
     return changed;
 }
 
-void ChunkTextures::takeColours(Colours& colours, const std::vector<std::uint32_t>& argb)
+/// The texture has two rows: the colours, and above them the rims.
+void ChunkTextures::takeColours(Colours& colours, const SceneChunks& chunks)
 {
-    if (colours.texture && colours.argb == argb)
+    if (colours.texture && colours.argb == chunks.argb && colours.rims == chunks.rims)
         return;
-    colours.argb = argb;
+    colours.argb = chunks.argb;
+    colours.rims = chunks.rims;
+    const auto seen = [](std::uint32_t argb) {
+        const auto alpha = std::uint8_t(argb >> 24);
+        return alpha == 0 ? ChunkBodies::Colour{}
+                          : ChunkBodies::Colour{std::uint8_t(argb >> 16), std::uint8_t(argb >> 8),
+                              std::uint8_t(argb), alpha};
+    };
     colours.row.assign(1, {});
-    for (const std::uint32_t colour : argb) {
-        const auto alpha = std::uint8_t(colour >> 24);
-        colours.row.push_back(alpha == 0
-                ? ChunkBodies::Colour{}
-                : ChunkBodies::Colour{std::uint8_t(colour >> 16), std::uint8_t(colour >> 8),
-                    std::uint8_t(colour), alpha});
-    }
-    const glm::ivec2 rowSize(int(colours.row.size()), 1);
-    if (colours.texture.size() != rowSize)
-        colours.texture =
-            Texture2D({.label = "chunk colours", .size = rowSize, .format = GL_RGBA8});
-    colours.texture.upload(std::span<const ChunkBodies::Colour>(colours.row));
+    for (const std::uint32_t colour : chunks.argb)
+        colours.row.push_back(seen(colour));
+    std::vector<ChunkBodies::Colour> rows = colours.row;
+    rows.resize(2 * colours.row.size());
+    for (std::size_t leaf = 0; leaf < std::min(chunks.rims.size(), chunks.argb.size()); ++leaf)
+        rows[colours.row.size() + leaf + 1] = seen(chunks.rims[leaf]);
+    const glm::ivec2 size(int(colours.row.size()), 2);
+    if (colours.texture.size() != size)
+        colours.texture = Texture2D({.label = "chunk colours", .size = size, .format = GL_RGBA8});
+    colours.texture.upload(std::span<const ChunkBodies::Colour>(rows));
 }
 
 void ChunkTextures::drop()

@@ -35,11 +35,12 @@ public:
 private:
     struct Colours {
         std::vector<std::uint32_t> argb;
+        std::vector<std::uint32_t> rims;
         std::vector<ChunkBodies::Colour> row; ///< by leaf, the first for voxels without a chunk
         Texture2D texture;
     };
     void takeLeaves(const SceneChunks& chunks);
-    void takeColours(Colours& colours, const std::vector<std::uint32_t>& argb);
+    static void takeColours(Colours& colours, const SceneChunks& chunks);
     void drop();
     [[nodiscard]] core::VoxelBox changedBy(const std::vector<std::uint32_t>& argb) const;
 

@@ -4,7 +4,7 @@
 
 /* Textures */
 layout(binding = 24) uniform usampler3D chunkLeaves; // leaf + 1 by voxel of their box
-layout(binding = 25) uniform sampler2D chunkColours; // row by leaf; all 0: invisible
+layout(binding = 25) uniform sampler2D chunkColours; // by leaf; all 0: invisible; above it the rims
 layout(binding = 26) uniform sampler3D chunkBodies; // smoothed colours of voxels
 layout(binding = 27) uniform usampler3D chunkCells; // 0: the cell has a single colour
 
@@ -16,6 +16,10 @@ const float chunkBehind = 0.25;
 const float chunkCellSide = 8.0;
 const float chunkTie = 0.02; // mm: up to this far behind the plane counts as not behind it
 const float chunkEnough = 0.04; // a lower transmittance does not count
+// Chunks with a rim have it where they are seen obliquely: wholly below the first, not beyond the
+// second (cosine of the angle between the boundary's normal and the viewer).
+const float chunkRimInner = 0.30;
+const float chunkRimOuter = 0.50;
 
 vec4 chunkBodyAt(vec3 place)
 {
@@ -25,13 +29,15 @@ vec4 chunkBodyAt(vec3 place)
 /// The colour of the chunk at a place (index of the box), with smooth boundaries: of the chunks
 /// around it the one whose colour is nearest to the smoothed one.
 /// @param nearness 0: inside … 0.5: at the boundary between two
-vec4 chunkColourAt(vec3 place, vec4 seen, out float nearness)
+/// @param rim of that chunk, all 0: none
+vec4 chunkColourAt(vec3 place, vec4 seen, out float nearness, out vec4 rim)
 {
     const ivec3 base = ivec3(floor(place));
     const ivec3 last = textureSize(chunkLeaves, 0) - 1;
     vec4 own = vec4(0.0);
     float least = 1e9;
     float other = 1e9;
+    uint ownLeaf = 0u;
     for (int corner = 0; corner < 8; ++corner) {
         const ivec3 offset = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
         const uint leaf
@@ -41,9 +47,11 @@ vec4 chunkColourAt(vec3 place, vec4 seen, out float nearness)
         const bool nearer = off < least;
         other = nearer && colour != own ? least : colour != own ? min(other, off) : other;
         own = nearer ? colour : own;
+        ownLeaf = nearer ? leaf : ownLeaf;
         least = min(least, off);
     }
     nearness = other < 1e8 ? least / max(least + other, 1e-6) : 0.0;
+    rim = texelFetch(chunkColours, ivec2(int(ownLeaf), 1), 0);
     return own;
 }
 
@@ -92,12 +100,15 @@ vec3 withChunks(Ray ray, vec3 seen)
     // The section is drawn as on a slice, with a line where two chunks meet.
     const vec3 gate = origin + direction * (first + 1e-3 * stepMm);
     float nearness;
-    vec4 now = chunkColourAt(gate, chunkBodyAt(gate), nearness);
+    vec4 rimNow;
+    vec4 now = chunkColourAt(gate, chunkBodyAt(gate), nearness, rimNow);
     {
         const float line = smoothstep(0.20, 0.34, nearness);
-        const float share
-            = first < last ? min(chunkOpacity * (1.4 + 1.2 * line), 1.0) * now.a * openGate : 0.0;
-        const vec4 face = vec4(now.rgb * share * mix(0.92, 0.7, line), 1.0 - share);
+        const float rim = rimNow.a * line;
+        const float plain = min(chunkOpacity * (1.4 + 1.2 * line), 1.0) * now.a;
+        const float share = first < last ? mix(plain, 1.0, rim) * openGate : 0.0;
+        const vec3 look = now.rgb * share * mix(0.92, 0.7, line);
+        const vec4 face = vec4(mix(look, rimNow.rgb * share, rim), 1.0 - share);
         const bool hidden = first > solid;
         front = hidden ? front : face;
         behind = hidden ? face : behind;
@@ -127,7 +138,8 @@ vec3 withChunks(Ray ray, vec3 seen)
             break;
         const vec3 place = origin + direction * t;
         float unused;
-        const vec4 next = chunkColourAt(place, colour, unused);
+        vec4 rimNext;
+        const vec4 next = chunkColourAt(place, colour, unused, rimNext);
         const bool meets = next != now;
         vec3 normal = chunkNormal(place, next - now);
         normal = dot(normal, toViewer) < 0.0 ? -normal : normal;
@@ -136,13 +148,19 @@ vec3 withChunks(Ray ray, vec3 seen)
         // A wall seen obliquely is thicker; the far wall of a body is seen through the body.
         const float thick = 1.0 / max(dot(normal, toViewer), 0.3);
         const float wall = chunkOpacity * body.a * (parts ? 0.5 : 1.0);
-        const float share = meets ? 1.0 - pow(1.0 - min(wall, 0.98), thick) : 0.0;
-        const vec3 look = lit(body.rgb, lightOn(normal, toViewer, 1.0, 0.25)) * share;
+        const vec4 rimThere = parts ? rimNow : rimNext;
+        const float rim = rimThere.a
+            * (1.0 - smoothstep(chunkRimInner, chunkRimOuter, dot(normal, toViewer)));
+        const float plain = 1.0 - pow(1.0 - min(wall, 0.98), thick);
+        const float share = meets ? mix(plain, 1.0, rim) : 0.0;
+        const vec3 shaded = lit(body.rgb, lightOn(normal, toViewer, 1.0, 0.25)) * share;
+        const vec3 look = mix(shaded, rimThere.rgb * share, rim);
         if (t > solid)
             behind = vec4(behind.rgb + behind.a * look, behind.a * (1.0 - share));
         else
             front = vec4(front.rgb + front.a * look, front.a * (1.0 - share));
         now = next;
+        rimNow = rimNext;
         t += stepMm;
         if (t >= last || front.a < chunkEnough || behind.a < chunkEnough)
             break;

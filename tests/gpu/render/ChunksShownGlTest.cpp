@@ -179,6 +179,70 @@ private Q_SLOTS:
         QVERIFY(*drawn(nullptr).rgba == *plain.rgba);
     }
 
+    /// On a slice a rim lies inside of its chunk, in full, whatever the opacity.
+    void aRimOnASlice()
+    {
+        m_fixture->open(
+            test::centredGeometry({40, 30, 20}), [](const glm::dvec3&) { return 1000.0; });
+        const auto chunks = twoChunks();
+        const Frame before = drawn(chunks);
+        auto rimmed = std::make_shared<SceneChunks>(*chunks);
+        rimmed->rims = {0, green};
+        const Frame frame = drawn(rimmed);
+        const glm::dvec3 full(0.0, 255.0, 0.0);
+        // The second chunk begins at x = 18, which is pixel 36, and ends before pixel 60.
+        QVERIFY(is(test::pixel(frame, 36, 32), full));
+        QVERIFY(is(test::pixel(frame, 59, 32), full));
+        QCOMPARE(test::pixel(frame, 35, 32), test::pixel(before, 35, 32));
+        QCOMPARE(test::pixel(frame, 60, 32), test::pixel(before, 60, 32));
+        for (const int i : {12, 21, 24, 27})
+            QCOMPARE(at(frame, i, 16), at(before, i, 16));
+        // Two that touch have a line between them if their rims differ, and none if they are the
+        // same one: the chunk of a coarser division.
+        rimmed = std::make_shared<SceneChunks>(*chunks);
+        rimmed->rims = {green, green + 1};
+        const Frame both = drawn(rimmed);
+        QVERIFY(is(test::pixel(both, 35, 32), full) && is(test::pixel(both, 36, 32), full));
+        rimmed = std::make_shared<SceneChunks>(*chunks);
+        rimmed->rims = {green, green};
+        const Frame one = drawn(rimmed);
+        QCOMPARE(test::pixel(one, 35, 32), test::pixel(before, 35, 32));
+        QVERIFY(is(test::pixel(one, 20, 32), full)); // the first begins at x = 10
+        // Without rims all is as before.
+        rimmed = std::make_shared<SceneChunks>(*chunks);
+        rimmed->rims = {0, 0};
+        QVERIFY(*drawn(rimmed).rgba == *before.rgba);
+    }
+
+    /// In the 3D view the rim of a body is where it is seen obliquely, and nowhere else.
+    void aRimOfABody()
+    {
+        openEmpty();
+        auto alone = chunksOf(box3d, ballOrRest);
+        alone->argb = {0, blue};
+        const Frame before = drawn3d(alone);
+        auto rimmed = std::make_shared<SceneChunks>(*alone);
+        rimmed->rims = {0, green};
+        const Frame frame = drawn3d(rimmed);
+        const auto isGreen = [](const glm::ivec3& seen) {
+            return seen.g > 40 && seen.g > 2 * seen.b && seen.g > 2 * seen.r;
+        };
+        const auto greens = [&](const Frame& in) {
+            int count = 0;
+            for (int y = 0; y < size3d.y; ++y) {
+                for (int x = 0; x < size3d.x; ++x)
+                    count += isGreen(test::pixel(in, x, y)) ? 1 : 0;
+            }
+            return count;
+        };
+        QCOMPARE(greens(before), 0);
+        // A ring around a ball of 32 pixels' diameter, about an eighth of a radius wide.
+        const int ring = greens(frame);
+        QVERIFY2(ring > 30 && ring < 500, qPrintable(QString::number(ring)));
+        for (const glm::ivec2& middle : {glm::ivec2(24, 24), {22, 25}, {26, 23}})
+            QCOMPARE(at3d(frame, middle.x, middle.y), at3d(before, middle.x, middle.y));
+    }
+
     void whatMakesNoSenseIsNotDrawn()
     {
         openEmpty();

@@ -5,6 +5,7 @@
 #include "core/masks/MaskOnVolume.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
+#include "ui/panels/refine/LikelySection.h"
 #include "ui/texts/ProgressTexts.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"
@@ -227,6 +228,7 @@ void ChunksPanel::buildLook()
     grid->addWidget(smallText(tr("In 3D"), m_looks), 2, 0);
     grid->addWidget(m_bodies, 2, 1, 1, 2);
     column->addLayout(grid);
+    column->addWidget(new LikelySection(m_workspace, m_looks));
     m_hint = smallText(tr("Click on chunks with the tool Chunks (Shift+F): the strong ones are the "
                           "segment's. A plane of the panel Clipping lets you look inside."),
         m_looks);

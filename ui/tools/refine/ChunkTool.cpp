@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/refine/ChunkTool.h"
 
+#include "ui/base/CountText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/refine/ChunkOptions.h"
 #include "ui/tools/refine/ChunkRay.h"
@@ -273,8 +274,9 @@ void ChunkTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     QStringList lines;
     if (m_stroke) {
         const bool takes = m_stroke->edit.mode == core::ChunkToggle::Mode::Remove;
-        lines << (takes ? tr("takes %n chunk(s)", nullptr, int(m_stroke->chunks.size()))
-                        : tr("adds %n chunk(s)", nullptr, int(m_stroke->chunks.size())));
+        const auto count = qlonglong(m_stroke->chunks.size());
+        const QString chunks = count == 1 ? tr("one chunk") : tr("%1 chunks").arg(countText(count));
+        lines << (takes ? tr("takes %1") : tr("adds %1")).arg(chunks);
     } else if (m_pointed) {
         const bool takes = m_removes || m_workspace.chunks().has(*m_pointed);
         lines << (takes ? tr("takes it from %1") : tr("adds it to %1")).arg(segmentName());

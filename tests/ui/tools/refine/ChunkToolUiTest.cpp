@@ -98,13 +98,15 @@ public:
     }
     void divide(int count)
     {
+        chunks().divide(marginMm);
+        settle();
+        await();
+        // It has begun with the number that is suggested.
         ui::Chunks::Look look = chunks().look();
         look.count = count;
         look.bodies = ui::Chunks::Bodies::All;
         chunks().setLook(look);
-        chunks().divide(marginMm);
         settle();
-        await();
     }
     template <class Widget> [[nodiscard]] Widget* find(const char* name)
     {

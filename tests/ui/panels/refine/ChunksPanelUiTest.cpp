@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "ui/panels/refine/ChunksPanel.h"
+#include "ui/workspace/Chunks.h"
+
+#include <QListWidget>
+#include <QPushButton>
+#include <QSlider>
+#include <QtTest>
+
+#include <algorithm>
+
+namespace chunksPanelUiTest {
+
+namespace {
+
+constexpr double marginMm = 8.0;
+constexpr int missingFrom = 4; ///< mm along x: what the mask lacks of the brain
+
+/// Of the small head: what lies inside of the skull, and on which side of the cut.
+bool isBrain(const glm::dvec3& lps)
+{
+    return glm::length(lps) < 13.0;
+}
+
+/// The brain without a part, as segment 1, and the panel.
+class PanelFixture : public test::WorkspaceFixture {
+public:
+    PanelFixture()
+        : panel(workspace)
+    {
+        const core::VolumeGeometry& geometry = workspace.volume()->geometry;
+        core::ImportMask mask{.file = QStringLiteral("brain.nii")};
+        mask.size = geometry.size;
+        core::VoxelRuns runs;
+        std::uint64_t at = 0;
+        for (int z = 0; z < geometry.size.z; ++z) {
+            for (int y = 0; y < geometry.size.y; ++y) {
+                for (int x = 0; x < geometry.size.x; ++x, ++at) {
+                    const glm::dvec3 lps = geometry.toWorld(glm::dvec3(x, y, z));
+                    if (isBrain(lps) && lps.x < missingFrom)
+                        runs.append(at, 1);
+                }
+            }
+        }
+        mask.segments.emplace();
+        mask.segments->push_back({.name = QStringLiteral("Brain"),
+            .rgb = 0x20A0C0,
+            .code = {},
+            .voxels = core::packedRuns(runs)});
+        apply(mask);
+        workspace.setActiveSegment(1);
+    }
+    [[nodiscard]] ui::Chunks& chunks() { return workspace.chunks(); }
+    [[nodiscard]] core::RowId position() { return session().history().position(); }
+    template <class Widget> [[nodiscard]] Widget* find(const char* name)
+    {
+        return panel.findChild<Widget*>(QLatin1String(name));
+    }
+    /// Until chunks are there, and what is in doubt among them was looked for.
+    void await()
+    {
+        const auto there = [this] {
+            session().poll();
+            return chunks().map() && session().settle() && !chunks().isCounting();
+        };
+        QVERIFY(QTest::qWaitFor(there, 60000));
+        QCoreApplication::processEvents();
+    }
+    void divide()
+    {
+        chunks().divide(marginMm);
+        settle();
+        await();
+    }
+    [[nodiscard]] glm::ivec3 voxelAt(const glm::dvec3& lps)
+    {
+        return glm::ivec3(glm::round(workspace.volume()->geometry.toIndex(lps)));
+    }
+    /// What a slice draws around the chunk of a place; 0: no rim.
+    [[nodiscard]] std::uint32_t rimAt(const glm::dvec3& lps)
+    {
+        const auto& shown = *chunks().areas();
+        const glm::ivec3 sides = shown.box.maximum - shown.box.minimum;
+        const glm::ivec3 within = voxelAt(lps) - shown.box.minimum;
+        const int leaf =
+            (*shown.leaves)[std::size_t((within.z * sides.y + within.y) * sides.x + within.x)];
+        return shown.rims.empty() ? 0 : shown.rims[std::size_t(leaf - 1)];
+    }
+
+    ui::ChunksPanel panel;
+};
+
+constexpr glm::dvec3 inMissing(8.0, 0.0, 0.0);
+constexpr glm::dvec3 inBone(-14.0, 0.0, 0.0);
+
+} // namespace
+
+/// What the panel of chunks offers to begin with.
+class ChunksPanelUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void aNewDivisionBeginsWithTheSuggestion()
+    {
+        PanelFixture on;
+        auto* suggested = on.find<QPushButton>("chunksSuggested");
+        QVERIFY(!suggested->isVisibleTo(&on.panel));
+        QVERIFY(!on.chunks().suggestedCount());
+        on.divide();
+        const auto count = on.chunks().suggestedCount();
+        QVERIFY(count.has_value());
+        QCOMPARE(on.chunks().look().count, *count);
+        QVERIFY(suggested->isVisibleTo(&on.panel) && !suggested->isEnabled());
+        QVERIFY2(
+            suggested->text().contains(QString::number(*count)), qPrintable(suggested->text()));
+        // What is missing is a chunk by itself: nothing of the skull, and most of the part.
+        const auto missing = on.chunks().chunkAt(on.voxelAt(inMissing));
+        QVERIFY(missing && !on.chunks().has(*missing));
+        QVERIFY(missing != on.chunks().chunkAt(on.voxelAt(inBone)));
+        int held = 0;
+        int foreign = 0;
+        on.chunks().map()->forEachVoxel(*missing, [&](const glm::ivec3& voxel) {
+            const glm::dvec3 lps = on.workspace.volume()->geometry.toWorld(glm::dvec3(voxel));
+            ++(isBrain(lps) && lps.x >= missingFrom ? held : foreign);
+        });
+        QVERIFY2(held > 1000 && 20 * foreign < held,
+            qPrintable(QStringLiteral("%1 %2").arg(held).arg(foreign)));
+
+        // Whoever has moved the slider comes back with a click.
+        auto* slider = on.find<QSlider>("chunkCount");
+        slider->setValue(slider->maximum());
+        QVERIFY(suggested->isEnabled() && on.chunks().look().count != *count);
+        suggested->click();
+        QCOMPARE(on.chunks().look().count, *count);
+        QVERIFY(!suggested->isEnabled());
+        on.await();
+    }
+
+    /// A number that was chosen stays when the same division comes back.
+    void undoAndRedoKeepTheChosenNumber()
+    {
+        PanelFixture on;
+        on.divide();
+        ui::Chunks::Look look = on.chunks().look();
+        look.count = 300;
+        on.chunks().setLook(look);
+        on.await();
+        QVERIFY(on.session().undo());
+        on.settle();
+        QVERIFY(on.chunks().likely().empty() && !on.chunks().suggestedCount());
+        QVERIFY(on.session().redo());
+        on.settle();
+        on.await();
+        QCOMPARE(on.chunks().look().count, 300);
+        QVERIFY(on.chunks().suggestedCount().has_value());
+    }
+
+    void theListLeadsThere()
+    {
+        PanelFixture on;
+        auto* list = on.find<QListWidget>("likelyChunks");
+        QVERIFY(!list->isVisibleTo(&on.panel));
+        on.divide();
+        const std::vector<ui::Chunks::Likely> likely = on.chunks().likely();
+        QVERIFY(!likely.empty() && likely.size() <= 3);
+        QVERIFY(list->isVisibleTo(&on.panel));
+        QCOMPARE(list->count(), int(likely.size()));
+        QVERIFY(!likely.front().isInside);
+        const QString first = list->item(0)->text();
+        const double volume = on.chunks().millilitres(likely.front().chunk);
+        QVERIFY2(first.endsWith(QStringLiteral("ml to add?"))
+                && first.startsWith(QLocale().toString(volume, 'f', volume < 1.0 ? 2 : 1)),
+            qPrintable(first));
+        QCOMPARE(on.chunks().chunkAt(on.voxelAt(inMissing)), std::optional(likely.front().chunk));
+        QVERIFY(on.rimAt(inMissing) >> 24 == 255U);
+        QCOMPARE(on.rimAt(inBone), 0U);
+        QVERIFY(on.chunks().bodies()->rims == on.chunks().areas()->rims);
+
+        // A click moves the crosshair and nothing else.
+        const core::RowId before = on.position();
+        on.workspace.setCrosshairLps({0.0, 0.0, 0.0});
+        Q_EMIT list->itemClicked(list->item(0));
+        const glm::dvec3 there = on.workspace.crosshairLps();
+        QCOMPARE(on.chunks().chunkAt(on.voxelAt(there)), std::optional(likely.front().chunk));
+        QVERIFY(isBrain(there) && there.x >= missingFrom);
+        QCOMPARE(on.position(), before);
+    }
+
+    /// What was added is in doubt no more, until it is taken back.
+    void whatIsAddedLeavesTheList()
+    {
+        PanelFixture on;
+        on.divide();
+        QVERIFY(!on.chunks().likely().empty());
+        const ui::Chunks::Chunk missing = on.chunks().likely().front().chunk;
+        const auto isListed = [&] {
+            const auto& all = on.chunks().likely();
+            return std::any_of(all.begin(), all.end(),
+                [&](const ui::Chunks::Likely& likely) { return likely.chunk == missing; });
+        };
+        const core::VolumeGeometry& geometry = on.workspace.volume()->geometry;
+        on.apply(core::ChunkToggle{.segment = 1,
+            .chunks = on.chunks().count(),
+            .pointsLps = {geometry.toWorld(glm::dvec3(on.voxelAt(inMissing)))}});
+        on.await();
+        QVERIFY(on.chunks().has(missing));
+        QVERIFY(!isListed());
+        QCOMPARE(on.rimAt(inMissing), 0U);
+        QVERIFY(on.session().undo());
+        on.settle();
+        on.await();
+        QVERIFY(isListed() && !on.chunks().has(missing));
+    }
+};
+
+BURIN_WINDOW_TEST(ChunksPanelUiTest)
+
+} // namespace chunksPanelUiTest
+
+#include "ChunksPanelUiTest.moc"
