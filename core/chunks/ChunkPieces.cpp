@@ -14,8 +14,8 @@ namespace core {
 
 namespace {
 
-constexpr int side = 4; ///< of a cell; its voxels are the bits of one number
-constexpr int alike = ChunkField::deviation * 3 / 2;
+constexpr int cellSide = 4; ///< of a cell; its voxels are the bits of one number
+constexpr int alikeCodes = ChunkField::deviation * 3 / 2;
 constexpr std::size_t contactsLookedBack = 24;
 
 using Cell = std::uint64_t;
@@ -38,7 +38,7 @@ public:
     Cutting(const ChunkSource& source, const ChunkField& field, ChunkPieces& pieces)
         : m_source(source)
         , m_likelihoods(field.likelihoods())
-        , m_within(field.codesWithin(alike))
+        , m_within(field.codesWithin(alikeCodes))
         , m_pieces(pieces)
         , m_row(std::size_t(source.size.x))
         , m_slice(m_row * std::size_t(source.size.y))
@@ -48,8 +48,8 @@ public:
     /// The pieces of a layer, and for each voxel of which of them it is.
     void cut(int z, Layer& layer)
     {
-        for (int y = 0; y < m_source.size.y; y += side) {
-            for (int x = 0; x < m_source.size.x; x += side)
+        for (int y = 0; y < m_source.size.y; y += cellSide) {
+            for (int x = 0; x < m_source.size.x; x += cellSide)
                 cutCell({x, y, z}, layer);
         }
         std::vector<std::uint32_t> order(layer.found.size());
@@ -82,7 +82,7 @@ public:
     {
         std::vector<PieceJoining::Contact> all;
         const glm::ivec3 size = m_source.size;
-        const int end = std::min(z + side, size.z);
+        const int end = std::min(z + cellSide, size.z);
         for (int at = z; at < end; ++at) {
             for (int y = 0; y < size.y; ++y) {
                 const std::size_t row = std::size_t(at) * m_slice + std::size_t(y) * m_row;
@@ -109,7 +109,7 @@ public:
 private:
     template <class Visit> void forEachVoxelOf(int z, const Visit& visit)
     {
-        const std::size_t end = std::size_t(std::min(z + side, m_source.size.z)) * m_slice;
+        const std::size_t end = std::size_t(std::min(z + cellSide, m_source.size.z)) * m_slice;
         for (std::size_t voxel = std::size_t(z) * m_slice; voxel < end; ++voxel) {
             if (m_pieces.ofVoxel[voxel] != ChunkPieces::none)
                 visit(m_pieces.ofVoxel[voxel]);
@@ -118,7 +118,7 @@ private:
 
     void cutCell(const glm::ivec3& from, Layer& layer)
     {
-        const glm::ivec3 size = glm::min(glm::ivec3(side), m_source.size - from);
+        const glm::ivec3 size = glm::min(glm::ivec3(cellSide), m_source.size - from);
         std::array<std::uint32_t, 64> voxels{};
         std::array<int, 64> codes{};
         std::array<int, 64> likelihoods{};
@@ -129,7 +129,7 @@ private:
             for (int y = 0; y < size.y; ++y) {
                 std::size_t voxel = std::size_t(from.z + z) * m_slice
                     + std::size_t(from.y + y) * m_row + std::size_t(from.x);
-                auto bit = std::size_t(z * side + y) * std::size_t(side);
+                auto bit = std::size_t(z * cellSide + y) * std::size_t(cellSide);
                 for (int x = 0; x < size.x; ++x, ++voxel, ++bit) {
                     voxels[bit] = std::uint32_t(voxel);
                     codes[bit] = m_source.codes[voxel];
@@ -146,7 +146,7 @@ private:
                 const std::size_t next = bit + std::size_t(way);
                 const bool isLinked = owners[bit] == owners[next]
                     && std::abs(codes[bit] - codes[next]) <= m_within
-                    && std::abs(likelihoods[bit] - likelihoods[next]) <= alike;
+                    && std::abs(likelihoods[bit] - likelihoods[next]) <= alikeCodes;
                 links |= Cell(isLinked) << bit;
             }
             return links;
@@ -154,8 +154,8 @@ private:
         constexpr Cell notLastColumn = 0x7777777777777777;
         constexpr Cell notLastRow = 0x0FFF0FFF0FFF0FFF;
         const Cell alongX = linked(1) & notLastColumn;
-        const Cell alongY = linked(side) & notLastRow;
-        const Cell alongZ = linked(side * side);
+        const Cell alongY = linked(cellSide) & notLastRow;
+        const Cell alongZ = linked(cellSide * cellSide);
         while (left != 0) {
             Cell piece = left & ~(left - 1);
             for (Cell before = 0; before != piece;) {
@@ -220,7 +220,7 @@ Result<ChunkPieces> chunkPieces(
 {
     ChunkPieces pieces;
     resizeInLargePages(pieces.ofVoxel, source.owners.size(), ChunkPieces::none);
-    const int count = (source.size.z + side - 1) / side;
+    const int count = (source.size.z + cellSide - 1) / cellSide;
     auto layers = std::vector<Layer>(std::size_t(count));
     Cutting cutting(source, field, pieces);
     SharedProgress shared(progress, ProgressStep::CuttingIntoPieces, 2 * count);
@@ -228,7 +228,7 @@ Result<ChunkPieces> chunkPieces(
         parallelFor(count, [&](int i) {
             if (progress.cancelled())
                 return;
-            visit(i * side, layers[std::size_t(i)]);
+            visit(i * cellSide, layers[std::size_t(i)]);
             shared.advance(1);
         });
     };
@@ -242,7 +242,7 @@ Result<ChunkPieces> chunkPieces(
     reserveInLargePages(pieces.pieces, 2 * std::size_t(pieceCount));
     pieces.pieces.resize(pieceCount);
     pieces.owners.resize(pieceCount);
-    parallelFor(count, [&](int i) { cutting.number(i * side, layers[std::size_t(i)]); });
+    parallelFor(count, [&](int i) { cutting.number(i * cellSide, layers[std::size_t(i)]); });
     forEachLayer([&](int z, Layer& layer) { cutting.findContacts(z, layer); });
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);

@@ -17,7 +17,7 @@ using Border = ChunkSurvey::Border;
 /// More deviations than these make no difference; in units of ChunkField::deviation.
 constexpr std::int64_t mostApart = 1023;
 constexpr std::size_t bordersLookedBack = 24;
-constexpr std::int64_t greatestCode = std::numeric_limits<std::uint16_t>::max();
+constexpr std::int64_t lastCode = std::numeric_limits<std::uint16_t>::max();
 
 /// By difference of codes; the last stands for all greater ones.
 std::vector<std::uint16_t> alikenessTable(int noise)
@@ -25,7 +25,7 @@ std::vector<std::uint16_t> alikenessTable(int noise)
     constexpr auto one = std::int64_t(ChunkField::deviation);
     constexpr auto alike = std::int64_t(ChunkSurvey::alike);
     std::vector<std::uint16_t> table;
-    for (std::int64_t difference = 0, apart = 0; difference <= greatestCode && apart < mostApart;
+    for (std::int64_t difference = 0, apart = 0; difference <= lastCode && apart < mostApart;
          ++difference) {
         apart = std::min(mostApart, difference * one / noise);
         table.push_back(std::uint16_t(alike * one * one / (one * one + apart * apart)));

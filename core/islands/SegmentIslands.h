@@ -40,14 +40,14 @@ struct IslandChange {
     std::int64_t parts = 0; ///< holes or islands
 };
 
-/// The voxels of a segment's islands or holes that a rule is about.
+/// The voxels of a segment's islands or holes that a rule is about. What lies in a hole and is
+/// another segment's counts as the hole's, too; whether it is taken is the caller's rule. Cost: two
+/// passes over the volume, and memory ∝ the runs of voxels along x. Any thread. Errors: Cancelled.
 /// @param labels of the whole volume in the segment's plane, x fastest
 /// @param voxels for FillHoles the most that a hole has, for RemoveSmall the least that an island
 /// keeps; the others do not ask
 /// @param clicked of the rules about one island: the index in @p labels of a voxel of it; where
-/// that voxel is not the label's, no voxel is meant What lies in a hole and is another segment's
-/// counts as the hole's, too; whether it is taken is the caller's rule. Cost: two passes over the
-/// volume, and memory ∝ the runs of voxels along x. Any thread. Errors: Cancelled.
+/// that voxel is not the label's, no voxel is meant
 [[nodiscard]] Result<IslandChange> islandChange(std::span<const std::uint8_t> labels,
     const glm::ivec3& size, std::uint8_t label, IslandRule rule, std::int64_t voxels,
     const Progress& progress, std::size_t clicked = 0);

@@ -109,8 +109,10 @@ void SpaceMouse::read()
     // At most this much at once: a driver that never stops must not hold the window.
     std::array<char, 64 * sizeof(Record)> bytes;
     const ssize_t count = ::recv(m_socket, bytes.data(), bytes.size(), 0);
-    if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR))
-        return disconnectFrom();
+    if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) {
+        disconnectFrom();
+        return Q_EMIT disconnected();
+    }
     if (count < 0)
         return;
     m_rest.append(bytes.data(), count);

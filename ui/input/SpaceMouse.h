@@ -46,6 +46,7 @@ public:
 Q_SIGNALS:
     void moved(const ui::SpaceMotion& motion);
     void buttonChanged(int button, bool pressed); ///< counted from 0
+    void disconnected(); ///< the driver has gone; no button is held any longer
 
 private:
     void read();

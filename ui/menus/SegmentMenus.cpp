@@ -26,9 +26,10 @@ struct Combination {
         menu->setTitle(isNamed && segment ? named.arg(menuText(segment->name)) : text);
         QString why = whyUnchangeable(segment);
         if (why.isEmpty())
-            why = listOtherSegments(
-                *menu, session->document(), label, [&workspace, label, combine = run](int other) {
-                    combine(workspace, label, other);
+            why = listOtherSegments(*menu, session->document(), label,
+                [&workspace, session, label, combine = run](int other) {
+                    if (workspace.session() == session)
+                        combine(workspace, label, other);
                 });
         // Where one is locked, the list shows which.
         menu->menuAction()->setEnabled(!menu->isEmpty());

@@ -7,43 +7,137 @@
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
+#include <QApplication>
+#include <QEvent>
 #include <QMenu>
 #include <QPointer>
 
+#include <functional>
 #include <vector>
 
 namespace ui {
 
 namespace {
 
-void show(
-    Workspace& workspace, QWidget& view, int label, const glm::dvec3& placeLps, const QPoint& at)
+/// Whether the user does something else than wait.
+bool goesOn(QEvent::Type type)
 {
-    const core::Document& document = workspace.session()->document();
-    const core::Segment* segment = document.segment(label);
-    const QString why =
-        segment ? whyUnchangeable(segment) : QObject::tr("no segment has a voxel there");
-    auto* menu = new QMenu(&view);
+    return type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick
+        || type == QEvent::TabletPress || type == QEvent::Wheel || type == QEvent::KeyPress;
+}
+
+} // namespace
+
+VoxelMenu::VoxelMenu(Workspace& workspace, QWidget& view, const QPoint& at)
+    : m_workspace(workspace)
+    , m_view(view)
+    , m_at(at)
+{
+    for (auto* before : view.findChildren<VoxelMenu*>(QString(), Qt::FindDirectChildrenOnly))
+        before->withdraw();
+    setParent(&view);
+    connect(&workspace, &Workspace::sessionChanged, this, &VoxelMenu::withdraw);
+    qApp->installEventFilter(this);
+}
+
+void VoxelMenu::withdraw()
+{
+    m_withdrawn = true;
+    qApp->removeEventFilter(this);
+    deleteLater();
+}
+
+bool VoxelMenu::eventFilter(QObject* watched, QEvent* event)
+{
+    if (goesOn(event->type()))
+        withdraw();
+    return QObject::eventFilter(watched, event);
+}
+
+void VoxelMenu::openAbout(const glm::dvec3& placeLps)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return withdraw();
+    const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
+    const glm::ivec3 voxel(glm::floor(geometry.toIndex(placeLps) + 0.5));
+    if (!geometry.contains(voxel))
+        return withdraw();
+    // Its centre, so that no rounding on the way leads to its neighbour.
+    const glm::dvec3 centreLps = geometry.toWorld(glm::dvec3(voxel));
+    session->questions().probe({voxel},
+        [self = QPointer(this), centreLps](
+            const core::Result<std::vector<core::ProbedVoxel>>& probes) {
+            if (!self || self->m_withdrawn)
+                return;
+            if (!probes)
+                self->m_workspace.fail(probes.error());
+            else if (!probes->empty())
+                self->open(int(probes->front().label), centreLps);
+            self->withdraw();
+        });
+}
+
+void VoxelMenu::open(int label, const glm::dvec3& placeLps)
+{
+    // A menu takes the pointer away from whoever holds it.
+    if (QApplication::mouseButtons() != Qt::NoButton || QApplication::activeModalWidget()
+        || QApplication::activePopupWidget())
+        return;
+    auto* menu = new QMenu(&m_view);
     menu->setObjectName(QStringLiteral("voxelMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->setToolTipsVisible(true);
+    // Its entries are about the voxels of this session.
+    connect(&m_workspace, &Workspace::sessionChanged, menu, &QMenu::close);
+    addEntries(*menu, label, placeLps);
+    menu->popup(m_at);
+}
+
+QString VoxelMenu::whyNot(int label) const
+{
+    const core::Segment* segment = m_workspace.session()->document().segment(label);
+    if (!segment)
+        return tr("no segment has a voxel there");
+    const bool shown = m_workspace.viewOptions().showSegments
+        && m_workspace.segmentDisplay().visible[std::size_t(label)];
+    return shown ? whyUnchangeable(segment) : tr("'%1' is hidden").arg(segment->name);
+}
+
+void VoxelMenu::addEntries(QMenu& menu, int label, const glm::dvec3& placeLps) const
+{
+    core::EditSession* session = m_workspace.session();
+    const core::Document& document = session->document();
+    const core::Segment* segment = document.segment(label);
+    const QString why = whyNot(label);
     // "… of 'Liver'", where there is one.
     const auto text = [segment](const QString& plain, const QString& named) {
         return segment ? named.arg(menuText(segment->name)) : plain;
     };
-    QAction* remove = menu->addAction(
-        text(QObject::tr("Remove this island"), QObject::tr("Remove this island of '%1'")),
-        &workspace, [&workspace, label, placeLps] { removeIsland(workspace, label, placeLps); });
-    QAction* keep = menu->addAction(
-        text(QObject::tr("Keep only this island"), QObject::tr("Keep only this island of '%1'")),
-        &workspace, [&workspace, label, placeLps] { keepOnlyIsland(workspace, label, placeLps); });
-    QMenu* give = menu->addMenu(
-        text(QObject::tr("Give this island to"), QObject::tr("Give this island of '%1' to")));
+    const auto ofThisSession = [&workspace = m_workspace, session](
+                                   const std::function<void(Workspace&)>& run) {
+        return [&workspace, session, run] {
+            if (workspace.session() == session)
+                run(workspace);
+        };
+    };
+    QAction* remove = menu.addAction(
+        text(tr("Remove this island"), tr("Remove this island of '%1'")), &m_workspace,
+        ofThisSession(
+            [label, placeLps](Workspace& where) { removeIsland(where, label, placeLps); }));
+    QAction* keep = menu.addAction(
+        text(tr("Keep only this island"), tr("Keep only this island of '%1'")), &m_workspace,
+        ofThisSession(
+            [label, placeLps](Workspace& where) { keepOnlyIsland(where, label, placeLps); }));
+    QMenu* give = menu.addMenu(text(tr("Give this island to"), tr("Give this island of '%1' to")));
     give->setObjectName(QStringLiteral("giveIsland"));
     QString whyNotGive = why;
     if (why.isEmpty())
-        whyNotGive = listOtherSegments(*give, document, label,
-            [&workspace, label, placeLps](int to) { giveIsland(workspace, label, to, placeLps); });
+        whyNotGive =
+            listOtherSegments(*give, document, label, [ofThisSession, label, placeLps](int to) {
+                ofThisSession([label, placeLps, to](
+                                  Workspace& where) { giveIsland(where, label, to, placeLps); })();
+            });
     for (QAction* each : {remove, keep}) {
         each->setEnabled(why.isEmpty());
         each->setToolTip(why);
@@ -51,30 +145,6 @@ void show(
     // Where all others are locked, the list shows it.
     give->menuAction()->setEnabled(!give->isEmpty());
     give->menuAction()->setToolTip(whyNotGive);
-    menu->popup(at);
-}
-
-} // namespace
-
-void openVoxelMenu(
-    Workspace& workspace, QWidget& view, const glm::dvec3& placeLps, const QPoint& at)
-{
-    core::EditSession* session = workspace.session();
-    if (!session)
-        return;
-    const core::VolumeGeometry& geometry = workspace.volume()->geometry;
-    const glm::ivec3 voxel(glm::floor(geometry.toIndex(placeLps) + 0.5));
-    if (!geometry.contains(voxel))
-        return;
-    // Its centre, so that no rounding on the way leads to its neighbour.
-    const glm::dvec3 centreLps = geometry.toWorld(glm::dvec3(voxel));
-    session->questions().probe({voxel},
-        [known = QPointer(&workspace), where = QPointer(&view), session, centreLps, at](
-            const core::Result<std::vector<core::ProbedVoxel>>& probes) {
-            const bool stands = known && where && known->session() == session;
-            if (stands && probes && !probes->empty())
-                show(*known, *where, int(probes->front().label), centreLps, at);
-        });
 }
 
 } // namespace ui

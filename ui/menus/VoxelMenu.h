@@ -1,22 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QObject>
+#include <QPoint>
+
 #include <glm/glm.hpp>
 
-class QPoint;
+class QMenu;
 class QWidget;
 
 namespace ui {
 
 class Workspace;
 
-/// Opens what a view offers about the voxel under the pointer: the island of a segment that it
-/// lies in is removed, kept alone, or given to another segment. The session is asked first whose
-/// the voxel is, so the menu opens a moment later; outside the volume there is none.
-/// @param view is where the menu belongs: no menu opens once it has gone
-/// @param placeLps the voxel nearest to it is meant
-/// @param at on the screen
-void openVoxelMenu(
-    Workspace& workspace, QWidget& view, const glm::dvec3& placeLps, const QPoint& at);
+/// What a view offers about the voxel under the pointer: the island of a segment that it lies in is
+/// removed, kept alone, or given to another segment. The session is asked first whose the voxel is,
+/// so the menu opens a moment later, unless the user has gone on meanwhile: a press, a wheel or a
+/// key anywhere, or another such request, withdraws it.
+class VoxelMenu : public QObject {
+    Q_OBJECT
+
+public:
+    /// Begins a request, and withdraws the one that the view made before. It deletes itself.
+    /// @param view owns it, and the menu
+    /// @param at on the screen
+    VoxelMenu(Workspace& workspace, QWidget& view, const QPoint& at);
+
+    /// Opens the menu when the session has answered; outside the volume there is none.
+    /// @param placeLps the voxel nearest to it is meant
+    void openAbout(const glm::dvec3& placeLps);
+    [[nodiscard]] bool withdrawn() const { return m_withdrawn; }
+    void withdraw();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void open(int label, const glm::dvec3& placeLps);
+    void addEntries(QMenu& menu, int label, const glm::dvec3& placeLps) const;
+    [[nodiscard]] QString whyNot(int label) const;
+
+    Workspace& m_workspace;
+    QWidget& m_view;
+    QPoint m_at;
+    bool m_withdrawn = false;
+};
 
 } // namespace ui

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] ViewContext context() const override;
     /// The scene of the picture on the screen; it equals context() once the engine has caught up.
     [[nodiscard]] ViewContext shownContext() const;
+    /// Whether a stroke or a drag is going on here.
+    [[nodiscard]] bool pointerIsAtWork() const { return m_pointer.isAtWork(); }
     /// Where the crosshair is drawn.
     [[nodiscard]] QPointF crosshairPixel() const;
     [[nodiscard]] const QImage& picture() const { return m_picture; }

@@ -266,7 +266,8 @@ void SliceView::clicked(const QPointF& at)
 
 void SliceView::menuAsked(const QPointF& at)
 {
-    openVoxelMenu(workspace(), *this, context().toLps(at), mapToGlobal(at.toPoint()));
+    auto* menu = new VoxelMenu(workspace(), *this, mapToGlobal(at.toPoint()));
+    menu->openAbout(context().toLps(at));
 }
 
 void SliceView::hovered(const PointerSample& sample)

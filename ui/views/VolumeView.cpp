@@ -321,18 +321,29 @@ void VolumeView::hovered(const PointerSample& sample)
 void VolumeView::menuAsked(const QPointF& at)
 {
     const ViewContext seen = context();
-    const auto& scene = std::get<gpu::VolumeScene>(seen.scene);
-    // As for the readout: rays of a perspective view differ in direction.
-    if (!workspace().session() || !scene.orthographic || !takesOverlays())
+    auto scene = std::get<gpu::VolumeScene>(seen.scene);
+    if (!workspace().session())
         return;
+    // As for the readout: rays of a perspective view differ in direction.
+    if (!scene.orthographic || !takesOverlays())
+        return workspace().say(tr("Side by side, nothing can be pointed at: view with one eye"));
+    // What is pointed at is a segment, wherever the volume steps back for it.
+    if (scene.context != gpu::Context::Opaque)
+        scene.context = gpu::Context::Hidden;
+    auto* menu = new VoxelMenu(workspace(), *this, mapToGlobal(at.toPoint()));
     askWhatIsSeen(workspace(), scene, {seen.toViewPlaneMm(at)},
-        [self = QPointer(this), where = mapToGlobal(at.toPoint())](
-            const core::Result<SeenVoxels>& voxels) {
+        [self = QPointer(this), menu = QPointer(menu)](const core::Result<SeenVoxels>& voxels) {
             const core::Volume* volume = self ? self->workspace().volume() : nullptr;
-            if (!volume || !voxels || voxels->empty() || !voxels->front())
+            if (!volume || !menu || menu->withdrawn())
                 return;
-            const glm::dvec3 voxel(voxels->front()->voxel);
-            openVoxelMenu(self->workspace(), *self, volume->geometry.toWorld(voxel), where);
+            if (voxels && !voxels->empty() && voxels->front())
+                return menu->openAbout(
+                    volume->geometry.toWorld(glm::dvec3(voxels->front()->voxel)));
+            menu->withdraw();
+            if (voxels)
+                self->workspace().say(tr("Nothing is seen there"));
+            else
+                self->workspace().fail(voxels.error());
         });
 }
 

@@ -28,6 +28,7 @@ SpaceSteering::SpaceSteering(MainWindow& window)
 {
     connect(&m_mouse, &SpaceMouse::moved, this, &SpaceSteering::follow);
     connect(&m_mouse, &SpaceMouse::buttonChanged, this, &SpaceSteering::pressed);
+    connect(&m_mouse, &SpaceMouse::disconnected, this, [this] { m_holdsPlane = false; });
     window.installEventFilter(this);
     m_mouse.connectTo();
 }
@@ -52,20 +53,26 @@ void SpaceSteering::pressed(int button, bool down)
         m_holdsPlane = down && heeded();
     if (!down || !heeded())
         return;
+    VolumeView& view = m_window.views().volume();
     if (button == planeButton)
         m_window.workspace().plane().show();
-    else if (button == wholeButton)
-        m_window.views().volume().resetView();
+    else if (button == wholeButton && !view.pointerIsAtWork())
+        view.resetView();
 }
 
 void SpaceSteering::follow(const SpaceMotion& motion)
 {
     if (!heeded())
         return;
-    if (m_holdsPlane || m_window.views().plane().underMouse())
-        followPlane(motion);
-    else
+    // A stroke belongs to the picture that it was begun in; the other view can be moved meanwhile.
+    const PlaneView& plane = m_window.views().plane();
+    const bool planeRests = !plane.pointerIsAtWork();
+    if (m_holdsPlane || (plane.underMouse() && planeRests)) {
+        if (planeRests)
+            followPlane(motion);
+    } else if (!m_window.views().volume().pointerIsAtWork()) {
         followObject(motion);
+    }
 }
 
 void SpaceSteering::followPlane(const SpaceMotion& motion)

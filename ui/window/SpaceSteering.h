@@ -14,6 +14,7 @@ class MainWindow;
 /// the cap is pulled. While the first button is held, or the pointer is over the pen view, the
 /// cutting plane follows the cap instead. The second button shows the whole volume again.
 ///
+/// A view rests while a stroke or a drag is going on in it; the other one can be moved meanwhile.
 /// Nothing happens while another program or a dialog has the keyboard: the driver tells every
 /// program what the device does.
 class SpaceSteering : public QObject {

@@ -51,7 +51,9 @@ void StrokeHashTest::agrees()
         || stroke.name == "write back what was not changed"
         || stroke.name == "write back a second time"
         || stroke.name == "barrier around the surface again"
-        || stroke.name == "open no barrier around the surface";
+        || stroke.name == "open no barrier around the surface"
+        || stroke.name == "merge an empty segment into another"
+        || stroke.name == "growth after a swap of segments"; // their seeds have gone
     if (!stroke.name.startsWith("random"))
         QCOMPARE(direct.finished == direct.before, changesNothing);
 

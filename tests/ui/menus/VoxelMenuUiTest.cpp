@@ -12,6 +12,7 @@
 
 #include <QApplication>
 #include <QMenu>
+#include <QPointer>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -220,16 +221,83 @@ private Q_SLOTS:
         QVERIFY(!QApplication::activePopupWidget());
     }
 
+    /// The answer may take a while; who has begun something else by then is not interrupted.
+    void noMenuForWhoHasGoneOn()
+    {
+        Dabs fixture;
+        ui::SliceView& axial = fixture.window.views().axial();
+        const QPoint at = axial.context().toPixel(fixture.placeOf({10, 10, 10})).toPoint();
+        QTest::mouseClick(&axial, Qt::RightButton, {}, at);
+        QVERIFY(!QApplication::activePopupWidget()); // the session has not answered yet
+        QTest::mousePress(&axial, Qt::LeftButton, {}, at + QPoint(9, 9));
+        fixture.settle();
+        QVERIFY(!QApplication::activePopupWidget());
+        QTest::mouseRelease(&axial, Qt::LeftButton, {}, at + QPoint(9, 9));
+        fixture.settle();
+        QVERIFY(!QApplication::activePopupWidget());
+        // Of two clicks the second one counts.
+        QTest::mouseClick(&axial, Qt::RightButton, {}, at);
+        QMenu* menu = fixture.clickedAt({20, 5, 10});
+        QVERIFY(menu);
+        QCOMPARE(menu->actions().front()->text(), QStringLiteral("Remove this island"));
+        menu->close();
+        QTest::qWait(1);
+        QVERIFY(!QApplication::activePopupWidget());
+    }
+
+    /// Its entries are about the voxels of the session that was open.
+    void anotherSessionClosesIt()
+    {
+        Dabs fixture;
+        QPointer<QMenu> menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        QPointer<QAction> remove = menu->actions().front();
+        fixture.workspace.setSession(nullptr);
+        QVERIFY(!QApplication::activePopupWidget());
+        if (remove)
+            remove->trigger(); // what is chosen late does nothing
+        // A request that waits is withdrawn, too.
+        auto session = core::EditSession::create(fixture.engine, test::smallStudy());
+        QVERIFY(session);
+        fixture.workspace.setSession(std::move(*session));
+        QVERIFY(fixture.session().document().segments.empty());
+        QVERIFY(fixture.session().history().rows().empty());
+    }
+
+    void aHiddenSegmentIsLeftAlone()
+    {
+        Dabs fixture;
+        ui::Workspace::ViewOptions options = fixture.workspace.viewOptions();
+        options.showSegments = false;
+        fixture.workspace.setViewOptions(options);
+        QMenu* menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        for (const QAction* each : menu->actions()) {
+            QVERIFY(!each->isEnabled());
+            QCOMPARE(each->toolTip(), QStringLiteral("'Parts' is hidden"));
+        }
+        menu->close();
+    }
+
     /// In the 3D view it is about what is seen there: here segments alone.
+    void the3dViewRemovesWhatIsSeen_data()
+    {
+        QTest::addColumn<gpu::Context>("context");
+        QTest::newRow("segments only") << gpu::Context::Hidden;
+        QTest::newRow("volume cut away") << gpu::Context::CutAway;
+        QTest::newRow("volume translucent") << gpu::Context::Translucent;
+    }
+
     void the3dViewRemovesWhatIsSeen()
     {
+        QFETCH(gpu::Context, context);
         Fixture fixture(test::smallHead::volume());
         ui::VolumeView& view = fixture.window.views().volume();
         view.lookFrom({0.0, -1.0, 0.0});
         fixture.apply(test::ballMask(glm::ivec3(test::smallHead::side), 6.0));
         ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
         display.surfaceThreshold = 300.0;
-        display.context = gpu::Context::Hidden;
+        display.context = context;
         fixture.workspace.setVolumeDisplay(display);
         const core::Segment ball = fixture.session().document().segments.front();
         QVERIFY(ball.voxels > 100);

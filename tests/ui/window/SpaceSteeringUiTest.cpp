@@ -156,6 +156,60 @@ private Q_SLOTS:
         QVERIFY(bench.view().fitted());
     }
 
+    /// Over the pen view the plane follows the cap along its own axes.
+    void overThePenViewThePlaneFollows()
+    {
+        Bench bench;
+        bench.fixture->window.views().arrange(ui::ViewGrid::Layout::PenAndStage);
+        ui::PlaneView& pen = bench.fixture->window.views().plane();
+        QTRY_VERIFY(pen.isVisible());
+        QCursor::setPos(pen.mapToGlobal(pen.rect().center()));
+        QTRY_VERIFY(pen.underMouse());
+        const ui::Camera camera = bench.view().camera();
+        const double by = 0.05 * camera.heightMm;
+        ui::CuttingPlane::Pose before = bench.plane().pose();
+        QVERIFY(bench.move({350, 0, 0, 0, 0, 0}));
+        QVERIFY(near(bench.plane().pose().centreLps, before.centreLps + by * before.rightLps));
+        before = bench.plane().pose();
+        QVERIFY(bench.move({0, 350, 0, 0, 0, 0}));
+        QVERIFY(near(bench.plane().pose().centreLps, before.centreLps - by * before.downLps));
+        before = bench.plane().pose();
+        QVERIFY(bench.move({0, 0, 350, 0, 0, 0}));
+        QVERIFY(near(bench.plane().pose().centreLps, before.centreLps + by * before.normalLps()));
+        QVERIFY(near(bench.view().camera().targetLps, camera.targetLps));
+
+        // A drag belongs to the picture that it was begun in: the 3D view moves instead.
+        before = bench.plane().pose();
+        const QPoint middle = pen.rect().center();
+        QTest::mousePress(&pen, Qt::MiddleButton, {}, middle);
+        const QPointF to = QPointF(middle) + QPointF(0.0, 30.0);
+        QMouseEvent drag(
+            QEvent::MouseMove, to, pen.mapToGlobal(to), Qt::NoButton, Qt::MiddleButton, {});
+        QApplication::sendEvent(&pen, &drag);
+        QVERIFY(pen.pointerIsAtWork());
+        before = bench.plane().pose();
+        QVERIFY(bench.move({350, 0, 0, 0, 0, 0}));
+        QVERIFY(near(bench.plane().pose().centreLps, before.centreLps));
+        QVERIFY(!near(bench.view().camera().targetLps, camera.targetLps));
+        QTest::mouseRelease(&pen, Qt::MiddleButton, {}, to.toPoint());
+    }
+
+    void aButtonIsNotHeldByADriverThatHasGone()
+    {
+        Bench bench;
+        QVERIFY(bench.press(0, true));
+        QSignalSpy gone(&bench.steering->mouse(), &ui::SpaceMouse::disconnected);
+        bench.driver.hangUp();
+        QVERIFY(gone.wait());
+        QVERIFY(bench.steering->mouse().connectTo(bench.driver.socketPath()));
+        QVERIFY(bench.driver.accept());
+        const ui::CuttingPlane::Pose before = bench.plane().pose();
+        const ui::Camera camera = bench.view().camera();
+        QVERIFY(bench.move({350, 0, 0, 0, 0, 0}));
+        QVERIFY(near(bench.plane().pose().centreLps, before.centreLps));
+        QVERIFY(!near(bench.view().camera().targetLps, camera.targetLps));
+    }
+
     void aDialogIsNotWorkedBehind()
     {
         Bench bench;
@@ -163,6 +217,7 @@ private Q_SLOTS:
         QDialog dialog(&bench.fixture->window);
         dialog.setModal(true);
         dialog.show();
+        dialog.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&dialog));
         QVERIFY(bench.move({350, 0, 0, 350, 0, 0}));
         QVERIFY(near(bench.view().camera().targetLps, before.targetLps));
