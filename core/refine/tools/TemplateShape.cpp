@@ -3,6 +3,7 @@
 
 #include "core/refine/mesh/InternalForces.h"
 #include "core/refine/repair/FaceShape.h"
+#include "core/refine/tools/ContourBody.h"
 #include "core/refine/tools/MarkPaint.h"
 #include "core/refine/tools/ToolBehaviour.h"
 
@@ -84,8 +85,9 @@ public:
     {
     }
 
-    Result<TemplateShape> make(const std::vector<TemplateContour>& contours)
+    Result<TemplateShape> make(const std::vector<TemplateContour>& contours, TemplateForm form)
     {
+        m_shape.m_form = form;
         double wholeMm = 0.0;
         bool isBody = false;
         for (const TemplateContour& contour : contours) {
@@ -100,7 +102,9 @@ public:
         if (!findRegion())
             return refused("no contour lies near a red region");
         findBorder();
-        const bool made = isBody ? makeBody() : makeSpline();
+        const bool made = form == TemplateForm::Body ? makeContourBody(contours)
+            : isBody                                 ? makeBody()
+                                                     : makeSpline();
         if (!made)
             return refused(m_why);
         return std::move(m_shape);
@@ -343,6 +347,31 @@ private:
         return true;
     }
 
+    bool makeContourBody(const std::vector<TemplateContour>& contours)
+    {
+        if (m_border.size() < 3)
+            return because("the red region has no border");
+        ContourBodyPoints given{
+            .contours = contours, .border = {}, .edgeMm = m_edgeMm, .isSound = {}};
+        for (const VertexId id : spacedBorder())
+            given.border.push_back(
+                {.placeLps = m_mesh.position(id), .outwardsLps = frameAt(m_mesh, id).normalLps});
+        // What is drawn along the sound surface is known better from the surface itself.
+        given.isSound = [this](const glm::dvec3& point) {
+            const VertexId nearest =
+                nearestVertex(m_mesh, point, [](VertexId /*id*/) { return true; });
+            const double nearMm = 2.0 * m_edgeMm;
+            return nearest != noId && !m_isRegion[nearest]
+                && squaredOf(m_mesh.position(nearest) - point) < nearMm * nearMm;
+        };
+        auto body = contourBody(given);
+        if (!body)
+            return because("no body runs through these contours");
+        m_shape.m_body = std::move(body->body);
+        m_shape.m_points = std::move(body->pointsLps);
+        return true;
+    }
+
     bool because(const char* why)
     {
         m_why = why;
@@ -360,10 +389,10 @@ private:
     TemplateShape m_shape;
 };
 
-Result<TemplateShape> TemplateShape::make(
-    const SimplexMesh& mesh, const std::vector<TemplateContour>& contours, double areaMm2)
+Result<TemplateShape> TemplateShape::make(const SimplexMesh& mesh,
+    const std::vector<TemplateContour>& contours, double areaMm2, TemplateForm form)
 {
-    return TemplateMaker(mesh, edgeMmOf(mesh, areaMm2)).make(contours);
+    return TemplateMaker(mesh, edgeMmOf(mesh, areaMm2)).make(contours, form);
 }
 
 glm::dvec3 TemplateShape::at(const glm::dvec2& place) const
