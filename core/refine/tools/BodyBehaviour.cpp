@@ -12,6 +12,11 @@ namespace {
 
 /// Where the surface is nearer than this, in edges, it goes straight to the body.
 constexpr double straightFrom = 1.0;
+/// What is farther than this from the body, in edges, is not measured again before it has gone a
+/// quarter of that way.
+constexpr double farFrom = 2.0;
+/// Steps from one look at how far all still has to go to the next.
+constexpr int stepsBetweenLooks = 5;
 
 /// Blows a region up, or lets it collapse, until it lies on a body. The shortest way to the body
 /// leads from the floor of a deep lobe to its walls, where no part of the floor belongs: far from
@@ -48,6 +53,8 @@ public:
     void beginStep(const SimplexMesh& mesh) override
     {
         grow(mesh);
+        if (m_steps++ % stepsBetweenLooks != 0)
+            return;
         std::vector<glm::dvec3> region;
         double offMm = 0.0;
         for (VertexId id = 0; id < m_parts.size(); ++id) {
@@ -78,15 +85,12 @@ public:
     {
         if (point.vertex >= m_parts.size() || !m_parts[point.vertex].isRegion)
             return std::nullopt;
-        const VariationalBody::Value here = m_shape->valueAt(point.positionLps);
-        const double steep = glm::length(here.rise);
-        const double offMm = steep > 1e-6 ? std::abs(here.value) / steep : 0.0;
-        m_parts[point.vertex].offMm = offMm;
+        Part& part = m_parts[point.vertex];
+        measure(part, point.positionLps);
         const double strideMm = m_scale.strideMm(point);
-        if (!(steep > 1e-6))
-            return Grip{.placeLps = point.positionLps, .leftMm = 0.0};
-        const double side = here.value > 0.0 ? 1.0 : -1.0;
-        const glm::dvec3 straight = -side / steep * here.rise;
+        const double offMm = part.offMm;
+        const double side = part.isInside ? 1.0 : -1.0;
+        const glm::dvec3& straight = part.straight;
         const double nearMm = straightFrom * m_scale.edgeMm;
         const double share = offMm > nearMm ? nearMm / offMm : 1.0;
         glm::dvec3 way = share * straight + (1.0 - share) * side * point.normalLps;
@@ -117,14 +121,37 @@ public:
             && std::any_of(near.begin(), near.end(),
                 [this](VertexId other) { return m_parts[other].isRegion; });
         part.offMm = 0.0;
+        part.measuredAtMm = -1.0;
     }
 
 private:
     struct Part {
         double offMm = 0.0; ///< from the body, at the last step
+        double measuredAtMm = -1.0; ///< how far off it was when that was measured; < 0: never
+        glm::dvec3 measuredAt{0.0}; ///< and where
+        glm::dvec3 straight{0.0}; ///< the shortest way, as a unit vector; 0: there is none
+        bool isInside = false; ///< the body
         bool isRegion = false;
         bool isAdopted = false; ///< seen in a step
     };
+
+    void measure(Part& part, const glm::dvec3& placeLps) const
+    {
+        const double goneMm = glm::distance(placeLps, part.measuredAt);
+        if (part.measuredAtMm > farFrom * m_scale.edgeMm && goneMm < 0.25 * part.measuredAtMm) {
+            part.offMm = part.measuredAtMm - goneMm;
+            return;
+        }
+        const VariationalBody::Value here = m_shape->valueAt(placeLps);
+        const double steep = glm::length(here.rise);
+        const bool isKnown = steep > 1e-6;
+        part.isInside = here.value > 0.0;
+        part.offMm = isKnown ? std::abs(here.value) / steep : 0.0;
+        part.straight =
+            isKnown ? (part.isInside ? -1.0 : 1.0) / steep * here.rise : glm::dvec3(0.0);
+        part.measuredAtMm = part.offMm;
+        part.measuredAt = placeLps;
+    }
 
     void grow(const SimplexMesh& mesh)
     {
@@ -134,6 +161,7 @@ private:
     std::shared_ptr<const TemplateShape> m_shape;
     std::vector<Part> m_parts; ///< by vertex
     std::optional<double> m_leftMm;
+    int m_steps = 0;
     bool m_isBegun = false;
 };
 

@@ -22,6 +22,8 @@ constexpr double mostBorderPoints = 150.0;
 constexpr int mostSweeps = 600;
 constexpr double overRelaxation = 1.9;
 constexpr int previewSteps = 30;
+/// How far a body may reach beyond what was drawn, of its extent.
+constexpr double beyondDrawn = 0.1;
 
 tl::unexpected<Error> refused(const char* why)
 {
@@ -369,6 +371,15 @@ private:
             return because("no body runs through these contours");
         m_shape.m_body = std::move(body->body);
         m_shape.m_points = std::move(body->pointsLps);
+        glm::dvec3 least = m_shape.m_points.front();
+        glm::dvec3 most = least;
+        for (const glm::dvec3& point : m_shape.m_points) {
+            least = glm::min(least, point);
+            most = glm::max(most, point);
+        }
+        const glm::dvec3 margin = beyondDrawn * (most - least) + 2.0 * m_edgeMm;
+        m_shape.m_leastLps = least - margin;
+        m_shape.m_mostLps = most + margin;
         return true;
     }
 
@@ -408,9 +419,27 @@ glm::dvec2 TemplateShape::placeOf(const glm::dvec3& positionLps) const
 
 glm::dvec3 TemplateShape::wayMm(const glm::dvec3& positionLps) const
 {
-    const VariationalBody::Value here = m_body->at(positionLps);
+    const VariationalBody::Value here = valueAt(positionLps);
     const double steep = glm::dot(here.rise, here.rise);
     return steep > 1e-12 ? -here.value / steep * here.rise : glm::dvec3(0.0);
+}
+
+VariationalBody::Value TemplateShape::valueAt(const glm::dvec3& positionLps) const
+{
+    VariationalBody::Value here = m_body->at(positionLps);
+    if (m_form != TemplateForm::Body)
+        return here;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            const double insideMm = side < 0.0 ? positionLps[axis] - m_leastLps[axis]
+                                               : m_mostLps[axis] - positionLps[axis];
+            if (insideMm >= here.value)
+                continue;
+            here = {.value = insideMm, .rise = glm::dvec3(0.0)};
+            here.rise[axis] = -side;
+        }
+    }
+    return here;
 }
 
 std::vector<glm::dvec3> TemplateShape::preview(const SimplexMesh& mesh) const

@@ -41,10 +41,7 @@ public:
     [[nodiscard]] bool isBody() const { return m_body.has_value(); }
     [[nodiscard]] TemplateForm form() const { return m_form; }
     /// Positive inside the body, about the distance from its surface in mm. @pre a body
-    [[nodiscard]] VariationalBody::Value valueAt(const glm::dvec3& positionLps) const
-    {
-        return m_body->at(positionLps);
-    }
+    [[nodiscard]] VariationalBody::Value valueAt(const glm::dvec3& positionLps) const;
 
     /// By index in region(): the places of its vertices in the plane; empty for a body.
     [[nodiscard]] const std::vector<glm::dvec2>& places() const { return m_places; }
@@ -70,6 +67,10 @@ private:
     glm::dvec3 m_up{0.0};
     std::optional<ThinPlateSpline> m_spline;
     std::optional<VariationalBody> m_body;
+    /// With TemplateForm::Body: beyond this box there is none of it. Far from all that was drawn a
+    /// body may have parts that nobody meant.
+    glm::dvec3 m_leastLps{0.0};
+    glm::dvec3 m_mostLps{0.0};
 
     friend class TemplateMaker;
 };
