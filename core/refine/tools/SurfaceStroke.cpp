@@ -147,8 +147,10 @@ public:
              i < most && since < mostToRest && !m_deformation.active().empty(); ++i) {
             step(since < withStructure);
             const double leftMm = leftToGoMm();
-            isPatient = isPatient && (!m_scale.isApart || patience.lasts(leftMm));
-            const bool waits = (leftMm > nearMm || m_tool->leftMm()) && isPatient;
+            // What measures its way itself is done when that gets no shorter.
+            const bool measures = m_tool->leftMm().has_value();
+            isPatient = isPatient && ((!m_scale.isApart && !measures) || patience.lasts(leftMm));
+            const bool waits = (leftMm > nearMm || measures) && isPatient;
             since = waits ? 0 : since + 1;
         }
         keepApart();
