@@ -96,9 +96,10 @@ public:
         glm::dvec3 way = share * straight + (1.0 - share) * side * point.normalLps;
         const double length = glm::length(way);
         way = length > 1e-3 ? way / length : straight;
-        // Aside, forces may have their way, so that faces stay even.
+        // Aside, forces may have their way, so that faces stay even; far away, also along the way,
+        // so that the front has no pits and bumps.
         glm::dvec3 aside = placeLps - point.positionLps;
-        aside -= glm::dot(aside, way) * way;
+        aside -= share * glm::dot(aside, way) * way;
         const double asideMm = glm::length(aside);
         if (asideMm > 0.5 * strideMm)
             aside *= 0.5 * strideMm / asideMm;

@@ -9,7 +9,7 @@ namespace core {
 namespace {
 
 /// More would take longer to solve than they say.
-constexpr double mostDrawnPoints = 140.0;
+constexpr double mostDrawnPoints = 260.0;
 /// Steps of a contour between two of its points, for evening it out.
 constexpr int stepsBetween = 6;
 constexpr std::size_t mostSteps = 100'000;

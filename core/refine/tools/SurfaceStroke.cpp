@@ -38,6 +38,8 @@ constexpr double reachAround = 8.0;
 constexpr int mostInVain = 4;
 constexpr int mostInVainAfterPen = 20;
 constexpr double leastNearer = 0.02;
+/// Of a mean, in which the last few vertices count little.
+constexpr double leastNearerInMean = 0.004;
 /// How far from where the tool wants them vertices may be left on the way, in edges.
 constexpr double leftOnTheWay = 0.25;
 
@@ -138,7 +140,9 @@ public:
         m_tool->lift();
         m_holds->letYellowGo();
         const double nearMm = leftOnTheWay * m_scale.edgeMm;
-        Patience patience(leastNearer * m_scale.edgeMm, mostInVainAfterPen);
+        const bool measuresItself = m_tool->leftMm().has_value();
+        Patience patience((measuresItself ? leastNearerInMean : leastNearer) * m_scale.edgeMm,
+            mostInVainAfterPen);
         bool isPatient = true;
         const int most = m_scale.isApart && m_reachMm ? mostStepsAfterPen : mostStepsToMove;
         const int mostToRest = m_tool->mostStepsToRest();
@@ -148,9 +152,9 @@ public:
             step(since < withStructure);
             const double leftMm = leftToGoMm();
             // What measures its way itself is done when that gets no shorter.
-            const bool measures = m_tool->leftMm().has_value();
-            isPatient = isPatient && ((!m_scale.isApart && !measures) || patience.lasts(leftMm));
-            const bool waits = (leftMm > nearMm || measures) && isPatient;
+            isPatient =
+                isPatient && ((!m_scale.isApart && !measuresItself) || patience.lasts(leftMm));
+            const bool waits = (leftMm > nearMm || measuresItself) && isPatient;
             since = waits ? 0 : since + 1;
         }
         keepApart();
