@@ -15,6 +15,8 @@ constexpr double straightFrom = 1.0;
 /// What is farther than this from the body, in edges, is not measured again before it has gone a
 /// quarter of that way.
 constexpr double farFrom = 2.0;
+/// And nearer, as far as the body is as good as flat, in edges.
+constexpr double stillThere = 0.15;
 /// Steps from one look at how far all still has to go to the next.
 constexpr int stepsBetweenLooks = 5;
 
@@ -122,36 +124,43 @@ public:
             && std::any_of(near.begin(), near.end(),
                 [this](VertexId other) { return m_parts[other].isRegion; });
         part.offMm = 0.0;
-        part.measuredAtMm = -1.0;
+        part.measuredMm = -1.0;
     }
 
 private:
     struct Part {
         double offMm = 0.0; ///< from the body, at the last step
-        double measuredAtMm = -1.0; ///< how far off it was when that was measured; < 0: never
+        double measuredMm = -1.0; ///< how far off it was when that was measured; < 0: never
         glm::dvec3 measuredAt{0.0}; ///< and where
+        VariationalBody::Value measured; ///< the body there
         glm::dvec3 straight{0.0}; ///< the shortest way, as a unit vector; 0: there is none
         bool isInside = false; ///< the body
         bool isRegion = false;
         bool isAdopted = false; ///< seen in a step
     };
 
+    /// Anew where it has gone so far that what was measured says too little.
     void measure(Part& part, const glm::dvec3& placeLps) const
     {
-        const double goneMm = glm::distance(placeLps, part.measuredAt);
-        if (part.measuredAtMm > farFrom * m_scale.edgeMm && goneMm < 0.25 * part.measuredAtMm) {
-            part.offMm = part.measuredAtMm - goneMm;
-            return;
+        const glm::dvec3 gone = placeLps - part.measuredAt;
+        const double goneMm = glm::length(gone);
+        const bool isFar = part.measuredMm > farFrom * m_scale.edgeMm;
+        const double enoughMm = isFar ? 0.25 * part.measuredMm : stillThere * m_scale.edgeMm;
+        if (part.measuredMm < 0.0 || goneMm > enoughMm) {
+            part.measured = m_shape->valueAt(placeLps);
+            part.measuredAt = placeLps;
         }
-        const VariationalBody::Value here = m_shape->valueAt(placeLps);
-        const double steep = glm::length(here.rise);
+        const double steep = glm::length(part.measured.rise);
         const bool isKnown = steep > 1e-6;
-        part.isInside = here.value > 0.0;
-        part.offMm = isKnown ? std::abs(here.value) / steep : 0.0;
+        const double value = part.measuredAt == placeLps
+            ? part.measured.value
+            : part.measured.value + glm::dot(part.measured.rise, gone);
+        part.isInside = value > 0.0;
+        part.offMm = isKnown ? std::abs(value) / steep : 0.0;
         part.straight =
-            isKnown ? (part.isInside ? -1.0 : 1.0) / steep * here.rise : glm::dvec3(0.0);
-        part.measuredAtMm = part.offMm;
-        part.measuredAt = placeLps;
+            isKnown ? (part.isInside ? -1.0 : 1.0) / steep * part.measured.rise : glm::dvec3(0.0);
+        if (part.measuredAt == placeLps)
+            part.measuredMm = part.offMm;
     }
 
     void grow(const SimplexMesh& mesh)
