@@ -26,7 +26,7 @@ template <class Visitor> void visitRules(Visitor& visit, SurfaceRules& rules)
 {
     visit.maybe("rules", rules, editFields::WholeNumber{1, newestSurfaceRules},
         "by which rules; 2: the surface never passes through itself, and sphere and plane hold "
-        "only the sheet under the pen",
+        "only the sheet under the pen; 3: open and closed contours of a template go together",
         "1: those of before");
 }
 

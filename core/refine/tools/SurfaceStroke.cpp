@@ -17,12 +17,12 @@ namespace {
 
 /// A regular hexagon of area 1 has edges of this length.
 constexpr double hexagonEdge = 0.6204032394013997;
-/// As long as the tool has something to move, and then until all is at rest.
+/// As long as the tool has something to move, and then until all is at rest
+/// (ToolBehaviour::mostStepsToRest).
 constexpr int mostStepsToMove = 600;
 /// What is kept apart and was moved by a tool of the pen: when the pen is lifted, most of it is
 /// done.
 constexpr int mostStepsAfterPen = 160;
-constexpr int mostStepsToRest = 100;
 /// What a stroke has stretched more than this is split in the end, of the intended face.
 constexpr double largestFace = 4.0;
 constexpr double longestEdge = 4.0;
@@ -38,6 +38,8 @@ constexpr double reachAround = 8.0;
 constexpr int mostInVain = 4;
 constexpr int mostInVainAfterPen = 20;
 constexpr double leastNearer = 0.02;
+/// Of a mean, in which the last few vertices count little.
+constexpr double leastNearerInMean = 0.004;
 /// How far from where the tool wants them vertices may be left on the way, in edges.
 constexpr double leftOnTheWay = 0.25;
 
@@ -138,15 +140,21 @@ public:
         m_tool->lift();
         m_holds->letYellowGo();
         const double nearMm = leftOnTheWay * m_scale.edgeMm;
-        Patience patience(leastNearer * m_scale.edgeMm, mostInVainAfterPen);
+        const bool measuresItself = m_tool->leftMm().has_value();
+        Patience patience((measuresItself ? leastNearerInMean : leastNearer) * m_scale.edgeMm,
+            mostInVainAfterPen);
         bool isPatient = true;
         const int most = m_scale.isApart && m_reachMm ? mostStepsAfterPen : mostStepsToMove;
+        const int mostToRest = m_tool->mostStepsToRest();
+        const int withStructure = std::min(stepsWithStructure, mostToRest / 2);
         for (int i = 0, since = 0;
-             i < most && since < mostStepsToRest && !m_deformation.active().empty(); ++i) {
-            step(since < stepsWithStructure);
-            const double leftMm = m_holds->leftMm(m_deformation.active());
-            isPatient = isPatient && (!m_scale.isApart || patience.lasts(leftMm));
-            const bool waits = leftMm > nearMm && isPatient;
+             i < most && since < mostToRest && !m_deformation.active().empty(); ++i) {
+            step(since < withStructure);
+            const double leftMm = leftToGoMm();
+            // What measures its way itself is done when that gets no shorter.
+            isPatient =
+                isPatient && ((!m_scale.isApart && !measuresItself) || patience.lasts(leftMm));
+            const bool waits = (leftMm > nearMm || measuresItself) && isPatient;
             since = waits ? 0 : since + 1;
         }
         keepApart();
@@ -192,6 +200,12 @@ private:
             if (i + 1 >= m_tool->stepsAtPlace() && !waits)
                 return;
         }
+    }
+
+    [[nodiscard]] double leftToGoMm() const
+    {
+        const std::optional<double> leftMm = m_tool->leftMm();
+        return leftMm ? *leftMm : m_holds->leftMm(m_deformation.active());
     }
 
     void noteActive()

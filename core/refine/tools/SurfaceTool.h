@@ -3,11 +3,13 @@
 
 #include "core/refine/mesh/SimplexMesh.h"
 
+#include <memory>
 #include <variant>
 
 namespace core {
 
 class GreyBox;
+class TemplateShape;
 
 /// One report of the pen.
 struct SurfaceSample {
@@ -61,6 +63,8 @@ struct TemplateContour {
 /// TemplateShape.h). Its samples only mean that a few more steps may be done.
 struct TemplateTool {
     std::vector<TemplateContour> contours;
+    /// What they make of this mesh; null: the stroke finds out, by the rules of before.
+    std::shared_ptr<const TemplateShape> shape = nullptr;
 };
 
 /// Evens out the curvature within the ball, without shrinking the surface.

@@ -14,10 +14,12 @@ public:
     TemplateBehaviour(const TemplateTool& tool, const ToolScale& scale, const SimplexMesh& mesh)
         : ToolBehaviour(scale)
     {
-        auto shape = TemplateShape::make(mesh, tool.contours, scale.areaMm2);
-        if (!shape)
+        if (tool.shape)
+            m_shape = *tool.shape;
+        else if (auto shape = TemplateShape::make(mesh, tool.contours, scale.areaMm2))
+            m_shape = *std::move(shape);
+        else
             return;
-        m_shape = *std::move(shape);
         grow(mesh);
         for (std::size_t i = 0; i < m_shape->region().size(); ++i) {
             const VertexId id = m_shape->region()[i];
@@ -190,6 +192,8 @@ private:
 std::unique_ptr<ToolBehaviour> behaviourOf(
     const TemplateTool& tool, const ToolScale& scale, const SimplexMesh& mesh)
 {
+    if (tool.shape && tool.shape->form() == TemplateForm::Body)
+        return bodyBehaviour(tool.shape, scale, mesh);
     return std::make_unique<TemplateBehaviour>(tool, scale, mesh);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/refine/mesh/InternalForces.h"
 #include "core/refine/repair/FaceShape.h"
+#include "core/refine/tools/ContourBody.h"
 #include "core/refine/tools/MarkPaint.h"
 #include "core/refine/tools/ToolBehaviour.h"
 
@@ -21,6 +22,8 @@ constexpr double mostBorderPoints = 150.0;
 constexpr int mostSweeps = 600;
 constexpr double overRelaxation = 1.9;
 constexpr int previewSteps = 30;
+/// How far a body may reach beyond what was drawn, of its extent.
+constexpr double beyondDrawn = 0.1;
 
 tl::unexpected<Error> refused(const char* why)
 {
@@ -84,8 +87,9 @@ public:
     {
     }
 
-    Result<TemplateShape> make(const std::vector<TemplateContour>& contours)
+    Result<TemplateShape> make(const std::vector<TemplateContour>& contours, TemplateForm form)
     {
+        m_shape.m_form = form;
         double wholeMm = 0.0;
         bool isBody = false;
         for (const TemplateContour& contour : contours) {
@@ -100,7 +104,9 @@ public:
         if (!findRegion())
             return refused("no contour lies near a red region");
         findBorder();
-        const bool made = isBody ? makeBody() : makeSpline();
+        const bool made = form == TemplateForm::Body ? makeContourBody(contours)
+            : isBody                                 ? makeBody()
+                                                     : makeSpline();
         if (!made)
             return refused(m_why);
         return std::move(m_shape);
@@ -343,6 +349,40 @@ private:
         return true;
     }
 
+    bool makeContourBody(const std::vector<TemplateContour>& contours)
+    {
+        if (m_border.size() < 3)
+            return because("the red region has no border");
+        ContourBodyPoints given{
+            .contours = contours, .border = {}, .edgeMm = m_edgeMm, .isSound = {}};
+        for (const VertexId id : spacedBorder())
+            given.border.push_back(
+                {.placeLps = m_mesh.position(id), .outwardsLps = frameAt(m_mesh, id).normalLps});
+        // What is drawn along the sound surface is known better from the surface itself.
+        given.isSound = [this](const glm::dvec3& point) {
+            const VertexId nearest =
+                nearestVertex(m_mesh, point, [](VertexId /*id*/) { return true; });
+            const double nearMm = 2.0 * m_edgeMm;
+            return nearest != noId && !m_isRegion[nearest]
+                && squaredOf(m_mesh.position(nearest) - point) < nearMm * nearMm;
+        };
+        auto body = contourBody(given);
+        if (!body)
+            return because("no body runs through these contours");
+        m_shape.m_body = std::move(body->body);
+        m_shape.m_points = std::move(body->pointsLps);
+        glm::dvec3 least = m_shape.m_points.front();
+        glm::dvec3 most = least;
+        for (const glm::dvec3& point : m_shape.m_points) {
+            least = glm::min(least, point);
+            most = glm::max(most, point);
+        }
+        const glm::dvec3 margin = beyondDrawn * (most - least) + 2.0 * m_edgeMm;
+        m_shape.m_leastLps = least - margin;
+        m_shape.m_mostLps = most + margin;
+        return true;
+    }
+
     bool because(const char* why)
     {
         m_why = why;
@@ -360,10 +400,10 @@ private:
     TemplateShape m_shape;
 };
 
-Result<TemplateShape> TemplateShape::make(
-    const SimplexMesh& mesh, const std::vector<TemplateContour>& contours, double areaMm2)
+Result<TemplateShape> TemplateShape::make(const SimplexMesh& mesh,
+    const std::vector<TemplateContour>& contours, double areaMm2, TemplateForm form)
 {
-    return TemplateMaker(mesh, edgeMmOf(mesh, areaMm2)).make(contours);
+    return TemplateMaker(mesh, edgeMmOf(mesh, areaMm2)).make(contours, form);
 }
 
 glm::dvec3 TemplateShape::at(const glm::dvec2& place) const
@@ -379,9 +419,27 @@ glm::dvec2 TemplateShape::placeOf(const glm::dvec3& positionLps) const
 
 glm::dvec3 TemplateShape::wayMm(const glm::dvec3& positionLps) const
 {
-    const VariationalBody::Value here = m_body->at(positionLps);
+    const VariationalBody::Value here = valueAt(positionLps);
     const double steep = glm::dot(here.rise, here.rise);
     return steep > 1e-12 ? -here.value / steep * here.rise : glm::dvec3(0.0);
+}
+
+VariationalBody::Value TemplateShape::valueAt(const glm::dvec3& positionLps) const
+{
+    VariationalBody::Value here = m_body->at(positionLps);
+    if (m_form != TemplateForm::Body)
+        return here;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            const double insideMm = side < 0.0 ? positionLps[axis] - m_leastLps[axis]
+                                               : m_mostLps[axis] - positionLps[axis];
+            if (insideMm >= here.value)
+                continue;
+            here = {.value = insideMm, .rise = glm::dvec3(0.0)};
+            here.rise[axis] = -side;
+        }
+    }
+    return here;
 }
 
 std::vector<glm::dvec3> TemplateShape::preview(const SimplexMesh& mesh) const

@@ -8,6 +8,14 @@
 
 namespace core {
 
+/// How contours become a shape.
+enum class TemplateForm : std::uint8_t {
+    /// Open ones make a surface over a plane, closed ones a body; both together are refused.
+    OfBefore,
+    /// Any mixture makes a body (ContourBody.h).
+    Body
+};
+
 /// The shape that contours define for an erroneous region (seed B §4.4, 6.5). The region is the red
 /// one nearest to the contours.
 ///
@@ -16,20 +24,24 @@ namespace core {
 /// the region opens. Each vertex has a place in that plane: those of the border have their own, the
 /// others the mean of their neighbours' places (Tutte), so that the region covers the plane only
 /// once, however far it bulges. Closed contours, whether or not their planes cross, define a
-/// variational body through them and through the border.
+/// variational body through them and through the border. With TemplateForm::Body all do.
 class TemplateShape {
 public:
     /// @param areaMm2 intended area of a face (SurfaceStrokeSettings); 0: the mean of the mesh
     /// Cost: about 100 ms. Errors: InvalidField (argument 1: no contours, no red region near them,
     /// points above one another, …).
     [[nodiscard]] static Result<TemplateShape> make(const SimplexMesh& mesh,
-        const std::vector<TemplateContour>& contours, double areaMm2 = 0.0);
+        const std::vector<TemplateContour>& contours, double areaMm2 = 0.0,
+        TemplateForm form = TemplateForm::OfBefore);
 
     /// The vertices of the red region, ascending.
     [[nodiscard]] const std::vector<VertexId>& region() const { return m_region; }
     /// The points through which the shape passes: those of the contours, then those of the border.
     [[nodiscard]] const std::vector<glm::dvec3>& pointsLps() const { return m_points; }
     [[nodiscard]] bool isBody() const { return m_body.has_value(); }
+    [[nodiscard]] TemplateForm form() const { return m_form; }
+    /// Positive inside the body, about the distance from its surface in mm. @pre a body
+    [[nodiscard]] VariationalBody::Value valueAt(const glm::dvec3& positionLps) const;
 
     /// By index in region(): the places of its vertices in the plane; empty for a body.
     [[nodiscard]] const std::vector<glm::dvec2>& places() const { return m_places; }
@@ -44,6 +56,7 @@ public:
     [[nodiscard]] std::vector<glm::dvec3> preview(const SimplexMesh& mesh) const;
 
 private:
+    TemplateForm m_form = TemplateForm::OfBefore;
     std::vector<VertexId> m_region;
     std::vector<glm::dvec3> m_points;
     std::vector<glm::dvec2> m_places;
@@ -54,6 +67,10 @@ private:
     glm::dvec3 m_up{0.0};
     std::optional<ThinPlateSpline> m_spline;
     std::optional<VariationalBody> m_body;
+    /// With TemplateForm::Body: beyond this box there is none of it. Far from all that was drawn a
+    /// body may have parts that nobody meant.
+    glm::dvec3 m_leastLps{0.0};
+    glm::dvec3 m_mostLps{0.0};
 
     friend class TemplateMaker;
 };

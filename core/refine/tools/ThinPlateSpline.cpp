@@ -45,9 +45,10 @@ template <typename Place> double extentOf(const std::vector<Place>& places, Plac
 }
 
 /// Weights of kernels and of 1, x, y …; empty: there are none.
+/// @param gives by place: what is left over there, per weight; empty: nothing anywhere
 template <typename Place, typename Kernel>
-std::vector<double> weightsThrough(
-    const std::vector<Place>& places, const std::vector<double>& values, const Kernel& kernel)
+std::vector<double> weightsThrough(const std::vector<Place>& places,
+    const std::vector<double>& values, const Kernel& kernel, const std::vector<double>& gives = {})
 {
     constexpr int polynomial = 1 + Place::length();
     // By columns, so the cache decides nothing: no block is as wide as what it could hold.
@@ -62,6 +63,8 @@ std::vector<double> weightsThrough(
             const Place way = place - places[std::size_t(j)];
             matrix(i, j) = matrix(j, i) = kernel(glm::dot(way, way));
         }
+        if (!gives.empty())
+            matrix(i, i) = gives[std::size_t(i)];
         matrix(i, count) = matrix(count, i) = 1.0;
         for (int axis = 0; axis < Place::length(); ++axis)
             matrix(i, count + 1 + axis) = matrix(count + 1 + axis, i) = place[axis];
@@ -146,15 +149,19 @@ Result<VariationalBody> VariationalBody::through(std::span<const Point> points)
         return noneThrough();
     VariationalBody body;
     std::vector<double> values;
+    std::vector<double> gives;
     for (const Point& point : points) {
         body.m_places.push_back(point.place);
         values.push_back(point.value);
+        gives.push_back(point.giveMm3);
     }
     body.m_scale = extentOf(body.m_places, body.m_middle);
     for (glm::dvec3& place : body.m_places)
         place = (place - body.m_middle) / body.m_scale;
+    for (double& give : gives)
+        give /= body.m_scale * body.m_scale * body.m_scale;
     body.m_weights = weightsThrough(
-        body.m_places, values, [](double squared) { return squared * std::sqrt(squared); });
+        body.m_places, values, [](double squared) { return squared * std::sqrt(squared); }, gives);
     if (body.m_weights.empty())
         return noneThrough();
     return body;

@@ -52,6 +52,11 @@ public:
     [[nodiscard]] virtual int mostStepsAtPlace() const { return 48; }
     /// Called before each step.
     virtual void beginStep(const SimplexMesh& /*mesh*/) { }
+    /// The greatest number of steps after which what is moved, or not any more, is left alone.
+    [[nodiscard]] virtual int mostStepsToRest() const { return 100; }
+    /// How far all still has to go, for tools whose vertices do not go straight to where they
+    /// belong; none: as far as the one that has the longest way.
+    [[nodiscard]] virtual std::optional<double> leftMm() const { return std::nullopt; }
     /// Called when the pen is lifted.
     virtual void lift() { }
 
@@ -98,6 +103,9 @@ protected:
     const DragTool& tool, const ToolScale& scale);
 [[nodiscard]] std::unique_ptr<ToolBehaviour> behaviourOf(
     const AttractTool& tool, const ToolScale& scale);
+/// Moves the region of a template to a body (TemplateForm::Body).
+[[nodiscard]] std::unique_ptr<ToolBehaviour> bodyBehaviour(
+    std::shared_ptr<const TemplateShape> shape, const ToolScale& scale, const SimplexMesh& mesh);
 /// A template without a shape (TemplateShape.h) holds nothing.
 [[nodiscard]] std::unique_ptr<ToolBehaviour> behaviourOf(
     const TemplateTool& tool, const ToolScale& scale, const SimplexMesh& mesh);

@@ -188,16 +188,19 @@ Result<void> SurfaceWork::begin()
     if (!m_read.codes.empty())
         m_grey = std::make_unique<const GreyBox>(m_surface.geometry(), m_read.greyBox.minimum,
             m_read.greyBox.maximum - m_read.greyBox.minimum, std::move(m_read.codes));
-    const std::optional<SurfaceTool> chosen = std::visit(Tools{m_grey.get()}, m_edit);
+    std::optional<SurfaceTool> chosen = std::visit(Tools{m_grey.get()}, m_edit);
     if (!chosen)
         return {};
-    if (const auto* shape = std::get_if<TemplateTool>(&*chosen)) {
-        const Result<TemplateShape> made =
-            TemplateShape::make(m_surface.mesh, shape->contours, m_surface.target->faceAreaMm2());
+    if (auto* shape = std::get_if<TemplateTool>(&*chosen)) {
+        const auto* edit = std::get_if<ApplyTemplate>(&m_edit);
+        Result<TemplateShape> made =
+            TemplateShape::make(m_surface.mesh, shape->contours, m_surface.target->faceAreaMm2(),
+                mixesContours(edit->rules) ? TemplateForm::Body : TemplateForm::OfBefore);
         if (!made) {
             m_error = made.error();
             return tl::unexpected(*m_error);
         }
+        shape->shape = std::make_shared<const TemplateShape>(*std::move(made));
     }
     m_stroke =
         std::make_unique<SurfaceStroke>(m_surface.mesh, &m_surface.target->boundary(), *chosen,

@@ -12,8 +12,10 @@ namespace core {
 ///   2            it never does (core/refine/repair/CrossingGuard.h), apart from where it did
 ///                before; sphere and plane hold only the sheet under the pen; what passes through
 ///                itself is not laid and not written back
+///   3            and a template is a body through any mixture of open and closed contours, which
+///                evens out what the hand was unsteady
 using SurfaceRules = std::optional<int>;
-constexpr int newestSurfaceRules = 2;
+constexpr int newestSurfaceRules = 3;
 
 /// What is refused then, as argument 0 of InvalidField; argument 1: at how many pairs of faces.
 inline constexpr const char* crossingSurface = "surface.crossings";
@@ -21,6 +23,12 @@ inline constexpr const char* crossingSurface = "surface.crossings";
 [[nodiscard]] inline bool keepsApart(const SurfaceRules& rules)
 {
     return rules.value_or(1) >= 2;
+}
+
+/// Whether open contours describe a body, too.
+[[nodiscard]] inline bool mixesContours(const SurfaceRules& rules)
+{
+    return rules.value_or(1) >= 3;
 }
 
 } // namespace core

@@ -207,7 +207,15 @@ void redden(SimplexMesh& mesh, const RandomStroke& stroke)
 
 SimplexMeshDelta carryOut(OrganSurface& organ, const RandomStroke& stroke, bool isGuarded)
 {
-    SurfaceStroke made(organ.mesh, organ.boundary.get(), stroke.tool,
+    SurfaceTool tool = stroke.tool;
+    // What is kept apart is carried out by the newest rules.
+    if (auto* shape = std::get_if<TemplateTool>(&tool); shape && isGuarded) {
+        auto body =
+            TemplateShape::make(organ.mesh, shape->contours, organ.areaMm2, TemplateForm::Body);
+        if (body)
+            shape->shape = std::make_shared<const TemplateShape>(*std::move(body));
+    }
+    SurfaceStroke made(organ.mesh, organ.boundary.get(), tool,
         {.areaMm2 = organ.areaMm2,
             .reddens = true,
             .apartOn = isGuarded ? &organ.geometry : nullptr});

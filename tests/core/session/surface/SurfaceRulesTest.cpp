@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/surface/SurfaceRules.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/surface/ApplyTemplate.h"
 #include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/MarkSurface.h"
 #include "core/edits/kinds/surface/PointDrag.h"
 #include "core/edits/kinds/surface/WriteBack.h"
 #include "core/refine/repair/SelfIntersections.h"
@@ -18,6 +20,7 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include <cmath>
 #include <memory>
 
 namespace surfaceRulesTest {
@@ -54,6 +57,7 @@ private Q_SLOTS:
     void whoNamesNoneWritesNone();
     void whatCrossesIsNotWrittenBack();
     void aDragStopsBeforeTheWall();
+    void openAndClosedContoursGoTogether();
     void layingIsAborted();
 
 private:
@@ -108,6 +112,43 @@ void SurfaceRulesTest::aDragStopsBeforeTheWall()
     run(dragThrough(newestSurfaceRules));
     QCOMPARE(crossings(), std::size_t(0));
     run(WriteBack{.rules = newestSurfaceRules});
+}
+
+void SurfaceRulesTest::openAndClosedContoursGoTogether()
+{
+    const glm::dvec3 middle = (glm::dvec3(geometry.size) - 1.0) / 2.0;
+    const auto at = [&](double x, double y, double z) {
+        return geometry.toWorld(middle + glm::dvec3(x, y, z));
+    };
+    run(LaySurface{.segment = 1, .vertices = 600, .rules = newestSurfaceRules});
+    run(MarkSurface{.mark = SurfaceMark::Red,
+        .path = {.radiusMm = 6.0, .pointsLps = {at(9.0, 0.0, 0.0)}, .rules = newestSurfaceRules}});
+    ApplyTemplate shape{.contoursLps = std::vector<std::vector<glm::dvec3>>(3), .rules = 2};
+    for (double away = -5.0; away <= 5.0; away += 0.5) {
+        const double height = 12.0 - 0.12 * away * away;
+        shape.contoursLps[0].push_back(at(height, away, 0.0));
+        shape.contoursLps[1].push_back(at(height, 0.0, away));
+    }
+    for (int i = 0; i <= 24; ++i) {
+        const double turn = (i % 24) * M_PI / 12.0;
+        shape.contoursLps[2].push_back(at(10.5, 3.54 * std::cos(turn), 3.54 * std::sin(turn)));
+    }
+    const QByteArray before = m_session->stateHash();
+    const Result<void> asked = m_session->apply(shape);
+    const Result<void> refused = asked ? m_session->settle() : asked;
+    QVERIFY(!refused);
+    QVERIFY(refused.error().arguments.value(1).contains(QLatin1String("go together")));
+    QCOMPARE(m_session->stateHash(), before);
+    shape.rules = newestSurfaceRules;
+    run(shape);
+    const QByteArray after = m_session->stateHash();
+    QVERIFY(after != before);
+    QCOMPARE(crossings(), std::size_t(0));
+    QVERIFY(m_session->undo());
+    QVERIFY(m_session->settle());
+    QCOMPARE(m_session->stateHash(), before);
+    run(shape);
+    QCOMPARE(m_session->stateHash(), after);
 }
 
 void SurfaceRulesTest::layingIsAborted()

@@ -528,6 +528,29 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().stateHash(), after);
     }
 
+    void openAndClosedContoursArePreviewedTogether()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.markTheLeft();
+        fixture.drawLobe();
+        std::vector<glm::dvec3> ring;
+        for (int i = 0; i <= 24; ++i) {
+            const double turn = (i % 24) * M_PI / 12.0;
+            ring.emplace_back(radius + 2.0, 4.63 * std::cos(turn), 4.63 * std::sin(turn));
+        }
+        fixture.refinement().addContour(ring);
+        const QByteArray before = fixture.session().stateHash();
+        fixture.refinement().previewTemplate();
+        fixture.settleOpen();
+        QVERIFY(fixture.refinement().isPreviewing());
+        const glm::dvec3 top(radius + 5.0, 0.0, 0.0);
+        QVERIFY2(fixture.apartFrom(top) < 1.5, qPrintable(QString::number(fixture.apartFrom(top))));
+        fixture.refinement().dropPreview();
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), before);
+    }
+
     void aPreviewGivesWay()
     {
         RefineFixture fixture;
