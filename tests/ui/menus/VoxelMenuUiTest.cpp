@@ -257,7 +257,7 @@ private Q_SLOTS:
         if (remove)
             remove->trigger(); // what is chosen late does nothing
         // A request that waits is withdrawn, too.
-        auto session = core::EditSession::create(fixture.engine, test::smallStudy());
+        auto session = core::EditSession::create(fixture.engine, test::smallStudy(), {});
         QVERIFY(session);
         fixture.workspace.setSession(std::move(*session));
         QVERIFY(fixture.session().document().segments.empty());
