@@ -102,6 +102,7 @@ public:
             }
         }
         all.resize(count);
+        all.shrink_to_fit();
         return all;
     }
 

@@ -164,13 +164,12 @@ void main()
         meets = meets || chunkAt(indexAt(pixel + around(i) * chunkWidth)) != chunk;
     const float chunkShare = chunkOpacity * (meets ? 2.0 : 1.0) * chunk.a;
     result = mix(result, chunk.rgb * (meets ? 0.8 : 1.0), min(chunkShare, 1.0));
-    // The rim lies inside of its chunk, so that the line of a segment beside it hides no part of it.
+    // The rim lies inside of its chunk.
     const vec4 chunkRim = chunkRimAt(index);
     bool chunkEnds = false;
     for (int i = 0; i < 8 && chunkRim.a > 0.0; i += 2)
         chunkEnds
             = chunkEnds || chunkRimAt(indexAt(pixel + around(i) * chunkRimWidth)) != chunkRim;
-    result = mix(result, chunkRim.rgb, chunkEnds ? chunkRim.a : 0.0);
 #endif
 
 #if LABELED
@@ -194,6 +193,10 @@ void main()
     edge = edge && !isMask;
 #endif
     result = mix(result, own, entry.a * (edge ? 1.0 : fillOpacity));
+#endif
+#if CHUNKS
+    // Over the line of the segment, which often is the border of a chunk.
+    result = mix(result, chunkRim.rgb, chunkEnds ? chunkRim.a : 0.0);
 #endif
 #if CUT_PREVIEW
     const bool goes = isInCutPreview(voxel);

@@ -93,7 +93,8 @@ struct SliceScene {
     bool showCarved = true; ///< carved voxels as a tinted outline
     bool carvedAsHole = false; ///< carved voxels black; with or without the outline
     std::optional<SceneContour> contour{}; ///< none: not drawn
-    /// Drawn under the segments; null: none. Changed chunks must be a new pointer.
+    /// Drawn under the segments, their rims over them; null: none. Changed chunks must be a new
+    /// pointer.
     std::shared_ptr<const SceneChunks> chunks;
     bool operator==(const SliceScene&) const = default;
 };

@@ -104,8 +104,11 @@ void ChunkMembers::take(std::vector<core::BrickImage> bricks)
             if (changes)
                 m_own = *std::move(own);
             askNext();
+            const bool complete = !m_asking;
             if (changes)
                 Q_EMIT changed();
+            if (complete)
+                Q_EMIT counted();
         });
 }
 

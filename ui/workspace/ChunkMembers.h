@@ -38,6 +38,7 @@ public:
 
 Q_SIGNALS:
     void changed();
+    void counted(); ///< own() is complete, for now
 
 private:
     void askNext();

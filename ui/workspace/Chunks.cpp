@@ -37,7 +37,6 @@ constexpr std::uint32_t litOtherShare = 225;
 /// Rims of chunks that are likely to be added, and to be taken.
 constexpr std::uint32_t addRim = 0xFF8CFFA0;
 constexpr std::uint32_t takeRim = 0xFFFF8070;
-constexpr int noDivision = std::numeric_limits<int>::max();
 
 std::uint32_t mixed(std::uint32_t rgb, std::uint32_t other, int percent)
 {
@@ -56,7 +55,6 @@ Chunks::Chunks(Workspace& workspace)
     : QObject(&workspace)
     , m_workspace(workspace)
     , m_members(workspace)
-    , m_suggestAfter(noDivision)
 {
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_background.cancel();
@@ -66,7 +64,7 @@ Chunks::Chunks(Workspace& workspace)
         m_members.begin(nullptr, 0);
         m_likely.forget();
         m_lit.clear();
-        m_suggestAfter = noDivision;
+        m_takesSuggestion = false;
         m_dividedAfter = std::numeric_limits<core::RowId>::max();
         if (m_look.shown) {
             m_look.shown = false;
@@ -83,10 +81,10 @@ Chunks::Chunks(Workspace& workspace)
                 m_members.look(change.box);
         });
     connect(&m_members, &ChunkMembers::changed, this, [this] {
-        lookForLikely();
         colour();
         Q_EMIT changed();
     });
+    connect(&m_members, &ChunkMembers::counted, this, &Chunks::lookForLikely);
     connect(&m_likely, &LikelyChunks::changed, this, [this] {
         colour();
         Q_EMIT changed();
@@ -163,10 +161,7 @@ void Chunks::take(const std::shared_ptr<const ChunkLeaves>& leaves)
     m_specks = int(std::count_if(roots.begin(), roots.end(),
         [&tree](Chunk chunk) { return tree.voxels(chunk).size() < speckVoxels; }));
     m_members.begin(m_leaves, m_segment);
-    const auto now = division();
-    const bool isNew = now && now->id > m_suggestAfter;
-    if (isNew)
-        m_suggestAfter = noDivision;
+    const bool isNew = std::exchange(m_takesSuggestion, false) && isJustDivided();
     if (const auto suggested = suggestedCount(); isNew && suggested) {
         Look look = m_look;
         look.count = *suggested;
@@ -174,6 +169,16 @@ void Chunks::take(const std::shared_ptr<const ChunkLeaves>& leaves)
     }
     colour();
     Q_EMIT changed();
+}
+
+/// Whether the present division is the last that divide() made, and not one that was gone back to.
+bool Chunks::isJustDivided() const
+{
+    const core::History& history = m_workspace.session()->history();
+    const std::vector<core::RowId> path = history.pathTo(history.position());
+    const auto last = std::find_if(path.rbegin(), path.rend(),
+        [&history](core::RowId row) { return history.row(row).edit.is<core::DivideSegment>(); });
+    return last != path.rend() && *last > m_dividedAfter;
 }
 
 std::optional<int> Chunks::suggestedCount() const
@@ -193,7 +198,8 @@ glm::dvec3 Chunks::placeLps(const Likely& likely) const
 
 void Chunks::lookForLikely()
 {
-    if (m_leaves)
+    // From half of the voxels, what is the segment's would look as if it were missing.
+    if (m_leaves && !m_members.isCounting())
         m_likely.look(m_leaves, m_segment, m_members.own(), count());
 }
 
@@ -209,8 +215,12 @@ void Chunks::setLook(const Look& look)
     if (divides)
         m_lit.clear();
     m_look = wanted;
-    if (divides)
+    if (divides) {
+        m_takesSuggestion = false; // the user has chosen
+        if (m_members.isCounting())
+            m_likely.forget(); // of another number of chunks
         lookForLikely();
+    }
     if (shows) {
         // Who asks again has it tried again.
         if (core::SessionChunks* its = chunks(); its && m_look.shown)
@@ -411,11 +421,11 @@ void Chunks::apply(const core::DivideSegment& division)
 {
     core::EditSession* session = m_workspace.session();
     m_dividedAfter = core::RowId(session->history().rows().size());
-    m_suggestAfter = session->document().lastChunksGiven();
     if (const auto applied = session->apply(division); !applied)
         return m_workspace.fail(applied.error());
     if (const core::Segment* segment = session->document().segment(division.segment))
         m_workspace.say(tr("%1 and what lies around it is being divided …").arg(segment->name));
+    m_takesSuggestion = true;
     Look look = m_look;
     look.shown = true;
     setLook(look);
@@ -433,6 +443,7 @@ void Chunks::abort()
 /// Nothing is shown, and no division stays that led to nothing.
 void Chunks::takeBack()
 {
+    m_takesSuggestion = false;
     Look look = m_look;
     look.shown = false;
     setLook(look);

@@ -119,6 +119,7 @@ private:
     void colour();
     [[nodiscard]] std::vector<std::uint32_t> argbOfLeaves(bool bodies) const;
     [[nodiscard]] std::vector<std::uint32_t> rimsOfLeaves() const;
+    [[nodiscard]] bool isJustDivided() const;
     void lookForLikely();
     [[nodiscard]] std::shared_ptr<const gpu::SceneChunks> scene(
         std::vector<std::uint32_t> argb, const std::vector<std::uint32_t>& rims) const;
@@ -132,7 +133,8 @@ private:
     std::shared_ptr<const ChunkLeaves> m_leaves;
     int m_segment = 0; ///< the segment that they belong to
     core::RowId m_dividedAfter = 0; ///< a division after this row comes from divide()
-    int m_suggestAfter; ///< a division with a greater id begins with the suggested number
+    /// The division that is awaited begins with the suggested number.
+    bool m_takesSuggestion = false;
     int m_specks = 0; ///< number of small chunks that are never merged
     std::vector<Chunk> m_chunkOfLeaf; ///< for the present count, like the next two
     std::vector<std::uint8_t> m_colourOfLeaf;

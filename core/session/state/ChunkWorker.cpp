@@ -194,7 +194,13 @@ Result<ChunkWorker::Map> ChunkWorker::mapOf(Job& job) const
         Result<ChunkTree> tree = ChunkTree::of(source, job.progress);
         if (!tree)
             return tl::unexpected(tree.error());
-        ChunkSurvey survey = ChunkSurvey::of(source, *tree);
+        // Without it chunks are as good, and only nothing is suggested.
+        ChunkSurvey survey;
+        try {
+            survey = ChunkSurvey::of(source, *tree);
+        } catch (const std::bad_alloc&) {
+            survey = {};
+        }
         return std::make_shared<const ChunkMap>(
             m_geometry.size, box, *std::move(tree), std::move(survey));
     } catch (const std::bad_alloc&) {

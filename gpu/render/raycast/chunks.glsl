@@ -149,7 +149,8 @@ vec3 withChunks(Ray ray, vec3 seen)
         const float thick = 1.0 / max(dot(normal, toViewer), 0.3);
         const float wall = chunkOpacity * body.a * (parts ? 0.5 : 1.0);
         const vec4 rimThere = parts ? rimNow : rimNext;
-        const float rim = rimThere.a
+        // Where the colour does not change, as in a sheet of one voxel, no direction is known.
+        const float rim = rimThere.a * step(0.25, dot(normal, normal))
             * (1.0 - smoothstep(chunkRimInner, chunkRimOuter, dot(normal, toViewer)));
         const float plain = 1.0 - pow(1.0 - min(wall, 0.98), thick);
         const float share = meets ? mix(plain, 1.0, rim) : 0.0;

@@ -102,13 +102,14 @@ int ballOrRest(const glm::ivec3& at)
 class ChunksShownGlTest : public test::FrameTest {
     Q_OBJECT
 
-    [[nodiscard]] Frame drawn(const std::shared_ptr<const SceneChunks>& chunks)
+    [[nodiscard]] Frame drawn(
+        const std::shared_ptr<const SceneChunks>& chunks, const SegmentDisplay& segments = {})
     {
         SliceScene scene;
         scene.mmPerPixel = 0.5; // a voxel is two pixels wide
         scene.window = {.centre = 1000.0, .width = 1000.0};
         scene.chunks = chunks;
-        return m_fixture->draw(scene, size);
+        return m_fixture->draw(scene, size, segments);
     }
     /// In the middle of a voxel's pixels.
     [[nodiscard]] static glm::ivec3 at(const Frame& frame, int i, int j)
@@ -212,6 +213,26 @@ private Q_SLOTS:
         rimmed = std::make_shared<SceneChunks>(*chunks);
         rimmed->rims = {0, 0};
         QVERIFY(*drawn(rimmed).rgba == *before.rgba);
+    }
+
+    /// Where a chunk ends, its segment often ends, too: the rim lies over the segment's line.
+    void aRimOverTheLineOfASegment()
+    {
+        m_fixture->open(
+            test::centredGeometry({40, 30, 20}), [](const glm::dvec3&) { return 1000.0; });
+        m_fixture->fill(VolumeField::Labels, {.minimum = {18, 8, 2}, .maximum = {30, 22, 12}}, 3);
+        SegmentDisplay segments;
+        segments.rgb[3] = 0xC000C0;
+        segments.visible[3] = true;
+        const auto chunks = twoChunks();
+        const Frame before = drawn(chunks, segments);
+        QVERIFY(is(test::pixel(before, 36, 32), {192.0, 0.0, 192.0})); // the segment's line
+        auto rimmed = std::make_shared<SceneChunks>(*chunks);
+        rimmed->rims = {0, green};
+        const Frame frame = drawn(rimmed, segments);
+        QVERIFY(is(test::pixel(frame, 36, 32), {0.0, 255.0, 0.0}));
+        QVERIFY(is(test::pixel(frame, 59, 32), {0.0, 255.0, 0.0}));
+        QCOMPARE(at(frame, 24, 16), at(before, 24, 16));
     }
 
     /// In the 3D view the rim of a body is where it is seen obliquely, and nowhere else.

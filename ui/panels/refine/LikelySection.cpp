@@ -26,8 +26,8 @@ LikelySection::LikelySection(Workspace& workspace, QWidget* parent)
 {
     m_suggested->setObjectName(QStringLiteral("chunksSuggested"));
     m_suggested->setToolTip(
-        tr("With so many chunks the piece that looks most as if it were on the wrong side of the "
-           "segment's border is a chunk by itself. A new division begins with it."));
+        tr("With so many chunks, what looks most as if it were on the wrong side of the segment's "
+           "border is a chunk by itself. A new division begins with it."));
     m_title->setProperty("role", QStringLiteral("secondary"));
     m_list->setObjectName(QStringLiteral("likelyChunks"));
     m_list->setAccessibleName(m_title->text());
@@ -71,7 +71,7 @@ void LikelySection::show()
     for (const Chunks::Likely& likely : chunks.likely()) {
         const double volume = chunks.millilitres(likely.chunk);
         const QString size = QLocale().toString(volume, 'f', volume < 1.0 ? 2 : 1);
-        rows << (likely.isInside ? tr("%1 ml to take away?") : tr("%1 ml to add?")).arg(size);
+        rows << (likely.isInside ? tr("%1 mL to take away?") : tr("%1 mL to add?")).arg(size);
     }
     m_list->clear();
     m_list->addItems(rows);

@@ -134,7 +134,7 @@ QString ChunkTool::chunkText(Chunk chunk) const
     const Chunks& chunks = m_workspace.chunks();
     const double volume = chunks.millilitres(chunk);
     const QString size =
-        tr("chunk of %1 ml").arg(QLocale().toString(volume, 'f', volume < 1.0 ? 2 : 1));
+        tr("chunk of %1 mL").arg(QLocale().toString(volume, 'f', volume < 1.0 ? 2 : 1));
     return chunks.has(chunk) ? tr("%1 of %2").arg(size, segmentName()) : size;
 }
 

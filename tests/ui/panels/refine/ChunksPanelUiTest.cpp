@@ -163,6 +163,45 @@ private Q_SLOTS:
         QVERIFY(on.chunks().suggestedCount().has_value());
     }
 
+    /// Nor is it replaced where it was chosen while the chunks were worked out.
+    void aNumberChosenMeanwhileStays()
+    {
+        PanelFixture on;
+        on.chunks().divide(marginMm);
+        ui::Chunks::Look look = on.chunks().look();
+        look.count = 250;
+        on.chunks().setLook(look);
+        on.settle();
+        on.await();
+        QVERIFY(on.chunks().suggestedCount().has_value());
+        QCOMPARE(on.chunks().look().count, 250);
+    }
+
+    /// What was asked for and led to no division does not make an older one a new one.
+    void anOlderDivisionIsNoNewOne()
+    {
+        PanelFixture on;
+        on.divide();
+        const core::RowId first = on.position();
+        ui::Chunks::Look look = on.chunks().look();
+        look.count = 300;
+        on.chunks().setLook(look);
+        on.await();
+        QVERIFY(on.session().undo());
+        on.settle();
+        on.chunks().divide(marginMm + 3.0);
+        on.chunks().abort();
+        on.settle();
+        QVERIFY(on.session().goTo(first));
+        look = on.chunks().look();
+        look.shown = true;
+        on.chunks().setLook(look);
+        on.settle();
+        on.await();
+        QVERIFY(on.chunks().suggestedCount().has_value());
+        QCOMPARE(on.chunks().look().count, 300);
+    }
+
     void theListLeadsThere()
     {
         PanelFixture on;
@@ -176,7 +215,7 @@ private Q_SLOTS:
         QVERIFY(!likely.front().isInside);
         const QString first = list->item(0)->text();
         const double volume = on.chunks().millilitres(likely.front().chunk);
-        QVERIFY2(first.endsWith(QStringLiteral("ml to add?"))
+        QVERIFY2(first.endsWith(QStringLiteral("mL to add?"))
                 && first.startsWith(QLocale().toString(volume, 'f', volume < 1.0 ? 2 : 1)),
             qPrintable(first));
         QCOMPARE(on.chunks().chunkAt(on.voxelAt(inMissing)), std::optional(likely.front().chunk));
