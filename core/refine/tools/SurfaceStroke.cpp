@@ -41,7 +41,7 @@ constexpr double leastNearer = 0.02;
 /// Of a mean, in which the last few vertices count little.
 constexpr double leastNearerInMean = 0.004;
 /// A mean is not measured in each step: so many measures are enough.
-constexpr int mostLooksInVain = 4;
+constexpr int mostLooksInVain = 8;
 /// How far from where the tool wants them vertices may be left on the way, in edges.
 constexpr double leftOnTheWay = 0.25;
 
