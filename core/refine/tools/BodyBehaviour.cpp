@@ -17,7 +17,13 @@ constexpr double straightFrom = 1.0;
 constexpr double farFrom = 2.0;
 /// And nearer, as far as the body is as good as flat, in edges.
 constexpr double stillThere = 0.15;
-/// Steps from one look at how far all still has to go to the next.
+/// At most, however far it is: the way may lead past a part of the body.
+constexpr double unmeasured = 2.0;
+/// The body rises by about 1 mm per mm near what it runs through. Where it rises less than this,
+/// value by rise would say anything.
+constexpr double leastRise = 0.5;
+/// Steps from one look at how far all still has to go to the next. The first is before the second
+/// step: in the first step all are measured.
 constexpr int stepsBetweenLooks = 5;
 
 /// Blows a region up, or lets it collapse, until it lies on a body. The shortest way to the body
@@ -55,15 +61,16 @@ public:
     void beginStep(const SimplexMesh& mesh) override
     {
         grow(mesh);
-        if (m_steps++ % stepsBetweenLooks != 0)
+        if (m_steps++ % stepsBetweenLooks != 1)
             return;
         std::vector<glm::dvec3> region;
         double offMm = 0.0;
         for (VertexId id = 0; id < m_parts.size(); ++id) {
-            if (!m_parts[id].isRegion || !mesh.hasVertex(id))
+            const Part& part = m_parts[id];
+            if (!part.isRegion || part.measuredMm < 0.0 || !mesh.hasVertex(id))
                 continue;
             region.push_back(mesh.position(id));
-            offMm += m_parts[id].offMm;
+            offMm += part.offMm;
         }
         if (region.empty())
             return;
@@ -76,11 +83,13 @@ public:
             }
             missedMm += std::sqrt(least);
         }
+        ++m_looks;
         m_leftMm = offMm / double(region.size())
             + missedMm / double(std::max<std::size_t>(m_shape->pointsLps().size(), 1));
     }
 
     std::optional<double> leftMm() const override { return m_leftMm; }
+    int looks() const override { return m_looks; }
 
     std::optional<Grip> gripOf(
         const SurfacePoint& point, const Past& /*past*/, const glm::dvec3& placeLps) override
@@ -145,7 +154,9 @@ private:
         const glm::dvec3 gone = placeLps - part.measuredAt;
         const double goneMm = glm::length(gone);
         const bool isFar = part.measuredMm > farFrom * m_scale.edgeMm;
-        const double enoughMm = isFar ? 0.25 * part.measuredMm : stillThere * m_scale.edgeMm;
+        const double enoughMm = isFar
+            ? std::min(0.25 * part.measuredMm, unmeasured * m_scale.edgeMm)
+            : stillThere * m_scale.edgeMm;
         if (part.measuredMm < 0.0 || goneMm > enoughMm) {
             part.measured = m_shape->valueAt(placeLps);
             part.measuredAt = placeLps;
@@ -156,7 +167,7 @@ private:
             ? part.measured.value
             : part.measured.value + glm::dot(part.measured.rise, gone);
         part.isInside = value > 0.0;
-        part.offMm = isKnown ? std::abs(value) / steep : 0.0;
+        part.offMm = std::abs(value) / std::max(steep, leastRise);
         part.straight =
             isKnown ? (part.isInside ? -1.0 : 1.0) / steep * part.measured.rise : glm::dvec3(0.0);
         if (part.measuredAt == placeLps)
@@ -171,6 +182,7 @@ private:
     std::shared_ptr<const TemplateShape> m_shape;
     std::vector<Part> m_parts; ///< by vertex
     std::optional<double> m_leftMm;
+    int m_looks = 0;
     int m_steps = 0;
     bool m_isBegun = false;
 };

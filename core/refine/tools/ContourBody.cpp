@@ -9,13 +9,16 @@ namespace core {
 namespace {
 
 /// More would take longer to solve than they say.
-constexpr double mostDrawnPoints = 260.0;
+constexpr std::size_t mostDrawnPoints = 260;
 /// Steps of a contour between two of its points, for evening it out.
 constexpr int stepsBetween = 6;
 constexpr std::size_t mostSteps = 100'000;
 /// How far the body may pass a contour by, times the cube of the distance of the contour's points:
 /// what is shorter than about that distance is taken for the hand.
 constexpr double handGive = 1.5;
+/// A closed contour with less area than this share of its squared length runs to and fro: what
+/// area it has is rounding, or the hand. A circle has 0.08.
+constexpr double leastArea = 1e-3;
 
 glm::dvec3 unitOf(const glm::dvec3& way)
 {
@@ -39,7 +42,9 @@ std::vector<glm::dvec3> steppedAlong(const TemplateContour& contour, double step
     double sinceMm = stepMm; // the last step
     for (std::size_t i = 1; i < line.size() && steps.size() < mostSteps; ++i) {
         const double wayMm = glm::distance(line[i - 1], line[i]);
-        double atMm = stepMm - sinceMm;
+        if (!(wayMm > 0.0))
+            continue;
+        double atMm = std::max(0.0, stepMm - sinceMm);
         for (; atMm < wayMm && steps.size() < mostSteps; atMm += stepMm)
             steps.push_back(line[i - 1] + atMm / wayMm * (line[i] - line[i - 1]));
         sinceMm = wayMm - (atMm - stepMm);
@@ -47,6 +52,14 @@ std::vector<glm::dvec3> steppedAlong(const TemplateContour& contour, double step
     if (!contour.isClosed && !line.empty())
         steps.push_back(line.back());
     return steps;
+}
+
+double lengthMmOf(const std::vector<glm::dvec3>& line, bool isClosed)
+{
+    double sum = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i)
+        sum += glm::distance(line[i - 1], line[i]);
+    return isClosed && !line.empty() ? sum + glm::distance(line.back(), line.front()) : sum;
 }
 
 /// Each the mean of those around it, the nearer the more; ends stay where they are.
@@ -70,14 +83,16 @@ std::vector<glm::dvec3> evened(const std::vector<glm::dvec3>& steps, bool isClos
     return even;
 }
 
-/// Across the plane of a contour; 0 if it runs straight.
+/// Across the plane of a contour; 0 if it runs straight, or to and fro.
 glm::dvec3 acrossOf(const std::vector<glm::dvec3>& steps, bool isClosed)
 {
     if (isClosed) {
         glm::dvec3 area(0.0);
         for (std::size_t i = 0; i < steps.size(); ++i)
             area += glm::cross(steps[i] - steps[0], steps[(i + 1) % steps.size()] - steps[0]);
-        return unitOf(area);
+        const double lengthMm = lengthMmOf(steps, true);
+        return 0.5 * glm::length(area) < leastArea * lengthMm * lengthMm ? glm::dvec3(0.0)
+                                                                         : unitOf(area);
     }
     const auto farthest = std::max_element(
         steps.begin(), steps.end(), [&](const glm::dvec3& one, const glm::dvec3& other) {
@@ -108,14 +123,16 @@ public:
             m_out += place.outwardsLps;
         m_out = unitOf(m_out);
         double wholeMm = 0.0;
-        for (const TemplateContour& contour : m_given.contours) {
-            for (std::size_t i = 1; i < contour.pointsLps.size(); ++i)
-                wholeMm += glm::distance(contour.pointsLps[i - 1], contour.pointsLps[i]);
-        }
-        m_spacingMm = std::max(m_given.edgeMm, wholeMm / mostDrawnPoints);
+        for (const TemplateContour& contour : m_given.contours)
+            wholeMm += lengthMmOf(contour.pointsLps, contour.isClosed);
+        m_spacingMm = std::max(m_given.edgeMm, wholeMm / double(mostDrawnPoints));
         for (const TemplateContour& contour : m_given.contours)
             draw(contour);
+        if (m_drawn.empty())
+            return failure(ErrorCode::InvalidField, QStringLiteral("contours"),
+                QStringLiteral("they have no length"));
         leaveOutSound();
+        thin();
         Result<VariationalBody> first = solve();
         if (!first)
             return tl::unexpected(first.error());
@@ -186,6 +203,17 @@ private:
         }
         if (!kept.empty())
             m_drawn = std::move(kept);
+    }
+
+    /// Each contour has a point at least, however many there are.
+    void thin()
+    {
+        const std::size_t count = m_drawn.size();
+        if (count <= mostDrawnPoints)
+            return;
+        for (std::size_t i = 0; i < mostDrawnPoints; ++i)
+            m_drawn[i] = m_drawn[i * count / mostDrawnPoints];
+        m_drawn.resize(mostDrawnPoints);
     }
 
     Result<VariationalBody> solve()

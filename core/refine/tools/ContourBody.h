@@ -34,11 +34,12 @@ struct ContourBody {
 /// The hand is unsteady: contours are evened out along themselves, and the body may pass them by
 /// for the sake of less bending, but not the border, where it goes on as the sound surface does.
 /// Which side of an open contour is out follows from the border that is nearest to its ends; of a
-/// closed one, from its turn. Which way is out exactly follows from a first body: a plane may cut
-/// the organ obliquely.
+/// closed one, from its turn, if it encloses anything. Which way is out exactly follows from a
+/// first body: a plane may cut the organ obliquely.
 ///
-/// Computed by + − × ÷ √ in a fixed order. Cost: two dense solutions for at most 500 unknowns or
-/// so. Errors: InvalidField (argument 1: why).
+/// Computed by + − × ÷ √ in a fixed order. Cost: two dense solutions for two unknowns per point, of
+/// which the contours have at most 260. Errors: InvalidField (argument 1: why; contours without
+/// length, …).
 [[nodiscard]] Result<ContourBody> contourBody(const ContourBodyPoints& given);
 
 } // namespace core

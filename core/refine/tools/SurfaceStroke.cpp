@@ -40,6 +40,8 @@ constexpr int mostInVainAfterPen = 20;
 constexpr double leastNearer = 0.02;
 /// Of a mean, in which the last few vertices count little.
 constexpr double leastNearerInMean = 0.004;
+/// A mean is not measured in each step: so many measures are enough.
+constexpr int mostLooksInVain = 8;
 /// How far from where the tool wants them vertices may be left on the way, in edges.
 constexpr double leftOnTheWay = 0.25;
 
@@ -142,8 +144,9 @@ public:
         const double nearMm = leftOnTheWay * m_scale.edgeMm;
         const bool measuresItself = m_tool->leftMm().has_value();
         Patience patience((measuresItself ? leastNearerInMean : leastNearer) * m_scale.edgeMm,
-            mostInVainAfterPen);
+            measuresItself ? mostLooksInVain : mostInVainAfterPen);
         bool isPatient = true;
+        int looks = -1;
         const int most = m_scale.isApart && m_reachMm ? mostStepsAfterPen : mostStepsToMove;
         const int mostToRest = m_tool->mostStepsToRest();
         const int withStructure = std::min(stepsWithStructure, mostToRest / 2);
@@ -152,8 +155,9 @@ public:
             step(since < withStructure);
             const double leftMm = leftToGoMm();
             // What measures its way itself is done when that gets no shorter.
-            isPatient =
-                isPatient && ((!m_scale.isApart && !measuresItself) || patience.lasts(leftMm));
+            const bool isNews = measuresItself ? looks != m_tool->looks() : m_scale.isApart;
+            looks = m_tool->looks();
+            isPatient = isPatient && (!isNews || patience.lasts(leftMm));
             const bool waits = (leftMm > nearMm || measuresItself) && isPatient;
             since = waits ? 0 : since + 1;
         }

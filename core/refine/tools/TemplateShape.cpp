@@ -18,6 +18,8 @@ namespace {
 /// More would take longer to solve than they say.
 constexpr double mostContourPoints = 150.0;
 constexpr double mostBorderPoints = 150.0;
+/// Nobody draws more; with TemplateForm::OfBefore nobody was asked.
+constexpr std::size_t mostContours = 500;
 /// Of the relaxation that lays the region over the plane.
 constexpr int mostSweeps = 600;
 constexpr double overRelaxation = 1.9;
@@ -90,6 +92,8 @@ public:
     Result<TemplateShape> make(const std::vector<TemplateContour>& contours, TemplateForm form)
     {
         m_shape.m_form = form;
+        if (form == TemplateForm::Body && contours.size() > mostContours)
+            return refused("there are more than 500 contours");
         double wholeMm = 0.0;
         bool isBody = false;
         for (const TemplateContour& contour : contours) {

@@ -57,6 +57,8 @@ public:
     /// How far all still has to go, for tools whose vertices do not go straight to where they
     /// belong; none: as far as the one that has the longest way.
     [[nodiscard]] virtual std::optional<double> leftMm() const { return std::nullopt; }
+    /// How often that was measured so far.
+    [[nodiscard]] virtual int looks() const { return 0; }
     /// Called when the pen is lifted.
     virtual void lift() { }
 

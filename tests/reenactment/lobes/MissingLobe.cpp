@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reenactment/lobes/MissingLobe.h"
 
-#include "tests/reenactment/CounterRandom.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -175,17 +173,19 @@ core::TemplateContour inLobe(const MissingLobe& lobe, const Line& line)
     return longest;
 }
 
-void tremble(core::TemplateContour& contour, const glm::dvec3& normal, double jitterMm,
-    CounterRandom& random)
+} // namespace
+
+void tremble(core::TemplateContour& contour, const glm::dvec3& normal, double stepMm,
+    double jitterMm, CounterRandom& random)
 {
     const glm::dvec3 right = axisBeside(normal);
     const glm::dvec3 down = glm::cross(normal, right);
     const int count = int(contour.pointsLps.size());
-    const int reach = int(3.0 * trembleMm / gridMm);
+    const int reach = int(3.0 * trembleMm / stepMm);
     std::vector<double> weights;
     double squares = 0.0;
     for (int off = -reach; off <= reach; ++off) {
-        const double away = double(off) * gridMm / trembleMm;
+        const double away = double(off) * stepMm / trembleMm;
         weights.push_back(std::exp(-0.5 * away * away));
         squares += weights.back() * weights.back();
     }
@@ -203,8 +203,6 @@ void tremble(core::TemplateContour& contour, const glm::dvec3& normal, double ji
         contour.pointsLps[std::size_t(i)] += sum.x * right + sum.y * down;
     }
 }
-
-} // namespace
 
 MissingLobe withoutLobe(const core::VolumeGeometry& geometry, const Mask& truth,
     const glm::dvec3& normalLps, double share)
@@ -250,7 +248,7 @@ std::vector<core::TemplateContour> drawn(
             if (chosen.pointsLps.size() < 6)
                 continue;
             if (jitterMm > 0.0)
-                tremble(chosen, normal, jitterMm, random);
+                tremble(chosen, normal, gridMm, jitterMm, random);
             contours.push_back(std::move(chosen));
         }
     }

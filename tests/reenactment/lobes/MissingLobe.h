@@ -3,6 +3,7 @@
 
 #include "core/refine/tools/SurfaceTool.h"
 #include "core/volume/VolumeGeometry.h"
+#include "tests/reenactment/CounterRandom.h"
 #include "tests/reenactment/MaskGrid.h"
 
 namespace reenact {
@@ -27,9 +28,14 @@ struct LobeDrawing {
     int beside = 0; ///< on the cut, across the others
 };
 
+/// A hand trembles slowly, by @p jitterMm (root of the mean square) in each direction of a plane,
+/// alike over some millimetres.
+/// @param stepMm between two points of the contour
+void tremble(core::TemplateContour& contour, const glm::dvec3& normal, double stepMm,
+    double jitterMm, CounterRandom& random);
+
 /// What a hand draws of the lobe's true outline: a closed contour where a plane passes the lobe
-/// alone, otherwise the part in the lobe and a little beyond. It trembles slowly, by @p jitterMm
-/// (root of the mean square) in each direction of the plane, alike over some millimetres.
+/// alone, otherwise the part in the lobe and a little beyond. It trembles by @p jitterMm.
 [[nodiscard]] std::vector<core::TemplateContour> drawn(
     const MissingLobe& lobe, const LobeDrawing& drawing, double jitterMm, std::uint64_t seed);
 

@@ -186,6 +186,10 @@ private Q_SLOTS:
     void whichWayAContourIsDrawnIsAllTheSame();
     void theBorderStays();
     void anUnsteadyHandIsEvenedOut();
+    void whatEnclosesNothingIsALine();
+    void doubledPointsChangeNothing();
+    void contoursWithoutLengthAreRefused();
+    void manyContoursAreThinnedOrRefused();
     void rowsOfBeforeAreCarriedOutAsBefore();
     void aLobeComesBack_data();
     void aLobeComesBack();
@@ -274,26 +278,116 @@ void ContourBodyTest::theBorderStays()
 
 void ContourBodyTest::anUnsteadyHandIsEvenedOut()
 {
-    const SimplexMesh mesh = flatBall();
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
         reenact::CounterRandom random(seed, 1);
         std::vector<TemplateContour> contours{arc(0.0), arc(1.5), circle(15.0), circle(18.0)};
-        for (TemplateContour& contour : contours) {
-            for (glm::dvec3& point : contour.pointsLps)
-                point += glm::dvec3(random.normal(), random.normal(), random.normal());
+        const std::vector<glm::dvec3> normals{
+            {0, 1, 0}, {-std::sin(1.5), std::cos(1.5), 0}, {0, 0, 1}, {0, 0, 1}};
+        for (std::size_t i = 0; i < contours.size(); ++i) {
+            const auto& points = contours[i].pointsLps;
+            reenact::tremble(
+                contours[i], normals[i], glm::distance(points[0], points[1]), 1.0, random);
         }
+        SimplexMesh mesh = flatBall();
         const TemplateTool tool = bodyTool(mesh, contours);
         QVERIFY(tool.shape);
+        SurfaceStroke stroke(mesh, nullptr, tool);
+        stroke.add({});
+        stroke.commit();
         double squares = 0.0;
-        const std::vector<glm::dvec3> preview = tool.shape->preview(mesh);
-        for (const glm::dvec3& place : preview) {
-            const double off = glm::length(place) - ballMm;
-            squares += off * off;
+        int count = 0;
+        for (const VertexId id : mesh.vertexIds()) {
+            if (mesh.mark(id) != SurfaceMark::Red)
+                continue;
+            const double offMm = glm::length(mesh.position(id)) - ballMm;
+            squares += offMm * offMm;
+            ++count;
         }
-        const double offMm = std::sqrt(squares / double(preview.size()));
+        const double offMm = std::sqrt(squares / double(count));
         qInfo("%.2f mm of 1 mm", offMm);
-        QVERIFY(offMm < 0.7);
+        QVERIFY(count > 100);
+        // Ten hands were 0.48 to 0.74 mm off; with a body that passes no contour by, these two
+        // would be 0.80 and 0.94.
+        QVERIFY(offMm < 0.77);
     }
+}
+
+void ContourBodyTest::whatEnclosesNothingIsALine()
+{
+    const SimplexMesh mesh = flatBall();
+    const TemplateContour open = arc(0.0);
+    for (const double sign : {-1.0, 1.0}) {
+        TemplateContour toAndFro = open;
+        // Back along the same line, but for what a number is rounded by.
+        for (std::size_t i = open.pointsLps.size(); i-- > 0;)
+            toAndFro.pointsLps.push_back(open.pointsLps[i] + glm::dvec3(0.0, 0.0, sign * 1e-9));
+        toAndFro.isClosed = true;
+        const TemplateTool tool = bodyTool(mesh, {toAndFro, arc(1.5)});
+        QVERIFY(tool.shape);
+        // Its middle is inside, and what lies beyond it outside, whichever way it turns.
+        for (double z = 13.0; z < 30.0; z += 1.0) {
+            if (std::abs(z - ballMm) > 1.5)
+                QCOMPARE(tool.shape->valueAt({0.5, 0.5, z}).value > 0.0, z < ballMm);
+        }
+    }
+}
+
+void ContourBodyTest::doubledPointsChangeNothing()
+{
+    const SimplexMesh mesh = flatBall();
+    std::vector<TemplateContour> contours{arc(0.0), arc(1.5), circle(16.0)};
+    const TemplateTool once = bodyTool(mesh, contours);
+    for (TemplateContour& contour : contours) {
+        std::vector<glm::dvec3> doubled;
+        for (const glm::dvec3& point : contour.pointsLps)
+            doubled.insert(doubled.end(), 3, point);
+        contour.pointsLps = doubled;
+    }
+    const TemplateTool thrice = bodyTool(mesh, contours);
+    QVERIFY(once.shape && thrice.shape);
+    QCOMPARE(thrice.shape->pointsLps().size(), once.shape->pointsLps().size());
+    for (double z = 13.0; z < 30.0; z += 1.0) {
+        const glm::dvec3 place(1.0, 2.0, z);
+        QVERIFY(
+            std::abs(once.shape->valueAt(place).value - thrice.shape->valueAt(place).value) < 1e-6);
+    }
+}
+
+void ContourBodyTest::contoursWithoutLengthAreRefused()
+{
+    const SimplexMesh mesh = flatBall();
+    for (const bool isClosed : {false, true}) {
+        const TemplateContour still{
+            .pointsLps = std::vector<glm::dvec3>(3, glm::dvec3(0, 0, ballMm)),
+            .isClosed = isClosed};
+        const auto refused = TemplateShape::make(mesh, {still}, 0.0, TemplateForm::Body);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::InvalidField);
+        // Beside others it says nothing.
+        QVERIFY(TemplateShape::make(mesh, {still, arc(0.0), arc(1.5)}, 0.0, TemplateForm::Body));
+    }
+}
+
+void ContourBodyTest::manyContoursAreThinnedOrRefused()
+{
+    const SimplexMesh mesh = flatBall();
+    std::vector<TemplateContour> contours;
+    for (int i = 0; i < 500; ++i)
+        contours.push_back(arc(i * M_PI / 500.0));
+    const std::clock_t begun = std::clock();
+    const auto made = TemplateShape::make(mesh, contours, 0.0, TemplateForm::Body);
+    qInfo("%.2f s", double(std::clock() - begun) / double(CLOCKS_PER_SEC));
+    QVERIFY(made);
+    const std::size_t ofBorder =
+        TemplateShape::make(mesh, {arc(0.0)}, 0.0, TemplateForm::Body)->pointsLps().size();
+    QVERIFY(made->pointsLps().size() <= 260 + ofBorder);
+    contours.push_back(arc(1.0));
+    const auto refused = TemplateShape::make(mesh, contours, 0.0, TemplateForm::Body);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode::InvalidField);
+    QVERIFY(refused.error().arguments.value(1).contains(QLatin1String("500")));
+    // Rows of before may have as many as they like.
+    QVERIFY(TemplateShape::make(mesh, contours));
 }
 
 void ContourBodyTest::rowsOfBeforeAreCarriedOutAsBefore()
@@ -320,8 +414,6 @@ void ContourBodyTest::aLobeComesBack_data()
     QTest::addColumn<int>("vertices");
     QTest::newRow("two lobes") << false << glm::dvec3(1, 0, 0) << 4000;
     QTest::newRow("left lobe of a liver") << true << glm::dvec3(1, 0, 0) << 5000;
-    if (!test::longRun())
-        return;
     QTest::newRow("its front") << true << glm::dvec3(0, -1, 0) << 5000;
     QTest::newRow("its back") << true << glm::dvec3(0, 1, 0) << 5000;
     QTest::newRow("its right side") << true << glm::dvec3(-1, 0, 0) << 5000;
@@ -341,7 +433,7 @@ void ContourBodyTest::aLobeComesBack()
     const double before = poor->errorPercent(poor->mesh);
     QVERIFY(before > 14.0);
     const BoundaryForce boundary(poor->mask, poor->lobe.geometry, 4.0);
-    const std::uint64_t seeds = test::longRun() ? 10 : 2;
+    const std::uint64_t seeds = test::longRun() ? 10 : 1;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const auto contours =
             reenact::drawn(poor->lobe, {.across = 2, .upright = 2, .beside = 2}, 1.0, seed);

@@ -205,13 +205,22 @@ void redden(SimplexMesh& mesh, const RandomStroke& stroke)
     edit.commit();
 }
 
-SimplexMeshDelta carryOut(OrganSurface& organ, const RandomStroke& stroke, bool isGuarded)
+/// What became of templates that are made by the newest rules.
+struct Bodies {
+    int made = 0;
+    int refused = 0;
+};
+
+SimplexMeshDelta carryOut(
+    OrganSurface& organ, const RandomStroke& stroke, bool isGuarded, Bodies* bodies = nullptr)
 {
     SurfaceTool tool = stroke.tool;
     // What is kept apart is carried out by the newest rules.
     if (auto* shape = std::get_if<TemplateTool>(&tool); shape && isGuarded) {
         auto body =
             TemplateShape::make(organ.mesh, shape->contours, organ.areaMm2, TemplateForm::Body);
+        if (bodies)
+            ++(body ? bodies->made : bodies->refused);
         if (body)
             shape->shape = std::make_shared<const TemplateShape>(*std::move(body));
     }
@@ -297,6 +306,7 @@ void SurfaceStormTest::noStrokeMakesItCross()
         count = qEnvironmentVariableIntValue("BURIN_STORM");
     std::size_t most = first;
     Extremes worst;
+    Bodies bodies;
     qint64 slowestMs = 0;
     qint64 totalMs = 0;
     std::array<qint64, kindNames.size()> counts{};
@@ -308,7 +318,7 @@ void SurfaceStormTest::noStrokeMakesItCross()
             redden(mesh, stroke);
         const SimplexMesh before = mesh;
         Stopwatch timer;
-        const SimplexMeshDelta delta = carryOut(*organ, stroke, true);
+        const SimplexMeshDelta delta = carryOut(*organ, stroke, true, &bodies);
         const qint64 ms = timer.elapsed();
         totalMs += ms;
         ++counts[std::size_t(stroke.kind)];
@@ -354,6 +364,10 @@ void SurfaceStormTest::noStrokeMakesItCross()
             static_cast<long long>(counts[kind]),
             double(msOf[kind]) / double(std::max<qint64>(counts[kind], 1)),
             static_cast<long long>(slowestOf[kind]));
+    qInfo("%d bodies, %d refused", bodies.made, bodies.refused);
+    QCOMPARE(qint64(bodies.made + bodies.refused), counts[std::size_t(Kind::Template)]);
+    // Most: a contour may be drawn where nothing is red.
+    QVERIFY(bodies.made > bodies.refused || count < 8);
 }
 
 /// How many strokes of each tool make a surface cross that was just laid, with and without.

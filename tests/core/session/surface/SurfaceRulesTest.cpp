@@ -58,6 +58,7 @@ private Q_SLOTS:
     void whatCrossesIsNotWrittenBack();
     void aDragStopsBeforeTheWall();
     void openAndClosedContoursGoTogether();
+    void templatesThatSayNothingAreRefused();
     void layingIsAborted();
 
 private:
@@ -149,6 +150,36 @@ void SurfaceRulesTest::openAndClosedContoursGoTogether()
     QCOMPARE(m_session->stateHash(), before);
     run(shape);
     QCOMPARE(m_session->stateHash(), after);
+}
+
+void SurfaceRulesTest::templatesThatSayNothingAreRefused()
+{
+    const glm::dvec3 middle = (glm::dvec3(geometry.size) - 1.0) / 2.0;
+    const auto at = [&](double x, double y, double z) {
+        return geometry.toWorld(middle + glm::dvec3(x, y, z));
+    };
+    run(LaySurface{.segment = 1, .vertices = 600, .rules = newestSurfaceRules});
+    run(MarkSurface{.mark = SurfaceMark::Red,
+        .path = {.radiusMm = 6.0, .pointsLps = {at(9.0, 0.0, 0.0)}, .rules = newestSurfaceRules}});
+    std::vector<glm::dvec3> arc;
+    for (double away = -5.0; away <= 5.0; away += 0.5)
+        arc.push_back(at(12.0 - 0.12 * away * away, away, 0.0));
+    const QByteArray before = m_session->stateHash();
+    const int row = m_session->history().position();
+    const std::vector<std::vector<std::vector<glm::dvec3>>> refusedOnes{
+        std::vector<std::vector<glm::dvec3>>(501, arc), {{arc[10], arc[10], arc[10]}}};
+    for (const auto& contours : refusedOnes) {
+        const Result<void> asked =
+            m_session->apply(ApplyTemplate{.contoursLps = contours, .rules = newestSurfaceRules});
+        const Result<void> refused = asked ? m_session->settle() : asked;
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::InvalidField);
+        QCOMPARE(m_session->history().position(), row);
+        QCOMPARE(m_session->stateHash(), before);
+    }
+    // Nobody was asked before.
+    run(ApplyTemplate{.contoursLps = refusedOnes[0], .rules = 2});
+    QVERIFY(m_session->stateHash() != before);
 }
 
 void SurfaceRulesTest::layingIsAborted()
