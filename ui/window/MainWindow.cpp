@@ -36,6 +36,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QMimeData>
 #include <QScrollArea>
 #include <QSettings>
