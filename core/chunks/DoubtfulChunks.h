@@ -13,9 +13,8 @@ namespace core {
 ///
 /// The doubt of a chunk is its size, less by three shares. Outside the segment:
 /// 1. of its bonds with everything around it (ChunkSurvey::Border), those with the segment;
-/// 2. how alike both sides of its border with the segment are, and how wide that is beside a cube
-/// of
-///    its size: a missing lobe has a wide contact and no edge there;
+/// 2. how alike both sides of its border with the segment are, and how wide that border is beside
+/// the side of a cube of its size: a missing lobe has a wide contact and no edge there;
 /// 3. how little likelier it is outside (ChunkTree::likelihood()), squared.
 /// Inside, with the bonds to the rest of the segment counted as faces that are wholly alike:
 /// 1. of these and its faces to the outside, the latter: what lies within is not in doubt;

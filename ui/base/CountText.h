@@ -8,4 +8,7 @@ namespace ui {
 /// A count with its digits in groups of three, as in the names of the history: 18204 → "18 204".
 [[nodiscard]] QString countText(qlonglong count);
 
+/// A volume as in lists and beside the pointer: "0.35 mL", "12.4 mL".
+[[nodiscard]] QString volumeText(double millilitres);
+
 } // namespace ui

@@ -11,8 +11,6 @@ namespace ui {
 
 namespace {
 
-constexpr std::size_t bricksAtOnce = 1024; ///< 4 MiB: other work comes in between
-
 core::VoxelBox common(const core::VoxelBox& one, const core::VoxelBox& other)
 {
     const core::VoxelBox box{.minimum = glm::max(one.minimum, other.minimum),
@@ -22,9 +20,10 @@ core::VoxelBox common(const core::VoxelBox& one, const core::VoxelBox& other)
 
 } // namespace
 
-ChunkMembers::ChunkMembers(Workspace& workspace, QObject* parent)
+ChunkMembers::ChunkMembers(Workspace& workspace, QObject* parent, std::size_t bricksAtOnce)
     : QObject(parent)
     , m_workspace(workspace)
+    , m_bricksAtOnce(bricksAtOnce)
 {
 }
 
@@ -78,7 +77,7 @@ void ChunkMembers::askNext()
     if (m_dirty.empty() || !m_workspace.session())
         return;
     std::vector<core::BrickKey> keys;
-    while (!m_dirty.empty() && keys.size() < bricksAtOnce)
+    while (!m_dirty.empty() && keys.size() < m_bricksAtOnce)
         keys.push_back({core::Field::Labels, m_plane, m_dirty.extract(m_dirty.begin()).value()});
     m_asking = true;
     m_workspace.session()->questions().bricks(std::move(keys),

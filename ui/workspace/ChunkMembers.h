@@ -23,7 +23,11 @@ class ChunkMembers : public QObject {
     Q_OBJECT
 
 public:
-    explicit ChunkMembers(Workspace& workspace, QObject* parent = nullptr);
+    static constexpr std::size_t usualBricks = 1024; ///< 4 MiB
+
+    /// @param bricksAtOnce how many the engine is asked for together; other work comes in between
+    explicit ChunkMembers(
+        Workspace& workspace, QObject* parent = nullptr, std::size_t bricksAtOnce = usualBricks);
 
     /// Starts counting.
     /// @param leaves null: nothing is counted
@@ -55,6 +59,7 @@ private:
     };
 
     Workspace& m_workspace;
+    std::size_t m_bricksAtOnce;
     std::shared_ptr<const ChunkLeaves> m_leaves;
     std::uint8_t m_plane = 0;
     std::set<std::uint32_t> m_dirty; ///< bricks that were not asked about yet

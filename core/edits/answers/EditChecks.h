@@ -27,4 +27,19 @@ template <class E> [[nodiscard]] Result<void> checkApplied(const E& edit, const 
     return discardValue(apply(edit, copy));
 }
 
+/// The segment with a label, whose voxels may change.
+/// @param field that names it in recipes, such as "paint.segment"
+/// Errors: UnknownSegment (argument 0: the label, 1: the field), SegmentLocked.
+[[nodiscard]] inline Result<const Segment*> unlockedSegment(
+    const char* field, int label, const Document& document)
+{
+    const Segment* segment = document.segment(label);
+    if (!segment)
+        return failure(ErrorCode::UnknownSegment, QString::number(label),
+            QStringLiteral("in field '%1'").arg(QLatin1String(field)));
+    if (segment->locked)
+        return failure(ErrorCode::SegmentLocked, segment->name);
+    return segment;
+}
+
 } // namespace core

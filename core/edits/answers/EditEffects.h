@@ -24,7 +24,7 @@ enum class EditTask {
 /// Segments that may have their first voxels, or seeds, from an edit.
 struct FilledSegments {
     std::optional<int> label{};
-    std::optional<int> other{}; ///< a second one
+    std::optional<int> other{}; ///< a second label that receives voxels
     QString name{}; ///< those that are called so; empty: none
     bool added = false; ///< also those that the edit itself adds
 };

@@ -9,7 +9,6 @@
 
 #include <QLabel>
 #include <QListWidget>
-#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -69,9 +68,8 @@ void LikelySection::show()
     }
     QStringList rows;
     for (const Chunks::Likely& likely : chunks.likely()) {
-        const double volume = chunks.millilitres(likely.chunk);
-        const QString size = QLocale().toString(volume, 'f', volume < 1.0 ? 2 : 1);
-        rows << (likely.isInside ? tr("%1 mL to take away?") : tr("%1 mL to add?")).arg(size);
+        rows << (likely.isInside ? tr("%1 to take away?") : tr("%1 to add?"))
+                    .arg(volumeText(chunks.millilitres(likely.chunk)));
     }
     m_list->clear();
     m_list->addItems(rows);

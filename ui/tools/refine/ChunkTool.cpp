@@ -6,7 +6,6 @@
 #include "ui/tools/refine/ChunkOptions.h"
 #include "ui/tools/refine/ChunkRay.h"
 
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -132,9 +131,7 @@ QString ChunkTool::whyNot() const
 QString ChunkTool::chunkText(Chunk chunk) const
 {
     const Chunks& chunks = m_workspace.chunks();
-    const double volume = chunks.millilitres(chunk);
-    const QString size =
-        tr("chunk of %1 mL").arg(QLocale().toString(volume, 'f', volume < 1.0 ? 2 : 1));
+    const QString size = tr("chunk of %1").arg(volumeText(chunks.millilitres(chunk)));
     return chunks.has(chunk) ? tr("%1 of %2").arg(size, segmentName()) : size;
 }
 

@@ -33,12 +33,11 @@ EditEffects effects(const SeedStroke& edit)
 
 Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& document)
 {
-    const Segment* segment = document.segment(stroke.segment);
-    if (!segment)
-        return failure(ErrorCode::UnknownSegment, QString::number(stroke.segment),
-            QStringLiteral("in field 'seed.segment'"));
-    if (segment->locked)
-        return failure(ErrorCode::SegmentLocked, segment->name);
+    const Result<const Segment*> unlocked =
+        unlockedSegment("seed.segment", stroke.segment, document);
+    if (!unlocked)
+        return tl::unexpected(unlocked.error());
+    const Segment* segment = *unlocked;
 
     if (stroke.pointsLps.empty() && !stroke.takenLps)
         return failure(ErrorCode::InvalidField, QStringLiteral("seed.pointsLps"),

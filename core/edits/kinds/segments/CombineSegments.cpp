@@ -11,21 +11,6 @@ namespace core {
 
 using namespace rowWords;
 
-namespace {
-
-Result<const Segment*> unlockedSegment(const char* field, int label, const Document& document)
-{
-    const Segment* segment = document.segment(label);
-    if (!segment)
-        return failure(ErrorCode::UnknownSegment, QString::number(label),
-            QStringLiteral("in field 'combineSegments.%1'").arg(QLatin1String(field)));
-    if (segment->locked)
-        return failure(ErrorCode::SegmentLocked, segment->name);
-    return segment;
-}
-
-} // namespace
-
 Result<void> check(const CombineSegments& edit, const Document& document)
 {
     return discardValue(mapLabels(edit, document));
@@ -47,10 +32,12 @@ EditEffects effects(const CombineSegments& edit)
 
 Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& document)
 {
-    const Result<const Segment*> segment = unlockedSegment("segment", edit.segment, document);
+    const Result<const Segment*> segment =
+        unlockedSegment("combineSegments.segment", edit.segment, document);
     if (!segment)
         return tl::unexpected(segment.error());
-    const Result<const Segment*> other = unlockedSegment("with", edit.with, document);
+    const Result<const Segment*> other =
+        unlockedSegment("combineSegments.with", edit.with, document);
     if (!other)
         return tl::unexpected(other.error());
     if (edit.segment == edit.with)

@@ -31,12 +31,11 @@ EditEffects effects(const InvertSegment& edit)
 
 Result<MapLabels> mapLabels(const InvertSegment& edit, const Document& document)
 {
-    const Segment* segment = document.segment(edit.segment);
-    if (!segment)
-        return failure(ErrorCode::UnknownSegment, QString::number(edit.segment),
-            QStringLiteral("in field 'invertSegment.segment'"));
-    if (segment->locked)
-        return failure(ErrorCode::SegmentLocked, segment->name);
+    const Result<const Segment*> unlocked =
+        unlockedSegment("invertSegment.segment", edit.segment, document);
+    if (!unlocked)
+        return tl::unexpected(unlocked.error());
+    const Segment* segment = *unlocked;
     MapLabels map{.plane = segment->plane};
     map.becomes[0] = segment->label;
     map.becomes[segment->label] = 0;

@@ -32,12 +32,11 @@ EditEffects effects(const PaintStroke& edit)
 
 Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document)
 {
-    const Segment* segment = document.segment(stroke.segment);
-    if (!segment)
-        return failure(ErrorCode::UnknownSegment, QString::number(stroke.segment),
-            QStringLiteral("in field 'paint.segment'"));
-    if (segment->locked)
-        return failure(ErrorCode::SegmentLocked, segment->name);
+    const Result<const Segment*> unlocked =
+        unlockedSegment("paint.segment", stroke.segment, document);
+    if (!unlocked)
+        return tl::unexpected(unlocked.error());
+    const Segment* segment = *unlocked;
     if (stroke.lower && stroke.upper && !(*stroke.lower <= *stroke.upper))
         return failure(ErrorCode::InvalidField, QStringLiteral("paint.upper"),
             QStringLiteral("%1 is below lower, %2").arg(*stroke.upper).arg(*stroke.lower));

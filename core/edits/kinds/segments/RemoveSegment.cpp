@@ -45,12 +45,11 @@ EditEffects effects(const RemoveSegment&)
 
 Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document)
 {
-    const Segment* segment = document.segment(edit.segment);
-    if (!segment)
-        return failure(ErrorCode::UnknownSegment, QString::number(edit.segment),
-            QStringLiteral("in field 'removeSegment.segment'"));
-    if (segment->locked)
-        return failure(ErrorCode::SegmentLocked, segment->name);
+    const Result<const Segment*> unlocked =
+        unlockedSegment("removeSegment.segment", edit.segment, document);
+    if (!unlocked)
+        return tl::unexpected(unlocked.error());
+    const Segment* segment = *unlocked;
     return EraseLabel{.plane = segment->plane, .label = segment->label};
 }
 

@@ -2,10 +2,13 @@
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/segments/ImportMask.h"
+#include "core/session/SessionChunks.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "ui/panels/refine/ChunksPanel.h"
+#include "ui/settings/ChunkLeaves.h"
+#include "ui/workspace/ChunkMembers.h"
 #include "ui/workspace/Chunks.h"
 
 #include <QListWidget>
@@ -14,6 +17,8 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <memory>
+#include <numeric>
 
 namespace chunksPanelUiTest {
 
@@ -200,6 +205,39 @@ private Q_SLOTS:
         on.await();
         QVERIFY(on.chunks().suggestedCount().has_value());
         QCOMPARE(on.chunks().look().count, 300);
+    }
+
+    /// Half of the voxels say nothing of what is missing: who looks waits for all of them.
+    void countingTellsWhenItIsThrough()
+    {
+        PanelFixture on;
+        on.divide();
+        ui::ChunkMembers members(on.workspace, nullptr, 2);
+        const auto sum = [&members] {
+            return std::accumulate(members.own().begin(), members.own().end(), std::int64_t(0));
+        };
+        const std::int64_t all = on.session().document().segment(1)->voxels;
+        int unfinished = 0;
+        int finished = 0;
+        QObject::connect(&members, &ui::ChunkMembers::changed, &members, [&] {
+            if (members.isCounting()) {
+                ++unfinished;
+                QVERIFY(sum() <= all);
+            }
+        });
+        QObject::connect(&members, &ui::ChunkMembers::counted, &members, [&] {
+            ++finished;
+            QCOMPARE(sum(), all);
+        });
+        members.begin(std::make_shared<const ui::ChunkLeaves>(on.session().chunks().map(), 1), 1);
+        const auto through = [&] {
+            on.session().poll();
+            return finished > 0;
+        };
+        QVERIFY(QTest::qWaitFor(through, 60000));
+        QVERIFY(unfinished > 2);
+        QCOMPARE(finished, 1);
+        QVERIFY(!members.isCounting());
     }
 
     void theListLeadsThere()
