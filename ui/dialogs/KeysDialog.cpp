@@ -2,6 +2,7 @@
 #include "ui/dialogs/KeysDialog.h"
 
 #include "ui/base/Actions.h"
+#include "ui/base/MenuText.h"
 #include "ui/base/Theme.h"
 
 #include <QDialogButtonBox>
@@ -39,8 +40,7 @@ const Binding bindings[] = {
     {"Double click", "this view alone, or all four", "this view alone, or all four"},
     {"Up, Down, Page Up, Page Down", "one slice; ten slices", ""},
     {"Home, End", "first, last slice", ""},
-    {"Esc", "takes the stroke under the pen back",
-        "takes back the stroke under the pen, or what is not kept yet"},
+    {"Esc", "takes back the stroke under the pen", "the same, and what is not kept yet"},
 };
 
 } // namespace
@@ -69,7 +69,7 @@ KeysDialog::KeysDialog(const Actions& actions, QWidget* parent)
             continue;
         const QString keys =
             QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText);
-        new QTreeWidgetItem(list, {keys, action->text()});
+        new QTreeWidgetItem(list, {keys, plainText(action->text())});
     }
     list->setColumnWidth(0, 230);
     list->setColumnWidth(1, 250);

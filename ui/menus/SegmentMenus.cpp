@@ -2,6 +2,7 @@
 #include "ui/menus/SegmentMenus.h"
 
 #include "core/session/EditSession.h"
+#include "ui/base/MenuText.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -38,11 +39,6 @@ struct Combination {
 };
 
 } // namespace
-
-QString menuText(const QString& name)
-{
-    return QString(name).replace(QLatin1Char('&'), QLatin1String("&&"));
-}
 
 QString whyUnchangeable(const core::Segment* segment)
 {

@@ -20,9 +20,6 @@ class Workspace;
 // Parts of menus in which another segment is chosen for what is done to one. An entry that cannot
 // be chosen says why by its tool tip.
 
-/// A name as an entry of a menu shows it, where an ampersand would mark a letter.
-[[nodiscard]] QString menuText(const QString& name);
-
 /// Why no voxel of a segment can be changed; empty if they can.
 /// @param segment null: there is none
 [[nodiscard]] QString whyUnchangeable(const core::Segment* segment);

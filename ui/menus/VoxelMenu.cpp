@@ -3,6 +3,7 @@
 
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/MenuText.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"

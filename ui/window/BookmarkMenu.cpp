@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/BookmarkMenu.h"
 
+#include "ui/base/MenuText.h"
+
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "ui/views/VolumeView.h"
 #include "ui/workspace/Workspace.h"
@@ -98,10 +100,7 @@ void BookmarkMenu::list(QMenu& menu)
         menu.addAction(tr("None yet: Ctrl+B keeps a view"))->setEnabled(false);
         return;
     }
-    const auto shown = [](const core::CameraBookmark& bookmark) {
-        // In a menu an ampersand would mark a letter.
-        return QString(bookmark.name).replace(QLatin1Char('&'), QLatin1String("&&"));
-    };
+    const auto shown = [](const core::CameraBookmark& bookmark) { return menuText(bookmark.name); };
     for (const core::CameraBookmark& bookmark : session->document().bookmarks)
         menu.addAction(shown(bookmark), this, [this, bookmark] { show(bookmark); });
     menu.addSeparator();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/OptionBar.h"
 
+#include "ui/base/MenuText.h"
 #include "ui/base/Theme.h"
 #include "ui/input/Tool.h"
 #include "ui/widgets/FittingLabel.h"
@@ -97,7 +98,7 @@ void OptionBar::showNames()
         const QAction& action = *button->defaultAction();
         button->setToolButtonStyle(named ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
         button->setText(button->fontMetrics().elidedText(action.text(), Qt::ElideRight, each));
-        button->setToolTip(action.text() + QStringLiteral("  ")
+        button->setToolTip(plainText(action.text()) + QStringLiteral("  ")
             + action.shortcut().toString(QKeySequence::NativeText));
     }
 }

@@ -2,6 +2,7 @@
 #include "ui/window/WindowActions.h"
 
 #include "core/edits/kinds/layers/ChangeLayer.h"
+#include "ui/base/MenuText.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/KeysDialog.h"
@@ -179,7 +180,8 @@ void addEditActions(MainWindow& window)
                 if (!workspace.session() || !workspace.session()->history().canUndo())
                     return QStringLiteral("Undo");
                 const core::History& history = workspace.session()->history();
-                return QStringLiteral("Undo: %1").arg(nameOf(history.row(history.position())));
+                return QStringLiteral("Undo: %1")
+                    .arg(menuText(nameOf(history.row(history.position()))));
             }});
     actions.add({.id = QStringLiteral("edit.redo"),
         .text = QStringLiteral("Redo"),
@@ -205,7 +207,8 @@ void addEditActions(MainWindow& window)
                 if (!workspace.session() || !workspace.session()->history().canRedo())
                     return QStringLiteral("Redo");
                 const core::History& history = workspace.session()->history();
-                return QStringLiteral("Redo: %1").arg(nameOf(history.row(history.redoTarget())));
+                return QStringLiteral("Redo: %1")
+                    .arg(menuText(nameOf(history.row(history.redoTarget()))));
             }});
     actions.add({.id = QStringLiteral("edit.author"),
         .text = QStringLiteral("Name in the audit trail …"),

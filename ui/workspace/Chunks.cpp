@@ -64,7 +64,7 @@ Chunks::Chunks(Workspace& workspace)
         m_members.begin(nullptr, 0);
         m_likely.forget();
         m_lit.clear();
-        m_takesSuggestion = false;
+        m_takesSuggestion = m_isAwaited = false;
         m_dividedAfter = std::numeric_limits<core::RowId>::max();
         if (m_look.shown) {
             m_look.shown = false;
@@ -161,8 +161,14 @@ void Chunks::take(const std::shared_ptr<const ChunkLeaves>& leaves)
     m_specks = int(std::count_if(roots.begin(), roots.end(),
         [&tree](Chunk chunk) { return tree.voxels(chunk).size() < speckVoxels; }));
     m_members.begin(m_leaves, m_segment);
-    const bool isNew = std::exchange(m_takesSuggestion, false) && isJustDivided();
-    if (const auto suggested = suggestedCount(); isNew && suggested) {
+    const bool takesSuggestion = std::exchange(m_takesSuggestion, false);
+    const bool isNew = std::exchange(m_isAwaited, false) && isJustDivided();
+    if (const core::Segment* segment = m_workspace.session()->document().segment(m_segment);
+        isNew && segment)
+        m_workspace.say(tr("%1 and what lies around it is divided: a click adds a chunk or takes "
+                           "it away")
+                            .arg(segment->name));
+    if (const auto suggested = suggestedCount(); isNew && takesSuggestion && suggested) {
         Look look = m_look;
         look.count = *suggested;
         setLook(look);
@@ -425,7 +431,7 @@ void Chunks::apply(const core::DivideSegment& division)
         return m_workspace.fail(applied.error());
     if (const core::Segment* segment = session->document().segment(division.segment))
         m_workspace.say(tr("%1 and what lies around it is being divided …").arg(segment->name));
-    m_takesSuggestion = true;
+    m_takesSuggestion = m_isAwaited = true;
     Look look = m_look;
     look.shown = true;
     setLook(look);
@@ -443,7 +449,7 @@ void Chunks::abort()
 /// Nothing is shown, and no division stays that led to nothing.
 void Chunks::takeBack()
 {
-    m_takesSuggestion = false;
+    m_takesSuggestion = m_isAwaited = false;
     Look look = m_look;
     look.shown = false;
     setLook(look);

@@ -133,6 +133,7 @@ private:
     std::shared_ptr<const ChunkLeaves> m_leaves;
     int m_segment = 0; ///< the segment that they belong to
     core::RowId m_dividedAfter = 0; ///< a division after this row comes from divide()
+    bool m_isAwaited = false; ///< a division that divide() asked for
     /// The division that is awaited begins with the suggested number.
     bool m_takesSuggestion = false;
     int m_specks = 0; ///< number of small chunks that are never merged

@@ -9,6 +9,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/CountText.h"
+#include "ui/base/MenuText.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/workspace/Workspace.h"
 
@@ -228,8 +229,9 @@ QString namedText(const SegmentAction& action, const core::Segment* segment)
 {
     if (!segment)
         return action.text;
-    return action.named.isEmpty() ? QStringLiteral("%1 '%2'").arg(action.text, segment->name)
-                                  : action.named.arg(segment->name);
+    return action.named.isEmpty()
+        ? QStringLiteral("%1 '%2'").arg(action.text, menuText(segment->name))
+        : action.named.arg(menuText(segment->name));
 }
 
 const std::vector<SegmentAction>& segmentActions()

@@ -14,7 +14,10 @@
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTimer>
+#include <QToolButton>
 #include <QtTest>
+
+#include <algorithm>
 
 namespace segmentMenusUiTest {
 
@@ -112,6 +115,28 @@ private Q_SLOTS:
         QCOMPARE(fixture.ofBar("swapSegments").title(), QStringLiteral("Swap 'Skin && hair' with"));
         QCOMPARE(textsOf(fixture.ofBar("swapSegments")),
             (QStringList{QStringLiteral("Brain"), QStringLiteral("Bone")}));
+    }
+
+    /// Elsewhere, too, an ampersand in a name is shown and marks no letter.
+    void namesAreShownAsTheyAre()
+    {
+        Fixture fixture;
+        fixture.workspace.setActiveSegment(3);
+        fixture.window.actionTable().refresh();
+        int named = 0;
+        for (const QAction* each : fixture.window.segmentsMenu().actions()) {
+            if (each->text().contains(QLatin1String("Skin")))
+                named += each->text().contains(QLatin1String("'Skin && hair'")) ? 1 : -100;
+        }
+        QVERIFY2(named >= 5, qPrintable(QString::number(named)));
+        QVERIFY(fixture.session().apply(test::addSegment("Gut & gall")));
+        QVERIFY(fixture.session().settle());
+        const QAction& undo = fixture.window.actionTable()[QStringLiteral("edit.undo")];
+        QTRY_COMPARE(undo.text(), QStringLiteral("Undo: Add segment 'Gut && gall'"));
+        const QString shown = QStringLiteral("Undo: Add segment 'Gut & gall'");
+        const auto buttons = fixture.window.findChildren<QToolButton*>();
+        QTRY_VERIFY(std::any_of(buttons.begin(), buttons.end(),
+            [&](const QToolButton* each) { return each->toolTip().startsWith(shown); }));
     }
 
     /// Where there is nothing to be merged, that is told, and no step is made.
