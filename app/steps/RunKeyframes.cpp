@@ -85,7 +85,8 @@ void RunKeyframes::keep()
     m_frames.request({.view = view,
         .sizePixels = {size.width(), size.height()},
         .scene = scene,
-        .segments = ui::segmentDisplay(document)});
+        .segments = ui::segmentDisplay(document),
+        .single = true});
     std::shared_ptr<const std::vector<std::uint8_t>> picture;
     {
         std::unique_lock lock(m_mutex);

@@ -334,7 +334,7 @@ void FrameScheduler::finishPicture(ViewProgress& view)
     const Frame::Quality quality = view.finishStage(drawn);
     view.milliseconds += since(start);
     m_delivery.send(view, quality);
-    if (quality == Frame::Quality::Refined)
+    if (quality == Frame::Quality::Refined && !view.request.single)
         warmUp(view);
     if (view.stale)
         view.restart();

@@ -240,6 +240,8 @@ struct FrameRequest {
     Scene scene;
     SegmentDisplay segments;
     bool interacting = false; ///< draw coarse and fast now; refinement waits until false
+    /// Nobody waits for a next picture or edit: no shader is compiled ahead for one.
+    bool single = false;
 };
 
 /// The extent of a piece when a frame was drawn.

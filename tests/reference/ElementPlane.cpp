@@ -30,14 +30,20 @@ std::int64_t floorDivide(std::int64_t value, std::int64_t divisor)
 
 std::int64_t squareRoot(std::int64_t value)
 {
-    // One bit of the root after the other; it has half as many as its square.
-    std::int64_t root = 0;
-    for (std::int64_t bit = std::int64_t(1) << (std::bit_width(std::uint64_t(value)) / 2); bit > 0;
-         bit >>= 1) {
-        if ((root + bit) <= value / (root + bit))
-            root += bit;
+    // One bit of the root after the other, as by hand: what remains is compared to what the square
+    // grows by, so that nothing is divided or multiplied.
+    auto remainder = std::uint64_t(value);
+    std::uint64_t root = 0; // times the bit, so that it is shifted down on the way
+    for (std::uint64_t square = std::uint64_t(1) << (std::bit_width(remainder | 1) - 1) / 2 * 2;
+         square > 0; square >>= 2) {
+        const std::uint64_t growth = root + square;
+        root >>= 1;
+        if (remainder < growth)
+            continue;
+        remainder -= growth;
+        root += square;
     }
-    return root;
+    return std::int64_t(root);
 }
 
 ElementPlane::ElementPlane(const DenseArray<std::uint16_t>& codes,

@@ -8,7 +8,7 @@ namespace gpu {
 
 namespace {
 
-constexpr std::size_t bricksPerPass = 128;
+constexpr std::size_t mostBricksPerPass = 128;
 constexpr std::size_t fieldWords = 24 * 24 * 24;
 constexpr std::size_t firstBlurWords = 18 * 24 * 24;
 constexpr std::size_t secondBlurWords = 18 * 18 * 24;
@@ -19,9 +19,9 @@ std::uint32_t packed(const glm::ivec3& local)
     return std::uint32_t(local.x | local.y << 5 | local.z << 10);
 }
 
-Buffer words(const char* label, std::size_t perBrick)
+Buffer words(const char* label, std::size_t count)
 {
-    return Buffer({.label = label, .bytes = perBrick * bricksPerPass * sizeof(std::uint32_t)});
+    return Buffer({.label = label, .bytes = count * sizeof(std::uint32_t)});
 }
 
 } // namespace
@@ -29,11 +29,12 @@ Buffer words(const char* label, std::size_t perBrick)
 RadiationKernel::RadiationKernel(RadiationPrograms& programs, const core::BrickGrid& grid)
     : m_programs(programs)
     , m_grid(grid)
-    , m_regions(words("radiation regions", 2))
-    , m_field(words("radiation field", fieldWords))
-    , m_summaries(words("radiation summaries", 1))
-    , m_scratchA(words("radiation scratch A", firstBlurWords))
-    , m_scratchB(words("radiation scratch B", secondBlurWords))
+    , m_bricksPerPass(std::min(mostBricksPerPass, std::size_t(grid.brickCount())))
+    , m_regions(words("radiation regions", 2 * m_bricksPerPass))
+    , m_field(words("radiation field", fieldWords * m_bricksPerPass))
+    , m_summaries(words("radiation summaries", m_bricksPerPass))
+    , m_scratchA(words("radiation scratch A", firstBlurWords * m_bricksPerPass))
+    , m_scratchB(words("radiation scratch B", secondBlurWords * m_bricksPerPass))
 {
 }
 
@@ -120,8 +121,9 @@ void RadiationKernel::update(const Footprint& footprint, std::span<const Region>
 {
     for (Program* each : {&m_programs.gatherCoverage, &m_programs.gatherLabels, &m_programs.raise})
         each->set("volumeSize", m_grid.volumeSize).set("volumeBricks", m_grid.bricks());
-    for (std::size_t start = 0; start < regions.size(); start += bricksPerPass) {
-        const auto piece = regions.subspan(start, std::min(bricksPerPass, regions.size() - start));
+    for (std::size_t start = 0; start < regions.size(); start += m_bricksPerPass) {
+        const auto piece =
+            regions.subspan(start, std::min(m_bricksPerPass, regions.size() - start));
         const auto count = unsigned(piece.size());
         std::vector<glm::uvec2> words;
         for (const Region& region : piece)

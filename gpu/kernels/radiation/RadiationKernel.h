@@ -71,6 +71,7 @@ private:
 
     RadiationPrograms& m_programs;
     core::BrickGrid m_grid;
+    std::size_t m_bricksPerPass; ///< what the buffers hold
     Buffer m_regions;
     Buffer m_field;
     Buffer m_summaries;
