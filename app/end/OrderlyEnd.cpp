@@ -5,6 +5,7 @@
 #include <QSocketNotifier>
 #include <QThread>
 
+#include <csignal>
 #include <cstdlib>
 #include <utility>
 
@@ -48,6 +49,8 @@ OrderlyEnd::OrderlyEnd(std::function<void()> closesAll)
 {
     Q_ASSERT(!current);
     current = this;
+    // What is sent to a display that has just gone would end the program before Qt notices.
+    std::signal(SIGPIPE, SIG_IGN);
     closing = &m_closing;
     static const int registered = std::atexit(closeAndEnd);
     static_cast<void>(registered);
@@ -64,6 +67,7 @@ OrderlyEnd::OrderlyEnd(std::function<void()> closesAll)
 OrderlyEnd::~OrderlyEnd()
 {
     qInstallMessageHandler(messagesBefore);
+    std::signal(SIGPIPE, SIG_DFL);
     closing = nullptr;
     current = nullptr;
 }

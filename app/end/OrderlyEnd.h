@@ -13,7 +13,7 @@ namespace app {
 /// leave the event loop, as closing the last window does, with the exit status that shells give to
 /// such an end (128 + signal). The user is not asked, since nobody may be there. If Qt ends the
 /// program itself (the display is gone), what is open is closed, and the program exits with status
-/// 1.
+/// 1; SIGPIPE, which writing to such a display raises, is ignored.
 ///
 /// One per process, on the GUI thread, while the event loop runs.
 class OrderlyEnd : public QObject {

@@ -84,6 +84,21 @@ private Q_SLOTS:
         isWhole(hash);
     }
 
+    /// It comes when something is drawn after the display has gone and before Qt notices; who dies
+    /// of it leaves the session open.
+    void aBrokenPipeEndsNothing()
+    {
+        const QString hash = lastHash("a.burin");
+        const auto process = opened();
+        QVERIFY(QFile::exists(path("a.burin-wal")));
+        ::kill(pid_t(process->processId()), SIGPIPE);
+        QVERIFY(!process->waitForFinished(500));
+        ::kill(pid_t(process->processId()), SIGTERM);
+        QVERIFY(process->waitForFinished(endMs));
+        QCOMPARE(process->exitCode(), 128 + SIGTERM);
+        isWhole(hash);
+    }
+
     void theDisplaysDeathClosesTheSession()
     {
         const QString hash = lastHash("a.burin");
