@@ -16,13 +16,12 @@ namespace {
 constexpr unsigned labeled = 1;
 constexpr unsigned carved = 2;
 constexpr unsigned barriers = 4;
-constexpr unsigned warned = 8; // this and the next ones when they are first needed
+constexpr unsigned warned = 8;
 constexpr unsigned atTolerance = 16;
 constexpr unsigned cutPreview = 32;
 constexpr unsigned chunked = 64;
 constexpr unsigned pieces = 128;
 constexpr std::size_t mostPieces = 64; // slice.frag; as many as a document has
-constexpr unsigned seldom = warned;
 
 /// Pieces that layers have cut out; those of segments are seen as segments.
 std::vector<const PieceTextures::Entry*> cutPieces(const PieceTextures& textures)
@@ -56,8 +55,6 @@ void setPieces(Program& program, const std::vector<const PieceTextures::Entry*>&
 SlicePass::SlicePass(const ShaderLibrary& library)
     : m_library(library)
 {
-    for (unsigned variant = 0; variant < seldom; ++variant)
-        static_cast<void>(programFor(Plain, variant));
 }
 
 Program& SlicePass::programFor(unsigned form, unsigned variant)

@@ -52,8 +52,7 @@ private:
     [[nodiscard]] Program& programFor(unsigned form, unsigned variant);
 
     const ShaderLibrary& m_library;
-    /// By form and variant. The first eight are compiled at once, the others when they are first
-    /// needed.
+    /// By form and variant, compiled when they are first needed.
     std::array<std::array<Program, variants>, forms> m_programs;
 };
 

@@ -55,7 +55,6 @@ GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders)
     , passage(shaders)
     , m_shaders(shaders)
 {
-    (void)rings({});
 }
 
 GrowthPrograms::Kind GrowthPrograms::keyOf(const GrowthKind& kind)

@@ -86,22 +86,22 @@ RaycastPass::RaycastPass(const ShaderLibrary& library)
     : m_library(library)
     , m_seeds(library)
 {
-    for (std::size_t i = 0; i < m_programs.size(); ++i) {
-        const std::size_t mode = i / variants;
-        const std::size_t kind = i % variants / 2;
-        // MIP and X-ray gain nothing by leaving segments out.
-        const bool flat =
-            RenderMode(mode) == RenderMode::Mip || RenderMode(mode) == RenderMode::Xray;
-        if (flat && RayBlocks::Kind(kind) == RayBlocks::Kind::Carved)
-            continue;
-        m_programs[i] = Program(library,
+}
+
+Program& RaycastPass::oftenProgram(std::size_t variant)
+{
+    const std::size_t mode = variant / variants;
+    const std::size_t kind = variant % variants / 2;
+    Program& program = m_programs[variant];
+    if (!program)
+        program = Program(m_library,
             {.label = labels[mode],
                 .fragmentPath = "render/raycast/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
-                    {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(i & 1)}, {"PIECES", 0},
+                    {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(variant & 1)}, {"PIECES", 0},
                     {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"CUT_PREVIEW", 0}, {"SHEETS", 0},
                     {"CHUNKS", 0}, {"CONTEXT", 0}}});
-    }
+    return program;
 }
 
 Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with)
@@ -130,13 +130,13 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
     return program;
 }
 
-std::size_t RaycastPass::variantOf(const VolumeScene& scene, RayBlocks::Kind kind) const
+std::size_t RaycastPass::variantOf(const VolumeScene& scene, RayBlocks::Kind kind)
 {
-    const std::size_t index =
-        variants * std::size_t(scene.mode) + 2 * std::size_t(kind) + (scene.clip.any() ? 1 : 0);
-    return kind == RayBlocks::Kind::Carved && !m_programs[index]
-        ? variantOf(scene, RayBlocks::Kind::Sculpted)
-        : index;
+    // MIP and X-ray gain nothing by leaving segments out.
+    const bool flat = scene.mode == RenderMode::Mip || scene.mode == RenderMode::Xray;
+    if (flat && kind == RayBlocks::Kind::Carved)
+        kind = RayBlocks::Kind::Sculpted;
+    return variants * std::size_t(scene.mode) + 2 * std::size_t(kind) + (scene.clip.any() ? 1 : 0);
 }
 
 Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene, const Seldom& with)
@@ -152,7 +152,7 @@ Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene,
         return seldomProgram(scene, {.sheets = with.sheets, .kind = kind});
     const std::size_t variant = variantOf(scene, kind);
     m_warm[variant] = true;
-    return m_programs[variant];
+    return oftenProgram(variant);
 }
 
 const RayBlocks& RaycastPass::blocksOf(

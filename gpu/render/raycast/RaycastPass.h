@@ -88,7 +88,9 @@ private:
         RayBlocks::Kind kind, const VolumeScene& scene, const Seldom& with);
     /// A program for exactly these features, compiled when it is first needed.
     [[nodiscard]] Program& seldomProgram(const VolumeScene& scene, const Seldom& with);
-    [[nodiscard]] std::size_t variantOf(const VolumeScene& scene, RayBlocks::Kind kind) const;
+    [[nodiscard]] static std::size_t variantOf(const VolumeScene& scene, RayBlocks::Kind kind);
+    /// The program of a variantOf(), compiled when it is first needed.
+    [[nodiscard]] Program& oftenProgram(std::size_t variant);
     /// The blocks of this picture; computed again only when something has changed.
     [[nodiscard]] const RayBlocks& blocksOf(
         VolumeTextures& volume, const VolumeScene& scene, const PassTarget& target);
