@@ -194,8 +194,14 @@ std::vector<RelabelListed::Brick> voxelsWithin(const LabelOutlined& edit, const 
         std::vector<std::uint8_t> voxels;
         for (int z = box.minimum.z; z < box.maximum.z; ++z) {
             for (int y = box.minimum.y; y < box.maximum.y; ++y) {
-                // Most voxels lie beside the slice; these cost one addition.
-                std::int64_t across = exactPlace(edit, 2, {box.minimum.x, y, z}) - edit.perI[2];
+                // Most rows lie beside the slice.
+                std::int64_t across = exactPlace(edit, 2, {box.minimum.x, y, z});
+                const std::int64_t atEnd =
+                    across + edit.perI[2] * (box.maximum.x - 1 - box.minimum.x);
+                if (fixedPoint::round14(std::max(across, atEnd)) < -edit.halfThickness
+                    || fixedPoint::round14(std::min(across, atEnd)) > edit.halfThickness)
+                    continue;
+                across -= edit.perI[2];
                 for (int x = box.minimum.x; x < box.maximum.x; ++x) {
                     const glm::ivec3 voxel(x, y, z);
                     across += edit.perI[2];

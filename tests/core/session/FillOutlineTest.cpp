@@ -386,12 +386,15 @@ private Q_SLOTS:
         QCOMPARE(anew->stateHash(), hashes.back());
     }
 
-    /// Undoing something else alone asks only about bricks in which the outline lies.
+    /// It changes bricks in which the outline lies, and undoing something else alone asks only
+    /// about these.
     void dependsOnItsBricksAlone()
     {
         Bench bench;
         const FillOutline edit = inSlice(bench.geometry(), 2, 17.0, {{1, 1}, {9, 1}, {9, 20}});
         const RowDependencies needs(edit, bench.session->document(), {});
+        bench.run(edit);
+        QCOMPARE(bench.rows().back().statistics.bricks, 2);
         const BrickGrid grid{bench.geometry().size};
         for (int brick = 0; brick < grid.brickCount(); ++brick) {
             const glm::ivec3 at = grid.brickPosition(brick);

@@ -84,7 +84,7 @@ public:
         mouse(view, QEvent::MouseButtonPress, at, modifiers);
         mouse(view, QEvent::MouseButtonRelease, at, modifiers);
     }
-    void clickWithPen(ui::ImageView& view, const QPointF& at, test::Pen& pen)
+    void clickWithPen(const QPointF& at, test::Pen& pen)
     {
         pen.hover(at, m_milliseconds += 8);
         pen.press(at, 0.4, m_milliseconds += 8);
@@ -247,7 +247,7 @@ private Q_SLOTS:
         test::Pen stylus(view);
         const auto click = [&](const QPointF& at) {
             if (pen)
-                fixture.clickWithPen(view, at, stylus);
+                fixture.clickWithPen(at, stylus);
             else
                 Fixture::click(view, at);
         };
