@@ -22,6 +22,7 @@
 #include "ui/panels/refine/RefinePanel.h"
 #include "ui/settings/StudyOpener.h"
 #include "ui/tools/growth/BarrierTool.h"
+#include "ui/tools/growth/FillOutlineTool.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/growth/SeedTool.h"
 #include "ui/tools/growth/ShrinkTool.h"
@@ -69,6 +70,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     auto* seed = new ui::SeedTool(workspace, &window);
     auto* shrink = new ui::ShrinkTool(workspace, &window);
     auto* paint = new ui::PaintTool(workspace, &window);
+    auto* outline = new ui::FillOutlineTool(workspace, &window);
     auto* barrier = new ui::BarrierTool(workspace, &window);
     auto* refine = new ui::RefineTool(workspace, &window);
     auto* plane = new ui::CuttingPlaneTool(workspace, &window);
@@ -93,6 +95,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
     window.addTool(*shrink, window.growMenu(), QKeySequence(QStringLiteral("X")));
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
+    window.addTool(*outline, window.growMenu(), QKeySequence(QStringLiteral("D")));
     window.addTool(*barrier, window.growMenu(), QKeySequence(QStringLiteral("Shift+B")));
     window.addToolGroup();
     window.addTool(*refine, window.refineMenu(), QKeySequence(QStringLiteral("F")));
@@ -102,8 +105,8 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*ruler, window.editMenu(), QKeySequence(QStringLiteral("L")));
     window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
-    return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, barrier, refine,
-        plane, chunks, ruler, undoHere};
+    return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, outline, barrier,
+        refine, plane, chunks, ruler, undoHere};
 }
 
 void addDoctor(ui::MainWindow& window)

@@ -12,6 +12,7 @@
 #include "core/growth/GrowthProgress.h"
 #include "core/growth/SeedSpread.h"
 #include "core/sculpt/DrillCut.h"
+#include "core/sculpt/LabelOutlined.h"
 #include "core/sculpt/LaserCut.h"
 #include "core/sculpt/LayerWrites.h"
 #include "core/sculpt/OutlineCut.h"
@@ -32,7 +33,7 @@ using GrowthEdits = TypeList<SeedPlacement, GrowBurst, ShrinkGrowth, CutGrowth, 
 using StrokeEdits =
     TypeList<DrillCut, LaserCut, ShellPeel, OutlineCut, CapsuleCut, PaintLabel, PaintBarrier>;
 /// Of whole labels and layers, and of places that are listed. CoverLabel, FoldLayer:
-/// sculpt/LayerWrites.h, as LabelWrites, which give labels to voxels.
+/// sculpt/LayerWrites.h, as LabelWrites, which give labels to voxels (and LabelOutlined.h).
 using WholeEdits = TypeList<EraseLabel, CoverLabel, FoldLayer, BarrierListed>;
 
 using EngineEditVariant =

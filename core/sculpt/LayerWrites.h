@@ -121,7 +121,10 @@ struct FoldLayer {
 [[nodiscard]] Result<void> checkSound(const CoverLabel& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const FoldLayer& edit, const BrickGrid& grid);
 
+struct LabelOutlined; ///< LabelOutlined.h
+
 /// Those that give or take labels.
-using LabelWrites = TypeList<LabelCarved, LabelSeen, LabelListed, RelabelListed, MapLabels>;
+using LabelWrites =
+    TypeList<LabelCarved, LabelSeen, LabelListed, RelabelListed, LabelOutlined, MapLabels>;
 
 } // namespace core

@@ -215,6 +215,11 @@ void KernelWarmUp::runRelabelling()
         .asked =
             std::vector<std::uint8_t>(core::BrickGrid::voxelsPerBrick, core::RelabelListed::give)});
     run(relabel, {});
+    // An outline on a slice.
+    core::LabelOutlined outlined{.target = relabel.target};
+    outlined.perI[0] = outlined.perJ[1] = outlined.perK[2] = std::int64_t(1) << 30;
+    outlined.corners = {{0, 0}, {2 << 16, 0}, {0, 2 << 16}};
+    run(outlined, {});
 }
 
 void KernelWarmUp::runBarriers()

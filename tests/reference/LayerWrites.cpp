@@ -5,6 +5,7 @@
 #include "tests/reference/Growth.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace reference {
 
@@ -51,6 +52,31 @@ bool within(const std::vector<core::VoxelBound>& bounds, const glm::ivec3& voxel
             sum += std::int64_t(bound.normal[axis]) * voxel[axis];
         return sum <= bound.offset;
     });
+}
+
+/// How many edges pass above a place to the right, less how many to the left, is how often the
+/// outline winds around it. A place on an edge counts as inside.
+bool outlineHolds(const std::vector<glm::ivec2>& corners, std::int64_t x, std::int64_t y)
+{
+    constexpr std::int64_t farAway = std::int64_t(1) << 30; // farther than any corner
+    if (std::abs(x) > farAway || std::abs(y) > farAway)
+        return false;
+    int winding = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::ivec2& next = corners[(i + 1) % corners.size()];
+        const std::int64_t fromX = corners[i].x - x;
+        const std::int64_t fromY = corners[i].y - y;
+        const std::int64_t toX = next.x - x;
+        const std::int64_t toY = next.y - y;
+        const std::int64_t turn = fromX * toY - fromY * toX;
+        if (turn == 0 && fromX * toX + fromY * toY <= 0)
+            return true;
+        if (fromX < 0 && toX >= 0 && turn < 0)
+            ++winding;
+        if (fromX >= 0 && toX < 0 && turn > 0)
+            --winding;
+    }
+    return winding != 0;
 }
 
 } // namespace
@@ -102,6 +128,26 @@ void relabelListed(DenseFields& fields, const core::RelabelListed& edit)
             else if (asked == core::RelabelListed::take)
                 take(fields, edit.target, voxel);
         }
+    });
+}
+
+void labelOutlined(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelOutlined& edit)
+{
+    forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
+        const auto along = [&](std::size_t axis) {
+            const std::int64_t place = edit.origin[axis] + edit.perI[axis] * voxel.x
+                + edit.perJ[axis] * voxel.y + edit.perK[axis] * voxel.z;
+            return core::fixedPoint::round14(place);
+        };
+        const int code = codes.at(voxel);
+        if (std::abs(along(2)) > edit.halfThickness || code < edit.lowCode || code > edit.highCode
+            || !outlineHolds(edit.corners, along(0), along(1)))
+            return;
+        if (edit.erase)
+            take(fields, edit.target, voxel);
+        else
+            give(fields, edit.target, voxel);
     });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/growth/GrowthCommands.h"
+#include "core/sculpt/LabelOutlined.h"
 #include "core/sculpt/LayerWrites.h"
 #include "tests/reference/DenseFields.h"
 
@@ -15,6 +16,9 @@ void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uin
     DenseFields& fields, const core::LabelSeen& edit);
 void labelListed(DenseFields& fields, const core::LabelListed& edit);
 void relabelListed(DenseFields& fields, const core::RelabelListed& edit);
+/// core/sculpt/LabelOutlined.h.
+void labelOutlined(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelOutlined& edit);
 void mapLabels(DenseFields& fields, const core::MapLabels& edit);
 /// Of growth (core/growth/GrowthCommands.h), listed in the same way.
 void writeBarriers(DenseFields& fields, const core::BarrierListed& edit);

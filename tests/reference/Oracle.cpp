@@ -309,6 +309,14 @@ core::Result<Oracle::Work> Oracle::begin(core::RelabelListed& edit)
     return Done{};
 }
 
+core::Result<Oracle::Work> Oracle::begin(core::LabelOutlined& edit)
+{
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
+    labelOutlined(m_codes, m_fields, edit);
+    return Done{};
+}
+
 core::Result<Oracle::Work> Oracle::begin(core::MapLabels& edit)
 {
     mapLabels(m_fields, edit);

@@ -201,6 +201,10 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Paint '%1' %2 mm");
     case RowTitleCode::Erase:
         return tr("Erase '%1' %2 mm");
+    case RowTitleCode::FillOutline:
+        return tr("Fill an outline with '%1'");
+    case RowTitleCode::EraseOutline:
+        return tr("Erase '%1' in an outline");
     case RowTitleCode::ImportMask:
         return one ? tr("Import 1 segment of %2") : tr("Import %1 segments of %2", nullptr, count);
     case RowTitleCode::ImportMaskAs:

@@ -68,6 +68,8 @@ public:
     virtual void putAway() { cancel(); }
     virtual void hover(const PointerSample&, const ViewContext&) { }
     virtual void leave() { } ///< the pointer left the view
+    /// A key went down over a view; Esc is cancel(). @return whether the tool uses it
+    virtual bool pressKey(int /*key*/) { return false; }
     /// Shift + wheel and [ ]: @p steps is positive for greater.
     virtual void changeRadius(int /*steps*/) { }
     /// Alt + wheel.

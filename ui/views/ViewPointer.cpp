@@ -224,7 +224,7 @@ bool ViewPointer::pressKey(const QKeyEvent& event)
         // What stays open after the pen is lifted: a peel, an outline that is to be drawn.
         m_tool->cancel();
     } else {
-        return false;
+        return m_tool && m_tool->pressKey(event.key());
     }
     return true;
 }

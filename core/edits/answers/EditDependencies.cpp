@@ -59,14 +59,20 @@ std::set<std::uint32_t> DependencyFacts::under(const BrushPath& path) const
     return frame ? bricksUnder(path, *frame, geometry()) : std::set<std::uint32_t>();
 }
 
+EditDependencies DependencyFacts::labelled(
+    const std::set<std::uint32_t>& bricks, std::uint8_t plane) const
+{
+    dependsOn::Bricks stored;
+    for (const std::uint32_t brick : bricks) {
+        for (const Field field : {Field::Labels, Field::SeedWords, Field::Overwritten})
+            stored.keys.insert({field, plane, brick});
+    }
+    return stored;
+}
+
 EditDependencies DependencyFacts::labelled(const BrushPath& path, std::uint8_t plane) const
 {
-    dependsOn::Bricks bricks;
-    for (const std::uint32_t brick : under(path)) {
-        for (const Field field : {Field::Labels, Field::SeedWords, Field::Overwritten})
-            bricks.keys.insert({field, plane, brick});
-    }
-    return bricks;
+    return labelled(under(path), plane);
 }
 
 } // namespace core

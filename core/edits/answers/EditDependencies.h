@@ -88,7 +88,9 @@ struct DependencyFacts {
     [[nodiscard]] EditDependencies wholeGrowth() const;
     /// The bricks under a brush; none if they cannot be computed.
     [[nodiscard]] std::set<std::uint32_t> under(const BrushPath& path) const;
-    /// Everything that is stored for labels under a brush.
+    /// Everything that is stored for labels in some bricks, or under a brush.
+    [[nodiscard]] EditDependencies labelled(
+        const std::set<std::uint32_t>& bricks, std::uint8_t plane) const;
     [[nodiscard]] EditDependencies labelled(const BrushPath& path, std::uint8_t plane) const;
 };
 

@@ -2,6 +2,7 @@
 #include "core/edits/engine/EngineEdits.h"
 
 #include "core/edits/engine/CutFrames.h"
+#include "core/edits/engine/SlicePlane.h"
 
 #include "core/edits/kinds/parts/BrushPath.h"
 
@@ -35,29 +36,6 @@ glm::dmat3 planeAxes(const glm::dvec3& normal)
     return glm::transpose(glm::dmat3(right, glm::cross(normal, right), normal));
 }
 
-/// A disc that lies in a slice of the volume is brought to the middle of the nearest one, so that
-/// no rounding can make it write a neighbour.
-double snappedToSlice(const StrokeSpace& space, const glm::dvec3& normal,
-    const VolumeGeometry& geometry, const glm::dvec3& first)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto stepAlong = [&](int each) {
-            return glm::dot(normal, glm::dvec3(geometry.indexToWorld[each]));
-        };
-        double tilt = 0.0; // how far the outermost voxels of a slice leave its middle's plane
-        for (int other = 0; other < 3; ++other) {
-            if (other != axis)
-                tilt += std::abs(stepAlong(other)) * geometry.size[other] / 2.0;
-        }
-        if (tilt >= 0.25 * std::abs(stepAlong(axis)))
-            continue;
-        glm::dvec3 slice = (glm::dvec3(geometry.size) - 1.0) / 2.0;
-        slice[axis] = std::floor(geometry.toIndex(first)[axis] + 0.5);
-        return glm::dot(normal, geometry.toWorld(slice) - space.middleLps);
-    }
-    return glm::dot(normal, first - space.middleLps);
-}
-
 /// Expects a path that capsuleFrame() accepts.
 StrokeSpace strokeSpace(const BrushPath& path, const VolumeGeometry& geometry)
 {
@@ -70,11 +48,9 @@ StrokeSpace strokeSpace(const BrushPath& path, const VolumeGeometry& geometry)
         return space;
     const glm::dvec3 normal = glm::normalize(*path.normalLps);
     space.toStroke = planeAxes(normal);
-    space.planeMm = snappedToSlice(space, normal, geometry, path.pointsLps.front());
-    for (int axis = 0; axis < 3; ++axis) {
-        const double step = std::abs(glm::dot(normal, glm::dvec3(geometry.indexToWorld[axis])));
-        space.halfThicknessMm = std::max(space.halfThicknessMm, step / 2.0);
-    }
+    const SlicePlane slice = slicePlane(geometry, normal, path.pointsLps.front());
+    space.planeMm = slice.heightMm;
+    space.halfThicknessMm = slice.halfThicknessMm;
     // A plane that lies far off meets no voxel, however far.
     const double farMm = 2.0 * space.volumeRadiusMm + 2.0 * space.halfThicknessMm;
     space.planeMm = std::clamp(space.planeMm, -farMm, farMm);

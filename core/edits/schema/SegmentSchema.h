@@ -6,6 +6,7 @@
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
+#include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
@@ -131,6 +132,32 @@ template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)
     visitOverwrite(visit, edit.overwriteUnlocked);
     visit.field("seeds", Presence::Optional, edit.seeds, editFields::Flag{},
         "whether what is painted takes part in growth: the next one goes on from there");
+}
+
+template <> inline constexpr const char* editName<FillOutline> = "fillOutline";
+template <>
+inline constexpr const char* editMeaning<FillOutline> =
+    "Gives a segment what lies inside a closed outline in one slice, along the grid or oblique and "
+    "one voxel thick, or takes it away there.";
+template <class Visitor> void visitFields(Visitor& visit, FillOutline& edit)
+{
+    constexpr editFields::Point direction{
+        editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}};
+    visitSegment(visit, edit.segment);
+    visit.field("originLps", Presence::Required, edit.originLps, positionLps,
+        "a place in the slice, patient coordinates (LPS)");
+    visit.field("rightLps", Presence::Required, edit.rightLps, direction,
+        "a direction in the slice, patient coordinates (LPS)");
+    visit.field("upLps", Presence::Required, edit.upLps, direction,
+        "another one; only what is perpendicular to the first counts");
+    visit.field("polygonMm", Presence::Required, edit.polygonMm,
+        editFields::Outline{editFields::Number{"mm", -2000.0, 2000.0, quantum::perMillimetre}},
+        "a closed curve in the slice, relative to the origin: right, up; inside is what it winds "
+        "around, and the curve itself");
+    visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
+        "whether voxels of the segment are taken away instead");
+    visitOnlyValues(visit, edit.lower, edit.upper);
+    visitOverwrite(visit, edit.overwriteUnlocked);
 }
 
 /// The segment that receives voxels.

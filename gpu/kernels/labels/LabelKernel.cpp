@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/labels/LabelKernel.h"
 
+#include "core/sculpt/LabelOutlined.h"
 #include "gpu/kernels/labels/ChosenBricks.h"
 
 #include <algorithm>
@@ -118,6 +119,14 @@ private:
     mutable Buffer m_buffer;
 };
 
+/// Of which values voxels are chosen.
+void setCodes(Program& kernel, int lowCode, int highCode)
+{
+    const bool none = lowCode > highCode || highCode < 0;
+    kernel.set("lowCode", none ? 65536u : unsigned(std::max(lowCode, 0)))
+        .set("highCode", none ? 0u : unsigned(highCode));
+}
+
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelCarved& edit)
 {
@@ -136,11 +145,9 @@ std::vector<core::BrickKey> write(
     for (const core::VoxelBound& bound : edit.bounds)
         bounds.emplace_back(bound.normal, bound.offset);
     const Buffer boundBuffer = bufferOf("bounds", bounds);
-    const bool none = edit.lowCode > edit.highCode || edit.highCode < 0;
     Program& kernel = programs.following("SEEN");
-    kernel.set("lowCode", none ? 65536u : unsigned(std::max(edit.lowCode, 0)))
-        .set("highCode", none ? 0u : unsigned(edit.highCode))
-        .set("boundCount", unsigned(bounds.size()));
+    setCodes(kernel, edit.lowCode, edit.highCode);
+    kernel.set("boundCount", unsigned(bounds.size()));
     return label(kernel, fields, before, edit.target, allBricks(fields),
         [&](const std::vector<std::uint32_t>&) {
             fields.codes().bindUnit(0);
@@ -163,6 +170,20 @@ std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
 {
     return label(programs.following("RELABELLED"), fields, before, edit.target,
         numbersOf(edit.bricks), AskedBytes(edit.bricks, &core::RelabelListed::Brick::asked));
+}
+
+std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelOutlined& edit)
+{
+    const std::vector<core::RelabelListed::Brick> bricks = core::voxelsWithin(edit, fields.grid());
+    const AskedBytes asked(bricks, &core::RelabelListed::Brick::asked);
+    Program& kernel = programs.following("OUTLINED");
+    setCodes(kernel, edit.lowCode, edit.highCode);
+    return label(kernel, fields, before, edit.target, numbersOf(bricks),
+        [&](const std::vector<std::uint32_t>& listed) {
+            asked(listed);
+            fields.codes().bindUnit(0);
+        });
 }
 
 std::vector<core::BrickKey> write(

@@ -1,5 +1,5 @@
 // Gives a label to chosen voxels of listed bricks, or takes it from them, by one of LabelWrites
-// (core/sculpt/LayerWrites.h). Tells what changes in each; writes only where it is told to. One
+// (core/sculpt/LayerWrites.h, LabelOutlined.h). Tells what changes in each; writes only where it is told to. One
 // work-group a brick, each voxel written by one invocation.
 
 layout(local_size_x = 64) in;
@@ -7,13 +7,18 @@ layout(local_size_x = 64) in;
 #include "fields/bricks/bricks.glsl"
 #include "fields/bricks/seedWord.glsl"
 
-#ifdef SEEN
+#ifdef OUTLINED
+#define RELABELLED 1 // of some values only
+#endif
+#if defined(SEEN) || defined(OUTLINED)
 layout(binding = 0) uniform usampler3D codes;
+uniform uint lowCode;
+uniform uint highCode;
+#endif
+#ifdef SEEN
 layout(binding = 2) uniform usampler3D radiation; // at voxel centres it says what coverage does
 layout(binding = 2, std430) readonly buffer Bounds { ivec4 bounds[]; };
 uniform uint boundCount;
-uniform uint lowCode;
-uniform uint highCode;
 #elif defined(LISTED) || defined(RELABELLED)
 layout(binding = 2, std430) readonly buffer Asked { uint asked[]; }; // four voxels each, by brick
 #elif defined(MAPPED)
@@ -39,11 +44,18 @@ uniform bool write;
 const uint changedLabel = 1u;
 const uint changedWord = 2u;
 
+#if defined(SEEN) || defined(OUTLINED)
+bool hasValue(ivec3 voxel)
+{
+    uint code = texelFetch(codes, voxel, 0).r;
+    return code >= lowCode && code <= highCode;
+}
+#endif
+
 #ifdef SEEN
 bool isChosen(ivec3 voxel)
 {
-    uint code = texelFetch(codes, voxel, 0).r;
-    if (code < lowCode || code > highCode || texelFetch(radiation, voxel, 0).r >= 128u)
+    if (!hasValue(voxel) || texelFetch(radiation, voxel, 0).r >= 128u)
         return false;
     for (uint i = 0u; i < boundCount; ++i) {
         ivec4 bound = bounds[i];
@@ -71,6 +83,8 @@ uint labelFor(ivec3 voxel, int offset, uint held)
 {
 #ifdef LISTED
     return askedFor(offset);
+#elif defined(OUTLINED)
+    return askedFor(offset) != 0u && hasValue(voxel) ? label : 0u;
 #elif defined(RELABELLED)
     return askedFor(offset) != 0u ? label : 0u;
 #elif defined(MAPPED)

@@ -15,6 +15,7 @@
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
+#include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
@@ -244,6 +245,42 @@ private Q_SLOTS:
                  "{'edit':'chunkToggle','segment':2,'chunks':4,'pointsLps':[[1,2,3]],"
                  "'bricks':[-1]}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
+    }
+
+    void readsOutlines()
+    {
+        const Result<Edit> plain = editFromJson(
+            parse("{'edit':'fillOutline','segment':2,'originLps':[1,2.5,-3],'rightLps':[0,1,0],"
+                  "'upLps':[0,0,-2],'polygonMm':[[0,0],[4,0.5],[-1,3]]}"));
+        QVERIFY(plain);
+        const auto& outline = plain->get<FillOutline>();
+        QCOMPARE(outline.segment, 2);
+        QVERIFY(outline.originLps == glm::dvec3(1.0, 2.5, -3.0));
+        QVERIFY(outline.rightLps == glm::dvec3(0.0, 1.0, 0.0));
+        QVERIFY(outline.upLps == glm::dvec3(0.0, 0.0, -2.0));
+        QVERIFY(outline.polygonMm.at(1) == glm::dvec2(4.0, 0.5));
+        QVERIFY(!outline.erase && !outline.overwriteUnlocked && !outline.lower && !outline.upper);
+        const Result<Edit> full = editFromJson(
+            parse("{'edit':'fillOutline','segment':1,'originLps':[0,0,0.0001],'rightLps':[1,0,0],"
+                  "'upLps':[0,1,0],'polygonMm':[[0,0],[4,0],[0,3.0001]],'erase':true,'lower':-5,"
+                  "'upper':7,'overwriteUnlocked':true}"));
+        QVERIFY(full);
+        const Edit rounded = quantised(*full);
+        QCOMPARE(rounded.get<FillOutline>().originLps.z, 0.0);
+        QCOMPARE(rounded.get<FillOutline>().polygonMm.at(2).y, 3.0);
+        QVERIFY(rounded.get<FillOutline>().erase && rounded.get<FillOutline>().overwriteUnlocked);
+        for (const Edit& edit : {*plain, rounded})
+            QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
+        const QString known = QStringLiteral("'edit':'fillOutline','segment':2,'originLps':[0,0,0],"
+                                             "'rightLps':[1,0,0]");
+        for (const char* wrong :
+            {"'upLps':[0,1,0],'polygonMm':[[0,0],[4,0]]",
+                "'upLps':[0,1,0],'polygonMm':[[0,0],[4,0],[1]]",
+                "'upLps':[0,1,0],'polygonMm':[[0,0],[4,0],[1,2001]]", "'upLps':[0,1,0]",
+                "'upLps':[0,1],'polygonMm':[[0,0],[4,0],[1,2]]", "'polygonMm':[[0,0],[4,0],[1,2]]"})
+            QVERIFY2(!editFromJson(parse(
+                         qPrintable(QStringLiteral("{%1,%2}").arg(known, QLatin1String(wrong))))),
+                wrong);
     }
 
     void readsBrushes()

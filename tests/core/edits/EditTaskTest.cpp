@@ -51,6 +51,11 @@ private Q_SLOTS:
         QVERIFY(effectsOf(both).fills.label == 1 && !effectsOf(both).fills.other);
         both.how = CombineSegments::How::Swap;
         QVERIFY(effectsOf(both).fills.label == 1 && effectsOf(both).fills.other == 2);
+        FillOutline outline{.segment = 4};
+        QVERIFY(effectsOf(outline).fills.label == 4 && effectsOf(outline).writesTo == 4);
+        outline.erase = true;
+        QVERIFY(!effectsOf(outline).fills.label && effectsOf(outline).writesTo == 4);
+        QVERIFY(effectsOf(outline).boundToStudy);
         CleanSegment clean{.segment = 1};
         QVERIFY(effectsOf(clean).fills.label == 1 && !effectsOf(clean).boundToStudy);
         clean.islandLps = glm::dvec3(0.0);

@@ -5,6 +5,7 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/past/SeedStrokes.h"
 #include "ui/tools/common/BrushOptions.h"
+#include "ui/tools/common/PaintLimits.h"
 #include "ui/workspace/SegmentActions.h"
 
 #include <algorithm>

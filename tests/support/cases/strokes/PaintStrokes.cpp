@@ -3,6 +3,7 @@
 #include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
 
@@ -33,6 +34,29 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"growth from paint", volume, {first, slice}, all});
     cases.push_back({"growth after erasing", volume, {first, seeds, some, eraser}, all});
     cases.push_back({"undo only paint", volume, {first, paint, drill}, core::RevertRows{{2}}});
+    core::FillOutline outline{.segment = 1,
+        .originLps = geometry.toWorld({20.0, 16.0, 12.0}),
+        .rightLps = geometry.direction()[0],
+        .upLps = geometry.direction()[1],
+        .polygonMm = {{-12.0, -9.0}, {11.0, -8.0}, {-9.0, 10.0}, {12.0, 11.0}}};
+    core::FillOutline leaning = outline;
+    leaning.segment = 2;
+    leaning.upLps = geometry.direction()[1] + 0.7 * geometry.direction()[2];
+    leaning.overwriteUnlocked = true;
+    leaning.lower = 200;
+    core::FillOutline erased = leaning;
+    erased.segment = 1;
+    erased.erase = true;
+    erased.lower.reset();
+    cases.push_back({"fill an outline", volume, {first}, outline});
+    cases.push_back(
+        {"fill an outline over another", volume, {first, second, seeds, all, outline}, leaning});
+    cases.push_back({"fill an outline beside a locked one", volume,
+        {first, second, paint, outline, lock}, leaning});
+    cases.push_back({"erase an outline in what has grown", volume, {first, seeds, all}, erased});
+    cases.push_back({"growth after an erased outline", volume, {first, seeds, some, erased}, all});
+    cases.push_back(
+        {"undo only an outline", volume, {first, outline, paint}, core::RevertRows{{2}}});
     auto dab = paint.get<core::PaintStroke>();
     dab.segment = 2;
     dab.path.radiusMm = 2.0;

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/FillOutline.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/CutFrames.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/SlicePlane.h"
+#include "core/sculpt/LabelOutlined.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+using namespace rowWords;
+
+namespace {
+
+tl::unexpected<Error> outlineFailure(const char* field, const QString& reason)
+{
+    return failure(ErrorCode::InvalidField,
+        QStringLiteral("fillOutline.%1").arg(QLatin1String(field)), reason);
+}
+
+/// Right, up and the normal, as matrix columns.
+Result<glm::dmat3> sliceAxes(const FillOutline& edit)
+{
+    constexpr double shortest = 1e-3;
+    if (!(glm::length(edit.rightLps) > shortest))
+        return outlineFailure("rightLps", QStringLiteral("is no direction"));
+    if (!(glm::length(edit.upLps) > shortest))
+        return outlineFailure("upLps", QStringLiteral("is no direction"));
+    const glm::dvec3 right = glm::normalize(edit.rightLps);
+    const glm::dvec3 up = glm::normalize(edit.upLps);
+    const glm::dvec3 across = up - glm::dot(up, right) * right;
+    if (!(glm::length(across) > shortest))
+        return outlineFailure("upLps", QStringLiteral("is parallel to rightLps"));
+    const glm::dvec3 straightUp = glm::normalize(across);
+    return glm::dmat3(right, straightUp, glm::cross(right, straightUp));
+}
+
+bool meetsVolume(const SlicePlane& slice, const glm::dvec3& normal, const VolumeGeometry& geometry)
+{
+    double reachMm = slice.halfThicknessMm;
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::dvec3 step(geometry.indexToWorld[axis]);
+        reachMm += std::abs(glm::dot(normal, step)) * (geometry.size[axis] - 1) / 2.0;
+    }
+    return std::abs(slice.heightMm) <= reachMm;
+}
+
+/// @param origin of the outline, from the middle of the volume, in the plane
+Result<std::vector<glm::ivec2>> cornersOf(
+    const std::vector<glm::dvec2>& polygonMm, const glm::dvec2& origin)
+{
+    if (polygonMm.size() < 3)
+        return outlineFailure("polygonMm", QStringLiteral("needs at least three points"));
+    if (polygonMm.size() > LabelOutlined::mostCorners)
+        return outlineFailure(
+            "polygonMm", QStringLiteral("has more than %1 points").arg(LabelOutlined::mostCorners));
+    constexpr double reachMm = LabelOutlined::reach / 65536.0 - 1.0;
+    std::vector<glm::ivec2> corners;
+    corners.reserve(polygonMm.size());
+    for (const glm::dvec2& point : polygonMm) {
+        const glm::dvec2 corner = origin + point;
+        if (!(std::abs(corner.x) <= reachMm && std::abs(corner.y) <= reachMm))
+            return outlineFailure("polygonMm", QStringLiteral("lies far outside the volume"));
+        corners.emplace_back(mm16(corner.x), mm16(corner.y));
+    }
+    return corners;
+}
+
+} // namespace
+
+Result<void> check(const FillOutline& edit, const Document& document)
+{
+    return discardValue(labelOutlined(edit, document));
+}
+
+Result<bool> apply(const FillOutline&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const FillOutline& edit)
+{
+    return {.task = engineTask<FillOutline>(),
+        .standsOpen = false,
+        .writesTo = edit.segment,
+        .fills = {.label = edit.erase ? std::nullopt : std::optional(edit.segment)},
+        .boundToStudy = true};
+}
+
+Result<LabelOutlined> labelOutlined(const FillOutline& edit, const Document& document)
+{
+    const Result<const Segment*> segment =
+        unlockedSegment("fillOutline.segment", edit.segment, document);
+    if (!segment)
+        return tl::unexpected(segment.error());
+    if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
+        return outlineFailure(
+            "upper", QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
+    const Result<glm::dmat3> axes = sliceAxes(edit);
+    if (!axes)
+        return tl::unexpected(axes.error());
+    const Volume& volume = document.volumes.front();
+    const VolumeGeometry& geometry = volume.geometry;
+    const glm::dvec3& normal = (*axes)[2];
+    const SlicePlane slice = slicePlane(geometry, normal, edit.originLps);
+    if (!meetsVolume(slice, normal, geometry))
+        return outlineFailure("originLps", QStringLiteral("lies on a plane outside the volume"));
+
+    const glm::dmat3 toPlane = glm::transpose(*axes);
+    const glm::dvec3 origin = toPlane * (edit.originLps - slice.middleLps);
+    Result<std::vector<glm::ivec2>> corners =
+        cornersOf(edit.polygonMm, glm::dvec2(origin.x, origin.y));
+    if (!corners)
+        return tl::unexpected(corners.error());
+    LabelOutlined outlined{.target = {.plane = (*segment)->plane,
+                               .label = std::uint8_t((*segment)->label),
+                               .overwritable = {}},
+        .erase = edit.erase,
+        .corners = *std::move(corners)};
+    if (edit.overwriteUnlocked)
+        outlined.target.overwritable = document.unlockedLabels((*segment)->plane);
+    if (edit.lower)
+        outlined.lowCode = volume.encoding.lowestCodeAtLeast(*edit.lower);
+    if (edit.upper)
+        outlined.highCode = volume.encoding.highestCodeAtMost(*edit.upper);
+    const glm::dmat3 perVoxel = toPlane * glm::dmat3(geometry.indexToWorld);
+    outlined.origin = toFixed30(
+        toPlane * (geometry.originLps() - slice.middleLps) - glm::dvec3(0.0, 0.0, slice.heightMm));
+    outlined.perI = toFixed30(perVoxel[0]);
+    outlined.perJ = toFixed30(perVoxel[1]);
+    outlined.perK = toFixed30(perVoxel[2]);
+    outlined.halfThickness = mm16(slice.halfThicknessMm);
+    return outlined;
+}
+
+Result<EngineEdit> engineEdit(const FillOutline& edit, const Document& document)
+{
+    return engineEditFrom(labelOutlined(edit, document));
+}
+
+RowTitle rowTitle(const FillOutline& edit, const RowFacts& row)
+{
+    // What only takes seeds away changes no label.
+    const std::int64_t voxels = row.statistics.voxelsChanged;
+    RowTitle title{.code = edit.erase ? RowTitleCode::EraseOutline : RowTitleCode::FillOutline,
+        .arguments = {segmentName(edit.segment, row.document)},
+        .then = {
+            figure(edit.erase ? RowTitleCode::VoxelsLost : RowTitleCode::VoxelsGained, voxels)}};
+    if (voxels == 0)
+        title.then = {figure(RowTitleCode::SeedVoxelsLost, row.facts.seedWordsChanged)};
+    return title;
+}
+
+/// The labels and seed words of the bricks in which the outline lies.
+EditDependencies dependencies(const FillOutline& edit, const DependencyFacts& row)
+{
+    const Result<LabelOutlined> outlined = labelOutlined(edit, row.document);
+    if (!outlined)
+        return row.whatWasWritten();
+    const std::vector<std::uint32_t> near = bricksNear(*outlined, row.grid());
+    return row.labelled(std::set<std::uint32_t>(near.begin(), near.end()), outlined->target.plane);
+}
+
+} // namespace core
