@@ -90,8 +90,8 @@ public:
     /// Makes the surface of the active segment.
     /// @param vertices how many it has
     void lay(int vertices);
-    /// Ends the laying of a surface that is running; isAbortable() tells whether there is one, or a
-    /// following of the mask.
+    /// Ends the laying of a surface, the following of the mask, or a template that still moves;
+    /// isAbortable() tells whether there is one of these. Contours that were not taken stay.
     void abort();
     [[nodiscard]] bool isAbortable() const;
     void writeBack();

@@ -90,7 +90,8 @@ void SurfaceOperation::abort()
 
 bool SurfaceOperation::isAbortable() const
 {
-    return !m_done && (m_edit.is<LaySurface>() || m_edit.is<FollowMask>());
+    const bool isMoving = isTemplate() && !m_hasBegun && m_ending != Ending::Rollback;
+    return !m_done && (m_edit.is<LaySurface>() || m_edit.is<FollowMask>() || isMoving);
 }
 
 void SurfaceOperation::work(SessionState& state)
@@ -112,11 +113,12 @@ void SurfaceOperation::work(SessionState& state)
     post(state, [this, work = m_work, points = path ? path->pointsLps : std::vector<glm::dvec3>()] {
         const Result<void> begun = work->begin();
         work->add(points);
-        if (begun)
-            return SideThread::Sequel();
         // It is told at once: whoever looks at what he began waits for something to be seen.
-        return SideThread::Sequel(
-            [this, why = begun.error()](SessionState& known) { reportFailure(known, why); });
+        return SideThread::Sequel([this, begun](SessionState& known) {
+            m_hasBegun = true;
+            if (!begun && !isTakenBack(begun.error()))
+                reportFailure(known, begun.error());
+        });
     });
     if (m_ending)
         end(state, *m_ending);
@@ -143,6 +145,9 @@ void SurfaceOperation::end(SessionState& state, Ending ending)
     m_ending = ending;
     if (!m_work)
         return;
+    // What is taken back need not be waited for.
+    if (ending == Ending::Rollback)
+        m_work->cancel();
     state.side->post(
         [this, work = m_work, ending] {
             auto outcome = std::make_shared<Result<SurfaceWork::Outcome>>(work->end(ending));
@@ -191,9 +196,15 @@ void SurfaceOperation::write(SessionState& state, EngineEdit&& edit)
 
 void SurfaceOperation::giveUp(SessionState& state, const Error& error)
 {
-    if (!m_done)
+    if (!m_done && !isTakenBack(error))
         reportFailure(state, error);
     m_done = true;
+}
+
+/// Who takes something back is not told that it came to nothing.
+bool SurfaceOperation::isTakenBack(const Error& error) const
+{
+    return error.code == ErrorCode::Cancelled && m_ending == Ending::Rollback && !m_isAborted;
 }
 
 void SurfaceOperation::reportFailure(SessionState& state, const Error& error)

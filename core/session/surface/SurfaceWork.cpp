@@ -193,9 +193,9 @@ Result<void> SurfaceWork::begin()
         return {};
     if (auto* shape = std::get_if<TemplateTool>(&*chosen)) {
         const auto* edit = std::get_if<ApplyTemplate>(&m_edit);
-        Result<TemplateShape> made =
-            TemplateShape::make(m_surface.mesh, shape->contours, m_surface.target->faceAreaMm2(),
-                mixesContours(edit->rules) ? TemplateForm::Body : TemplateForm::OfBefore);
+        Result<TemplateShape> made = TemplateShape::make(m_surface.mesh, shape->contours,
+            m_surface.target->faceAreaMm2(),
+            mixesContours(edit->rules) ? TemplateForm::Body : TemplateForm::OfBefore, &m_progress);
         if (!made) {
             m_error = made.error();
             return tl::unexpected(*m_error);
@@ -206,10 +206,15 @@ Result<void> SurfaceWork::begin()
         std::make_unique<SurfaceStroke>(m_surface.mesh, &m_surface.target->boundary(), *chosen,
             SurfaceStrokeSettings{.areaMm2 = m_surface.target->faceAreaMm2(),
                 .reddens = true,
-                .apartOn = std::visit(KeepsApart(), m_edit) ? &m_surface.geometry() : nullptr});
+                .apartOn = std::visit(KeepsApart(), m_edit) ? &m_surface.geometry() : nullptr,
+                .progress = &m_progress});
     if (std::holds_alternative<TemplateTool>(*chosen)) {
         m_stroke->add({}); // it has no way of the pen, but begins with a sample as all do
         settle();
+        if (m_progress.cancelled()) {
+            m_error = {ErrorCode::Cancelled, {}};
+            return tl::unexpected(*m_error);
+        }
     }
     return {};
 }
@@ -255,6 +260,12 @@ requires isOneOf<Stroke, MarkSurface, SpherePush, PlaneScrape, PointDrag, ApplyT
         return Outcome();
     }
     settle();
+    // It may have been cancelled since the template stood.
+    if (m_progress.cancelled()) {
+        m_stroke->rollback();
+        m_surface.showAll(true);
+        return failure(ErrorCode::Cancelled);
+    }
     SimplexMeshDelta delta = m_stroke->commit();
     if (delta.empty())
         return Outcome();
