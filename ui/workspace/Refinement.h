@@ -40,6 +40,7 @@ public:
         Mode mode = Mode::Mark;
         core::SurfaceMark mark = core::SurfaceMark::Red;
         double radiusMm = 8.0;
+        bool radiusByPressure = false; ///< of a pen; else its pressure does nothing
         bool operator==(const Settings&) const = default;
     };
 

@@ -25,6 +25,8 @@ public:
     {
         if (m_dragged == noId)
             pick(mesh, sample);
+        else if (sample.pressure > m_pressure)
+            widen(mesh, sample.pressure);
         if (m_dragged == noId)
             return {};
         m_wanted = sample.placeLps - m_from;
@@ -129,6 +131,7 @@ private:
             return;
         grow(mesh);
         m_from = mesh.position(m_dragged);
+        m_pressure = sample.pressure;
         for (VertexId id = 0; id < mesh.vertexSlots(); ++id)
             m_parts[id].last = mesh.position(id);
         const double radiusMm = m_tool.radiusMm * sample.pressure;
@@ -141,7 +144,42 @@ private:
         }
     }
 
+    /// Whoever presses harder takes along more around the point: what the surface had there before
+    /// it was dragged.
+    void widen(const SimplexMesh& mesh, double pressure)
+    {
+        m_pressure = pressure;
+        grow(mesh);
+        const double radiusMm = m_tool.radiusMm * pressure;
+        const auto nearOf = [&](VertexId id) {
+            const Part& part = m_parts[id];
+            const glm::dvec3 way = (part.weight > 0.0 ? part.start : mesh.position(id)) - m_from;
+            return 1.0 - glm::dot(way, way) / (radiusMm * radiusMm);
+        };
+        std::vector<bool> isReached(mesh.vertexSlots(), false);
+        std::vector<VertexId> reached{m_dragged};
+        isReached[m_dragged] = true;
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            for (const VertexId next : mesh.neighbours(reached[i])) {
+                if (isReached[next] || nearOf(next) <= 0.0)
+                    continue;
+                isReached[next] = true;
+                reached.push_back(next);
+            }
+        }
+        for (const VertexId id : reached) {
+            const double near = nearOf(id);
+            Part& part = m_parts[id];
+            if (id == m_dragged || near * near <= part.weight)
+                continue;
+            if (part.weight <= 0.0)
+                part = {.start = mesh.position(id), .last = mesh.position(id)};
+            part.weight = near * near;
+        }
+    }
+
     DragTool m_tool;
+    double m_pressure = 1.0; ///< the greatest so far
     VertexId m_dragged = noId;
     glm::dvec3 m_from{0.0}; ///< where it was picked
     glm::dvec3 m_wanted{0.0}; ///< how far it is to go

@@ -109,10 +109,10 @@ void SurfaceOperation::work(SessionState& state)
         });
         m_reader.reset();
     }
-    const SurfacePath* path = surfacePathOf(m_edit);
-    post(state, [this, work = m_work, points = path ? path->pointsLps : std::vector<glm::dvec3>()] {
+    const SurfacePath* known = surfacePathOf(m_edit);
+    post(state, [this, work = m_work, path = known ? *known : SurfacePath()] {
         const Result<void> begun = work->begin();
-        work->add(points);
+        work->add(path.pointsLps, path.pressures.value_or(std::vector<double>()));
         // It is told at once: whoever looks at what he began waits for something to be seen.
         return SideThread::Sequel([this, begun](SessionState& known) {
             m_hasBegun = true;
@@ -124,17 +124,19 @@ void SurfaceOperation::work(SessionState& state)
         end(state, *m_ending);
 }
 
-void SurfaceOperation::extendPath(
-    SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool)
+void SurfaceOperation::extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps,
+    bool, const std::vector<double>& pressures)
 {
     if (!open() || pointsLps.empty())
         return;
-    std::vector<glm::dvec3>& soFar = surfacePathOf(m_edit)->pointsLps;
-    soFar.insert(soFar.end(), pointsLps.begin(), pointsLps.end());
+    SurfacePath& path = *surfacePathOf(m_edit);
+    path.pointsLps.insert(path.pointsLps.end(), pointsLps.begin(), pointsLps.end());
+    const std::vector<double> pressed =
+        continuePressures(path.pressures, pointsLps.size(), pressures);
     // What waits in line still gets them with the edit.
     if (m_work) {
-        post(state, [work = m_work, pointsLps] {
-            work->add(pointsLps);
+        post(state, [work = m_work, pointsLps, pressed] {
+            work->add(pointsLps, pressed);
             return SideThread::Sequel();
         });
     }

@@ -228,12 +228,14 @@ void SurfaceWork::settle()
     m_settled = true;
 }
 
-void SurfaceWork::add(const std::vector<glm::dvec3>& pointsLps)
+void SurfaceWork::add(
+    const std::vector<glm::dvec3>& pointsLps, const std::vector<double>& pressures)
 {
     if (!m_stroke || m_error || pointsLps.empty())
         return;
-    for (const glm::dvec3& point : pointsLps)
-        m_stroke->add({.placeLps = point});
+    for (std::size_t i = 0; i < pointsLps.size(); ++i)
+        m_stroke->add(
+            {.placeLps = pointsLps[i], .pressure = i < pressures.size() ? pressures[i] : 1.0});
     m_surface.show(updateOf(m_surface.mesh, m_stroke->takeWritten()));
 }
 

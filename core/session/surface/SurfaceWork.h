@@ -56,7 +56,8 @@ public:
     /// For a template this does everything and shows it; end() keeps it or takes it back. Errors:
     /// the edit cannot be carried out.
     Result<void> begin();
-    void add(const std::vector<glm::dvec3>& pointsLps);
+    /// @param pressures of each point (PenPressures); empty: the pen is pressed fully
+    void add(const std::vector<glm::dvec3>& pointsLps, const std::vector<double>& pressures = {});
     [[nodiscard]] Result<Outcome> end(Ending ending);
     /// Ends the laying of a surface, the following of a mask, or what a template moves, as early as
     /// possible, with Cancelled; a stroke of the pen moves nothing any more. Any thread.

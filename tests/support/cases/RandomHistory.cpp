@@ -253,6 +253,8 @@ private:
             BrushStroke stroke = randomBrush();
             const std::vector<glm::dvec3> points = stroke.path.pointsLps;
             stroke.path.pointsLps.resize(1);
+            if (stroke.path.pressures)
+                stroke.path.pressures->resize(1);
             if (m_session->begin(stroke))
                 m_session->extendPath(points);
         } else if (chance(50)) {
@@ -657,6 +659,11 @@ private:
         if (chance(40)) {
             path.shape = BrushPath::Shape::Disc;
             path.normalLps = glm::dvec3(0, 0, 1);
+        }
+        // Of the row's number, as in randomGrowth().
+        if (m_session->history().rows().size() % 3 == 0) {
+            path.pressures.emplace(path.pointsLps.size(), 0.4);
+            path.pressures->front() = 1.0;
         }
         return path;
     }

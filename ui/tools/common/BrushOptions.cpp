@@ -4,6 +4,7 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/common/BrushTool.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
 
 #include <QCheckBox>
@@ -23,7 +24,7 @@ namespace ui {
 
 namespace {
 
-constexpr int longestLimitsPixels = 120; ///< so that the bar fits into 1280 pixels
+constexpr int longestLimitsPixels = 96; ///< so that the bar fits into 1280 pixels
 
 QDoubleSpinBox* numberBox(QWidget* parent, const char* name)
 {
@@ -54,6 +55,7 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
     , m_brush(brush)
     , m_radius(numberBox(this, "brushRadius"))
     , m_shape(new QComboBox(this))
+    , m_pressure(pressureButton(this))
 {
     m_radius->setRange(BrushTool::minimumRadiusMm, BrushTool::maximumRadiusMm);
     m_radius->setDecimals(1);
@@ -73,6 +75,7 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
         layout->addWidget(new SeedOptions(workspace, {}, this));
     layout->addWidget(new QLabel(tr("Radius"), this));
     layout->addWidget(m_radius);
+    layout->addWidget(m_pressure);
     layout->addWidget(m_shape);
     if (brush == Workspace::Brush::Paint)
         addPaintOptions(*layout);
@@ -81,6 +84,7 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
     connect(&m_workspace, &Workspace::brushSettingsChanged, this, &BrushOptions::showSettings);
     connect(m_radius, &QDoubleSpinBox::valueChanged, this, &BrushOptions::takeSettings);
     connect(m_shape, &QComboBox::activated, this, &BrushOptions::takeSettings);
+    connect(m_pressure, &QToolButton::clicked, this, &BrushOptions::takeSettings);
 }
 
 void BrushOptions::addPaintOptions(QHBoxLayout& layout)
@@ -133,6 +137,7 @@ void BrushOptions::showSettings()
     const QSignalBlocker radius(m_radius);
     m_radius->setValue(settings.radiusMm);
     m_shape->setCurrentIndex(m_shape->findData(settings.disc));
+    m_pressure->setChecked(settings.radiusByPressure);
     if (!m_onlyBetween)
         return;
     const QSignalBlocker only(m_onlyBetween);
@@ -166,6 +171,7 @@ void BrushOptions::takeSettings()
     Workspace::BrushSettings settings = m_workspace.brushSettings(m_brush);
     settings.radiusMm = m_radius->value();
     settings.disc = m_shape->currentData().toBool();
+    settings.radiusByPressure = m_pressure->isChecked();
     if (m_onlyBetween) {
         settings.lower = m_lower->value();
         settings.upper = m_upper->value();

@@ -34,6 +34,7 @@ private:
     Workspace::Brush m_brush;
     QDoubleSpinBox* m_radius = nullptr;
     QComboBox* m_shape = nullptr;
+    QToolButton* m_pressure = nullptr;
     // The following are for paint only.
     QToolButton* m_limits = nullptr;
     QCheckBox* m_onlyBetween = nullptr;

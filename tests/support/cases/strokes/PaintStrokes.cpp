@@ -33,6 +33,12 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"growth from paint", volume, {first, slice}, all});
     cases.push_back({"growth after erasing", volume, {first, seeds, some, eraser}, all});
     cases.push_back({"undo only paint", volume, {first, paint, drill}, core::RevertRows{{2}}});
+    auto pressed = paint.get<core::PaintStroke>();
+    pressed.path.pressures = std::vector<double>{0.2, 1.0, 0.6};
+    cases.push_back({"paint as the pen is pressed", volume, {first}, pressed});
+    pressed = slice.get<core::PaintStroke>();
+    pressed.path.pressures = std::vector<double>{1.0, 0.0, 0.8};
+    cases.push_back({"paint on a slice as the pen is pressed", volume, {first, paint}, pressed});
     auto dab = paint.get<core::PaintStroke>();
     dab.segment = 2;
     dab.path.radiusMm = 2.0;
