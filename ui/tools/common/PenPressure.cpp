@@ -3,7 +3,6 @@
 
 #include "ui/base/Theme.h"
 
-#include <QCoreApplication>
 #include <QToolButton>
 
 #include <algorithm>
@@ -32,9 +31,9 @@ QToolButton* pressureButton(QWidget* parent)
     auto* button = new QToolButton(parent);
     button->setObjectName(QStringLiteral("radiusByPressure"));
     // As short as the drill's "p²": the bar has no room.
-    button->setText(QCoreApplication::translate("PenPressure", "p"));
-    button->setAccessibleName(QCoreApplication::translate("PenPressure", "Pressure: radius"));
-    button->setToolTip(QCoreApplication::translate("PenPressure",
+    button->setText(QObject::tr("p"));
+    button->setAccessibleName(QObject::tr("Pressure: radius"));
+    button->setToolTip(QObject::tr(
         "Pressure: radius, that is, the radius follows the pressure of the pen, up to the one that "
         "is set. Off: pressure does nothing, as with a mouse."));
     button->setCheckable(true);
