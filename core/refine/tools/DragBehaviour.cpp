@@ -70,10 +70,12 @@ public:
         // One that was held up by another part of the surface does not leap after the others.
         const double wayMm = glm::distance(wanted, point.positionLps);
         const double mostMm = longestShare * strideMm();
-        part.last = m_scale.isApart && wayMm > mostMm
-            ? point.positionLps + mostMm / wayMm * (wanted - point.positionLps)
-            : wanted;
-        return Grip{.placeLps = part.last, .leftMm = part.weight * m_leftMm};
+        const bool lags = (m_scale.isApart || m_isWidened) && wayMm > mostMm;
+        part.last =
+            lags ? point.positionLps + mostMm / wayMm * (wanted - point.positionLps) : wanted;
+        // One that was taken along later still has to catch up.
+        const double behindMm = m_isWidened && lags ? wayMm - mostMm : 0.0;
+        return Grip{.placeLps = part.last, .leftMm = part.weight * m_leftMm + behindMm};
     }
 
     void adopt(const SimplexMesh& mesh, VertexId id) override
@@ -149,6 +151,7 @@ private:
     void widen(const SimplexMesh& mesh, double pressure)
     {
         m_pressure = pressure;
+        m_isWidened = true;
         grow(mesh);
         const double radiusMm = m_tool.radiusMm * pressure;
         const auto nearOf = [&](VertexId id) {
@@ -180,6 +183,7 @@ private:
 
     DragTool m_tool;
     double m_pressure = 1.0; ///< the greatest so far
+    bool m_isWidened = false; ///< it became greater since the point was picked
     VertexId m_dragged = noId;
     glm::dvec3 m_from{0.0}; ///< where it was picked
     glm::dvec3 m_wanted{0.0}; ///< how far it is to go
