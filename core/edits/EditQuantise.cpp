@@ -3,6 +3,9 @@
 
 #include "core/edits/kinds/AnyEdit.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace core {
 
 using editSchema::Presence;
@@ -53,6 +56,14 @@ std::vector<PenSample> quantised(const std::vector<PenSample>& samples)
 std::vector<glm::dvec3> quantised(const std::vector<glm::dvec3>& pointsLps)
 {
     return editFields::PointList{editSchema::positionLps}.rounded(pointsLps);
+}
+
+std::vector<double> quantisedPressures(const std::vector<double>& pressures)
+{
+    std::vector<double> sound = pressures;
+    for (double& pressure : sound)
+        pressure = std::isfinite(pressure) ? std::clamp(pressure, 0.0, 1.0) : 0.0;
+    return editFields::PressureList().rounded(sound);
 }
 
 } // namespace core

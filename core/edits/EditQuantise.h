@@ -20,5 +20,7 @@ struct PenSample;
 [[nodiscard]] std::vector<PenSample> quantised(const std::vector<PenSample>& samples);
 /// The same for one piece of a brush's path.
 [[nodiscard]] std::vector<glm::dvec3> quantised(const std::vector<glm::dvec3>& pointsLps);
+/// The same for the pressures along it; what is out of range is brought into it.
+[[nodiscard]] std::vector<double> quantisedPressures(const std::vector<double>& pressures);
 
 } // namespace core

@@ -54,7 +54,8 @@ std::vector<std::uint32_t> bricksNear(
     const glm::dvec3 from(capsule.from);
     const glm::dvec3 along = glm::dvec3(capsule.direction) / 16384.0 * double(capsule.length);
     const double slack = 4.0 * double(1 << frame.shift) + 1024.0;
-    const double radius = double(frame.radius) + double(frame.rampHalfWidth) + slack;
+    const double radius =
+        double(std::max(frame.radius - capsule.less, 0)) + double(frame.rampHalfWidth) + slack;
     // A disc is a flat cylinder: round about the axis, thin along it.
     const double thickness = frame.disc ? double(frame.halfThickness) + slack : radius;
     const glm::dvec3 around(radius, radius, thickness);

@@ -28,10 +28,11 @@ namespace core {
 ///    component, there is no distance. Otherwise q = a >> shift, L = length >> shift,
 ///    u = direction, h = clamp((q·u + 2¹³) >> 14, 0, L), e = q − ((h·u + 2¹³) >> 14) per component,
 ///    and D² = e·e.
-/// 4. A voxel is inside if D² ≤ (radius >> shift)² for any capsule.
+/// 4. The radius of a capsule is R = max(radius − less, 0). A voxel is inside if D² ≤ (R >> shift)²
+///    for any capsule.
 /// 5. The cut of a voxel is the greatest value over all capsules that have a distance of
-///    ramp(radius − (⌊√D²⌋ << shift)), where ramp(t) = ((clamp(t, −r, r) + r)·255) / (2r) and
-///    r = rampHalfWidth; it is 0 if no capsule has a distance.
+///    ramp(R − (⌊√D²⌋ << shift)), where ramp(t) = ((clamp(t, −r, r) + r)·255) / (2r)
+///    and r = rampHalfWidth; it is 0 if no capsule has a distance.
 ///
 /// Capsules are combined by "or" and "max" only, so neither their order nor repetition matters.
 struct CapsuleFrame {
@@ -52,6 +53,9 @@ struct Capsule {
     glm::ivec3 from{0}; ///< mm16
     glm::ivec3 direction{0}; ///< unit vector · 2¹⁴; 0: a point
     std::int32_t length = 0; ///< mm16
+    /// mm16, 0 … the frame's radius: by how much its own radius is smaller, since the pen was not
+    /// pressed fully. A radius that changes along the path is made of many short capsules.
+    std::int32_t less = 0;
 };
 
 /// Whether every number of the frame is in the range that the rules allow.

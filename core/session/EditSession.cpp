@@ -105,10 +105,14 @@ void EditSession::extendDrill(const std::vector<PenSample>& samples)
         m_queue->guard([&] { open->extendDrill(m_queue->state(), quantised(samples)); });
 }
 
-void EditSession::extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted)
+void EditSession::extendPath(
+    const std::vector<glm::dvec3>& pointsLps, bool lifted, const std::vector<double>& pressures)
 {
     if (OpenOperation* open = m_queue->interactive())
-        m_queue->guard([&] { open->extendPath(m_queue->state(), quantised(pointsLps), lifted); });
+        m_queue->guard([&] {
+            open->extendPath(
+                m_queue->state(), quantised(pointsLps), lifted, quantisedPressures(pressures));
+        });
 }
 
 void EditSession::setPeelDepth(double depthMm)

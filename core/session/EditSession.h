@@ -80,7 +80,9 @@ public:
     Result<void> begin(const Edit& edit);
     void extendDrill(const std::vector<PenSample>& samples);
     /// @param lifted a new path begins at the first of these points (not for tools of a surface)
-    void extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted = false);
+    /// @param pressures of the points (PenPressures), for an edit that began with one
+    void extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted = false,
+        const std::vector<double>& pressures = {});
     void setPeelDepth(double depthMm);
     /// Of a ShrinkSteps: replaces the earlier number; more than there are: back to the seeds. Of a
     /// ShrinkAt with steps: goes on until there are so many, as far as that is possible

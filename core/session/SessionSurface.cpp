@@ -21,8 +21,12 @@ const SimplexMesh* SessionSurface::mesh() const
 
 void SessionSurface::abort()
 {
-    if (SurfaceOperation* operation = m_queue.runningSurface())
-        operation->abort();
+    SurfaceOperation* operation = m_queue.runningSurface();
+    if (!operation || !operation->isAbortable())
+        return;
+    operation->abort();
+    if (operation->open())
+        m_queue.end(*operation, Ending::Rollback);
 }
 
 bool SessionSurface::isAbortable() const

@@ -22,8 +22,8 @@ public:
     /// live as long as the session, or until another listener is set.
     void setListener(std::function<void(SurfaceUpdate)> listener);
 
-    /// Abandons the laying of a surface, or the following of a mask, that is running. It is
-    /// reported as Cancelled, and the surface and the history stay as they were.
+    /// Abandons the laying of a surface, the following of a mask, or a template that still moves
+    /// the surface. It is reported as Cancelled, and the surface and the history stay as they were.
     void abort();
     /// Whether there is something that abort() would end.
     [[nodiscard]] bool isAbortable() const;

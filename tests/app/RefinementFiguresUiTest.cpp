@@ -14,6 +14,8 @@
 #include <QPainter>
 #include <QtTest>
 
+#include <cmath>
+
 namespace refinementFiguresUiTest {
 
 namespace {
@@ -141,19 +143,18 @@ private Q_SLOTS:
         QVERIFY(test::keepPanels(panels, "refine-scrape.png"));
     }
 
-    /// Figure 7: contours of a lobe that is missing, drawn on the plane and across it; what they
-    /// make of the red region; the result on the plane.
+    /// Figure 7: contours of a lobe that is missing, three sagittal ones that end at the sound
+    /// surface and three axial ones that are closed; what they make of the red region; the result
+    /// on the plane.
     void templateShape()
     {
         prepare();
         const glm::dvec3 top(8, 2, 76);
-        const glm::dvec3 across = glm::normalize(glm::dvec3(1.0, 1.0, 0.0));
-        const glm::dvec3 along = glm::normalize(glm::dvec3(1.0, -1.0, 0.0));
-        QVERIFY(plane().passThrough(
-            top, top - glm::dvec3(0, 0, 50), top + 20.0 * along - glm::dvec3(0, 0, 20)));
-        if (glm::dot(plane().pose().normalLps(), across) < 0.0)
+        // Sagittal, through the middle of the lobe.
+        QVERIFY(plane().passThrough(top, top - glm::dvec3(0, 0, 50), top - glm::dvec3(0, 20, 20)));
+        if (plane().pose().normalLps().x < 0.0)
             plane().flip();
-        lookAt({8, 2, 58}, glm::dvec3(0.25, -0.25, 0.45), 80.0);
+        lookAt({8, 2, 58}, glm::dvec3(0.0, -0.35, 0.45), 80.0);
         std::vector<QImage> panels;
         ui::VolumeView& stage = window().views().volume();
         ui::Workspace::ViewOptions options = workspace().viewOptions();
@@ -162,22 +163,44 @@ private Q_SLOTS:
         // Around it all is right.
         for (const auto& [mark, radiusMm] :
             {std::pair(core::SurfaceMark::Green, 30.0), std::pair(core::SurfaceMark::Red, 17.0)})
-            apply(core::MarkSurface{
-                .mark = mark, .path = {.radiusMm = radiusMm, .pointsLps = {{8, 2, 66}}}});
+            apply(core::MarkSurface{.mark = mark,
+                .path = {.radiusMm = radiusMm,
+                    .pointsLps = {{8, 2, 66}},
+                    .rules = core::newestSurfaceRules}});
         ui::Refinement& refinement = workspace().refinement();
         refinement.setSettings({.mode = ui::Refinement::Mode::Template, .radiusMm = 11.0});
         take<ui::RefineTool>();
-        const auto lobe = [&](const glm::dvec3& side) {
+        // The lobe falls off by this much per square of the distance from its axis.
+        constexpr double steepPerMm = 0.074;
+        constexpr double reachMm = 14.4;
+        const auto sagittal = [&](double offMm) {
             std::vector<glm::dvec3> line;
-            for (int i = -8; i <= 8; ++i)
-                line.push_back(top + 1.8 * i * side - glm::dvec3(0, 0, 0.24 * i * i));
+            const double halfMm = std::sqrt(reachMm * reachMm - offMm * offMm);
+            for (int i = -8; i <= 8; ++i) {
+                const double alongMm = halfMm * i / 8.0;
+                const double fallMm = steepPerMm * (alongMm * alongMm + offMm * offMm);
+                line.push_back(top + glm::dvec3(offMm, alongMm, -fallMm));
+            }
             return line;
         };
-        refinement.addContour(lobe(along));
+        const auto axial = [&](double fallMm) {
+            std::vector<glm::dvec3> line;
+            const double radiusMm = std::sqrt(fallMm / steepPerMm);
+            for (int i = 0; i <= 36; ++i) {
+                const double turn = (i % 36) * M_PI / 18.0;
+                line.push_back(top
+                    + glm::dvec3(radiusMm * std::cos(turn), radiusMm * std::sin(turn), -fallMm));
+            }
+            return line;
+        };
+        refinement.addContour(sagittal(0.0));
         show({.shown = true, .opacity = 1.0f, .clipsAbove = false});
         QVERIFY(waitUntilDrawn());
         panels.push_back(panel(window().views().plane()));
-        refinement.addContour(lobe(across));
+        for (const double offMm : {-7.0, 7.0})
+            refinement.addContour(sagittal(offMm));
+        for (const double fallMm : {3.0, 6.5, 10.0})
+            refinement.addContour(axial(fallMm));
         QVERIFY(waitUntilDrawn());
         panels.push_back(panel(stage));
         QSignalSpy moved(&refinement, &ui::Refinement::changed);

@@ -289,7 +289,7 @@ private:
 
     bool applyTemplate(const TemplatePlan& plan)
     {
-        ApplyTemplate shape;
+        ApplyTemplate shape{.contoursLps = {}, .rules = newestSurfaceRules};
         for (const TemplatePlan::Contour& contour : plan.contours) {
             shape.contoursLps.push_back(
                 m_hand.lps(m_hand.drawnOnPlane(contour.points, contour.normal)));

@@ -107,7 +107,6 @@ std::optional<std::int64_t> Capsules::distance(
 
 void Capsules::extend(const std::vector<core::Capsule>& capsules)
 {
-    const std::int64_t unitRadius = m_frame.radius >> m_frame.shift;
     const glm::ivec3 size = m_codes.size;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {
@@ -118,8 +117,11 @@ void Capsules::extend(const std::vector<core::Capsule>& capsules)
                     const std::optional<std::int64_t> squared = distance(capsule, at);
                     if (!squared)
                         continue;
+                    const std::int64_t radius =
+                        std::max<std::int64_t>(m_frame.radius - capsule.less, 0);
+                    const std::int64_t unitRadius = radius >> m_frame.shift;
                     if (const auto* carve = std::get_if<core::CapsuleCut>(&m_edit))
-                        cut(*carve, voxel, *squared);
+                        cut(*carve, voxel, *squared, radius);
                     else if (*squared > unitRadius * unitRadius)
                         continue;
                     else if (const auto* barrier = std::get_if<core::PaintBarrier>(&m_edit))
@@ -132,7 +134,8 @@ void Capsules::extend(const std::vector<core::Capsule>& capsules)
     }
 }
 
-void Capsules::cut(const core::CapsuleCut& cut, const glm::ivec3& voxel, std::int64_t squared)
+void Capsules::cut(
+    const core::CapsuleCut& cut, const glm::ivec3& voxel, std::int64_t squared, std::int64_t radius)
 {
     if (hidesVoxel(cut.hidden, voxel))
         return;
@@ -140,7 +143,7 @@ void Capsules::cut(const core::CapsuleCut& cut, const glm::ivec3& voxel, std::in
         && cut.protectedLabels.labels.test(m_fields.labels(cut.protectedLabels.plane).at(voxel)))
         return;
     const std::int64_t r = m_frame.rampHalfWidth;
-    const std::int64_t t = m_frame.radius - (squareRoot(squared) << m_frame.shift);
+    const std::int64_t t = radius - (squareRoot(squared) << m_frame.shift);
     const std::int64_t value = (std::clamp(t, -r, r) + r) * 255 / (2 * r);
     std::uint8_t& coverage = m_fields.coverage(cut.layer).at(voxel);
     coverage = cut.restore ? refilled(coverage, std::uint8_t(value))

@@ -29,7 +29,9 @@ private:
         const core::Capsule& capsule, std::array<std::int64_t, 3> position) const;
     void paint(const core::PaintLabel& paint, const glm::ivec3& voxel);
     void setBarrier(const core::PaintBarrier& command, const glm::ivec3& voxel);
-    void cut(const core::CapsuleCut& cut, const glm::ivec3& voxel, std::int64_t squared);
+    /// @param radius of the capsule, mm16
+    void cut(const core::CapsuleCut& cut, const glm::ivec3& voxel, std::int64_t squared,
+        std::int64_t radius);
 
     const DenseArray<std::uint16_t>& m_codes;
     DenseFields& m_fields;

@@ -36,6 +36,7 @@ std::optional<PointerReading> readPen(const QTabletEvent& event, bool& penDown)
 {
     PointerReading reading = basicReading(event);
     reading.pen = true;
+    reading.sample.isPen = true;
     // A driver that knows no pressure says NaN; nothing is pressed then.
     reading.sample.pressure =
         std::isfinite(event.pressure()) ? std::clamp(event.pressure(), 0.0, 1.0) : 0.0;

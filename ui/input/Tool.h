@@ -21,6 +21,7 @@ struct PointerSample {
     double timeSeconds = 0.0;
     Qt::KeyboardModifiers modifiers;
     bool eraserEnd = false;
+    bool isPen = false; ///< it knows how firmly it is pressed
     /// For a pen: degrees from upright, positive to the right and towards the user. For a mouse: 0.
     QPointF tiltDegrees;
     /// For a pen: rotation about its own axis, clockwise, in degrees; none if it does not report

@@ -78,7 +78,8 @@ QJsonObject toJson(const Workspace::BrushSettings& brush)
     return {{QStringLiteral("radiusMm"), brush.radiusMm}, {QStringLiteral("disc"), brush.disc},
         {QStringLiteral("onlyBetween"), brush.onlyBetween}, {QStringLiteral("lower"), brush.lower},
         {QStringLiteral("upper"), brush.upper},
-        {QStringLiteral("overwriteUnlocked"), brush.overwriteUnlocked}};
+        {QStringLiteral("overwriteUnlocked"), brush.overwriteUnlocked},
+        {QStringLiteral("radiusByPressure"), brush.radiusByPressure}};
 }
 
 void read(const QJsonValue& json, Workspace::BrushSettings& brush)
@@ -90,6 +91,7 @@ void read(const QJsonValue& json, Workspace::BrushSettings& brush)
     read(json[QLatin1String("lower")], brush.lower);
     read(json[QLatin1String("upper")], brush.upper);
     read(json[QLatin1String("overwriteUnlocked")], brush.overwriteUnlocked);
+    read(json[QLatin1String("radiusByPressure")], brush.radiusByPressure);
 }
 
 /// Sessions of old have one interval for all segments, which is left as it is.

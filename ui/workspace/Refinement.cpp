@@ -222,8 +222,13 @@ void Refinement::lay(int vertices)
 
 void Refinement::abort()
 {
-    if (core::EditSession* session = m_workspace.session())
-        session->surface().abort();
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    const bool wasPreviewing = isPreviewing();
+    session->surface().abort();
+    if (wasPreviewing && !isPreviewing())
+        Q_EMIT contoursChanged();
 }
 
 bool Refinement::isAbortable() const

@@ -40,6 +40,7 @@ public:
         Mode mode = Mode::Mark;
         core::SurfaceMark mark = core::SurfaceMark::Red;
         double radiusMm = 8.0;
+        bool radiusByPressure = false; ///< of a pen; else its pressure does nothing
         bool operator==(const Settings&) const = default;
     };
 
@@ -90,8 +91,8 @@ public:
     /// Makes the surface of the active segment.
     /// @param vertices how many it has
     void lay(int vertices);
-    /// Ends the laying of a surface that is running; isAbortable() tells whether there is one, or a
-    /// following of the mask.
+    /// Ends the laying of a surface, the following of the mask, or a template that still moves;
+    /// isAbortable() tells whether there is one of these. Contours that were not taken stay.
     void abort();
     [[nodiscard]] bool isAbortable() const;
     void writeBack();

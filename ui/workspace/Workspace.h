@@ -65,6 +65,7 @@ public:
         double lower = 0.0; ///< modality units
         double upper = 0.0;
         bool overwriteUnlocked = false;
+        bool radiusByPressure = false; ///< of a pen; else its pressure does nothing
         bool operator==(const BrushSettings&) const = default;
     };
     enum class Brush { Paint, Carve, Barrier };

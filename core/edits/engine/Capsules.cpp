@@ -115,6 +115,9 @@ Result<CapsuleFrame> capsuleFrame(
     if (!(path.radiusMm >= 0.01 && path.radiusMm <= 200.0))
         return failure(ErrorCode::InvalidField, name + QStringLiteral(".radiusMm"),
             QStringLiteral("%1 is outside 0.01 … 200").arg(path.radiusMm));
+    if (const Result<void> pressed = checkPressures(path.pressures, path.pointsLps.size(), name);
+        !pressed)
+        return tl::unexpected(pressed.error());
     const bool disc = path.shape == BrushPath::Shape::Disc;
     if (disc && !path.normalLps)
         return failure(ErrorCode::InvalidField, name + QStringLiteral(".normalLps"),
@@ -140,7 +143,7 @@ Result<CapsuleFrame> capsuleFrame(
 }
 
 std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
-    const glm::dvec3* from, const std::vector<glm::dvec3>& points)
+    const glm::dvec3* from, const std::vector<glm::dvec3>& points, const PartPressures& pressures)
 {
     const StrokeSpace space = strokeSpace(path, geometry);
     const double longestMm = longestCapsule(path, geometry) / 65536.0;
@@ -149,18 +152,32 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
         const glm::dvec3 at = space.turned(point);
         return path.shape == BrushPath::Shape::Disc ? glm::dvec3(at.x, at.y, 0.0) : at;
     };
+    const std::int32_t whole = mm16(path.radiusMm);
+    const double mostMm = 0.25 * finestSpacing(geometry); // from one radius to the next
+    double before = pressures.before;
     std::vector<Capsule> made;
-    for (const glm::dvec3& point : points) {
-        const glm::dvec3 end = turned(point);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec3 end = turned(points[i]);
         const glm::dvec3 start = from ? turned(*from) : end;
         const glm::dvec3 along = end - start;
+        const double pressure = i < pressures.atPoints.size() ? pressures.atPoints[i] : 1.0;
+        // Where the pen rests, what it covered before is covered.
+        const double pressedFrom = along == glm::dvec3(0.0) ? pressure : before;
+        const double changeMm = std::abs(pressure - pressedFrom) * path.radiusMm;
         const auto pieces =
-            std::max<std::int64_t>(1, std::int64_t(std::ceil(glm::length(along) / longestMm)));
+            std::max<std::int64_t>({1, std::int64_t(std::ceil(glm::length(along) / longestMm)),
+                std::int64_t(std::ceil(changeMm / mostMm))});
         const auto [first, last] = piecesNear(start, along, pieces, nearMm);
-        for (std::int64_t piece = first; piece < last; ++piece)
-            made.push_back(capsuleBetween(start + along * (double(piece) / double(pieces)),
-                start + along * (double(piece + 1) / double(pieces))));
-        from = &point;
+        for (std::int64_t piece = first; piece < last; ++piece) {
+            Capsule capsule = capsuleBetween(start + along * (double(piece) / double(pieces)),
+                start + along * (double(piece + 1) / double(pieces)));
+            const double share =
+                pressedFrom + (pressure - pressedFrom) * ((double(piece) + 0.5) / double(pieces));
+            capsule.less = std::clamp(whole - mm16(path.radiusMm * share), 0, whole);
+            made.push_back(capsule);
+        }
+        from = &points[i];
+        before = pressure;
     }
     return made;
 }
@@ -175,9 +192,14 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
         const std::size_t last = lift == path.lifts.end()
             ? path.pointsLps.size()
             : std::min(std::size_t(*lift), path.pointsLps.size());
+        PartPressures pressures;
+        // A path of which that was not checked may have fewer.
+        for (std::size_t i = first; path.pressures && i < last && i < path.pressures->size(); ++i)
+            pressures.atPoints.push_back((*path.pressures)[i]);
         const std::vector<Capsule> part = capsules(path, geometry, nullptr,
             {path.pointsLps.begin() + std::ptrdiff_t(first),
-                path.pointsLps.begin() + std::ptrdiff_t(last)});
+                path.pointsLps.begin() + std::ptrdiff_t(last)},
+            pressures);
         made.insert(made.end(), part.begin(), part.end());
         first = last;
     }

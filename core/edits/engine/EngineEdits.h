@@ -56,9 +56,17 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 /// volume are left out.
 [[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry);
 
+/// How firmly the pen is pressed along a part of a path (PenPressures).
+struct PartPressures {
+    std::vector<double> atPoints{}; ///< of each point of the part; empty: the whole radius
+    double before = 1.0; ///< of the last point of the part before
+};
 /// A part of the path, through @p points. @p from is the last point of the part before; null for
-/// the first part and where the path begins anew.
+/// the first part and where the path begins anew. Where the radius changes the way is cut so short
+/// that the radii of two capsules one after the other differ by at most a quarter of a voxel; each
+/// has the radius of its middle.
 [[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
-    const glm::dvec3* from, const std::vector<glm::dvec3>& points);
+    const glm::dvec3* from, const std::vector<glm::dvec3>& points,
+    const PartPressures& pressures = {});
 
 } // namespace core

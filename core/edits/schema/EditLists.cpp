@@ -199,6 +199,31 @@ SampleList::Value SampleList::rounded(const Value& value) const
     });
 }
 
+QJsonValue PressureList::write(const Value& value) const
+{
+    return writeEach(value, [](double pressure) { return QJsonValue(pressure); });
+}
+
+QString PressureList::read(const QJsonValue& json, Value& value) const
+{
+    return readEach(json, value, QStringLiteral("must be a list of pressures"),
+        [](const QJsonValue& each, double& pressure) {
+            return samplePressure.read(each, pressure);
+        });
+}
+
+QString PressureList::check(const Value& value) const
+{
+    if (const QString reason = checkLength(value.size()); !reason.isEmpty())
+        return reason;
+    return checkEach(value, [](double pressure) { return samplePressure.check(pressure); });
+}
+
+PressureList::Value PressureList::rounded(const Value& value) const
+{
+    return roundEach(value, [](double pressure) { return samplePressure.rounded(pressure); });
+}
+
 QJsonValue RowList::write(const Value& value) const
 {
     return writeEach(value, [](std::int64_t row) { return QJsonValue(qint64(row)); });

@@ -77,6 +77,18 @@ struct SampleList {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
+/// [pressure, …]: of a pen, each 0 … 1, at least one.
+struct PressureList {
+    using Value = std::vector<double>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[pressure, …]"); }
+    [[nodiscard]] QString unit() const { return QStringLiteral("0 … 1"); }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const;
+};
+
 /// [row, …]: rows of the history, at least one, ascending.
 struct RowList {
     using Value = std::vector<std::int64_t>;

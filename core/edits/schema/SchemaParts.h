@@ -113,6 +113,14 @@ template <class Visitor> void visitProtected(Visitor& visit, ProtectedSegments& 
         "those that are protected");
 }
 
+/// How firmly the pen was pressed, in every edit whose radius may follow it.
+template <class Visitor> void visitPressures(Visitor& visit, PenPressures& pressures)
+{
+    visit.maybe("pressures", pressures, editFields::PressureList{},
+        "the share of the radius at each point of the path, as many as points",
+        "the whole radius everywhere");
+}
+
 /// A brush and its path, in every edit that has one.
 template <class Visitor> void visitPath(Visitor& visit, BrushPath& path)
 {
@@ -129,6 +137,7 @@ template <class Visitor> void visitPath(Visitor& visit, BrushPath& path)
         "the path, straight from point to point, patient coordinates (LPS)");
     visit.field("lifts", Presence::Optional, path.lifts, PlaceList{},
         "points that the path does not run to but begins anew at, counted from 0");
+    visitPressures(visit, path.pressures);
 }
 
 } // namespace core::editSchema

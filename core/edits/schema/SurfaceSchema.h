@@ -66,6 +66,7 @@ template <class Visitor> void visitSurfacePath(Visitor& visit, SurfacePath& path
     visit.field("pointsLps", Presence::Required, path.pointsLps, editFields::PointList{positionLps},
         "the middle of the ball, straight from point to point, patient coordinates (LPS)");
     visitRules(visit, path.rules);
+    visitPressures(visit, path.pressures);
 }
 
 template <> inline constexpr const char* editName<MarkSurface> = "mark";

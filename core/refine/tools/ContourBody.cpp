@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/tools/ContourBody.h"
 
+#include "core/base/Progress.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -112,8 +114,9 @@ glm::dvec3 acrossOf(const std::vector<glm::dvec3>& steps, bool isClosed)
 /// Makes one, step by step.
 class ContourBodyMaker {
 public:
-    explicit ContourBodyMaker(const ContourBodyPoints& given)
+    ContourBodyMaker(const ContourBodyPoints& given, const Progress* progress)
         : m_given(given)
+        , m_progress(progress)
     {
     }
 
@@ -198,6 +201,8 @@ private:
     {
         std::vector<DrawnPoint> kept;
         for (const DrawnPoint& point : m_drawn) {
+            if (isCancelled())
+                return;
             if (!m_given.isSound || !m_given.isSound(point.place))
                 kept.push_back(point);
         }
@@ -216,8 +221,12 @@ private:
         m_drawn.resize(mostDrawnPoints);
     }
 
+    [[nodiscard]] bool isCancelled() const { return m_progress && m_progress->cancelled(); }
+
     Result<VariationalBody> solve()
     {
+        if (isCancelled())
+            return failure(ErrorCode::Cancelled);
         std::vector<VariationalBody::Point> points;
         m_points.clear();
         const double beyondMm = m_given.edgeMm;
@@ -249,6 +258,7 @@ private:
     }
 
     const ContourBodyPoints& m_given;
+    const Progress* m_progress;
     double m_spacingMm = 1.0; ///< of the contours' points
     glm::dvec3 m_out{0.0}; ///< the border's mean
     std::vector<DrawnPoint> m_drawn;
@@ -257,9 +267,9 @@ private:
 
 } // namespace
 
-Result<ContourBody> contourBody(const ContourBodyPoints& given)
+Result<ContourBody> contourBody(const ContourBodyPoints& given, const Progress* progress)
 {
-    return ContourBodyMaker(given).make();
+    return ContourBodyMaker(given, progress).make();
 }
 
 } // namespace core

@@ -8,6 +8,8 @@
 
 namespace core {
 
+class Progress;
+
 /// A place on the sound surface around a region, and which way is out there.
 struct BorderPlace {
     glm::dvec3 placeLps{0.0};
@@ -38,8 +40,10 @@ struct ContourBody {
 /// first body: a plane may cut the organ obliquely.
 ///
 /// Computed by + − × ÷ √ in a fixed order. Cost: two dense solutions for two unknowns per point, of
-/// which the contours have at most 260. Errors: InvalidField (argument 1: why; contours without
-/// length, …).
-[[nodiscard]] Result<ContourBody> contourBody(const ContourBodyPoints& given);
+/// which the contours have at most 260.
+/// @param progress asked before each solution whether it was cancelled; null: it never is
+/// Errors: InvalidField (argument 1: why; contours without length, …), Cancelled.
+[[nodiscard]] Result<ContourBody> contourBody(
+    const ContourBodyPoints& given, const Progress* progress = nullptr);
 
 } // namespace core

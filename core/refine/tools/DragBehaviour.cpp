@@ -25,6 +25,8 @@ public:
     {
         if (m_dragged == noId)
             pick(mesh, sample);
+        else if (sample.pressure > m_pressure)
+            widen(mesh, sample.pressure);
         if (m_dragged == noId)
             return {};
         m_wanted = sample.placeLps - m_from;
@@ -68,10 +70,12 @@ public:
         // One that was held up by another part of the surface does not leap after the others.
         const double wayMm = glm::distance(wanted, point.positionLps);
         const double mostMm = longestShare * strideMm();
-        part.last = m_scale.isApart && wayMm > mostMm
-            ? point.positionLps + mostMm / wayMm * (wanted - point.positionLps)
-            : wanted;
-        return Grip{.placeLps = part.last, .leftMm = part.weight * m_leftMm};
+        const bool lags = (m_scale.isApart || m_isWidened) && wayMm > mostMm;
+        part.last =
+            lags ? point.positionLps + mostMm / wayMm * (wanted - point.positionLps) : wanted;
+        // One that was taken along later still has to catch up.
+        const double behindMm = m_isWidened && lags ? wayMm - mostMm : 0.0;
+        return Grip{.placeLps = part.last, .leftMm = part.weight * m_leftMm + behindMm};
     }
 
     void adopt(const SimplexMesh& mesh, VertexId id) override
@@ -129,6 +133,7 @@ private:
             return;
         grow(mesh);
         m_from = mesh.position(m_dragged);
+        m_pressure = sample.pressure;
         for (VertexId id = 0; id < mesh.vertexSlots(); ++id)
             m_parts[id].last = mesh.position(id);
         const double radiusMm = m_tool.radiusMm * sample.pressure;
@@ -141,7 +146,44 @@ private:
         }
     }
 
+    /// Whoever presses harder takes along more around the point: what the surface had there before
+    /// it was dragged.
+    void widen(const SimplexMesh& mesh, double pressure)
+    {
+        m_pressure = pressure;
+        m_isWidened = true;
+        grow(mesh);
+        const double radiusMm = m_tool.radiusMm * pressure;
+        const auto nearOf = [&](VertexId id) {
+            const Part& part = m_parts[id];
+            const glm::dvec3 way = (part.weight > 0.0 ? part.start : mesh.position(id)) - m_from;
+            return 1.0 - glm::dot(way, way) / (radiusMm * radiusMm);
+        };
+        std::vector<bool> isReached(mesh.vertexSlots(), false);
+        std::vector<VertexId> reached{m_dragged};
+        isReached[m_dragged] = true;
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            for (const VertexId next : mesh.neighbours(reached[i])) {
+                if (isReached[next] || nearOf(next) <= 0.0)
+                    continue;
+                isReached[next] = true;
+                reached.push_back(next);
+            }
+        }
+        for (const VertexId id : reached) {
+            const double near = nearOf(id);
+            Part& part = m_parts[id];
+            if (id == m_dragged || near * near <= part.weight)
+                continue;
+            if (part.weight <= 0.0)
+                part = {.start = mesh.position(id), .last = mesh.position(id)};
+            part.weight = near * near;
+        }
+    }
+
     DragTool m_tool;
+    double m_pressure = 1.0; ///< the greatest so far
+    bool m_isWidened = false; ///< it became greater since the point was picked
     VertexId m_dragged = noId;
     glm::dvec3 m_from{0.0}; ///< where it was picked
     glm::dvec3 m_wanted{0.0}; ///< how far it is to go

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/tools/SurfaceStroke.h"
 
+#include "core/base/Progress.h"
 #include "core/refine/deform/BoundaryForce.h"
 #include "core/refine/deform/Deformation.h"
 #include "core/refine/repair/CrossingGuard.h"
@@ -121,7 +122,7 @@ public:
         const double walkMm = walkMmOf(std::min(from.pressure, sample.pressure));
         const double wayMm = glm::distance(from.placeLps, sample.placeLps);
         const int count = std::clamp(int(std::ceil(wayMm / walkMm)), 1, mostPlaces);
-        for (int i = 1; i <= count; ++i) {
+        for (int i = 1; i <= count && !isCancelled(); ++i) {
             const double share = double(i) / double(count);
             visit(i == count
                     ? sample
@@ -152,6 +153,8 @@ public:
         const int withStructure = std::min(stepsWithStructure, mostToRest / 2);
         for (int i = 0, since = 0;
              i < most && since < mostToRest && !m_deformation.active().empty(); ++i) {
+            if (isCancelled())
+                return;
             step(since < withStructure);
             const double leftMm = leftToGoMm();
             // What measures its way itself is done when that gets no shorter.
@@ -162,7 +165,7 @@ public:
             since = waits ? 0 : since + 1;
         }
         keepApart();
-        if (m_guard)
+        if (m_guard && !isCancelled())
             splitStretched(m_edit, m_everActive,
                 {.areaMm2 = largestFace * m_scale.areaMm2, .edgeMm = longestEdge * m_scale.edgeMm},
                 &*m_guard);
@@ -178,6 +181,11 @@ public:
 private:
     /// Strokes of more than this are not by hand.
     static constexpr int mostPlaces = 100'000;
+
+    [[nodiscard]] bool isCancelled() const
+    {
+        return m_settings.progress && m_settings.progress->cancelled();
+    }
 
     template <typename Kind> void take(const Kind& kind) { m_tool = behaviourOf(kind, m_scale); }
     void take(const TemplateTool& tool) { m_tool = behaviourOf(tool, m_scale, m_mesh); }
@@ -198,6 +206,8 @@ private:
         const double nearMm = leftOnTheWay * m_scale.edgeMm;
         Patience patience(leastNearer * m_scale.edgeMm, mostInVain);
         for (int i = 0; i < m_tool->mostStepsAtPlace() && !m_deformation.active().empty(); ++i) {
+            if (isCancelled())
+                return;
             step(true);
             const double leftMm = m_holds->leftMm(m_deformation.active());
             const bool waits = leftMm > nearMm && (!m_scale.isApart || patience.lasts(leftMm));
@@ -275,6 +285,8 @@ private:
         forces.push_back(m_holds.get());
         if (m_settings.apartOn && !m_guard)
             m_guard.emplace(m_mesh, *m_settings.apartOn);
+        if (isCancelled())
+            return;
         // Some may be at rest after it.
         if (m_guard) {
             m_guard->moved(m_deformation.active());
@@ -282,13 +294,15 @@ private:
         }
         m_deformation.step(m_edit, forces, m_holds.get());
         ++m_steps;
+        if (isCancelled())
+            return;
         if (m_settings.reddens)
             redden();
         const bool restructures = structure && m_settings.restructureEvery > 0
             && m_steps % m_settings.restructureEvery == 0;
         if (m_guard && (restructures || m_guard->movedMm() > movedUnseen * m_scale.edgeMm))
             keepApart();
-        if (!restructures)
+        if (!restructures || isCancelled())
             return;
         const Restructured done =
             restructure(m_edit, m_deformation.active(), m_structure, m_guard ? &*m_guard : nullptr);
@@ -297,7 +311,7 @@ private:
 
     void keepApart()
     {
-        if (!m_guard)
+        if (!m_guard || isCancelled())
             return;
         const std::vector<VertexId> stopped = m_guard->keepApart(m_edit);
         m_deformation.stop(stopped);

@@ -9,6 +9,7 @@
 namespace core {
 
 class BoundaryForce;
+class Progress;
 struct VolumeGeometry;
 
 /// Parameters of a stroke.
@@ -24,6 +25,9 @@ struct SurfaceStrokeSettings {
     /// (SelfIntersections.h), and sphere and plane hold only the sheet under the pen; must outlive
     /// the stroke. Null: it may, as rows of before did.
     const VolumeGeometry* apartOn = nullptr;
+    /// Asked between the parts of a step whether the stroke was cancelled. From then on nothing
+    /// moves any more, and only rollback() makes sense. Must outlive the stroke; null: never.
+    const Progress* progress = nullptr;
 };
 
 /// A stroke of a tool, from pen down to pen up, sample by sample: one transaction.

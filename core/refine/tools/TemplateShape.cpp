@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/tools/TemplateShape.h"
 
+#include "core/base/Progress.h"
 #include "core/refine/mesh/InternalForces.h"
 #include "core/refine/repair/FaceShape.h"
 #include "core/refine/tools/ContourBody.h"
@@ -82,9 +83,10 @@ double lengthMm(const TemplateContour& contour)
 /// Makes one, step by step.
 class TemplateMaker {
 public:
-    TemplateMaker(const SimplexMesh& mesh, double edgeMm)
+    TemplateMaker(const SimplexMesh& mesh, double edgeMm, const Progress* progress)
         : m_mesh(mesh)
         , m_edgeMm(edgeMm)
+        , m_progress(progress)
         , m_isRegion(mesh.vertexSlots(), false)
     {
     }
@@ -106,13 +108,14 @@ public:
             m_isClosed.push_back(contour.isClosed);
         }
         if (!findRegion())
-            return refused("no contour lies near a red region");
+            return isCancelled() ? failure(ErrorCode::Cancelled)
+                                 : refused("no contour lies near a red region");
         findBorder();
         const bool made = form == TemplateForm::Body ? makeContourBody(contours)
             : isBody                                 ? makeBody()
                                                      : makeSpline();
         if (!made)
-            return refused(m_why);
+            return isCancelled() ? failure(ErrorCode::Cancelled) : refused(m_why);
         return std::move(m_shape);
     }
 
@@ -124,6 +127,8 @@ private:
         std::map<VertexId, int> votes;
         for (const auto& contour : m_contours) {
             for (const glm::dvec3& point : contour) {
+                if (isCancelled())
+                    return false;
                 const VertexId nearest = nearestVertex(m_mesh, point,
                     [&](VertexId id) { return m_mesh.mark(id) == SurfaceMark::Red; });
                 if (nearest == noId)
@@ -370,7 +375,7 @@ private:
             return nearest != noId && !m_isRegion[nearest]
                 && squaredOf(m_mesh.position(nearest) - point) < nearMm * nearMm;
         };
-        auto body = contourBody(given);
+        auto body = contourBody(given, m_progress);
         if (!body)
             return because("no body runs through these contours");
         m_shape.m_body = std::move(body->body);
@@ -387,6 +392,8 @@ private:
         return true;
     }
 
+    [[nodiscard]] bool isCancelled() const { return m_progress && m_progress->cancelled(); }
+
     bool because(const char* why)
     {
         m_why = why;
@@ -395,6 +402,7 @@ private:
 
     const SimplexMesh& m_mesh;
     double m_edgeMm;
+    const Progress* m_progress; ///< null: nobody cancels it
     std::vector<bool> m_isRegion; ///< by vertex
     std::vector<VertexId> m_border;
     std::vector<std::vector<glm::dvec3>> m_contours;
@@ -405,9 +413,10 @@ private:
 };
 
 Result<TemplateShape> TemplateShape::make(const SimplexMesh& mesh,
-    const std::vector<TemplateContour>& contours, double areaMm2, TemplateForm form)
+    const std::vector<TemplateContour>& contours, double areaMm2, TemplateForm form,
+    const Progress* progress)
 {
-    return TemplateMaker(mesh, edgeMmOf(mesh, areaMm2)).make(contours, form);
+    return TemplateMaker(mesh, edgeMmOf(mesh, areaMm2), progress).make(contours, form);
 }
 
 glm::dvec3 TemplateShape::at(const glm::dvec2& place) const

@@ -8,6 +8,8 @@
 
 namespace core {
 
+class Progress;
+
 /// How contours become a shape.
 enum class TemplateForm : std::uint8_t {
     /// Open ones make a surface over a plane, closed ones a body; both together are refused.
@@ -28,11 +30,12 @@ enum class TemplateForm : std::uint8_t {
 class TemplateShape {
 public:
     /// @param areaMm2 intended area of a face (SurfaceStrokeSettings); 0: the mean of the mesh
+    /// @param progress asked whether it was cancelled; null: it never is
     /// Cost: about 100 ms. Errors: InvalidField (argument 1: no contours, no red region near them,
-    /// points above one another, …).
+    /// points above one another, …), Cancelled.
     [[nodiscard]] static Result<TemplateShape> make(const SimplexMesh& mesh,
         const std::vector<TemplateContour>& contours, double areaMm2 = 0.0,
-        TemplateForm form = TemplateForm::OfBefore);
+        TemplateForm form = TemplateForm::OfBefore, const Progress* progress = nullptr);
 
     /// The vertices of the red region, ascending.
     [[nodiscard]] const std::vector<VertexId>& region() const { return m_region; }

@@ -90,7 +90,8 @@ void SurfaceOperation::abort()
 
 bool SurfaceOperation::isAbortable() const
 {
-    return !m_done && (m_edit.is<LaySurface>() || m_edit.is<FollowMask>());
+    const bool isMoving = isTemplate() && !m_hasBegun && m_ending != Ending::Rollback;
+    return !m_done && (m_edit.is<LaySurface>() || m_edit.is<FollowMask>() || isMoving);
 }
 
 void SurfaceOperation::work(SessionState& state)
@@ -108,31 +109,34 @@ void SurfaceOperation::work(SessionState& state)
         });
         m_reader.reset();
     }
-    const SurfacePath* path = surfacePathOf(m_edit);
-    post(state, [this, work = m_work, points = path ? path->pointsLps : std::vector<glm::dvec3>()] {
+    const SurfacePath* known = surfacePathOf(m_edit);
+    post(state, [this, work = m_work, path = known ? *known : SurfacePath()] {
         const Result<void> begun = work->begin();
-        work->add(points);
-        if (begun)
-            return SideThread::Sequel();
+        work->add(path.pointsLps, path.pressures.value_or(std::vector<double>()));
         // It is told at once: whoever looks at what he began waits for something to be seen.
-        return SideThread::Sequel(
-            [this, why = begun.error()](SessionState& known) { reportFailure(known, why); });
+        return SideThread::Sequel([this, begun](SessionState& known) {
+            m_hasBegun = true;
+            if (!begun && !isTakenBack(begun.error()))
+                reportFailure(known, begun.error());
+        });
     });
     if (m_ending)
         end(state, *m_ending);
 }
 
-void SurfaceOperation::extendPath(
-    SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool)
+void SurfaceOperation::extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps,
+    bool, const std::vector<double>& pressures)
 {
     if (!open() || pointsLps.empty())
         return;
-    std::vector<glm::dvec3>& soFar = surfacePathOf(m_edit)->pointsLps;
-    soFar.insert(soFar.end(), pointsLps.begin(), pointsLps.end());
+    SurfacePath& path = *surfacePathOf(m_edit);
+    path.pointsLps.insert(path.pointsLps.end(), pointsLps.begin(), pointsLps.end());
+    const std::vector<double> pressed =
+        continuePressures(path.pressures, pointsLps.size(), pressures);
     // What waits in line still gets them with the edit.
     if (m_work) {
-        post(state, [work = m_work, pointsLps] {
-            work->add(pointsLps);
+        post(state, [work = m_work, pointsLps, pressed] {
+            work->add(pointsLps, pressed);
             return SideThread::Sequel();
         });
     }
@@ -143,6 +147,9 @@ void SurfaceOperation::end(SessionState& state, Ending ending)
     m_ending = ending;
     if (!m_work)
         return;
+    // What is taken back need not be waited for.
+    if (ending == Ending::Rollback)
+        m_work->cancel();
     state.side->post(
         [this, work = m_work, ending] {
             auto outcome = std::make_shared<Result<SurfaceWork::Outcome>>(work->end(ending));
@@ -191,9 +198,15 @@ void SurfaceOperation::write(SessionState& state, EngineEdit&& edit)
 
 void SurfaceOperation::giveUp(SessionState& state, const Error& error)
 {
-    if (!m_done)
+    if (!m_done && !isTakenBack(error))
         reportFailure(state, error);
     m_done = true;
+}
+
+/// Who takes something back is not told that it came to nothing.
+bool SurfaceOperation::isTakenBack(const Error& error) const
+{
+    return error.code == ErrorCode::Cancelled && m_ending == Ending::Rollback && !m_isAborted;
 }
 
 void SurfaceOperation::reportFailure(SessionState& state, const Error& error)

@@ -30,15 +30,17 @@ public:
     [[nodiscard]] bool done() const override { return m_done; }
     [[nodiscard]] bool foresee(Document& document) const override;
 
-    /// For an edit that is abortable: it ends with Cancelled and changes nothing.
+    /// For an edit that is abortable: it ends with Cancelled and changes nothing. One that stands
+    /// open must be rolled back afterwards.
     void abort();
+    /// Laying a surface, following the mask, and a template while it moves.
     [[nodiscard]] bool isAbortable() const;
 
     [[nodiscard]] bool isTemplate() const { return m_edit.is<ApplyTemplate>(); }
     [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] bool standsOpen() const override { return isTemplate() && open(); }
-    void extendPath(
-        SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted) override;
+    void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted,
+        const std::vector<double>& pressures) override;
     void end(SessionState& state, Ending ending) override;
 
 private:
@@ -48,6 +50,7 @@ private:
     void write(SessionState& state, EngineEdit&& edit);
     void post(SessionState& state, std::function<SideThread::Sequel()> work);
     void giveUp(SessionState& state, const Error& error);
+    [[nodiscard]] bool isTakenBack(const Error& error) const;
     void reportFailure(SessionState& state, const Error& error);
 
     Edit m_edit;
@@ -60,6 +63,7 @@ private:
     std::optional<Ending> m_ending;
     std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
     bool m_isAborted = false;
+    bool m_hasBegun = false; ///< SurfaceWork::begin() is through; a template stands
     bool m_reported = false; ///< the reason for the failure was reported
     bool m_done = false;
 };

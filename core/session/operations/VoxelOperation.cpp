@@ -123,17 +123,20 @@ void VoxelOperation::extendDrill(SessionState& state, const std::vector<PenSampl
     submitWaiting(state);
 }
 
-void VoxelOperation::extendPath(
-    SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted)
+void VoxelOperation::extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps,
+    bool lifted, const std::vector<double>& pressures)
 {
     BrushPath* path = brushPathOf(m_edit);
     if (!path || !open() || pointsLps.empty())
         return;
+    PartPressures pressed{
+        .before = path->pressures && !path->pressures->empty() ? path->pressures->back() : 1.0};
+    pressed.atPoints = continuePressures(path->pressures, pointsLps.size(), pressures);
     if (m_begun) {
         const glm::dvec3 last = path->pointsLps.back();
         const glm::dvec3* from = lifted ? nullptr : &last;
-        m_waiting.push_back(
-            CapsulePath{capsules(*path, state.document.volumes.front().geometry, from, pointsLps)});
+        m_waiting.push_back(CapsulePath{
+            capsules(*path, state.document.volumes.front().geometry, from, pointsLps, pressed)});
     }
     if (lifted)
         path->lifts.push_back(std::int64_t(path->pointsLps.size()));

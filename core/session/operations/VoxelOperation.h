@@ -26,8 +26,8 @@ public:
 
     // For interactive operations only:
     void extendDrill(SessionState& state, const std::vector<PenSample>& samples);
-    void extendPath(
-        SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted) override;
+    void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted,
+        const std::vector<double>& pressures) override;
     void setPeelDepth(SessionState& state, double depthMm);
     void setShrinkSteps(SessionState& state, int steps);
     void extendGrowth(SessionState& state, EngineExtension extension);

@@ -35,8 +35,9 @@ public:
 class OpenOperation : public Operation {
 public:
     [[nodiscard]] virtual bool open() const = 0;
-    virtual void extendPath(
-        SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted) = 0;
+    /// @param pressures as in EditSession
+    virtual void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps,
+        bool lifted, const std::vector<double>& pressures) = 0;
     virtual void end(SessionState& state, Ending ending) = 0;
     /// Whether it stays open although no pen is down; the next operation then closes it.
     [[nodiscard]] virtual bool standsOpen() const { return false; }

@@ -193,9 +193,9 @@ Result<void> SurfaceWork::begin()
         return {};
     if (auto* shape = std::get_if<TemplateTool>(&*chosen)) {
         const auto* edit = std::get_if<ApplyTemplate>(&m_edit);
-        Result<TemplateShape> made =
-            TemplateShape::make(m_surface.mesh, shape->contours, m_surface.target->faceAreaMm2(),
-                mixesContours(edit->rules) ? TemplateForm::Body : TemplateForm::OfBefore);
+        Result<TemplateShape> made = TemplateShape::make(m_surface.mesh, shape->contours,
+            m_surface.target->faceAreaMm2(),
+            mixesContours(edit->rules) ? TemplateForm::Body : TemplateForm::OfBefore, &m_progress);
         if (!made) {
             m_error = made.error();
             return tl::unexpected(*m_error);
@@ -206,10 +206,15 @@ Result<void> SurfaceWork::begin()
         std::make_unique<SurfaceStroke>(m_surface.mesh, &m_surface.target->boundary(), *chosen,
             SurfaceStrokeSettings{.areaMm2 = m_surface.target->faceAreaMm2(),
                 .reddens = true,
-                .apartOn = std::visit(KeepsApart(), m_edit) ? &m_surface.geometry() : nullptr});
+                .apartOn = std::visit(KeepsApart(), m_edit) ? &m_surface.geometry() : nullptr,
+                .progress = &m_progress});
     if (std::holds_alternative<TemplateTool>(*chosen)) {
         m_stroke->add({}); // it has no way of the pen, but begins with a sample as all do
         settle();
+        if (m_progress.cancelled()) {
+            m_error = {ErrorCode::Cancelled, {}};
+            return tl::unexpected(*m_error);
+        }
     }
     return {};
 }
@@ -223,12 +228,14 @@ void SurfaceWork::settle()
     m_settled = true;
 }
 
-void SurfaceWork::add(const std::vector<glm::dvec3>& pointsLps)
+void SurfaceWork::add(
+    const std::vector<glm::dvec3>& pointsLps, const std::vector<double>& pressures)
 {
     if (!m_stroke || m_error || pointsLps.empty())
         return;
-    for (const glm::dvec3& point : pointsLps)
-        m_stroke->add({.placeLps = point});
+    for (std::size_t i = 0; i < pointsLps.size(); ++i)
+        m_stroke->add(
+            {.placeLps = pointsLps[i], .pressure = i < pressures.size() ? pressures[i] : 1.0});
     m_surface.show(updateOf(m_surface.mesh, m_stroke->takeWritten()));
 }
 
@@ -255,6 +262,12 @@ requires isOneOf<Stroke, MarkSurface, SpherePush, PlaneScrape, PointDrag, ApplyT
         return Outcome();
     }
     settle();
+    // It may have been cancelled since the template stood.
+    if (m_progress.cancelled()) {
+        m_stroke->rollback();
+        m_surface.showAll(true);
+        return failure(ErrorCode::Cancelled);
+    }
     SimplexMeshDelta delta = m_stroke->commit();
     if (delta.empty())
         return Outcome();

@@ -56,10 +56,11 @@ public:
     /// For a template this does everything and shows it; end() keeps it or takes it back. Errors:
     /// the edit cannot be carried out.
     Result<void> begin();
-    void add(const std::vector<glm::dvec3>& pointsLps);
+    /// @param pressures of each point (PenPressures); empty: the pen is pressed fully
+    void add(const std::vector<glm::dvec3>& pointsLps, const std::vector<double>& pressures = {});
     [[nodiscard]] Result<Outcome> end(Ending ending);
-    /// Ends the laying of a surface, or the following of a mask, as early as possible, with
-    /// Cancelled. Any thread.
+    /// Ends the laying of a surface, the following of a mask, or what a template moves, as early as
+    /// possible, with Cancelled; a stroke of the pen moves nothing any more. Any thread.
     void cancel() { m_progress.cancel(); }
     /// Marks it as failed after one of the functions above has thrown.
     void fail(const Error& error) { m_error = error; }

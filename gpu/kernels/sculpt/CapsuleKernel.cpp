@@ -223,8 +223,8 @@ std::vector<std::uint32_t> CapsuleKernel::run(
     }
     std::vector<GpuCapsule> pieces;
     for (const core::Capsule& capsule : capsules)
-        pieces.push_back(
-            {glm::ivec4(capsule.from, capsule.length), glm::ivec4(capsule.direction, 0)});
+        pieces.push_back({glm::ivec4(capsule.from, capsule.length),
+            glm::ivec4(capsule.direction, capsule.less)});
 
     const Buffer baseBuffer = bufferOf("brush candidates", bases);
     const Buffer pieceBuffer = bufferOf("brush path", pieces);
@@ -309,6 +309,9 @@ void CapsuleKernel::write(const core::CapsuleCut& cut, const Candidates& candida
     bindProtected(m_fields, cut.protectedLabels);
     const Buffer hidden = hiddenBases(cut.hidden, m_fields.grid(), candidates.bricks);
     hidden.bindBase(GL_SHADER_STORAGE_BUFFER, 6);
+    const bool pressed = std::any_of(capsules.begin(), capsules.end(),
+        [](const core::Capsule& capsule) { return capsule.less != 0; });
+    m_programs.cut.set("pressed", pressed);
     const std::vector<std::uint32_t> found = run(m_programs.cut, candidates, capsules);
 
     std::vector<std::uint32_t> changed;

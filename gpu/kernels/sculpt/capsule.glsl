@@ -3,7 +3,7 @@
 
 struct Capsule {
     ivec4 from;      // mm16; w: length, mm16
-    ivec4 direction; // unit vector · 2¹⁴
+    ivec4 direction; // unit vector · 2¹⁴; w: by how much its radius is smaller, mm16
 };
 struct Candidate {
     ivec4 base;  // stroke coordinates of the brick's first voxel, mm16; w: the brick
@@ -43,6 +43,11 @@ int product(ivec3 a, ivec3 b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+int radiusOf(Capsule capsule)
+{
+    return max(radius - capsule.direction.w, 0);
+}
+
 // The squared distance, in units; farAway if the piece has no distance to the position.
 uint squaredDistance(Capsule capsule, ivec3 position)
 {
@@ -56,6 +61,21 @@ uint squaredDistance(Capsule capsule, ivec3 position)
     int h = clamp((product(q, u) + 8192) >> 14, 0, capsule.from.w >> shift);
     ivec3 e = q - ((h * u + 8192) >> 14);
     return uint(product(e, e));
+}
+
+// Whether the voxel is within the radius of a piece near the candidate (rule 4).
+bool isWithin(Candidate candidate, ivec3 local)
+{
+    ivec3 position = strokePosition(candidate, local);
+    if (!inSlab(position))
+        return false;
+    for (uint i = candidate.span.x; i < candidate.span.y; ++i) {
+        Capsule capsule = capsules[near[i]];
+        uint unitRadius = uint(radiusOf(capsule) >> shift);
+        if (squaredDistance(capsule, position) <= unitRadius * unitRadius)
+            return true;
+    }
+    return false;
 }
 
 // The least distance over the pieces near the candidate.

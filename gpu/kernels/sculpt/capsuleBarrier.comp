@@ -19,8 +19,7 @@ void main()
         ivec3 voxel = origin + local;
         if (!inside(voxel, volumeSize))
             continue;
-        uint unitRadius = uint(radius >> shift);
-        if (leastDistance(candidate, local) > unitRadius * unitRadius)
+        if (!isWithin(candidate, local))
             continue;
         found |= setOrClearBarrier(voxel, entry);
     }

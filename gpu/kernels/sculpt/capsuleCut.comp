@@ -9,6 +9,9 @@ layout(local_size_x = 64) in;
 #include "kernels/cut/hidden.glsl"
 
 uniform int rampHalfWidth;
+uniform bool pressed; // the radii of pieces differ
+
+const int noDepth = -0x7FFFFFFF;
 
 uint squareRoot(uint value)
 {
@@ -21,10 +24,31 @@ uint squareRoot(uint value)
     return root;
 }
 
-uint cutAt(uint squared)
+// How deep in a piece near the candidate the voxel lies, mm16: below 0 outside of all of them;
+// noDepth if none has a distance.
+int depthAt(Candidate candidate, ivec3 local)
 {
-    int distance = int(squareRoot(squared)) << shift;
-    int t = clamp(radius - distance, -rampHalfWidth, rampHalfWidth);
+    if (!pressed) {
+        uint squared = leastDistance(candidate, local);
+        return squared == farAway ? noDepth : radius - (int(squareRoot(squared)) << shift);
+    }
+    ivec3 position = strokePosition(candidate, local);
+    int deepest = noDepth;
+    if (!inSlab(position))
+        return deepest;
+    for (uint i = candidate.span.x; i < candidate.span.y; ++i) {
+        Capsule capsule = capsules[near[i]];
+        uint squared = squaredDistance(capsule, position);
+        if (squared != farAway)
+            deepest =
+                max(deepest, radiusOf(capsule) - (int(squareRoot(squared)) << shift));
+    }
+    return deepest;
+}
+
+uint cutAt(int depth)
+{
+    int t = clamp(depth, -rampHalfWidth, rampHalfWidth);
     return uint((t + rampHalfWidth) * 255) / uint(2 * rampHalfWidth);
 }
 
@@ -38,10 +62,10 @@ void main()
         ivec3 local = voxelInBrick(offset);
         if (!inside(origin + local, volumeSize))
             continue;
-        uint squared = leastDistance(candidate, local);
-        if (squared == farAway || isHidden(gl_WorkGroupID.x, local))
+        int depth = depthAt(candidate, local);
+        if (depth == noDepth || isHidden(gl_WorkGroupID.x, local))
             continue;
-        any = writeCut(entry, origin + local, cutAt(squared)) || any;
+        any = writeCut(entry, origin + local, cutAt(depth)) || any;
     }
     if (any)
         changed[gl_WorkGroupID.x] = 1u;

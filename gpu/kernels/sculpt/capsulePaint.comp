@@ -53,8 +53,7 @@ void main()
         ivec3 voxel = origin + local;
         if (!inside(voxel, volumeSize))
             continue;
-        uint unitRadius = uint(radius >> shift);
-        if (leastDistance(candidate, local) > unitRadius * unitRadius)
+        if (!isWithin(candidate, local))
             continue;
         uint code = texelFetch(codes, voxel, 0).r;
         if (code < lowCode || code > highCode)

@@ -315,6 +315,14 @@ private Q_SLOTS:
         QCOMPARE(lifted->get<BrushStroke>().path.lifts, std::vector<std::int64_t>{1});
         QVERIFY(!editFromJson(
             parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'lifts':[2,2]}")));
+        QVERIFY(!editToJson(*lifted).contains(QLatin1String("pressures")));
+        const auto pressed = editFromJson(parse(
+            "{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0],[9,0,0]],'pressures':[0.5,1]}"));
+        QVERIFY(pressed);
+        QCOMPARE(*pressed->get<BrushStroke>().path.pressures, (std::vector<double>{0.5, 1.0}));
+        QVERIFY(editToJson(*pressed).contains(QLatin1String("pressures")));
+        QVERIFY(!editFromJson(
+            parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'pressures':[1.5]}")));
         QVERIFY(!editFromJson(parse("{'edit':'brush','radiusMm':4,'pointsLps':[]}")));
         QVERIFY(!editFromJson(parse("{'edit':'brush','radiusMm':0,'pointsLps':[[0,0,0]]}")));
     }

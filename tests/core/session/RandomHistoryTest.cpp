@@ -47,7 +47,10 @@ private Q_SLOTS:
                  "cutPiece", "pastePiece", "changePiece", "sendPiecesHome", "removePiece", "revert",
                  "reviseStroke", "addMeasurement", "removeMeasurement", "removeLayer",
                  "mergeLayers", "layerToSegment", "segmentToLayer", "segmentSeen", "invertSegment",
-                 "undo", "redo", "goTo", "reopen", "given up"})
+                 "combineSegments merge", "combineSegments swap", "cleanSegment fill holes",
+                 "cleanSegment keep largest", "cleanSegment remove small",
+                 "cleanSegment keep clicked", "cleanSegment remove clicked",
+                 "cleanSegment give clicked", "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done[QLatin1String(kind)] > 0, kind);
     }
 

@@ -28,6 +28,7 @@
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
@@ -43,6 +44,7 @@
 #include "core/sessionfile/records/StateHash.h"
 #include "tests/reference/ElementPlane.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/cases/IslandTruth.h"
 
 #include <QJsonDocument>
 
@@ -114,7 +116,8 @@ bool changesLabels(const Edit& edit)
         || edit.is<ShrinkSteps>() || edit.is<ShrinkAt>() || edit.is<PlugLeak>()
         || edit.is<BarrierStroke>() || edit.is<GrowFromSeeds>() || edit.is<PaintStroke>()
         || edit.is<RemoveSegment>() || edit.is<LayerToSegment>() || edit.is<SegmentSeen>()
-        || edit.is<ImportMask>() || edit.is<InvertSegment>();
+        || edit.is<ImportMask>() || edit.is<InvertSegment>() || edit.is<CombineSegments>()
+        || edit.is<CleanSegment>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -170,6 +173,61 @@ std::vector<glm::ivec3> HistoryTruth::grownVoxels(RowId row) const
         }
     }
     return voxels;
+}
+
+std::vector<std::uint8_t> HistoryTruth::labelsAt(RowId row) const
+{
+    return labelsOf(m_states.at(row).bricks);
+}
+
+std::vector<std::uint8_t> HistoryTruth::labelsOf(const Bricks& bricks) const
+{
+    const glm::ivec3& size = m_study.volume.geometry.size;
+    const BrickGrid grid{size};
+    std::vector<std::uint8_t> labels;
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                const glm::ivec3 voxel(x, y, z);
+                const auto held =
+                    bricks.find({Field::Labels, 0, std::uint32_t(grid.brickOf(voxel))});
+                labels.push_back(held == bricks.end()
+                        ? std::uint8_t(0)
+                        : held->second[std::size_t(BrickGrid::offsetInBrick(voxel))]);
+            }
+        }
+    }
+    return labels;
+}
+
+/// Whose voxels may be taken follows from the document; which ones are meant is found here.
+HistoryTruth::Bricks HistoryTruth::cleaned(
+    const Bricks& before, const CleanSegment& edit, const Document& document) const
+{
+    const glm::ivec3& size = m_study.volume.geometry.size;
+    const std::vector<std::uint8_t> labels = labelsOf(before);
+    RelabelListed relabel{.target = relabelListed(edit, document, labels).value().target};
+    const bool gives = edit.rule == IslandRule::FillHoles || edit.rule == IslandRule::GiveClicked;
+    const std::vector<bool> meant = islandVoxels(edit, m_study.volume.geometry, labels);
+    const BrickGrid grid{size};
+    std::map<std::uint32_t, std::vector<std::uint8_t>> asked;
+    std::size_t at = 0;
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x, ++at) {
+                if (!meant[at])
+                    continue;
+                const glm::ivec3 voxel(x, y, z);
+                std::vector<std::uint8_t>& brick = asked[std::uint32_t(grid.brickOf(voxel))];
+                brick.resize(BrickGrid::voxelsPerBrick, 0);
+                brick[std::size_t(BrickGrid::offsetInBrick(voxel))] =
+                    gives ? RelabelListed::give : RelabelListed::take;
+            }
+        }
+    }
+    for (const auto& [brick, each] : asked)
+        relabel.bricks.push_back({brick, each});
+    return after(before, relabel, {}, nullptr);
 }
 
 std::vector<RowId> HistoryTruth::standingAt(RowId row) const
@@ -286,6 +344,10 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return after(before, *labelListed(*mask, document), {}, nullptr);
     if (const auto* invert = edit.as<InvertSegment>())
         return after(before, *mapLabels(*invert, document), {}, nullptr);
+    if (const auto* both = edit.as<CombineSegments>())
+        return after(before, *mapLabels(*both, document), {}, nullptr);
+    if (const auto* clean = edit.as<CleanSegment>())
+        return cleaned(before, *clean, document);
     if (const auto* barrier = edit.as<BarrierStroke>())
         return after(before, *paintBarrier(*barrier, document),
             {CapsulePath{capsules(barrier->path, m_study.volume.geometry)}}, nullptr);

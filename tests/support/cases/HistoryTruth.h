@@ -3,6 +3,7 @@
 
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
@@ -36,6 +37,8 @@ public:
     [[nodiscard]] const core::Document& documentAt(core::RowId row) const;
     /// The voxels that growths have added.
     [[nodiscard]] std::vector<glm::ivec3> grownVoxels(core::RowId row) const;
+    /// The labels of the whole volume, x fastest.
+    [[nodiscard]] std::vector<std::uint8_t> labelsAt(core::RowId row) const;
     /// The rows that changed voxels and are in effect at a row, ascending.
     [[nodiscard]] std::vector<core::RowId> standingAt(core::RowId row) const;
 
@@ -73,6 +76,9 @@ private:
         const core::Document* muting = nullptr) const;
     [[nodiscard]] Bricks grown(const Bricks& before, const core::Edit& edit, core::RowId parent,
         std::uint32_t* generation) const;
+    [[nodiscard]] std::vector<std::uint8_t> labelsOf(const Bricks& bricks) const;
+    [[nodiscard]] Bricks cleaned(
+        const Bricks& before, const core::CleanSegment& edit, const core::Document& document) const;
 
     core::LoadedVolume m_study;
     std::map<core::RowId, core::HistoryRow> m_rows;

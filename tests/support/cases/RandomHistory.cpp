@@ -35,6 +35,8 @@
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
@@ -45,6 +47,7 @@
 #include "core/edits/kinds/views/Measurements.h"
 #include "core/session/EditSession.h"
 #include "tests/support/cases/HistoryTruth.h"
+#include "tests/support/cases/IslandTruth.h"
 #include "tests/support/cases/RandomEdits.h"
 #include "tests/support/scenes/GoldenSessions.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -54,6 +57,7 @@
 #include <QTemporaryDir>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <new>
 #include <random>
@@ -156,11 +160,24 @@ private:
         Edit edit = think();
         for (int i = 0; i < 3; ++i) {
             Edit other = think();
-            if (m_result.done[editName(other)] < m_result.done[editName(edit)])
+            if (m_result.done[kindOf(other)] < m_result.done[kindOf(edit)])
                 edit = std::move(other);
         }
         const std::size_t rows = m_session->history().rows().size();
-        return note(editName(edit), m_session->apply(edit), rows);
+        return note(kindOf(edit), m_session->apply(edit), rows);
+    }
+
+    /// Under which name it is counted.
+    static QString kindOf(const Edit& edit)
+    {
+        static constexpr std::array<const char*, 6> rules{" fill holes", " keep largest",
+            " remove small", " keep clicked", " remove clicked", " give clicked"};
+        if (const auto* clean = edit.as<CleanSegment>())
+            return editName(edit) + QLatin1String(rules[std::size_t(clean->rule)]);
+        if (const auto* both = edit.as<CombineSegments>())
+            return editName(edit)
+                + QLatin1String(both->how == CombineSegments::How::Swap ? " swap" : " merge");
+        return editName(edit);
     }
 
     /// @param rowsBefore an edit leaves a row, or did nothing
@@ -236,6 +253,8 @@ private:
             BrushStroke stroke = randomBrush();
             const std::vector<glm::dvec3> points = stroke.path.pointsLps;
             stroke.path.pointsLps.resize(1);
+            if (stroke.path.pressures)
+                stroke.path.pressures->resize(1);
             if (m_session->begin(stroke))
                 m_session->extendPath(points);
         } else if (chance(50)) {
@@ -292,8 +311,10 @@ private:
             return randomLaser();
         if (dice < 82)
             return randomOutlined();
-        if (dice < 89)
+        if (dice < 87)
             return ReviseStroke(randomRevision(rows));
+        if (dice < 92)
+            return randomWhole(document);
         return randomRevert(rows);
     }
 
@@ -372,6 +393,58 @@ private:
         if (!sides.empty())
             seen.hidden = sides;
         return seen;
+    }
+    /// What is done to all of a segment; some are refused, since what they name is locked, is the
+    /// segment itself, or lies where nothing of it is.
+    Edit randomWhole(const Document& document)
+    {
+        const int segment = any(document.segments).label;
+        const int other = any(document.segments).label;
+        if (chance(30))
+            return CombineSegments{.segment = segment,
+                .with = other,
+                .how = chance(50) ? CombineSegments::How::Swap : CombineSegments::How::Merge};
+        CleanSegment clean{.segment = segment, .rule = IslandRule(between(0, 5))};
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
+        if (clean.rule == IslandRule::FillHoles)
+            clean.segment = holedSegment(labels).value_or(segment);
+        // Never as much as a whole number of voxels: rounding decides nothing.
+        const glm::dvec3 spacing = geometry.spacingMm();
+        const double voxels = between(1, 80) - 0.5;
+        if (clean.rule == IslandRule::RemoveSmall
+            || (clean.rule == IslandRule::FillHoles && chance(30)))
+            clean.mm3 = voxels * spacing.x * spacing.y * spacing.z;
+        if (!isOfClicked(clean.rule))
+            return clean;
+        if (clean.rule == IslandRule::GiveClicked)
+            clean.to = other;
+        std::vector<std::size_t> own;
+        for (std::size_t voxel = 0; voxel < labels.size(); ++voxel) {
+            if (labels[voxel] == segment)
+                own.push_back(voxel);
+        }
+        const bool hits = !own.empty() && chance(90);
+        const std::size_t voxel = hits ? any(own) : labels.size() / 2;
+        const auto columns = std::size_t(geometry.size.x);
+        const auto rows = std::size_t(geometry.size.y);
+        clean.islandLps = geometry.toWorld(
+            glm::dvec3(voxel % columns, voxel / columns % rows, voxel / columns / rows));
+        return clean;
+    }
+    /// One that has a hole of which a part is nobody's.
+    [[nodiscard]] std::optional<int> holedSegment(const std::vector<std::uint8_t>& labels) const
+    {
+        const Document& document = m_session->document();
+        for (const Segment& segment : document.segments) {
+            const std::vector<bool> holes =
+                islandVoxels({.segment = segment.label}, document.volumes.front().geometry, labels);
+            for (std::size_t voxel = 0; voxel < labels.size(); ++voxel) {
+                if (holes[voxel] && labels[voxel] == 0 && !segment.locked)
+                    return segment.label;
+            }
+        }
+        return std::nullopt;
     }
     /// Views and distances that are kept.
     Edit randomBookmark(const Document& document)
@@ -586,6 +659,11 @@ private:
         if (chance(40)) {
             path.shape = BrushPath::Shape::Disc;
             path.normalLps = glm::dvec3(0, 0, 1);
+        }
+        // Of the row's number, as in randomGrowth().
+        if (m_session->history().rows().size() % 3 == 0) {
+            path.pressures.emplace(path.pointsLps.size(), 0.4);
+            path.pressures->front() = 1.0;
         }
         return path;
     }

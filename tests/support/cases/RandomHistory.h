@@ -17,7 +17,8 @@ namespace test {
 /// compared with HistoryTruth.
 struct RandomHistory {
     QString failure; ///< the first difference, with the step where it was found; empty if none
-    std::map<QString, int> done; ///< how often each edit was carried out, by name
+    /// How often each edit was carried out, by name; of edits with rules, each rule by itself.
+    std::map<QString, int> done;
     std::map<QString, int> refused;
     std::vector<QByteArray> hashes; ///< after each step; equal on every engine
 };

@@ -59,6 +59,12 @@ QByteArray settledHash(EditSession& session)
     return session.stateHash();
 }
 
+/// Of one point of a path, as the pen tells it.
+std::vector<double> pressuresAt(const core::PenPressures& pressures, std::size_t point)
+{
+    return pressures ? std::vector<double>{(*pressures)[point]} : std::vector<double>();
+}
+
 /// As the pen tells a stroke and the panel a growth; nothing for edits that are made at once.
 bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending ending)
 {
@@ -78,19 +84,25 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         const std::vector<glm::dvec3>& points = whole.pointsLps;
         path.pointsLps.resize(1);
         path.lifts.clear();
+        if (path.pressures)
+            path.pressures->resize(1);
         require(session.begin(first), "begin");
         for (std::size_t next = 1; next < points.size(); ++next) {
             session.extendPath({points[next]},
                 std::find(whole.lifts.begin(), whole.lifts.end(), std::int64_t(next))
-                    != whole.lifts.end());
+                    != whole.lifts.end(),
+                pressuresAt(whole.pressures, next));
             session.poll();
         }
     } else if (const core::SurfacePath* surface = core::surfacePathOf(edit)) {
         core::Edit first = edit;
         core::surfacePathOf(first)->pointsLps.resize(1);
+        if (core::PenPressures& pressures = core::surfacePathOf(first)->pressures)
+            pressures->resize(1);
         require(session.begin(first), "begin");
         for (std::size_t next = 1; next < surface->pointsLps.size(); ++next) {
-            session.extendPath({surface->pointsLps[next]});
+            session.extendPath(
+                {surface->pointsLps[next]}, false, pressuresAt(surface->pressures, next));
             session.poll();
         }
     } else if (const auto* peel = edit.as<core::PeelCut>()) {

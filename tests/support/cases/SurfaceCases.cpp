@@ -107,6 +107,15 @@ std::vector<StrokeCase> surfaceCases()
     add("clear one region", {ball, lay, red, redToo}, clearOne);
     add("push with a sphere", {ball, lay, red}, push);
     add("push yellow", {ball, lay}, push);
+    auto firmer = push.get<core::SpherePush>();
+    firmer.path.pressures = std::vector<double>{0.3, 0.7, 1.0};
+    add("push as the pen is pressed", {ball, lay, red}, firmer);
+    auto wider = core::PointDrag{.path = {.radiusMm = 5.0 * voxelMm,
+                                     .pointsLps = {at({9, 0, 0}), at({10, 0, 0}), at({11, 0, 0})},
+                                     .pressures = std::vector<double>{0.2, 0.6, 1.0}}};
+    add("drag as the pen is pressed", {ball, lay, red}, wider);
+    wider.path.rules = core::newestSurfaceRules;
+    add("drag apart as the pen is pressed", {ball, lay, red}, wider);
     add("scrape", {ball, lay, red}, scrape);
     add("drag", {ball, lay, red}, drag);
     add("smooth", {ball, lay, red, push}, smooth);

@@ -68,6 +68,7 @@ RefinePanel::RefinePanel(Workspace& workspace, QWidget* parent)
     connect(&m_watching, &QTimer::timeout, this, &RefinePanel::watch);
     connect(&workspace.refinement(), &Refinement::changed, this, &RefinePanel::show);
     connect(&workspace.refinement(), &Refinement::lookChanged, this, &RefinePanel::show);
+    connect(&workspace.refinement(), &Refinement::contoursChanged, this, &RefinePanel::show);
     connect(&workspace, &Workspace::activeSegmentChanged, this, &RefinePanel::show);
     connect(&workspace, &Workspace::sessionChanged, this, &RefinePanel::show);
     show();

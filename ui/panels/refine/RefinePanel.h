@@ -64,7 +64,7 @@ private:
     QPushButton* m_signOff = nullptr;
     DoubtsSection* m_doubts = nullptr;
     QPushButton* m_save = nullptr;
-    QPushButton* m_abort = nullptr; ///< while a surface is being laid, or follows the mask
+    QPushButton* m_abort = nullptr; ///< while a surface is laid, follows, or fits a template
     QTimer m_watching;
     core::Background m_saver; ///< last: its results are delivered to all of the above
 };

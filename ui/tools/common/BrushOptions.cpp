@@ -4,6 +4,7 @@
 #include "ui/base/Theme.h"
 #include "ui/tools/common/BrushTool.h"
 #include "ui/tools/common/PaintLimits.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
 
 #include <QComboBox>
@@ -20,6 +21,7 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
     , m_brush(brush)
     , m_radius(new QDoubleSpinBox(this))
     , m_shape(new QComboBox(this))
+    , m_pressure(pressureButton(this))
 {
     m_radius->setObjectName(QStringLiteral("brushRadius"));
     m_radius->setFixedHeight(theme::controlHeight);
@@ -42,6 +44,7 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
         layout->addWidget(new SeedOptions(workspace, {}, this));
     layout->addWidget(new QLabel(tr("Radius"), this));
     layout->addWidget(m_radius);
+    layout->addWidget(m_pressure);
     layout->addWidget(m_shape);
     if (brush == Workspace::Brush::Paint)
         layout->addWidget(new PaintLimits(workspace, this));
@@ -50,6 +53,7 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
     connect(&m_workspace, &Workspace::brushSettingsChanged, this, &BrushOptions::showSettings);
     connect(m_radius, &QDoubleSpinBox::valueChanged, this, &BrushOptions::takeSettings);
     connect(m_shape, &QComboBox::activated, this, &BrushOptions::takeSettings);
+    connect(m_pressure, &QToolButton::clicked, this, &BrushOptions::takeSettings);
 }
 
 void BrushOptions::showSettings()
@@ -58,6 +62,7 @@ void BrushOptions::showSettings()
     const QSignalBlocker radius(m_radius);
     m_radius->setValue(settings.radiusMm);
     m_shape->setCurrentIndex(m_shape->findData(settings.disc));
+    m_pressure->setChecked(settings.radiusByPressure);
 }
 
 void BrushOptions::takeSettings()
@@ -65,6 +70,7 @@ void BrushOptions::takeSettings()
     Workspace::BrushSettings settings = m_workspace.brushSettings(m_brush);
     settings.radiusMm = m_radius->value();
     settings.disc = m_shape->currentData().toBool();
+    settings.radiusByPressure = m_pressure->isChecked();
     m_workspace.setBrushSettings(m_brush, settings);
 }
 

@@ -26,6 +26,7 @@ private:
     Workspace::Brush m_brush;
     QDoubleSpinBox* m_radius = nullptr;
     QComboBox* m_shape = nullptr;
+    QToolButton* m_pressure = nullptr;
 };
 
 } // namespace ui

@@ -5,6 +5,7 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/SeenSurface.h"
+#include "ui/tools/common/PenPressure.h"
 
 #include <QLocale>
 #include <QPainter>
@@ -24,11 +25,13 @@ struct BrushTool::Stroke {
     bool failed = false;
     bool cancelled = false;
     bool released = false;
+    bool isPressed = false; ///< the radius follows the pressure
     glm::dvec3 last{0.0}; ///< LPS
+    double lastPressure = 1.0;
 
     // 3D only.
     std::optional<SeenSurface> surface;
-    glm::dvec2 lastPlaneMm{0.0};
+    Aim lastAim;
     int questions = 0; ///< not answered yet
     bool lifted = false; ///< nothing was seen on the way here
 };
@@ -85,13 +88,15 @@ void BrushTool::press(const PointerSample& sample, const ViewContext& view)
     m_stroke->view = view;
     m_stroke->path = pathIn(view);
     m_stroke->inverted = sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
+    m_stroke->isPressed = settings().radiusByPressure && sample.isPen;
     if (view.isSlice()) {
-        goTo(*m_stroke, view.toLps(sample.position), false);
+        goTo(*m_stroke, view.toLps(sample.position), false, pressedShare(sample));
     } else {
         m_stroke->surface.emplace(std::get<gpu::VolumeScene>(view.scene), *m_workspace.volume(),
             m_stroke->path.radiusMm, reachMm());
-        m_stroke->lastPlaneMm = view.toViewPlaneMm(sample.position);
-        askOnTheWay(m_stroke->lastPlaneMm);
+        m_stroke->lastAim = {
+            .planeMm = view.toViewPlaneMm(sample.position), .pressure = pressedShare(sample)};
+        askOnTheWay(m_stroke->lastAim);
     }
     if (m_stroke && m_stroke->failed)
         m_stroke.reset();
@@ -103,9 +108,10 @@ void BrushTool::drag(const PointerSample& sample, const ViewContext& view)
     if (!m_stroke || m_stroke->released || view.view != m_stroke->view.view)
         return;
     if (m_stroke->view.isSlice())
-        goTo(*m_stroke, m_stroke->view.toLps(sample.position), false);
+        goTo(*m_stroke, m_stroke->view.toLps(sample.position), false, pressedShare(sample));
     else
-        askOnTheWay(m_stroke->view.toViewPlaneMm(sample.position));
+        askOnTheWay({.planeMm = m_stroke->view.toViewPlaneMm(sample.position),
+            .pressure = pressedShare(sample)});
     showCursor(sample, view.view);
 }
 
@@ -142,39 +148,47 @@ void BrushTool::finish(const std::shared_ptr<Stroke>& stroke)
         m_stroke.reset();
 }
 
-void BrushTool::goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted)
+void BrushTool::goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted, double pressure)
 {
     core::EditSession& session = *m_workspace.session();
     if (stroke.begun) {
-        if (pointLps != stroke.last || lifted)
-            session.extendPath({pointLps}, lifted);
+        const bool widens = stroke.isPressed && pressesHarder(pressure, stroke.lastPressure);
+        if (pointLps == stroke.last && !lifted && !widens)
+            return;
+        session.extendPath({pointLps}, lifted,
+            stroke.isPressed ? std::vector<double>{pressure} : std::vector<double>());
         stroke.last = pointLps;
+        stroke.lastPressure = pressure;
         return;
     }
     if (stroke.failed)
         return;
     core::BrushPath path = stroke.path;
     path.pointsLps = {pointLps};
+    if (stroke.isPressed)
+        path.pressures = std::vector<double>{pressure};
     const core::Result<core::Edit> edit = strokeAlong(path, stroke.inverted, stroke.view);
     const core::Result<void> begun =
         edit ? session.begin(*edit) : core::Result<void>(tl::unexpected(edit.error()));
     stroke.last = pointLps;
+    stroke.lastPressure = pressure;
     stroke.begun = bool(begun);
     stroke.failed = !begun;
     if (!begun)
         m_workspace.fail(begun.error());
 }
 
-void BrushTool::askOnTheWay(const glm::dvec2& planeMm)
+void BrushTool::askOnTheWay(const Aim& to)
 {
     const std::shared_ptr<Stroke> stroke = m_stroke;
-    const glm::dvec2 from = std::exchange(stroke->lastPlaneMm, planeMm);
-    const auto cells = stroke->surface->cellsAhead(from, planeMm);
+    const Aim aim = to; // it may be the last one itself
+    const Aim from = std::exchange(stroke->lastAim, aim);
+    const auto cells = stroke->surface->cellsAhead(from.planeMm, aim.planeMm);
     if (cells.empty() && stroke->questions == 0)
-        return follow(*stroke, from, planeMm);
+        return follow(*stroke, from, aim);
     ++stroke->questions;
     m_workspace.session()->questions().pick(stroke->surface->question(cells),
-        [tool = QPointer<BrushTool>(this), stroke, cells, from, planeMm](
+        [tool = QPointer<BrushTool>(this), stroke, cells, from, aim](
             const core::Result<PickedVoxels>& picked) {
             if (!tool || stroke->cancelled)
                 return;
@@ -184,28 +198,30 @@ void BrushTool::askOnTheWay(const glm::dvec2& planeMm)
                 tool->m_workspace.fail(picked.error());
             } else {
                 stroke->surface->take(cells, *picked);
-                tool->follow(*stroke, from, planeMm);
+                tool->follow(*stroke, from, aim);
             }
             if (stroke->released && stroke->questions == 0)
                 tool->finish(stroke);
         });
 }
 
-void BrushTool::follow(Stroke& stroke, const glm::dvec2& from, const glm::dvec2& to)
+void BrushTool::follow(Stroke& stroke, const Aim& from, const Aim& to)
 {
-    const int pieces =
-        std::max(1, int(std::ceil(glm::distance(from, to) / stroke.surface->stepMm())));
+    const int pieces = std::max(
+        1, int(std::ceil(glm::distance(from.planeMm, to.planeMm) / stroke.surface->stepMm())));
     const auto& scene = std::get<gpu::VolumeScene>(stroke.view.scene);
     const glm::dvec3 forward = glm::normalize(scene.targetLps - scene.eyeLps);
     for (int piece = 1; piece <= pieces; ++piece) {
-        const auto seen = stroke.surface->at(from + (to - from) * (double(piece) / pieces));
+        const double share = double(piece) / pieces;
+        const auto seen = stroke.surface->at(from.planeMm + (to.planeMm - from.planeMm) * share);
         if (!seen) {
             stroke.lifted = true;
             continue;
         }
         // What lies behind an edge is another place: nothing is drawn through the air between.
         const bool jumps = std::abs(glm::dot(*seen - stroke.last, forward)) > stroke.path.radiusMm;
-        goTo(stroke, *seen, stroke.begun && (stroke.lifted || jumps));
+        goTo(stroke, *seen, stroke.begun && (stroke.lifted || jumps),
+            from.pressure + (to.pressure - from.pressure) * share);
         stroke.lifted = false;
     }
 }
@@ -225,6 +241,7 @@ void BrushTool::showCursor(const PointerSample& sample, gpu::ViewId view)
 {
     m_cursor = sample.position;
     m_cursorView = view;
+    m_pressure = m_stroke && m_stroke->isPressed ? pressedShare(sample) : 1.0;
     m_inverted = m_stroke ? m_stroke->inverted
                           : sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
     Q_EMIT overlayChanged();
@@ -244,7 +261,7 @@ void BrushTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
         return;
     const double radius =
-        (m_stroke ? m_stroke->path.radiusMm : settings().radiusMm) / view.mmPerPixel();
+        m_pressure * (m_stroke ? m_stroke->path.radiusMm : settings().radiusMm) / view.mmPerPixel();
     drawCursorRing(painter, m_cursor, radius, colour(), m_inverted);
 
     QString size = tr("radius %1 mm").arg(QLocale().toString(settings().radiusMm, 'f', 1));

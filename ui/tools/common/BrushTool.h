@@ -14,8 +14,8 @@ namespace ui {
 
 /// Base of the brushes (paint, barrier, carve brush): a ball or disc follows the pen, on a slice
 /// along its plane, in the 3D view along the visible surface. Ctrl or the pen's eraser end inverts
-/// it. Each stroke is one edit; its effect is visible while the pen is down, and cancel() takes it
-/// back.
+/// it; its radius may follow the pressure of a pen. Each stroke is one edit; its effect is visible
+/// while the pen is down, and cancel() takes it back.
 class BrushTool : public Tool {
     Q_OBJECT
 
@@ -55,13 +55,18 @@ protected:
 
 private:
     struct Stroke;
+    /// Where the pen is aimed in a 3D view, and how firmly it is pressed.
+    struct Aim {
+        glm::dvec2 planeMm{0.0};
+        double pressure = 1.0;
+    };
 
     [[nodiscard]] core::BrushPath pathIn(const ViewContext& view) const;
     /// In a 3D view: asks what is seen along the way to this point, then continues the stroke
     /// there.
-    void askOnTheWay(const glm::dvec2& planeMm);
-    void follow(Stroke& stroke, const glm::dvec2& from, const glm::dvec2& to);
-    void goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted);
+    void askOnTheWay(const Aim& to);
+    void follow(Stroke& stroke, const Aim& from, const Aim& to);
+    void goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted, double pressure);
     void finish(const std::shared_ptr<Stroke>& stroke);
     void showCursor(const PointerSample& sample, gpu::ViewId view);
 
@@ -71,6 +76,7 @@ private:
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
     bool m_inverted = false;
+    double m_pressure = 1.0; ///< the share of the radius at the cursor
 };
 
 } // namespace ui

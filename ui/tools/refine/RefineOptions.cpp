@@ -2,6 +2,7 @@
 #include "ui/tools/refine/RefineOptions.h"
 
 #include "ui/base/Theme.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/tools/refine/RefineTool.h"
 #include "ui/workspace/Refinement.h"
 
@@ -39,6 +40,7 @@ RefineOptions::RefineOptions(Workspace& workspace, QWidget* parent)
     , m_modes(new QButtonGroup(this))
     , m_mark(new QComboBox(this))
     , m_radius(new QDoubleSpinBox(this))
+    , m_pressure(pressureButton(this))
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -91,6 +93,7 @@ RefineOptions::RefineOptions(Workspace& workspace, QWidget* parent)
     m_radius->setSingleStep(0.5);
     m_radius->setSuffix(tr(" mm"));
     layout->addWidget(m_radius);
+    layout->addWidget(m_pressure);
     m_template = buildTemplate();
     layout->addWidget(m_template);
 
@@ -104,6 +107,7 @@ RefineOptions::RefineOptions(Workspace& workspace, QWidget* parent)
     connect(m_modes, &QButtonGroup::idClicked, this, &RefineOptions::takeSettings);
     connect(m_mark, &QComboBox::activated, this, &RefineOptions::takeSettings);
     connect(m_radius, &QDoubleSpinBox::valueChanged, this, &RefineOptions::takeSettings);
+    connect(m_pressure, &QToolButton::clicked, this, &RefineOptions::takeSettings);
 }
 
 QWidget* RefineOptions::buildTemplate()
@@ -166,6 +170,8 @@ void RefineOptions::showSettings()
     const bool isTemplate = settings.mode == Refinement::Mode::Template;
     m_radiusLabel->setVisible(!isTemplate);
     m_radius->setVisible(!isTemplate);
+    m_pressure->setChecked(settings.radiusByPressure);
+    m_pressure->setVisible(!isTemplate);
     m_template->setVisible(isTemplate);
 }
 
@@ -173,7 +179,8 @@ void RefineOptions::takeSettings()
 {
     m_workspace.refinement().setSettings({.mode = Refinement::Mode(m_modes->checkedId()),
         .mark = core::SurfaceMark(m_mark->currentData().toInt()),
-        .radiusMm = m_radius->value()});
+        .radiusMm = m_radius->value(),
+        .radiusByPressure = m_pressure->isChecked()});
 }
 
 } // namespace ui

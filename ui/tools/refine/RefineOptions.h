@@ -31,6 +31,7 @@ private:
     QComboBox* m_mark = nullptr;
     QLabel* m_radiusLabel = nullptr;
     QDoubleSpinBox* m_radius = nullptr;
+    QToolButton* m_pressure = nullptr;
     QWidget* m_template = nullptr; ///< for Mode::Template
     QLabel* m_contours = nullptr;
     QToolButton* m_preview = nullptr;

@@ -9,6 +9,7 @@
 #include "core/edits/kinds/surface/SpherePush.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 #include "ui/tools/aim/CursorLabel.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/tools/refine/RefineOptions.h"
 
 #include <QLocale>
@@ -153,9 +154,11 @@ std::optional<glm::dvec3> RefineTool::placeOf(Stroke& stroke, const QPointF& pix
 
 core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) const
 {
-    const core::SurfacePath path{.radiusMm = stroke.settings.radiusMm,
+    core::SurfacePath path{.radiusMm = stroke.settings.radiusMm,
         .pointsLps = {placeLps},
         .rules = core::newestSurfaceRules};
+    if (stroke.isPressed)
+        path.pressures = std::vector<double>{stroke.lastPressure};
     switch (stroke.settings.mode) {
     case Refinement::Mode::Mark:
         return core::MarkSurface{
@@ -204,7 +207,9 @@ void RefineTool::press(const PointerSample& sample, const ViewContext& view)
     m_stroke = Stroke{.view = view,
         .surface = refinement.mirror(),
         .settings = refinement.settings(),
-        .inverted = sample.eraserEnd || (sample.modifiers & Qt::ControlModifier)};
+        .inverted = sample.eraserEnd || (sample.modifiers & Qt::ControlModifier),
+        .isPressed = refinement.settings().radiusByPressure && sample.isPen,
+        .lastPressure = pressedShare(sample)};
     const std::optional<glm::dvec3> place = placeOf(*m_stroke, sample.position);
     if (!place) {
         m_stroke.reset();
@@ -227,9 +232,13 @@ void RefineTool::drag(const PointerSample& sample, const ViewContext& view)
     if (!m_stroke || view.view != m_stroke->view.view)
         return;
     const std::optional<glm::dvec3> place = placeOf(*m_stroke, sample.position);
-    if (place && *place != m_stroke->last) {
-        m_workspace.session()->extendPath({*place});
+    const double pressure = pressedShare(sample);
+    const bool widens = m_stroke->isPressed && pressesHarder(pressure, m_stroke->lastPressure);
+    if (place && (*place != m_stroke->last || widens)) {
+        m_workspace.session()->extendPath({*place}, false,
+            m_stroke->isPressed ? std::vector<double>{pressure} : std::vector<double>());
         m_stroke->last = *place;
+        m_stroke->lastPressure = pressure;
     }
     hover(sample, view);
 }
@@ -295,6 +304,7 @@ void RefineTool::hover(const PointerSample& sample, const ViewContext& view)
 {
     m_cursor = sample.position;
     m_cursorView = view.view;
+    m_pressure = m_stroke && m_stroke->isPressed ? pressedShare(sample) : 1.0;
     m_inverted = m_stroke ? m_stroke->inverted
                           : sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
     Q_EMIT overlayChanged();
@@ -364,7 +374,7 @@ void RefineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
         return;
     const double radiusMm = m_workspace.refinement().settings().radiusMm;
-    const double radius = radiusMm / view.mmPerPixel();
+    const double radius = m_pressure * radiusMm / view.mmPerPixel();
     drawCursorRing(painter, m_cursor, radius, colour(), m_inverted);
     drawCursorLabel(painter, view.sizePixels, m_cursor, radius,
         {target(), tr("radius %1 mm").arg(QLocale().toString(radiusMm, 'f', 1))});

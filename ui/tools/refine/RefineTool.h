@@ -55,6 +55,8 @@ private:
         bool inverted = false;
         double depthMm = 0.0; ///< in a 3D view: depth of the last hit along the view
         glm::dvec3 last{0.0}; ///< LPS
+        bool isPressed = false; ///< the radius follows the pressure
+        double lastPressure = 1.0;
     };
 
     /// Where the tool is, LPS; none if the surface is not met.
@@ -77,6 +79,7 @@ private:
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
     bool m_inverted = false;
+    double m_pressure = 1.0; ///< the share of the radius at the cursor
 };
 
 } // namespace ui

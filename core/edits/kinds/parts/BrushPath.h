@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/parts/PenPressures.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -10,7 +12,7 @@
 namespace core {
 
 /// The path of a brush: it covers everything within its radius of the path, which runs straight
-/// from point to point.
+/// from point to point. The radius may follow the pressure of a pen.
 struct BrushPath {
     enum class Shape {
         Ball,
@@ -23,6 +25,7 @@ struct BrushPath {
     /// Indices into pointsLps, ascending: the path does not lead to these points but begins anew
     /// there.
     std::vector<std::int64_t> lifts{};
+    PenPressures pressures{};
 };
 
 } // namespace core

@@ -13,6 +13,8 @@ using namespace rowWords;
 
 Result<void> check(const MarkSurface& edit, const Document& document)
 {
+    if (const Result<void> pressed = checkPressures(edit.path, "mark"); !pressed)
+        return pressed;
     return checkApplied(edit, document);
 }
 

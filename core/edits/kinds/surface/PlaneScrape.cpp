@@ -11,6 +11,8 @@ namespace core {
 
 Result<void> check(const PlaneScrape& edit, const Document& document)
 {
+    if (const Result<void> pressed = checkPressures(edit.path, "planeScrape"); !pressed)
+        return pressed;
     return checkApplied(edit, document);
 }
 

@@ -17,6 +17,11 @@ Result<bool> changeSurface(Document& document, bool deforms)
     return true;
 }
 
+Result<void> checkPressures(const SurfacePath& path, const char* name)
+{
+    return checkPressures(path.pressures, path.pointsLps.size(), QString::fromLatin1(name));
+}
+
 EditEffects surfaceEffects(bool standsOpen)
 {
     return {.task = EditTask::Surface,

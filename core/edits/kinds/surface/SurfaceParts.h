@@ -18,6 +18,9 @@ struct SurfacePath;
 /// @param deforms it no longer agrees with its segment
 Result<bool> changeSurface(Document& document, bool deforms);
 
+/// Whether a path has as many pressures as points, if any. @param name of the edit
+[[nodiscard]] Result<void> checkPressures(const SurfacePath& path, const char* name);
+
 /// The effects of an edit that changes the surface and no voxel. One that stands open is a tool,
 /// and its edit contains places.
 [[nodiscard]] EditEffects surfaceEffects(bool standsOpen);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/parts/PenPressures.h"
 #include "core/edits/kinds/surface/SurfaceRules.h"
 
 #include <glm/glm.hpp>
@@ -15,6 +16,7 @@ struct SurfacePath {
     double radiusMm = 8.0;
     std::vector<glm::dvec3> pointsLps{};
     SurfaceRules rules{};
+    PenPressures pressures{};
 };
 
 } // namespace core

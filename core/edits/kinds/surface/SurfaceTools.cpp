@@ -14,6 +14,8 @@ namespace core {
 
 Result<void> check(const SpherePush& edit, const Document& document)
 {
+    if (const Result<void> pressed = checkPressures(edit.path, "spherePush"); !pressed)
+        return pressed;
     return checkApplied(edit, document);
 }
 
@@ -39,6 +41,8 @@ EditDependencies dependencies(const SpherePush&, const DependencyFacts& row)
 
 Result<void> check(const PointDrag& edit, const Document& document)
 {
+    if (const Result<void> pressed = checkPressures(edit.path, "pointDrag"); !pressed)
+        return pressed;
     return checkApplied(edit, document);
 }
 
@@ -64,6 +68,8 @@ EditDependencies dependencies(const PointDrag&, const DependencyFacts& row)
 
 Result<void> check(const SmoothSurface& edit, const Document& document)
 {
+    if (const Result<void> pressed = checkPressures(edit.path, "smooth"); !pressed)
+        return pressed;
     return checkApplied(edit, document);
 }
 
@@ -89,6 +95,8 @@ EditDependencies dependencies(const SmoothSurface&, const DependencyFacts& row)
 
 Result<void> check(const AttractSurface& edit, const Document& document)
 {
+    if (const Result<void> pressed = checkPressures(edit.path, "attract"); !pressed)
+        return pressed;
     return checkApplied(edit, document);
 }
 

@@ -13,6 +13,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -233,17 +234,93 @@ private Q_SLOTS:
         Bench bench({60, 40, 20}, oblique);
         BrushPath path = test::randomPath(bench.document, random);
         path.lifts.clear();
-        const auto whole = capsules(path, bench.geometry());
-        std::vector<Capsule> told = capsules(path, bench.geometry(), nullptr, {path.pointsLps[0]});
-        for (std::size_t i = 1; i < path.pointsLps.size(); ++i) {
-            const auto more =
-                capsules(path, bench.geometry(), &path.pointsLps[i - 1], {path.pointsLps[i]});
-            told.insert(told.end(), more.begin(), more.end());
+        for (const bool pressed : {false, true}) {
+            path.pressures.reset();
+            if (pressed)
+                path.pressures.emplace(path.pointsLps.size(), 0.75);
+            if (pressed)
+                path.pressures->front() = 0.25;
+            const auto whole = capsules(path, bench.geometry());
+            std::vector<Capsule> told;
+            for (std::size_t i = 0; i < path.pointsLps.size(); ++i) {
+                PartPressures part;
+                if (pressed)
+                    part.atPoints = {(*path.pressures)[i]};
+                if (pressed && i > 0)
+                    part.before = (*path.pressures)[i - 1];
+                const auto more = capsules(path, bench.geometry(),
+                    i > 0 ? &path.pointsLps[i - 1] : nullptr, {path.pointsLps[i]}, part);
+                told.insert(told.end(), more.begin(), more.end());
+            }
+            QCOMPARE(told.size(), whole.size());
+            for (std::size_t i = 0; i < told.size(); ++i)
+                QVERIFY(told[i].from == whole[i].from && told[i].direction == whole[i].direction
+                    && told[i].length == whole[i].length && told[i].less == whole[i].less);
+            QCOMPARE(std::any_of(whole.begin(), whole.end(),
+                         [](const Capsule& capsule) { return capsule.less != 0; }),
+                pressed);
         }
-        QCOMPARE(told.size(), whole.size());
-        for (std::size_t i = 0; i < told.size(); ++i)
-            QVERIFY(told[i].from == whole[i].from && told[i].direction == whole[i].direction
-                && told[i].length == whole[i].length);
+    }
+
+    /// The radius runs evenly from one pressure to the next, in steps of at most a quarter of a
+    /// voxel; the voxels are those of the cone, but for such a step.
+    void theRadiusFollowsThePressure()
+    {
+        Bench bench({60, 40, 20}, straight);
+        PaintStroke stroke{.segment = 1};
+        stroke.path.radiusMm = 8.0;
+        const auto at = [&](double x) { return bench.geometry().toWorld({x, 20.0, 10.0}); };
+        stroke.path.pointsLps = {at(15.0), at(45.0)};
+        stroke.path.pressures = std::vector<double>{0.25, 1.0};
+        const std::vector<Capsule> pieces = capsules(stroke.path, bench.geometry());
+        const glm::dvec3 spacing = bench.geometry().spacingMm();
+        const double quarter = 0.25 * std::min({spacing.x, spacing.y, spacing.z}) * 65536.0;
+        QVERIFY(pieces.size() > 3);
+        for (std::size_t i = 1; i < pieces.size(); ++i) {
+            const double narrower = double(pieces[i - 1].less) - double(pieces[i].less);
+            QVERIFY(narrower >= 0.0 && narrower <= quarter + 2.0);
+        }
+        bench.paint(stroke);
+        std::set<std::array<int, 3>> painted;
+        for (const glm::ivec3& voxel : bench.voxels())
+            painted.insert({voxel.x, voxel.y, voxel.z});
+        QVERIFY(painted.size() > 500);
+        const glm::dvec3 from = stroke.path.pointsLps[0];
+        const glm::dvec3 way = stroke.path.pointsLps[1] - from;
+        for (int z = 0; z < 20; ++z) {
+            for (int y = 0; y < 40; ++y) {
+                for (int x = 0; x < 60; ++x) {
+                    // How deep it lies within the balls along the way, whose radius changes.
+                    const glm::dvec3 place = bench.geometry().toWorld({x, y, z});
+                    double deepest = -1e9;
+                    for (int step = 0; step <= 400; ++step) {
+                        const double share = step / 400.0;
+                        deepest = std::max(deepest,
+                            8.0 * (0.25 + 0.75 * share) - glm::distance(place, from + share * way));
+                    }
+                    const bool isIn = painted.count({x, y, z}) > 0;
+                    const double slack = 0.3 * std::min({spacing.x, spacing.y, spacing.z});
+                    QVERIFY2(isIn ? deepest > -slack : deepest < slack,
+                        qPrintable(QString::number(deepest)));
+                }
+            }
+        }
+    }
+
+    void aPathHasAsManyPressuresAsPoints()
+    {
+        Bench bench({30, 30, 10}, straight);
+        PaintStroke stroke{.segment = 1};
+        stroke.path.radiusMm = 4.0;
+        stroke.path.pointsLps = {
+            bench.geometry().toWorld({12, 15, 5}), bench.geometry().toWorld({15, 15, 5})};
+        stroke.path.pressures = std::vector<double>{0.5};
+        const auto refused = paintLabel(stroke, bench.document);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::InvalidField);
+        QVERIFY(refused.error().arguments.first().endsWith(QLatin1String(".pressures")));
+        stroke.path.pressures = std::vector<double>{0.5, 1.0};
+        QVERIFY(paintLabel(stroke, bench.document));
     }
 
     /// Where the pen is lifted nothing lies between.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/tools/ContourBody.h"
+#include "core/base/Progress.h"
 #include "core/refine/deform/BoundaryForce.h"
 #include "core/refine/fit/InitialFit.h"
 #include "core/refine/repair/MeshRestructuring.h"
@@ -20,8 +21,11 @@
 #include <QTest>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <ctime>
+#include <thread>
 
 namespace contourBodyTest {
 
@@ -32,9 +36,9 @@ namespace {
 constexpr double ballMm = 20.0;
 
 /// A ball whose cap above z = 12 is flat, and red.
-SimplexMesh flatBall()
+SimplexMesh flatBall(int cuts = 4)
 {
-    SimplexMesh mesh = test::simplexSphere(ballMm, 4);
+    SimplexMesh mesh = test::simplexSphere(ballMm, cuts);
     SimplexMeshEdit edit(mesh);
     for (const VertexId id : mesh.vertexIds()) {
         glm::dvec3 at = mesh.position(id);
@@ -191,6 +195,8 @@ private Q_SLOTS:
     void contoursWithoutLengthAreRefused();
     void manyContoursAreThinnedOrRefused();
     void rowsOfBeforeAreCarriedOutAsBefore();
+    void whatIsCancelledMovesNothingMore();
+    void cancellingEndsItSoon();
     void aLobeComesBack_data();
     void aLobeComesBack();
 };
@@ -405,6 +411,79 @@ void ContourBodyTest::rowsOfBeforeAreCarriedOutAsBefore()
     made.add({});
     made.commit();
     QVERIFY(identical(mesh, same));
+}
+
+void ContourBodyTest::whatIsCancelledMovesNothingMore()
+{
+    const SimplexMesh before = flatBall();
+    const std::vector<TemplateContour> contours{arc(0.0), arc(1.5), circle(16.0)};
+    Progress progress;
+    SimplexMesh mesh = before;
+    SurfaceStroke stroke(mesh, nullptr, bodyTool(mesh, contours), {.progress = &progress});
+    stroke.add({});
+    const int steps = stroke.steps();
+    QVERIFY(steps > 0);
+    const SimplexMesh halfWay = mesh;
+    QVERIFY(!identical(halfWay, before));
+    progress.cancel();
+    stroke.settle();
+    QCOMPARE(stroke.steps(), steps);
+    QVERIFY(identical(mesh, halfWay));
+    stroke.rollback();
+    QVERIFY(identical(mesh, before));
+    // Nor is a shape made any more.
+    const auto made = TemplateShape::make(mesh, contours, 0.0, TemplateForm::Body, &progress);
+    QVERIFY(!made);
+    QCOMPARE(made.error().code, ErrorCode::Cancelled);
+}
+
+/// Whenever it is told to a large surface. Of the processors' time, since the machine may do other
+/// things as well.
+void ContourBodyTest::cancellingEndsItSoon()
+{
+    const SimplexMesh before = flatBall(5);
+    QVERIFY(before.vertexIds().size() > 20000);
+    VolumeGeometry geometry;
+    geometry.size = {64, 64, 64};
+    geometry.indexToWorld[3] = glm::dvec4(-32.0, -32.0, -32.0, 1.0);
+    const double areaMm2 = meanFaceAreaMm2(before);
+    const std::vector<TemplateContour> contours{
+        arc(0.0), arc(1.0), arc(2.0), circle(14.0), circle(16.0), circle(18.0)};
+    const std::clock_t begun = std::clock();
+    QVERIFY(TemplateShape::make(before, contours, areaMm2, TemplateForm::Body));
+    const double toMake = double(std::clock() - begun) / double(CLOCKS_PER_SEC);
+    // Two processors may have worked for 100 ms; under a sanitizer everything takes longer, but no
+    // part of it as long as making the shape.
+    const double most = std::max(0.2, toMake);
+    for (const int afterMs : {20, 100, 300, 700, 1200}) {
+        SimplexMesh mesh = before;
+        Progress progress;
+        std::atomic<std::clock_t> cancelled{0};
+        std::thread user([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(afterMs));
+            cancelled = std::clock();
+            progress.cancel();
+        });
+        int steps = 0;
+        Result<TemplateShape> shape =
+            TemplateShape::make(mesh, contours, areaMm2, TemplateForm::Body, &progress);
+        if (shape) {
+            SurfaceStroke stroke(mesh, nullptr,
+                TemplateTool{.contours = contours,
+                    .shape = std::make_shared<const TemplateShape>(*std::move(shape))},
+                {.areaMm2 = areaMm2, .reddens = true, .apartOn = &geometry, .progress = &progress});
+            stroke.add({});
+            stroke.settle();
+            steps = stroke.steps();
+            stroke.rollback();
+        }
+        const std::clock_t ended = std::clock();
+        user.join();
+        const double seconds = double(ended - cancelled) / double(CLOCKS_PER_SEC);
+        qInfo("after %d ms, %d steps: %.3f s", afterMs, steps, seconds);
+        QVERIFY(identical(mesh, before));
+        QVERIFY2(seconds < most, qPrintable(QString::number(seconds)));
+    }
 }
 
 void ContourBodyTest::aLobeComesBack_data()

@@ -41,6 +41,34 @@ PointDrag dragThrough(SurfaceRules rules)
     return drag;
 }
 
+/// A point of the volume, from its middle in voxels.
+glm::dvec3 fromMiddle(double x, double y, double z)
+{
+    return geometry.toWorld((glm::dvec3(geometry.size) - 1.0) / 2.0 + glm::dvec3(x, y, z));
+}
+
+/// Makes one side of the ball red.
+MarkSurface redTop()
+{
+    return {.mark = SurfaceMark::Red,
+        .path = {.radiusMm = 6.0,
+            .pointsLps = {fromMiddle(9.0, 0.0, 0.0)},
+            .rules = newestSurfaceRules}};
+}
+
+/// A lobe on that side, on two planes that cross.
+ApplyTemplate lobeOnTop()
+{
+    ApplyTemplate shape{
+        .contoursLps = std::vector<std::vector<glm::dvec3>>(2), .rules = newestSurfaceRules};
+    for (double away = -5.0; away <= 5.0; away += 0.5) {
+        const double height = 12.0 - 0.12 * away * away;
+        shape.contoursLps[0].push_back(fromMiddle(height, away, 0.0));
+        shape.contoursLps[1].push_back(fromMiddle(height, 0.0, away));
+    }
+    return shape;
+}
+
 } // namespace
 
 /// By which rules a surface is moved is a part of the edit that moves it.
@@ -60,6 +88,9 @@ private Q_SLOTS:
     void openAndClosedContoursGoTogether();
     void templatesThatSayNothingAreRefused();
     void layingIsAborted();
+    void aTemplateIsAborted_data();
+    void aTemplateIsAborted();
+    void aPreviewThatMovesIsTakenBackSilently();
 
 private:
     void run(const Edit& edit)
@@ -196,6 +227,60 @@ void SurfaceRulesTest::layingIsAborted()
     QCOMPARE(m_session->stateHash(), before);
     QVERIFY(!m_session->document().surface.has_value());
     run(LaySurface{.segment = 1, .vertices = 600});
+}
+
+void SurfaceRulesTest::aTemplateIsAborted_data()
+{
+    QTest::addColumn<bool>("preview");
+    QTest::newRow("whole") << false;
+    QTest::newRow("preview") << true;
+}
+
+void SurfaceRulesTest::aTemplateIsAborted()
+{
+    QFETCH(bool, preview);
+    run(LaySurface{.segment = 1, .vertices = 600, .rules = newestSurfaceRules});
+    run(redTop());
+    const ApplyTemplate shape = lobeOnTop();
+    const QByteArray before = m_session->stateHash();
+    const RowId row = m_session->history().position();
+    const std::size_t rows = m_session->history().rows().size();
+    QVERIFY(!m_session->surface().isAbortable());
+    QVERIFY(preview ? m_session->begin(shape) : m_session->apply(shape));
+    QVERIFY(m_session->surface().isAbortable());
+    m_session->surface().abort();
+    QVERIFY(!m_session->templateOpen());
+    const Result<void> ended = m_session->settle();
+    // Whole, it may have been through before it was told; then it is a row as any other.
+    if (!preview && ended) {
+        QCOMPARE(m_session->history().rows().size(), rows + 1);
+        QVERIFY(m_session->undo());
+        QVERIFY(m_session->settle());
+    } else {
+        QVERIFY(!ended);
+        QCOMPARE(ended.error().code, ErrorCode::Cancelled);
+        QCOMPARE(m_session->history().rows().size(), rows);
+    }
+    QVERIFY(!m_session->surface().isAbortable());
+    QCOMPARE(m_session->history().position(), row);
+    QCOMPARE(m_session->stateHash(), before);
+    // And it is as good as new.
+    run(shape);
+    QVERIFY(m_session->stateHash() != before);
+    QVERIFY(!m_session->surface().isAbortable());
+}
+
+void SurfaceRulesTest::aPreviewThatMovesIsTakenBackSilently()
+{
+    run(LaySurface{.segment = 1, .vertices = 600, .rules = newestSurfaceRules});
+    run(redTop());
+    const QByteArray before = m_session->stateHash();
+    QVERIFY(m_session->begin(lobeOnTop()));
+    m_session->end(Ending::Rollback);
+    // Who takes it back himself is told nothing.
+    QVERIFY(m_session->settle());
+    QVERIFY(!m_session->templateOpen());
+    QCOMPARE(m_session->stateHash(), before);
 }
 
 BURIN_TEST(SurfaceRulesTest)

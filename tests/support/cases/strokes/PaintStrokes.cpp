@@ -57,6 +57,12 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"growth after an erased outline", volume, {first, seeds, some, erased}, all});
     cases.push_back(
         {"undo only an outline", volume, {first, outline, paint}, core::RevertRows{{2}}});
+    auto pressed = paint.get<core::PaintStroke>();
+    pressed.path.pressures = std::vector<double>{0.2, 1.0, 0.6};
+    cases.push_back({"paint as the pen is pressed", volume, {first}, pressed});
+    pressed = slice.get<core::PaintStroke>();
+    pressed.path.pressures = std::vector<double>{1.0, 0.0, 0.8};
+    cases.push_back({"paint on a slice as the pen is pressed", volume, {first, paint}, pressed});
     auto dab = paint.get<core::PaintStroke>();
     dab.segment = 2;
     dab.path.radiusMm = 2.0;

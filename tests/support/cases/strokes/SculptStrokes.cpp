@@ -58,6 +58,11 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
 
     cases.push_back({"carve brush", volume, {drill}, brush});
     cases.push_back({"restore", volume, {drill, brush}, back});
+    auto pressed = brush.get<core::BrushStroke>();
+    pressed.path.pressures = std::vector<double>{0.3, 0.9, 0.5};
+    cases.push_back({"carve as the pen is pressed", volume, {drill}, pressed});
+    cases.push_back({"revise a brush that was pressed", volume, {drill, pressed, drill},
+        core::ReviseStroke{.row = 2, .radiusMm = 7.0}});
     cases.push_back({"restore what is whole", volume, {}, back});
     cases.push_back({"drill after the brush", volume, {brush, back}, drill});
     cases.push_back({"revise a drill below the brush", volume, {drill, brush, back, drill},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/MarkSurface.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -52,6 +53,37 @@ private Q_SLOTS:
         QCOMPARE(settled.error().code, core::ErrorCode::Cancelled);
         QCOMPARE(fixture.session().history().position(), row);
         QVERIFY(!fixture.workspace.refinement().surface());
+        QTRY_VERIFY(fixture.button("abortSurface").isHidden());
+    }
+
+    void aTemplateIsAborted()
+    {
+        PanelFixture fixture;
+        fixture.apply(
+            core::LaySurface{.segment = 1, .vertices = 12000, .rules = core::newestSurfaceRules});
+        fixture.apply(core::MarkSurface{.mark = core::SurfaceMark::Red,
+            .path = {.radiusMm = 12.0,
+                .pointsLps = {glm::dvec3(10.0, 0.0, 0.0)},
+                .rules = core::newestSurfaceRules}});
+        const QByteArray before = fixture.session().stateHash();
+        const core::RowId row = fixture.session().history().position();
+        std::vector<glm::dvec3> lobe;
+        for (int i = -8; i <= 8; ++i)
+            lobe.emplace_back(14.0 - 0.15 * i * i, double(i), 0.0);
+        fixture.workspace.refinement().addContour(lobe);
+        QVERIFY(fixture.button("abortSurface").isHidden());
+        fixture.workspace.refinement().previewTemplate();
+        QVERIFY(fixture.workspace.refinement().isPreviewing());
+        QTRY_VERIFY(!fixture.button("abortSurface").isHidden());
+        fixture.button("abortSurface").click();
+        QVERIFY(!fixture.workspace.refinement().isPreviewing());
+        const auto settled = fixture.session().settle();
+        QVERIFY(!settled);
+        QCOMPARE(settled.error().code, core::ErrorCode::Cancelled);
+        QCOMPARE(fixture.session().history().position(), row);
+        QCOMPARE(fixture.session().stateHash(), before);
+        // What was drawn stays.
+        QCOMPARE(fixture.workspace.refinement().contours().size(), std::size_t(1));
         QTRY_VERIFY(fixture.button("abortSurface").isHidden());
     }
 

@@ -212,6 +212,81 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().history().position(), row);
     }
 
+    void theRadiusFollowsThePressure()
+    {
+        BrushFixture fixture(Brush::Paint);
+        auto* button = fixture.window.findChild<QToolButton*>(QStringLiteral("radiusByPressure"));
+        QVERIFY(button);
+        QVERIFY(!button->isChecked());
+        button->click();
+        QVERIFY(fixture.workspace.brushSettings(Brush::Paint).radiusByPressure);
+        QVERIFY(!fixture.workspace.brushSettings(Brush::Carve).radiusByPressure);
+        const QPointF middle = BrushFixture::middleOf(fixture.slice);
+        const std::vector<double> pressures{0.25, 0.5, 1.0, 0.0};
+        {
+            test::Pen pen(fixture.slice);
+            for (std::size_t i = 0; i < stroke.size(); ++i) {
+                if (i == 0)
+                    pen.press(middle + stroke[i].offset, pressures[i], stroke[i].milliseconds);
+                else
+                    pen.move(middle + stroke[i].offset, pressures[i], stroke[i].milliseconds);
+                fixture.session().poll();
+            }
+            lift(fixture, fixture.slice, pen);
+        }
+        const auto pressed = fixture.lastEdit().get<core::PaintStroke>();
+        QVERIFY(pressed.path.pressures);
+        QCOMPARE(pressed.path.pressures->size(), pressed.path.pointsLps.size());
+        QCOMPARE(pressed.path.pressures->size(), pressures.size());
+        for (std::size_t i = 0; i < pressures.size(); ++i)
+            // What only touches still has a tenth of the radius.
+            QVERIFY(std::abs((*pressed.path.pressures)[i] - std::max(pressures[i], 0.1)) < 1e-4);
+        const std::size_t painted = fixture.painted().size();
+        // As a recipe does it at once, to the bit; pressed fully it is more.
+        test::WorkspaceFixture recipe;
+        recipe.apply(fixture.session().history().row(1).edit);
+        recipe.apply(pressed);
+        QCOMPARE(recipe.session().stateHash(), fixture.session().stateHash());
+        core::PaintStroke whole = pressed;
+        whole.path.pressures.reset();
+        QVERIFY(fixture.session().apply(whole));
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.painted().size() > painted);
+
+        // The eraser end takes away as much as it is pressed.
+        const std::size_t before = fixture.painted().size();
+        test::Pen eraser(fixture.slice, test::Pen::End::Eraser);
+        eraser.press(middle, 0.5, 71000);
+        eraser.release(middle, 71100);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().erase);
+        QCOMPARE(
+            fixture.lastEdit().get<core::PaintStroke>().path.pressures->size(), std::size_t(1));
+        QVERIFY(fixture.painted().size() < before);
+        // A mouse knows no pressure.
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, {}, middle.toPoint());
+        QVERIFY(fixture.session().settle());
+        QVERIFY(!fixture.lastEdit().get<core::PaintStroke>().erase);
+        QVERIFY(!fixture.lastEdit().get<core::PaintStroke>().path.pressures);
+    }
+
+    void pressureIsTheRadiusIn3d()
+    {
+        BrushFixture fixture(Brush::Carve);
+        ui::Workspace::BrushSettings settings = fixture.workspace.brushSettings(Brush::Carve);
+        settings.radiusByPressure = true;
+        fixture.workspace.setBrushSettings(Brush::Carve, settings);
+        test::Pen pen(fixture.view);
+        draw(fixture, fixture.view, pen);
+        lift(fixture, fixture.view, pen);
+        const auto half = fixture.lastEdit().get<core::BrushStroke>();
+        QVERIFY(half.path.pressures);
+        QCOMPARE(half.path.pressures->size(), half.path.pointsLps.size());
+        for (const double pressure : *half.path.pressures)
+            QVERIFY(std::abs(pressure - 0.5) < 1e-4);
+        QVERIFY(!fixture.carved().empty());
+    }
+
     void escapeTakesTheStrokeBack_data()
     {
         QTest::addColumn<bool>("inVolume");

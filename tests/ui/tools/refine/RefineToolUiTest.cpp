@@ -28,6 +28,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QToolButton>
 #include <QtTest>
 
 #include <algorithm>
@@ -253,6 +254,55 @@ private Q_SLOTS:
         fixture.settle();
         QCOMPARE(fixture.refinement().mirror().vertexCount(),
             fixture.session().surface().mesh()->vertexCount());
+    }
+
+    void theSphereIsAsLargeAsThePenIsPressed()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.set(Mode::Sphere, 6.0);
+        auto* button = fixture.window.findChild<QToolButton*>(QStringLiteral("radiusByPressure"));
+        QVERIFY(button);
+        button->click();
+        QVERIFY(fixture.refinement().settings().radiusByPressure);
+        const QByteArray before = fixture.session().stateHash();
+        const QPointF front = fixture.at(fixture.slice, {0.0, -radius, 0.0});
+        const QPointF aside = fixture.at(fixture.slice, {2.0, -radius, 0.0});
+        {
+            test::Pen pen(fixture.slice);
+            pen.press(front, 0.4, 70000);
+            pen.move(aside, 0.7, 70012);
+            pen.move(aside, 1.0, 70024); // it rests and is pressed harder
+            pen.move(aside, 0.6, 70036); // less changes nothing
+            pen.release(aside, 70048);
+        }
+        fixture.settle();
+        const core::Edit pushed = fixture.lastRow().edit;
+        const auto& path = pushed.get<core::SpherePush>().path;
+        QVERIFY(path.pressures);
+        QCOMPARE(path.pointsLps.size(), std::size_t(3));
+        QCOMPARE(path.pressures->size(), std::size_t(3));
+        QVERIFY(std::abs(path.pressures->front() - 0.4) < 1e-4);
+        QCOMPARE(path.pressures->back(), 1.0);
+        // As a recipe does it, to the bit; pressed fully it is another.
+        const QByteArray after = fixture.session().stateHash();
+        QVERIFY(after != before);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.session().stateHash(), before);
+        fixture.apply(pushed);
+        QCOMPARE(fixture.session().stateHash(), after);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        core::SpherePush whole = pushed.get<core::SpherePush>();
+        whole.path.pressures.reset();
+        fixture.apply(whole);
+        QVERIFY(fixture.session().stateHash() != after);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        // One that is not as long as the path is no path.
+        whole.path.pressures = std::vector<double>{1.0};
+        QVERIFY(!fixture.session().apply(whole));
     }
 
     void whatIsPaintedSinceIsTold()
