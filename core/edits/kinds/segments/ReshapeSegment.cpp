@@ -95,7 +95,7 @@ RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row)
     const Segment* segment = row.document.segment(edit.segment);
     const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
     return {.code = titleOf(edit),
-        .arguments = {segmentName(edit.segment, row.document), inMm(edit.mm)},
+        .arguments = {segmentName(edit.segment, row.document), TitleDigits{edit.mm, 3}},
         .then = {flowTitle(flow.gained, flow.lost)}};
 }
 
