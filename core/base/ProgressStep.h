@@ -30,6 +30,8 @@ enum class ProgressStep : std::uint8_t {
     FindingLikelyParts,
     JoiningParts,
     ColouringChunks,
+    // Segments as wholes.
+    ReshapingSegment,
     // Exports.
     ReadingSourceHeaders,
     Measuring,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/islands/SegmentIslands.h"
 
+#include "core/brick/LabelBox.h"
+
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace core {
@@ -128,52 +129,25 @@ private:
     std::vector<std::uint32_t> m_parent;
 };
 
-struct Box {
-    glm::ivec3 first{std::numeric_limits<int>::max()};
-    glm::ivec3 end{0};
-    [[nodiscard]] bool empty() const { return first.x >= end.x; }
-    [[nodiscard]] glm::ivec3 size() const { return end - first; }
-};
-
-/// Around the voxels of a label.
-Box boxOf(std::span<const std::uint8_t> labels, const glm::ivec3& size, std::uint8_t label)
-{
-    Box box;
-    for (int z = 0; z < size.z; ++z) {
-        for (int y = 0; y < size.y; ++y) {
-            const auto* row = &labels[(std::size_t(z) * std::size_t(size.y) + std::size_t(y))
-                * std::size_t(size.x)];
-            const auto* first = std::find(row, row + size.x, label);
-            if (first == row + size.x)
-                continue;
-            const auto* last = row + size.x;
-            while (*(last - 1) != label)
-                --last;
-            box.first = glm::min(box.first, glm::ivec3(int(first - row), y, z));
-            box.end = glm::max(box.end, glm::ivec3(int(last - row), y + 1, z + 1));
-        }
-    }
-    return box;
-}
-
 /// The runs of voxels in a box that are the label's, or those that are not.
-Parts partsIn(const Box& box, std::span<const std::uint8_t> labels, const glm::ivec3& size,
+Parts partsIn(const VoxelBox& box, std::span<const std::uint8_t> labels, const glm::ivec3& size,
     std::uint8_t label, bool own)
 {
-    Parts parts(box.size(), own ? 1 : 0);
-    for (int z = box.first.z; z < box.end.z; ++z) {
-        for (int y = box.first.y; y < box.end.y; ++y) {
+    const glm::ivec3 boxSize = box.maximum - box.minimum;
+    Parts parts(boxSize, own ? 1 : 0);
+    for (int z = box.minimum.z; z < box.maximum.z; ++z) {
+        for (int y = box.minimum.y; y < box.maximum.y; ++y) {
             const auto* row = &labels[(std::size_t(z) * std::size_t(size.y) + std::size_t(y))
                 * std::size_t(size.x)];
-            parts.beginRow(std::size_t(z - box.first.z) * std::size_t(box.size().y)
-                + std::size_t(y - box.first.y));
-            for (int x = box.first.x; x < box.end.x;) {
+            parts.beginRow(std::size_t(z - box.minimum.z) * std::size_t(boxSize.y)
+                + std::size_t(y - box.minimum.y));
+            for (int x = box.minimum.x; x < box.maximum.x;) {
                 const bool isOwn = row[x] == label;
                 int end = x + 1;
-                while (end < box.end.x && (row[end] == label) == isOwn)
+                while (end < box.maximum.x && (row[end] == label) == isOwn)
                     ++end;
                 if (isOwn == own)
-                    parts.add(x - box.first.x, end - box.first.x);
+                    parts.add(x - box.minimum.x, end - box.minimum.x);
                 x = end;
             }
         }
@@ -223,7 +197,7 @@ Result<IslandChange> islandChange(std::span<const std::uint8_t> labels, const gl
 {
     if (isOfClicked(rule) && (clicked >= labels.size() || labels[clicked] != label))
         return IslandChange();
-    const Box box = boxOf(labels, size, label);
+    const VoxelBox box = boxOfLabel(labels, size, label);
     if (box.empty())
         return IslandChange();
     const bool holes = rule == IslandRule::FillHoles;
@@ -232,11 +206,11 @@ Result<IslandChange> islandChange(std::span<const std::uint8_t> labels, const gl
         return failure(ErrorCode::Cancelled);
     std::vector<std::int64_t> sizes = sizesOf(parts);
     if (holes)
-        dropOpen(parts, box.size(), sizes);
+        dropOpen(parts, box.maximum - box.minimum, sizes);
     const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
     std::optional<std::uint32_t> clickedPart;
     if (isOfClicked(rule))
-        clickedPart = parts.partAt(voxelAt(clicked, size) - box.first);
+        clickedPart = parts.partAt(voxelAt(clicked, size) - box.minimum);
     const auto isMeant = [&](std::uint32_t part) {
         switch (rule) {
         case IslandRule::FillHoles:
@@ -260,11 +234,11 @@ Result<IslandChange> islandChange(std::span<const std::uint8_t> labels, const gl
             return;
         change.parts += part == at ? 1 : 0;
         const Run& run = parts.run(at);
-        const std::uint64_t row = (std::uint64_t(box.first.z + z) * std::uint64_t(size.y)
-                                      + std::uint64_t(box.first.y + y))
+        const std::uint64_t row = (std::uint64_t(box.minimum.z + z) * std::uint64_t(size.y)
+                                      + std::uint64_t(box.minimum.y + y))
             * std::uint64_t(size.x);
         change.voxels.append(
-            row + std::uint64_t(box.first.x + run.begin), std::uint64_t(run.end - run.begin));
+            row + std::uint64_t(box.minimum.x + run.begin), std::uint64_t(run.end - run.begin));
     });
     return change;
 }

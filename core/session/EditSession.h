@@ -20,6 +20,7 @@ struct PenSample;
 
 class EditEngine;
 class OperationQueue;
+class SegmentWork;
 class SessionChunks;
 class SessionDisplay;
 class SessionFile;
@@ -119,6 +120,7 @@ public:
     [[nodiscard]] SessionChunks& chunks();
     [[nodiscard]] const StepFindings& findings() const;
     [[nodiscard]] SessionSurface& surface();
+    [[nodiscard]] SegmentWork& segmentWork();
     [[nodiscard]] SessionDisplay& display();
     [[nodiscard]] SessionKeyframes& keyframes();
     [[nodiscard]] SessionStorage& storage();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
+#include "core/session/SegmentWork.h"
 #include "core/session/SessionChunks.h"
 #include "core/session/SessionDisplay.h"
 #include "core/session/SessionKeyframes.h"
@@ -19,6 +20,7 @@ struct EditSession::Parts {
         , chunks(queue.state())
         , findings(queue.state())
         , surface(queue)
+        , segmentWork(queue)
         , display(queue)
         , keyframes(queue.state())
         , storage(queue)
@@ -28,6 +30,7 @@ struct EditSession::Parts {
     SessionChunks chunks;
     StepFindings findings;
     SessionSurface surface;
+    SegmentWork segmentWork;
     SessionDisplay display;
     SessionKeyframes keyframes;
     SessionStorage storage;
@@ -59,6 +62,11 @@ const StepFindings& EditSession::findings() const
 SessionSurface& EditSession::surface()
 {
     return m_parts->surface;
+}
+
+SegmentWork& EditSession::segmentWork()
+{
+    return m_parts->segmentWork;
 }
 
 SessionDisplay& EditSession::display()

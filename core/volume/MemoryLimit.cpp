@@ -5,18 +5,23 @@
 
 namespace core {
 
-Result<void> checkMemory(std::size_t voxels)
+Result<void> checkBytes(double bytes, const QString& what)
 {
     const double total = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
-    const double wanted = 2.0 * double(voxels);
     constexpr double share = 0.6;
-    if (wanted <= share * total)
+    if (bytes <= share * total)
         return {};
     constexpr double gigabyte = 1e9;
     return failure(ErrorCode::OutOfMemory,
-        QStringLiteral("the volume needs %1 GB, this machine has %2 GB")
-            .arg(wanted / gigabyte, 0, 'f', 1)
+        QStringLiteral("%1 needs %2 GB, this machine has %3 GB")
+            .arg(what)
+            .arg(bytes / gigabyte, 0, 'f', 1)
             .arg(total / gigabyte, 0, 'f', 1));
+}
+
+Result<void> checkMemory(std::size_t voxels)
+{
+    return checkBytes(2.0 * double(voxels), QStringLiteral("the volume"));
 }
 
 } // namespace core

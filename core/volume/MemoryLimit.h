@@ -3,6 +3,8 @@
 
 #include "core/base/Result.h"
 
+#include <QString>
+
 #include <cstddef>
 
 namespace core {
@@ -10,5 +12,8 @@ namespace core {
 /// Checks that a volume of that many voxels, with 2 bytes each, fits into 60 % of the machine's
 /// memory. The error OutOfMemory says how much is needed and how much there is.
 [[nodiscard]] Result<void> checkMemory(std::size_t voxels);
+/// The same for what takes so many bytes.
+/// @param what takes them, as a clause begins with it: "the volume"
+[[nodiscard]] Result<void> checkBytes(double bytes, const QString& what);
 
 } // namespace core

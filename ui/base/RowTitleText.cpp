@@ -228,6 +228,22 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Merge segment '%1' into '%2'");
     case RowTitleCode::SwapSegments:
         return tr("Swap segments '%1' and '%2'");
+    case RowTitleCode::GrowByMargin:
+        return tr("Grow '%1' by %2 mm");
+    case RowTitleCode::ShrinkByMargin:
+        return tr("Shrink '%1' by %2 mm");
+    case RowTitleCode::HollowInside:
+        return tr("Hollow '%1', %2 mm inside its border");
+    case RowTitleCode::HollowCentred:
+        return tr("Hollow '%1', %2 mm along its border");
+    case RowTitleCode::HollowOutside:
+        return tr("Hollow '%1', %2 mm outside its border");
+    case RowTitleCode::OpenShape:
+        return tr("Open '%1' by %2 mm");
+    case RowTitleCode::CloseShape:
+        return tr("Close '%1' by %2 mm");
+    case RowTitleCode::SmoothShape:
+        return tr("Smooth '%1' by %2 mm");
     case RowTitleCode::SegmentSeen:
         return tr("Segment what is seen as '%1'");
     case RowTitleCode::LayerToSegment:

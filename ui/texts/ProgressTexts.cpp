@@ -57,6 +57,8 @@ QString progressText(core::ProgressStep step)
         return ProgressTexts::tr("Joining what hangs together");
     case ProgressStep::ColouringChunks:
         return ProgressTexts::tr("Colouring them");
+    case ProgressStep::ReshapingSegment:
+        return ProgressTexts::tr("Reshaping the segment");
     case ProgressStep::ReadingSourceHeaders:
         return ProgressTexts::tr("Reading source headers");
     case ProgressStep::Measuring:

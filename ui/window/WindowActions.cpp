@@ -7,6 +7,7 @@
 #include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/KeysDialog.h"
 #include "ui/dialogs/PenTesterDialog.h"
+#include "ui/dialogs/ReshapeDialog.h"
 #include "ui/dialogs/session/HistoryMemoryDialog.h"
 #include "ui/dialogs/study/OpenDialogs.h"
 #include "ui/frame/MessageBar.h"
@@ -387,6 +388,13 @@ void addListActions(MainWindow& window)
             .possible = [activeSegment] { return activeSegment() && !activeSegment()->locked; },
             .currentText = [activeSegment, &each] { return namedText(each, activeSegment()); }});
     }
+    QObject::connect(&workspace, &Workspace::reshapeAsked, &window,
+        [&window, &workspace](int label, core::ShapeOperation first) {
+            auto* dialog = window.findChild<ReshapeDialog*>();
+            if (!dialog)
+                dialog = new ReshapeDialog(workspace, &window);
+            dialog->ask(label, first);
+        });
     actions.add({.id = QStringLiteral("layers.add"),
         .text = QStringLiteral("Add sculpt layer"),
         .run =

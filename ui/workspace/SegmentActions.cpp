@@ -7,6 +7,7 @@
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/CountText.h"
 #include "ui/base/MenuText.h"
@@ -193,7 +194,28 @@ void aboutIsland(Workspace& workspace, int label, core::IslandRule rule, const g
             : QObject::tr("'%1' has no island there").arg(nameOfSegment(workspace, label)));
 }
 
+void askMargin(Workspace& workspace, int label)
+{
+    workspace.askToReshape(label, core::ShapeOperation::Grow);
+}
+
+void askShell(Workspace& workspace, int label)
+{
+    workspace.askToReshape(label, core::ShapeOperation::Hollow);
+}
+
+void askSmoothing(Workspace& workspace, int label)
+{
+    workspace.askToReshape(label, core::ShapeOperation::Median);
+}
+
 } // namespace
+
+void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit)
+{
+    carryOut(workspace, edit,
+        QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment)));
+}
 
 void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps)
 {
@@ -249,6 +271,18 @@ const std::vector<SegmentAction>& segmentActions()
             .text = QObject::tr("Remove small islands"),
             .named = QObject::tr("Remove small islands of '%1'"),
             .run = &removeSmallIslands},
+        {.id = "segments.margin",
+            .text = QObject::tr("Grow or shrink by a margin …"),
+            .named = QObject::tr("Grow or shrink '%1' by a margin …"),
+            .run = &askMargin},
+        {.id = "segments.hollow",
+            .text = QObject::tr("Hollow …"),
+            .named = QObject::tr("Hollow '%1' …"),
+            .run = &askShell},
+        {.id = "segments.smooth",
+            .text = QObject::tr("Smooth …"),
+            .named = QObject::tr("Smooth '%1' …"),
+            .run = &askSmoothing},
         {.id = "segments.invert", .text = QObject::tr("Invert segment"), .run = &invertSegment},
         {.id = "segments.remove",
             .text = QObject::tr("Delete segment"),

@@ -13,6 +13,7 @@
 
 namespace core {
 struct Document;
+struct ReshapeSegment;
 struct Segment;
 } // namespace core
 
@@ -41,6 +42,9 @@ void removeSegment(Workspace& workspace, int label);
 /// and tells the user what it did, or that there was nothing.
 void mergeSegments(Workspace& workspace, int from, int into);
 void swapSegments(Workspace& workspace, int one, int other);
+
+/// The same for what a ball of millimetres makes of a segment.
+void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit);
 
 /// The same for the island of a segment that has a voxel at a place: it goes, all others go, or it
 /// becomes another segment's.

@@ -11,9 +11,14 @@
 #include <QString>
 #include <QTimer>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+
+namespace core {
+enum class ShapeOperation : std::uint8_t;
+}
 
 namespace ui {
 
@@ -187,6 +192,8 @@ public:
         std::function<void()> run;
     };
     void offer(const Offer& made) { Q_EMIT offered(made); }
+    /// Has the window ask how far a segment is to be reshaped.
+    void askToReshape(int label, core::ShapeOperation first) { Q_EMIT reshapeAsked(label, first); }
     /// Shows the present pen pressure, 0 … 1.
     void showPressure(double pressure) { Q_EMIT pressureChanged(pressure); }
 
@@ -213,6 +220,7 @@ Q_SIGNALS:
     void said(const QString& sentence);
     void failed(const core::Error& error);
     void offered(const ui::Workspace::Offer& made);
+    void reshapeAsked(int label, core::ShapeOperation first);
     void pressureChanged(double pressure);
 
 private:

@@ -55,6 +55,7 @@ struct RemoveLayer;
 struct RemoveMeasurement;
 struct RemovePiece;
 struct RemoveSegment;
+struct ReshapeSegment;
 struct ResumeGrowth;
 struct RevertRows;
 struct ReviseStroke;
@@ -82,7 +83,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, ImportMask,
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
-    SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline>;
+    SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

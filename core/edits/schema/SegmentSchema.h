@@ -13,6 +13,7 @@
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/schema/EditMasks.h"
 #include "core/edits/schema/SchemaParts.h"
@@ -116,6 +117,28 @@ template <class Visitor> void visitFields(Visitor& visit, CombineSegments& edit)
         editFields::Choice<CombineSegments::How, 2>{{"merge", "swap"}},
         "the other's voxels become the segment's, and it stays in the list, empty; or each "
         "receives those of the other");
+}
+
+template <> inline constexpr const char* editName<ReshapeSegment> = "reshapeSegment";
+template <>
+inline constexpr const char* editMeaning<ReshapeSegment> =
+    "Grows or shrinks a segment that is not locked by a margin, leaves a shell of it, opens, "
+    "closes or smooths it, with a ball of millimetres. Takes only voxels that no segment has.";
+template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
+{
+    visitSegment(visit, edit.segment);
+    visit.field("operation", Presence::Required, edit.operation,
+        editFields::Choice<ShapeOperation, 6>{
+            {"grow", "shrink", "hollow", "open", "close", "median"}},
+        "grow and shrink by a margin; hollow leaves a shell; open removes what no ball within the "
+        "segment holds, close adds what no ball beside it holds; median gives each voxel to the "
+        "side on which more than half of the ball around it lies");
+    visit.field("mm", Presence::Required, edit.mm,
+        editFields::Number{"mm", 0.01, 100.0, quantum::perMillimetre},
+        "the margin, the thickness of the shell, or the radius of the ball");
+    visit.maybe("shell", edit.shell,
+        editFields::Choice<ShellPlace, 3>{{"inside", "centred", "outside"}},
+        "of hollow alone: where the shell lies, from the segment's border", "inside");
 }
 
 template <> inline constexpr const char* editName<PaintStroke> = "paint";

@@ -6,6 +6,8 @@
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/session/operations/ChunkOperation.h"
 #include "core/session/operations/DocumentOperation.h"
 #include "core/session/operations/IslandOperation.h"
@@ -32,6 +34,8 @@ std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
             return std::make_unique<RevertOperation>(*revert, again);
         return std::make_unique<ReviseOperation>(edit.get<ReviseStroke>(), again);
     case EditTask::Islands:
+        if (const auto* reshape = edit.as<ReshapeSegment>())
+            return std::make_unique<IslandOperation>(*reshape, again);
         return std::make_unique<IslandOperation>(edit.get<CleanSegment>(), again);
     case EditTask::Engine:
         break;

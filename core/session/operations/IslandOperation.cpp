@@ -2,14 +2,46 @@
 #include "core/session/operations/IslandOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/engine/EngineCommands.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace core {
 
+IslandOperation::Work::Work()
+    : progress([this](ProgressStep, int done, int total) {
+        constexpr std::int64_t percents = 100;
+        percent = int(percents * done / std::max(1, total));
+    })
+{
+}
+
 IslandOperation::IslandOperation(const CleanSegment& edit, RowId again)
-    : m_edit(edit)
+    : IslandOperation(
+        edit, edit.segment,
+        [edit](const Document& document, std::span<const std::uint8_t> labels,
+            const Progress& progress) { return relabelListed(edit, document, labels, progress); },
+        again)
+{
+}
+
+IslandOperation::IslandOperation(const ReshapeSegment& edit, RowId again)
+    : IslandOperation(
+        edit, edit.segment,
+        [edit](const Document& document, std::span<const std::uint8_t> labels,
+            const Progress& progress) { return relabelListed(edit, document, labels, progress); },
+        again)
+{
+}
+
+IslandOperation::IslandOperation(Edit edit, int segment, LabelWork workOut, RowId again)
+    : m_edit(std::move(edit))
+    , m_segment(segment)
+    , m_workOut(std::move(workOut))
+    , m_work(std::make_shared<Work>())
     , m_relabelling(again)
 {
 }
@@ -19,22 +51,24 @@ void IslandOperation::start(SessionState& state)
     // What waited in line may meet another document than the one it was checked against.
     if (const Result<void> checked = checkAgainst(state.document, m_edit); !checked)
         return m_relabelling.giveUp(state, checked.error());
-    m_reader.emplace(state.document.volumes.front().geometry.size,
-        state.document.segment(m_edit.segment)->plane);
+    m_reader.emplace(
+        state.document.volumes.front().geometry.size, state.document.segment(m_segment)->plane);
     readNext(state);
 }
 
 void IslandOperation::readNext(SessionState& state)
 {
+    if (m_work->progress.cancelled())
+        return m_relabelling.giveUp(state, {ErrorCode::Cancelled, {}});
     if (std::optional<ReadBricks> question = m_reader->next()) {
         m_asked = state.engine.submit(*std::move(question));
         return;
     }
     state.side->post(
-        [this, edit = m_edit, document = state.document,
+        [this, workOut = m_workOut, work = m_work, document = state.document,
             reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
             auto relabel = std::make_shared<Result<RelabelListed>>(
-                relabelListed(edit, document, reader->takeLabels()));
+                workOut(document, reader->takeLabels(), work->progress));
             return SideThread::Sequel(
                 [this, relabel](SessionState& known) { write(known, std::move(*relabel)); });
         },
@@ -46,6 +80,9 @@ void IslandOperation::write(SessionState& state, Result<RelabelListed>&& relabel
 {
     if (!relabel)
         return m_relabelling.giveUp(state, relabel.error());
+    if (m_work->progress.cancelled())
+        return m_relabelling.giveUp(state, {ErrorCode::Cancelled, {}});
+    m_isWriting = true;
     m_relabelling.write(state, m_edit, *std::move(relabel));
 }
 
@@ -58,6 +95,12 @@ void IslandOperation::takeResult(SessionState& state, EngineResult&& result)
         return readNext(state);
     }
     m_relabelling.takeResult(state, std::move(result));
+}
+
+void IslandOperation::abort()
+{
+    if (isAbortable())
+        m_work->progress.cancel();
 }
 
 } // namespace core

@@ -1,34 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/base/Progress.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/session/operations/Relabelling.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/state/Operation.h"
 
+#include <atomic>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace core {
 
-/// Fills holes of a segment, removes islands from it or gives one away: it reads the labels of the
-/// segment's plane, works out on the side thread which voxels are meant, and lets the engine write
-/// them; one row if it changed anything.
+/// An edit of a segment as a whole that is worked out from all labels of its plane (CleanSegment,
+/// ReshapeSegment): it reads them, works out on the side thread which voxels are meant, and lets
+/// the engine write them; one row if it changed anything.
 class IslandOperation final : public Operation {
 public:
     /// @param again as in VoxelOperation
     explicit IslandOperation(const CleanSegment& edit, RowId again = 0);
+    explicit IslandOperation(const ReshapeSegment& edit, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     [[nodiscard]] bool done() const override { return m_relabelling.done(); }
 
+    /// Until the engine begins to write: it ends with Cancelled and changes nothing.
+    void abort();
+    [[nodiscard]] bool isAbortable() const { return !m_isWriting && !done(); }
+    /// How much of the work on the side thread is done; less than 0 before it has begun.
+    [[nodiscard]] int percent() const { return m_work->percent; }
+
 private:
+    /// What the side thread shares with the session's.
+    struct Work {
+        Work();
+        std::atomic<int> percent = -1;
+        Progress progress;
+    };
+    using LabelWork = std::function<Result<RelabelListed>(
+        const Document& document, std::span<const std::uint8_t> labels, const Progress& progress)>;
+
+    IslandOperation(Edit edit, int segment, LabelWork workOut, RowId again);
     void readNext(SessionState& state);
     void write(SessionState& state, Result<RelabelListed>&& relabel);
 
-    CleanSegment m_edit;
+    Edit m_edit;
+    int m_segment; ///< label
+    LabelWork m_workOut;
+    std::shared_ptr<Work> m_work;
     std::optional<LabelReader> m_reader;
     std::optional<Ticket> m_asked; ///< for labels
+    bool m_isWriting = false;
     Relabelling m_relabelling;
 };
 

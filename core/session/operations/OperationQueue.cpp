@@ -4,6 +4,7 @@
 #include "core/base/Guarded.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/engine/EngineCommands.h"
+#include "core/session/operations/IslandOperation.h"
 #include "core/session/operations/SurfaceOperation.h"
 
 #include <utility>
@@ -101,6 +102,13 @@ SurfaceOperation* OperationQueue::runningSurface() const
 {
     return m_started && !m_operations.empty()
         ? dynamic_cast<SurfaceOperation*>(m_operations.front().get())
+        : nullptr;
+}
+
+IslandOperation* OperationQueue::runningIslands() const
+{
+    return m_started && !m_operations.empty()
+        ? dynamic_cast<IslandOperation*>(m_operations.front().get())
         : nullptr;
 }
 

@@ -19,6 +19,7 @@
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "tests/support/program/TestProgram.h"
 
@@ -154,7 +155,24 @@ private Q_SLOTS:
         QVERIFY(swapped->get<CombineSegments>().how == CombineSegments::How::Swap);
         QCOMPARE(swapped->get<CombineSegments>().segment, 3);
         QCOMPARE(swapped->get<CombineSegments>().with, 1);
-        for (const Edit& edit : {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped})
+        const Result<Edit> grown = editFromJson(
+            parse("{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':1.50001}"));
+        const Result<Edit> shell =
+            editFromJson(parse("{'edit':'reshapeSegment','segment':2,'operation':'hollow','mm':3,"
+                               "'shell':'outside'}"));
+        QVERIFY(grown && shell);
+        QVERIFY(grown->get<ReshapeSegment>().operation == ShapeOperation::Grow);
+        QVERIFY(!grown->get<ReshapeSegment>().shell);
+        QCOMPARE(quantised(*grown).get<ReshapeSegment>().mm, 1.5);
+        QVERIFY(shell->get<ReshapeSegment>().operation == ShapeOperation::Hollow);
+        QVERIFY(shell->get<ReshapeSegment>().shell == ShellPlace::Outside);
+        for (const char* operation : {"shrink", "open", "close", "median"})
+            QVERIFY(
+                editFromJson(parse(qPrintable(QStringLiteral("{'edit':'reshapeSegment','segment':2,"
+                                                             "'operation':'%1','mm':2}")
+                                                  .arg(QLatin1String(operation))))));
+        for (const Edit& edit :
+            {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped, *grown, *shell})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -170,6 +188,12 @@ private Q_SLOTS:
                 "{'edit':'combineSegments','segment':2,'how':'merge'}",
                 "{'edit':'combineSegments','segment':2,'with':0,'how':'merge'}",
                 "{'edit':'combineSegments','segment':2,'with':1,'how':'subtract'}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'grow'}",
+                "{'edit':'reshapeSegment','segment':2,'mm':1}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':0}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':100.5}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'polish','mm':1}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'hollow','mm':1,'shell':'on'}",
                 "{'edit':'invertSegment'}", "{'edit':'invertSegment','segment':0}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }

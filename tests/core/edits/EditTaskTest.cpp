@@ -62,6 +62,9 @@ private Q_SLOTS:
         clean.to = 3;
         QVERIFY(effectsOf(clean).fills.label == 3 && effectsOf(clean).writesTo == 1);
         QVERIFY(effectsOf(clean).boundToStudy); // it names a place
+        const ReshapeSegment reshape{.segment = 2, .mm = 1.0};
+        QVERIFY(effectsOf(reshape).fills.label == 2 && effectsOf(reshape).writesTo == 2);
+        QVERIFY(!effectsOf(reshape).boundToStudy);
     }
 };
 

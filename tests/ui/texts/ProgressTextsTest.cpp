@@ -38,6 +38,7 @@ private Q_SLOTS:
             {ProgressStep::FindingLikelyParts, "Finding likely parts"},
             {ProgressStep::JoiningParts, "Joining what hangs together"},
             {ProgressStep::ColouringChunks, "Colouring them"},
+            {ProgressStep::ReshapingSegment, "Reshaping the segment"},
             {ProgressStep::ReadingSourceHeaders, "Reading source headers"},
             {ProgressStep::Measuring, "Measuring"},
             {ProgressStep::TracingContours, "Tracing contours"},

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/segments/CleanSegment.h"
 
-#include "core/brick/BrickGrid.h"
 #include "core/edits/answers/EditChecks.h"
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/ListedRuns.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace core {
 
@@ -152,8 +151,8 @@ EditDependencies dependencies(const CleanSegment& edit, const DependencyFacts& r
     return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
 }
 
-Result<RelabelListed> relabelListed(
-    const CleanSegment& edit, const Document& document, std::span<const std::uint8_t> labels)
+Result<RelabelListed> relabelListed(const CleanSegment& edit, const Document& document,
+    std::span<const std::uint8_t> labels, const Progress& progress)
 {
     const Result<LabelTarget> target = targetOf(edit, document);
     if (!target)
@@ -166,30 +165,13 @@ Result<RelabelListed> relabelListed(
     if (isOfClicked(edit.rule) && labels[*clicked] != label)
         return failure(ErrorCode::NoIslandThere, document.segment(edit.segment)->name);
     const Result<IslandChange> change = islandChange(
-        labels, geometry.size, label, edit.rule, voxelsOf(edit, geometry), Progress(), *clicked);
+        labels, geometry.size, label, edit.rule, voxelsOf(edit, geometry), progress, *clicked);
     if (!change)
         return tl::unexpected(change.error());
     const bool gives = edit.rule == IslandRule::FillHoles || edit.rule == IslandRule::GiveClicked;
-    const std::uint8_t asked = gives ? RelabelListed::give : RelabelListed::take;
-    const BrickGrid grid{geometry.size};
-    std::map<std::uint32_t, std::vector<std::uint8_t>> bricks;
-    const auto columns = std::uint64_t(geometry.size.x);
-    const auto rows = std::uint64_t(geometry.size.y);
-    // A run never leaves its row.
-    for (const VoxelRun& run : change->voxels.runs()) {
-        for (std::uint64_t at = run.first; at < run.first + run.count; ++at) {
-            const glm::ivec3 voxel(
-                int(at % columns), int(at / columns % rows), int(at / columns / rows));
-            std::vector<std::uint8_t>& brick = bricks[std::uint32_t(grid.brickOf(voxel))];
-            if (brick.empty())
-                brick.assign(BrickGrid::voxelsPerBrick, std::uint8_t(0));
-            brick[std::size_t(BrickGrid::offsetInBrick(voxel))] = asked;
-        }
-    }
-    RelabelListed relabel{.target = *target, .bricks = {}};
-    for (auto& [brick, each] : bricks)
-        relabel.bricks.push_back({brick, std::move(each)});
-    return relabel;
+    ListedRuns listed(geometry.size);
+    listed.add(change->voxels, gives ? RelabelListed::give : RelabelListed::take);
+    return listed.relabel(*target);
 }
 
 } // namespace core

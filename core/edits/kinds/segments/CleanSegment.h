@@ -8,7 +8,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace core {
 
@@ -41,7 +40,7 @@ Result<bool> apply(const CleanSegment& edit, Document& document);
 /// @param labels of the whole volume in the segment's plane, x fastest
 /// Any thread. Errors: UnknownSegment, SegmentLocked, InvalidField (the place lies outside the
 /// volume), NoIslandThere, Cancelled.
-[[nodiscard]] Result<RelabelListed> relabelListed(
-    const CleanSegment& edit, const Document& document, std::span<const std::uint8_t> labels);
+[[nodiscard]] Result<RelabelListed> relabelListed(const CleanSegment& edit,
+    const Document& document, std::span<const std::uint8_t> labels, const Progress& progress);
 
 } // namespace core

@@ -6,6 +6,7 @@
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/engine/EngineCommands.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/RandomEdits.h"
@@ -215,8 +216,9 @@ private Q_SLOTS:
         QVERIFY(removal.covers({Field::SeedWords, 0, 3}));
         QVERIFY(removal.covers({Field::Labels, 0, 3}));
         QVERIFY(!removal.covers({Field::Coverage, 1, 3}));
-        for (const Edit& wholePlane : std::vector<Edit>{
-                 InvertSegment{.segment = 1}, CombineSegments{.segment = 1, .with = 2}}) {
+        for (const Edit& wholePlane :
+            std::vector<Edit>{InvertSegment{.segment = 1}, CombineSegments{.segment = 1, .with = 2},
+                ReshapeSegment{.segment = 1, .mm = 1.0}}) {
             const RowDependencies whole(wholePlane, document, {});
             QVERIFY(whole.covers({Field::SeedWords, 0, 3}));
             QVERIFY(whole.covers({Field::Labels, 0, 3}));

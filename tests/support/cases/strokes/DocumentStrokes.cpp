@@ -21,6 +21,7 @@
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
@@ -198,6 +199,31 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
         {first, seeds, second, others, some, swap}, all});
     cases.push_back({"undo only a merge of segments", volume,
         {first, paint, second, mergeSegments, drill}, core::RevertRows{{4}}});
+    using core::ReshapeSegment;
+    using core::ShapeOperation;
+    const ReshapeSegment margin{.segment = 1, .operation = ShapeOperation::Grow, .mm = 6.0};
+    const ReshapeSegment less{.segment = 1, .operation = ShapeOperation::Shrink, .mm = 3.0};
+    const ReshapeSegment shell{.segment = 1, .operation = ShapeOperation::Hollow, .mm = 2.5};
+    const ReshapeSegment around{.segment = 1,
+        .operation = ShapeOperation::Hollow,
+        .mm = 6.0,
+        .shell = core::ShellPlace::Outside};
+    const ReshapeSegment open{.segment = 1, .operation = ShapeOperation::Open, .mm = 30.0};
+    const ReshapeSegment close{.segment = 1, .operation = ShapeOperation::Close, .mm = 6.0};
+    const ReshapeSegment median{.segment = 1, .operation = ShapeOperation::Median, .mm = 6.0};
+    cases.push_back({"grow by a margin", volume, {first, paint}, margin});
+    cases.push_back(
+        {"grow by a margin beside another", volume, {first, second, paint, others, some}, margin});
+    cases.push_back({"shrink by a margin", volume, {first, paint}, less});
+    cases.push_back({"hollow a segment", volume, {first, paint}, shell});
+    cases.push_back({"a shell around a segment", volume, {first, paint}, around});
+    cases.push_back({"open a segment", volume, {first, paint}, open});
+    cases.push_back({"close a hollow segment", volume, {first, paint, shell}, close});
+    cases.push_back({"close an empty segment", volume, {first}, close});
+    cases.push_back({"smooth a segment", volume, {first, paint}, median});
+    cases.push_back({"growth after a margin", volume, {first, paint, less, seeds}, all});
+    cases.push_back(
+        {"undo only a margin", volume, {first, paint, margin, drill}, core::RevertRows{{3}}});
     cases.push_back({"merge layers", volume, {layer, drill, other, brush}, merge});
     cases.push_back({"merge an empty layer", volume, {layer, other}, merge});
     cases.push_back({"delete a layer", volume, {layer, drill, other}, removeLayer});

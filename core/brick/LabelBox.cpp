@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/brick/LabelBox.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace core {
+
+VoxelBox boxOfLabel(
+    std::span<const std::uint8_t> labels, const glm::ivec3& size, std::uint8_t label)
+{
+    VoxelBox box{.minimum = glm::ivec3(std::numeric_limits<int>::max()), .maximum = glm::ivec3(0)};
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            const auto* row = &labels[(std::size_t(z) * std::size_t(size.y) + std::size_t(y))
+                * std::size_t(size.x)];
+            const auto* first = std::find(row, row + size.x, label);
+            if (first == row + size.x)
+                continue;
+            const auto* last = row + size.x;
+            while (*(last - 1) != label)
+                --last;
+            box.minimum = glm::min(box.minimum, glm::ivec3(int(first - row), y, z));
+            box.maximum = glm::max(box.maximum, glm::ivec3(int(last - row), y + 1, z + 1));
+        }
+    }
+    return box.maximum.x == 0 ? VoxelBox() : box;
+}
+
+} // namespace core

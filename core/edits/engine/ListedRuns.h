@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "core/brick/VoxelRuns.h"
+#include "core/sculpt/LayerWrites.h"
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace core {
+
+/// Makes of runs of voxels what an engine is asked to relabel, brick by brick.
+class ListedRuns {
+public:
+    explicit ListedRuns(const glm::ivec3& volumeSize);
+
+    /// @param asked RelabelListed::give or take
+    void add(const VoxelRuns& runs, std::uint8_t asked);
+    /// With all that was added; it is empty afterwards.
+    [[nodiscard]] RelabelListed relabel(LabelTarget target);
+
+private:
+    BrickGrid m_grid;
+    std::map<std::uint32_t, std::vector<std::uint8_t>> m_bricks;
+};
+
+} // namespace core

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/morphology/BallFilters.h"
+
+#include "core/base/ParallelFor.h"
+#include "core/morphology/MillimetreBall.h"
+#include "core/morphology/ReachOfMask.h"
+#include "core/morphology/StageCounter.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+/// How many voxels of a mask the ball holds around each voxel, row by row: the voxels of each row
+/// are added up from its beginning, so that a row of the ball costs two of these sums.
+class CountInBall {
+public:
+    CountInBall(BoxMask& mask, const MillimetreBall& ball)
+        : m_mask(mask)
+        , m_rows(ballRows(ball, mask.size))
+        , m_width(std::size_t(mask.size.x))
+        , m_before((m_width + 1) * std::size_t(mask.size.y) * std::size_t(mask.size.z))
+    {
+    }
+
+    [[nodiscard]] int rows() const { return m_mask.size.y * m_mask.size.z; }
+    void addUp(int row)
+    {
+        const std::uint8_t* voxels = &m_mask.voxels[std::size_t(row) * m_width];
+        std::uint16_t* before = &m_before[std::size_t(row) * (m_width + 1)];
+        for (std::size_t x = 0; x < m_width; ++x)
+            before[x + 1] = std::uint16_t(before[x] + voxels[x]);
+    }
+    /// After all rows were added up: the row's voxels that have so many of the mask in the ball.
+    void choose(int row, std::int64_t atLeast, const StageCounter& counter)
+    {
+        const int y = row % m_mask.size.y;
+        const int z = row / m_mask.size.y;
+        std::vector<std::int64_t> counts(m_width, 0);
+        constexpr int betweenLooks = 4096;
+        int looks = 0;
+        for (const BallRow& each : m_rows) {
+            if (++looks % betweenLooks == 0 && counter.cancelled())
+                return;
+            const int otherY = y + each.y;
+            const int otherZ = z + each.z;
+            if (otherY < 0 || otherY >= m_mask.size.y || otherZ < 0 || otherZ >= m_mask.size.z)
+                continue;
+            const std::uint16_t* before =
+                &m_before[std::size_t(otherZ * m_mask.size.y + otherY) * (m_width + 1)];
+            if (before[m_width] == 0)
+                continue;
+            addShifted(counts, before, each.to + 1, 1);
+            addShifted(counts, before, each.from, -1);
+        }
+        std::uint8_t* voxels = &m_mask.voxels[std::size_t(row) * m_width];
+        for (std::size_t x = 0; x < m_width; ++x)
+            voxels[x] = counts[x] >= atLeast ? 1 : 0;
+    }
+
+private:
+    /// Adds before[x + shift] to counts[x]; there is nothing before the row, and no more behind it.
+    void addShifted(std::vector<std::int64_t>& counts, const std::uint16_t* before, int shift,
+        std::int64_t sign) const
+    {
+        const auto width = std::ptrdiff_t(m_width);
+        const std::ptrdiff_t begin = std::clamp<std::ptrdiff_t>(-shift, 0, width);
+        const std::ptrdiff_t end = std::clamp<std::ptrdiff_t>(width - shift, 0, width);
+        for (std::ptrdiff_t x = begin; x < end; ++x)
+            counts[std::size_t(x)] += sign * before[x + shift];
+        for (std::ptrdiff_t x = end; x < width; ++x)
+            counts[std::size_t(x)] += sign * before[width];
+    }
+
+    BoxMask& m_mask;
+    std::vector<BallRow> m_rows;
+    std::size_t m_width;
+    std::vector<std::uint16_t> m_before; ///< voxels of the mask in its row before each, and in all
+};
+
+Result<void> keepCounted(
+    BoxMask& mask, const MillimetreBall& ball, std::int64_t atLeast, const FilterStage& stage)
+{
+    CountInBall count(mask, ball);
+    StageCounter counter(stage, count.rows());
+    parallelFor(count.rows(), [&](int row) { count.addUp(row); });
+    parallelFor(count.rows(), [&](int row) {
+        if (counter.cancelled())
+            return;
+        count.choose(row, atLeast, counter);
+        counter.stepDone();
+    });
+    if (counter.cancelled())
+        return failure(ErrorCode::Cancelled);
+    return {};
+}
+
+} // namespace
+
+double filterBytes(const glm::ivec3& size)
+{
+    const double rows = double(size.y) * double(size.z);
+    return 3.0 * double(size.x) * rows + 2.0 * rows;
+}
+
+Result<void> dilate(BoxMask& mask, const MillimetreBall& ball, const FilterStage& stage)
+{
+    if (!ball.isStraight())
+        return keepCounted(mask, ball, 1, stage);
+    ReachOfMask reach(mask, ball);
+    StageCounter counter(stage, std::int64_t(mask.size.y) + mask.size.z);
+    parallelFor(mask.size.z, [&](int z) {
+        if (counter.cancelled())
+            return;
+        reach.lookAlongSlice(z);
+        counter.stepDone();
+    });
+    parallelFor(mask.size.y, [&](int y) {
+        if (counter.cancelled())
+            return;
+        reach.spreadAlongZ(y);
+        counter.stepDone();
+    });
+    if (counter.cancelled())
+        return failure(ErrorCode::Cancelled);
+    return {};
+}
+
+Result<void> keepMajority(BoxMask& mask, const MillimetreBall& ball, const FilterStage& stage)
+{
+    return keepCounted(mask, ball, voxelCount(ball) / 2 + 1, stage);
+}
+
+} // namespace core

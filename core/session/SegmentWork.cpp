@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/SegmentWork.h"
+
+#include "core/session/operations/IslandOperation.h"
+#include "core/session/operations/OperationQueue.h"
+
+#include <algorithm>
+
+namespace core {
+
+SegmentWork::SegmentWork(OperationQueue& queue)
+    : m_queue(queue)
+{
+}
+
+std::optional<int> SegmentWork::percent() const
+{
+    const IslandOperation* operation = m_queue.runningIslands();
+    if (!operation || !operation->isAbortable())
+        return std::nullopt;
+    return std::max(0, operation->percent());
+}
+
+void SegmentWork::abort()
+{
+    if (IslandOperation* operation = m_queue.runningIslands())
+        operation->abort();
+}
+
+} // namespace core

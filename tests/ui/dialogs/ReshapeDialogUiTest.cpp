@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/ReshapeDialog.h"
+
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/session/SegmentWork.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "ui/panels/lists/SegmentsPanel.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListView>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTimer>
+#include <QtTest>
+
+#include <algorithm>
+
+namespace reshapeDialogUiTest {
+
+namespace {
+
+/// Brain has grown, bone has a dab.
+struct Fixture : test::WindowFixture {
+    Fixture()
+        : WindowFixture(test::smallStudy())
+    {
+        window.addPanel(new ui::SegmentsPanel(workspace));
+        window.showPanels(true);
+        for (const core::Edit& edit : std::vector<core::Edit>{test::addSegment("Brain"),
+                 test::addSegment("Bone"), test::seedInBrain(1), test::growBrain(),
+                 test::paintAt(2, test::pointsInBone(), 1.5)})
+            apply(edit);
+        workspace.setActiveSegment(1);
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    void apply(const core::Edit& edit)
+    {
+        QVERIFY(session().apply(edit));
+        QVERIFY(session().settle());
+    }
+    [[nodiscard]] std::int64_t voxels(int label)
+    {
+        return session().document().segment(label)->voxels;
+    }
+    [[nodiscard]] const core::HistoryRow& lastRow() { return session().history().rows().back(); }
+    [[nodiscard]] ui::ReshapeDialog* dialog() { return window.findChild<ui::ReshapeDialog*>(); }
+    /// The dialog after the menu Segments has opened it.
+    [[nodiscard]] ui::ReshapeDialog& opened(const char* action)
+    {
+        window.actionTable()[QLatin1String(action)].trigger();
+        return *dialog();
+    }
+};
+
+QComboBox& operationOf(const QWidget& dialog)
+{
+    return *dialog.findChild<QComboBox*>(QStringLiteral("reshapeOperation"));
+}
+
+QDoubleSpinBox& mmOf(const QWidget& dialog)
+{
+    return *dialog.findChild<QDoubleSpinBox*>(QStringLiteral("reshapeMm"));
+}
+
+QPushButton& buttonOf(const QWidget& dialog, const char* name)
+{
+    return *dialog.findChild<QPushButton*>(QLatin1String(name));
+}
+
+QString whoseOf(const QWidget& dialog)
+{
+    return dialog.findChild<QLabel*>(QStringLiteral("reshapeWhose"))->text();
+}
+
+void press(QPushButton& button)
+{
+    QTest::mouseClick(&button, Qt::LeftButton);
+}
+
+} // namespace
+
+class ReshapeDialogUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        QSettings().remove(QStringLiteral("reshape"));
+    }
+
+    /// From the menu bar: the active segment grows, the dialog stays, and undo brings all back.
+    void theActiveSegmentGrows()
+    {
+        Fixture fixture;
+        const std::int64_t before = fixture.voxels(1);
+        const QAction& action = fixture.window.actionTable()[QStringLiteral("segments.margin")];
+        QCOMPARE(action.text(), QStringLiteral("Grow or shrink 'Brain' by a margin …"));
+        ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
+        QVERIFY(dialog.isVisible() && !dialog.isModal());
+        QCOMPARE(whoseOf(dialog), QStringLiteral("Brain"));
+        QCOMPARE(operationOf(dialog).currentText(), QStringLiteral("Grow by a margin"));
+        QCOMPARE(mmOf(dialog).value(), 2.0);
+        mmOf(dialog).setValue(1.5);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        press(buttonOf(dialog, "applyReshape"));
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 1);
+        const std::int64_t after = fixture.voxels(1);
+        QVERIFY(after > before);
+        QVERIFY2(fixture.lastRow().name.startsWith(QLatin1String("Grow 'Brain' by 1.5 mm, +")),
+            qPrintable(fixture.lastRow().name));
+        QCOMPARE(said.front().front().toString(),
+            fixture.lastRow().name + QStringLiteral("; Ctrl+Z takes it back"));
+        QVERIFY(dialog.isVisible());
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), before);
+    }
+
+    /// The pressed key of the default button does the same; another operation has its own size,
+    /// and each finds its last one again, in another window, too.
+    void sizesAreRemembered()
+    {
+        {
+            Fixture fixture;
+            ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
+            QComboBox& operation = operationOf(dialog);
+            operation.setCurrentText(QStringLiteral("Shrink by a margin"));
+            QCOMPARE(mmOf(dialog).value(), 2.0);
+            mmOf(dialog).setValue(3.25);
+            QTest::keyClick(&mmOf(dialog), Qt::Key_Return);
+            QVERIFY(fixture.session().settle());
+            QVERIFY2(
+                fixture.lastRow().name.startsWith(QStringLiteral("Shrink 'Brain' by 3.25 mm, −")),
+                qPrintable(fixture.lastRow().name));
+            operation.setCurrentText(QStringLiteral("Smooth by closing"));
+            QCOMPARE(mmOf(dialog).value(), 1.5);
+            operation.setCurrentText(QStringLiteral("Shrink by a margin"));
+            QCOMPARE(mmOf(dialog).value(), 3.25);
+        }
+        Fixture anew;
+        ui::ReshapeDialog& dialog = anew.opened("segments.margin");
+        QCOMPARE(mmOf(dialog).value(), 2.0);
+        operationOf(dialog).setCurrentText(QStringLiteral("Shrink by a margin"));
+        QCOMPARE(mmOf(dialog).value(), 3.25);
+    }
+
+    /// Every entry of the list is the edit that it says.
+    void eachChoiceIsItsEdit_data()
+    {
+        using core::ShapeOperation;
+        using core::ShellPlace;
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<core::ShapeOperation>("operation");
+        QTest::addColumn<int>("shell"); // less than 0: none
+        const auto row = [](const char* text, ShapeOperation operation, int shell = -1) {
+            QTest::newRow(text) << QString::fromUtf8(text) << operation << shell;
+        };
+        row("Grow by a margin", ShapeOperation::Grow);
+        row("Shrink by a margin", ShapeOperation::Shrink);
+        row("Hollow: a shell inside its border", ShapeOperation::Hollow, int(ShellPlace::Inside));
+        row("Hollow: a shell along its border", ShapeOperation::Hollow, int(ShellPlace::Centred));
+        row("Hollow: a shell outside its border", ShapeOperation::Hollow, int(ShellPlace::Outside));
+        row("Smooth by majority", ShapeOperation::Median);
+        row("Smooth by opening", ShapeOperation::Open);
+        row("Smooth by closing", ShapeOperation::Close);
+    }
+    void eachChoiceIsItsEdit()
+    {
+        QFETCH(const QString, text);
+        QFETCH(const core::ShapeOperation, operation);
+        QFETCH(const int, shell);
+        Fixture fixture;
+        // A hole and a speck, so that each of them finds something to do.
+        const glm::dvec3 middle = test::pointsInBrain().front();
+        fixture.apply(test::eraseAt(1, {middle}, 1.2));
+        fixture.apply(test::paintAt(1, {glm::dvec3(-18.0, -16.0, 106.0)}, 1.2));
+        ui::ReshapeDialog& dialog = fixture.opened("segments.smooth");
+        QComboBox& choice = operationOf(dialog);
+        QCOMPARE(choice.count(), 8);
+        choice.setCurrentText(text);
+        QCOMPARE(choice.currentText(), text);
+        mmOf(dialog).setValue(2.0);
+        const std::size_t rows = fixture.session().history().rows().size();
+        press(buttonOf(dialog, "applyReshape"));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        const auto& edit = fixture.lastRow().edit.get<core::ReshapeSegment>();
+        QCOMPARE(edit.segment, 1);
+        QVERIFY(edit.operation == operation);
+        QCOMPARE(edit.mm, 2.0);
+        QCOMPARE(edit.shell.has_value(), shell >= 0);
+        QVERIFY(!edit.shell || int(*edit.shell) == shell);
+    }
+
+    /// The menu of a row asks about that row's segment, and each entry begins with its operation.
+    void aRowAsksAboutItsSegment()
+    {
+        Fixture fixture;
+        auto* list = fixture.window.findChild<QListView*>(QStringLiteral("segmentList"));
+        const QPoint at = list->visualRect(list->model()->index(1, 0)).center();
+        bool found = false;
+        QTimer::singleShot(0, &fixture.window, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu);
+            for (QAction* each : menu->actions()) {
+                if (each->text() == QStringLiteral("Hollow …")) {
+                    found = true;
+                    each->trigger();
+                    break;
+                }
+            }
+            menu->close();
+        });
+        Q_EMIT list->customContextMenuRequested(at);
+        QVERIFY(found && fixture.dialog());
+        QCOMPARE(whoseOf(*fixture.dialog()), QStringLiteral("Bone"));
+        QCOMPARE(operationOf(*fixture.dialog()).currentText(),
+            QStringLiteral("Hollow: a shell inside its border"));
+        QCOMPARE(operationOf(fixture.opened("segments.smooth")).currentText(),
+            QStringLiteral("Smooth by majority"));
+        QCOMPARE(whoseOf(*fixture.dialog()), QStringLiteral("Brain"));
+        QCOMPARE(fixture.window.findChildren<ui::ReshapeDialog*>().size(), 1);
+    }
+
+    /// What cannot be changed says why; what has nothing to be done is told.
+    void whatCannotBeSaysWhy()
+    {
+        Fixture fixture;
+        ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
+        QPushButton& apply = buttonOf(dialog, "applyReshape");
+        QVERIFY(apply.isEnabled());
+        fixture.apply(test::lockSegment(1));
+        QVERIFY(!apply.isEnabled());
+        QCOMPARE(apply.toolTip(), QStringLiteral("'Brain' is locked"));
+        QVERIFY(!fixture.window.actionTable()[QStringLiteral("segments.margin")].isEnabled());
+        fixture.apply(test::lockSegment(1, false));
+        QVERIFY(apply.isEnabled());
+        fixture.apply(core::RemoveSegment{.segment = 1});
+        QVERIFY(!apply.isEnabled());
+        QCOMPARE(apply.toolTip(), QStringLiteral("there is no segment"));
+
+        fixture.apply(test::addSegment("Empty"));
+        fixture.workspace.setActiveSegment(3);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const std::size_t rows = fixture.session().history().rows().size();
+        press(buttonOf(fixture.opened("segments.margin"), "applyReshape"));
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(), QStringLiteral("'Empty' stays as it is"));
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+    }
+
+    void abortedOnTheWay()
+    {
+        Fixture fixture;
+        const std::int64_t before = fixture.voxels(1);
+        const std::size_t rows = fixture.session().history().rows().size();
+        ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
+        QPushButton& abort = buttonOf(dialog, "abortReshape");
+        QVERIFY(!abort.isEnabled());
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        // Not through the window, whose events would let the work go on.
+        buttonOf(dialog, "applyReshape").click();
+        QVERIFY(abort.isEnabled());
+        abort.click();
+        const core::Result<void> settled = fixture.session().settle();
+        QVERIFY(!settled);
+        QVERIFY(settled.error().code == core::ErrorCode::Cancelled);
+        QCOMPARE(failed.size(), 1);
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        QCOMPARE(fixture.voxels(1), before);
+        QTRY_VERIFY(!abort.isEnabled());
+    }
+};
+
+BURIN_WINDOW_TEST(ReshapeDialogUiTest)
+
+} // namespace reshapeDialogUiTest
+
+#include "ReshapeDialogUiTest.moc"

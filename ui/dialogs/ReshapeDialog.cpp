@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/ReshapeDialog.h"
+
+#include "core/session/EditSession.h"
+#include "core/session/SegmentWork.h"
+#include "ui/base/Theme.h"
+#include "ui/menus/SegmentMenus.h"
+#include "ui/widgets/FittingLabel.h"
+#include "ui/workspace/SegmentActions.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace ui {
+
+namespace {
+
+/// What can be chosen, in the order of the list.
+struct Reshaping {
+    const char* key; ///< of the setting that remembers its size
+    core::ShapeOperation operation;
+    std::optional<core::ShellPlace> shell{};
+    QString text{};
+    QString hint{}; ///< what it does, and what the millimetres are
+    double usualMm = 2.0;
+};
+
+const std::vector<Reshaping>& reshapings()
+{
+    using core::ShapeOperation;
+    using core::ShellPlace;
+    static const std::vector<Reshaping> all{
+        {.key = "grow",
+            .operation = ShapeOperation::Grow,
+            .text = ReshapeDialog::tr("Grow by a margin"),
+            .hint = ReshapeDialog::tr("Takes what is nearer to the segment than this.")},
+        {.key = "shrink",
+            .operation = ShapeOperation::Shrink,
+            .text = ReshapeDialog::tr("Shrink by a margin"),
+            .hint = ReshapeDialog::tr("Gives up what is nearer to its border than this.")},
+        {.key = "hollowInside",
+            .operation = ShapeOperation::Hollow,
+            .shell = ShellPlace::Inside,
+            .text = ReshapeDialog::tr("Hollow: a shell inside its border"),
+            .hint = ReshapeDialog::tr("Leaves a shell of this thickness.")},
+        {.key = "hollowCentred",
+            .operation = ShapeOperation::Hollow,
+            .shell = ShellPlace::Centred,
+            .text = ReshapeDialog::tr("Hollow: a shell along its border"),
+            .hint = ReshapeDialog::tr("Leaves a shell of this thickness, half of it outside.")},
+        {.key = "hollowOutside",
+            .operation = ShapeOperation::Hollow,
+            .shell = ShellPlace::Outside,
+            .text = ReshapeDialog::tr("Hollow: a shell outside its border"),
+            .hint = ReshapeDialog::tr("Becomes a shell of this thickness around what it was.")},
+        {.key = "median",
+            .operation = ShapeOperation::Median,
+            .text = ReshapeDialog::tr("Smooth by majority"),
+            .hint =
+                ReshapeDialog::tr("Each voxel follows most of those that are nearer than this."),
+            .usualMm = 1.5},
+        {.key = "open",
+            .operation = ShapeOperation::Open,
+            .text = ReshapeDialog::tr("Smooth by opening"),
+            .hint = ReshapeDialog::tr("Removes what is thinner than a ball of this radius."),
+            .usualMm = 1.5},
+        {.key = "close",
+            .operation = ShapeOperation::Close,
+            .text = ReshapeDialog::tr("Smooth by closing"),
+            .hint = ReshapeDialog::tr("Fills what is narrower than a ball of this radius."),
+            .usualMm = 1.5},
+    };
+    return all;
+}
+
+QString settingOf(const Reshaping& reshaping)
+{
+    return QStringLiteral("reshape/") + QLatin1String(reshaping.key);
+}
+
+} // namespace
+
+ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
+    : QDialog(parent)
+    , m_workspace(workspace)
+    , m_whose(new FittingLabel(Qt::AlignLeft, this))
+    , m_operation(new QComboBox(this))
+    , m_mm(new QDoubleSpinBox(this))
+    , m_hint(new QLabel(this))
+    , m_progress(new QProgressBar(this))
+    , m_abort(new QPushButton(tr("Abort"), this))
+    , m_apply(new QPushButton(tr("Apply"), this))
+{
+    setWindowTitle(tr("Reshape a segment"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(24, 20, 24, 16);
+    layout->setSpacing(theme::smallPadding);
+    layout->setSizeConstraint(QLayout::SetFixedSize);
+    m_whose->setObjectName(QStringLiteral("reshapeWhose"));
+    m_whose->setFont(theme::headingFont());
+    m_operation->setObjectName(QStringLiteral("reshapeOperation"));
+    m_operation->setAccessibleName(tr("What is done"));
+    m_operation->setMinimumWidth(250);
+    for (const Reshaping& each : reshapings())
+        m_operation->addItem(each.text);
+    constexpr double leastMm = 0.1;
+    constexpr double mostMm = 100.0;
+    m_mm->setObjectName(QStringLiteral("reshapeMm"));
+    m_mm->setAccessibleName(tr("How far"));
+    m_mm->setRange(leastMm, mostMm);
+    m_mm->setDecimals(2);
+    m_mm->setSingleStep(0.5);
+    m_mm->setSuffix(tr(" mm"));
+    m_mm->setAlignment(Qt::AlignRight);
+    m_mm->setMinimumWidth(110);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(theme::smallPadding);
+    row->addWidget(m_operation, 1);
+    row->addWidget(m_mm);
+    m_hint->setFont(theme::smallFont());
+    m_hint->setProperty("role", QStringLiteral("secondary"));
+    m_progress->setObjectName(QStringLiteral("reshapeProgress"));
+    m_progress->setRange(0, 100);
+    m_abort->setObjectName(QStringLiteral("abortReshape"));
+    m_abort->setToolTip(tr("Nothing changes"));
+    m_abort->setAutoDefault(false);
+    m_abort->setEnabled(false);
+    m_apply->setObjectName(QStringLiteral("applyReshape"));
+    m_apply->setDefault(true);
+    auto* close = new QPushButton(tr("Close"), this);
+    close->setAutoDefault(false);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(theme::smallPadding);
+    buttons->addWidget(m_progress, 1);
+    buttons->addWidget(m_abort);
+    buttons->addWidget(m_apply);
+    buttons->addWidget(close);
+    QSizePolicy policy = m_progress->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(policy);
+    m_progress->hide();
+    layout->addWidget(m_whose);
+    layout->addLayout(row);
+    layout->addWidget(m_hint);
+    layout->addSpacing(theme::smallPadding);
+    layout->addLayout(buttons);
+    constexpr int watchMs = 100;
+    m_watching.setInterval(watchMs);
+    connect(&m_watching, &QTimer::timeout, this, &ReshapeDialog::watch);
+    connect(m_operation, &QComboBox::currentIndexChanged, this, &ReshapeDialog::chooseOperation);
+    connect(m_apply, &QPushButton::clicked, this, &ReshapeDialog::carryOut);
+    connect(m_abort, &QPushButton::clicked, this, [this] {
+        if (core::EditSession* session = m_workspace.session())
+            session->segmentWork().abort();
+    });
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    connect(&workspace, &Workspace::documentChanged, this, &ReshapeDialog::showState);
+    connect(&workspace, &Workspace::sessionChanged, this, &QDialog::reject);
+    chooseOperation();
+}
+
+void ReshapeDialog::ask(int label, core::ShapeOperation first)
+{
+    m_label = label;
+    const std::vector<Reshaping>& all = reshapings();
+    const auto found = std::find_if(
+        all.begin(), all.end(), [first](const Reshaping& each) { return each.operation == first; });
+    m_operation->setCurrentIndex(int(found - all.begin()));
+    showState();
+    show();
+    raise();
+    activateWindow();
+    m_mm->setFocus();
+    m_mm->selectAll();
+}
+
+void ReshapeDialog::chooseOperation()
+{
+    const Reshaping& reshaping = reshapings()[std::size_t(m_operation->currentIndex())];
+    m_hint->setText(reshaping.hint);
+    m_mm->setValue(QSettings().value(settingOf(reshaping), reshaping.usualMm).toDouble());
+}
+
+void ReshapeDialog::showState()
+{
+    const core::EditSession* session = m_workspace.session();
+    const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
+    m_whose->setText(segment ? segment->name : QString());
+    const QString why = whyUnchangeable(segment);
+    m_apply->setEnabled(why.isEmpty());
+    m_apply->setToolTip(why);
+}
+
+core::ReshapeSegment ReshapeDialog::chosen() const
+{
+    const Reshaping& reshaping = reshapings()[std::size_t(m_operation->currentIndex())];
+    return {.segment = m_label,
+        .operation = reshaping.operation,
+        .mm = m_mm->value(),
+        .shell = reshaping.shell};
+}
+
+void ReshapeDialog::carryOut()
+{
+    QSettings().setValue(
+        settingOf(reshapings()[std::size_t(m_operation->currentIndex())]), m_mm->value());
+    reshapeSegment(m_workspace, chosen());
+    m_watching.start();
+    m_abort->setEnabled(percentDone().has_value());
+}
+
+std::optional<int> ReshapeDialog::percentDone() const
+{
+    core::EditSession* session = m_workspace.session();
+    return session ? session->segmentWork().percent() : std::nullopt;
+}
+
+/// What takes less than the first look at it shows no bar, which would only flash up.
+void ReshapeDialog::watch()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || session->idle())
+        m_watching.stop();
+    const std::optional<int> percent = percentDone();
+    m_progress->setValue(percent.value_or(0));
+    m_progress->setVisible(percent.has_value());
+    m_abort->setEnabled(percent.has_value());
+}
+
+} // namespace ui
