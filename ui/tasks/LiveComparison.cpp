@@ -236,6 +236,13 @@ QStringList LiveComparison::references() const
     return names;
 }
 
+std::shared_ptr<const core::VoxelRuns> LiveComparison::secondMask() const
+{
+    if (m_imported || !m_masks || m_chosen < 0)
+        return nullptr;
+    return {m_masks, &(*m_masks)[std::size_t(m_chosen)].voxels};
+}
+
 void LiveComparison::choose(int place)
 {
     if (!m_masks || place < 0 || std::size_t(place) >= m_masks->size() || place == m_chosen)

@@ -46,6 +46,9 @@ public:
     /// @param place index in references()
     void choose(int place);
     [[nodiscard]] int chosen() const { return m_chosen; } ///< −1: none
+    /// The voxels of the chosen reference if it is from a file: what was imported differs where the
+    /// user has mended it, which is no doubt. Null: none.
+    [[nodiscard]] std::shared_ptr<const core::VoxelRuns> secondMask() const;
 
     struct Outcome {
         int segment = 0; ///< label of the segment that was compared
