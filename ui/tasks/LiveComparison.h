@@ -14,10 +14,6 @@
 #include <optional>
 #include <vector>
 
-namespace core {
-struct ImportMask;
-}
-
 namespace ui {
 
 /// Compares the surface that is being refined, or else the active segment, with a segment of a
@@ -76,7 +72,6 @@ private:
     void compare();
     void takeMasks(core::Result<core::MaskOnVolume>&& read);
     [[nodiscard]] const core::Segment* comparedSegment() const;
-    [[nodiscard]] std::vector<core::ImportMask> imports() const;
     [[nodiscard]] int placeOfCompared() const;
 
     Workspace& m_workspace;

@@ -48,7 +48,7 @@ public:
         apply(mask);
         workspace.setActiveSegment(1);
         panel.resize(300, 600);
-        panel.show();
+        panel.setVisible(true);
     }
     [[nodiscard]] QPushButton& button() { return child<QPushButton>("lookForPlaces"); }
     [[nodiscard]] QListWidget& list() { return child<QListWidget>("placesToLookAt"); }
