@@ -5,6 +5,8 @@
 #include "app/steps/SteadySession.h"
 #include "core/export/CarvedVolume.h"
 #include "core/export/common/ExportChoices.h"
+#include "core/export/common/ImportedSegments.h"
+#include "core/session/past/PastImports.h"
 #include "core/session/past/SegmentLayers.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/texts/ReportTexts.h"
@@ -75,6 +77,8 @@ private:
             if (const Result<void> read = readValues(); !read)
                 return tl::unexpected(read.error());
             request.codes = m_study->codes;
+            request.imported = core::importedAs(document().segments,
+                core::importsOf(m_steady.session().history()), m_volume.geometry.voxelCount());
         }
         if (target.format == core::ExportFormat::DicomSegFractional) {
             if (const Result<void> added = addCoverages(request); !added)

@@ -6,6 +6,7 @@
 #include "ui/dialogs/export/DeidentifySessionDialog.h"
 #include "ui/dialogs/export/ExportDialog.h"
 #include "ui/dialogs/export/Screenshot.h"
+#include "ui/frame/MendingStrip.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/panels/ClippingPanel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
@@ -18,6 +19,8 @@
 #include "ui/panels/lists/SegmentsPanel.h"
 #include "ui/panels/refine/ChunksPanel.h"
 #include "ui/panels/refine/ComparePanel.h"
+#include "ui/panels/refine/LookFirstSection.h"
+#include "ui/panels/refine/MendingSteps.h"
 #include "ui/panels/refine/RefineActions.h"
 #include "ui/panels/refine/RefinePanel.h"
 #include "ui/settings/StudyOpener.h"
@@ -124,7 +127,67 @@ void addDoctor(ui::MainWindow& window)
         &window.actionTable()[QStringLiteral("file.importMask")], &action);
 }
 
-void addExport(ui::MainWindow& window)
+/// The strip that leads from an imported mask to its export, with what its buttons do.
+ui::MendingSteps& addMending(ui::MainWindow& window, ui::ComparePanel& panel)
+{
+    ui::Workspace& workspace = window.workspace();
+    ui::Actions& actions = window.actionTable();
+    auto* steps = new ui::MendingSteps(workspace, panel, window.mendingStrip());
+    actions.add({.id = QStringLiteral("mending.look"),
+        .text = QStringLiteral("Places to look at first"),
+        .tip = QStringLiteral("Lists places of the active segment that may be wrong"),
+        .run =
+            [&window, &panel] {
+                window.bringUp(panel);
+                panel.lookFirst().lookOnce();
+            },
+        .possible =
+            [&workspace] {
+                return workspace.session()
+                    && workspace.session()->document().segment(workspace.activeSegment());
+            }});
+    actions.add({.id = QStringLiteral("mending.compare"),
+        .text = QStringLiteral("Compare with what was imported"),
+        .run =
+            [&window, &panel] {
+                window.bringUp(panel);
+                if (!panel.comparison().isImported())
+                    panel.comparison().takeImported();
+            },
+        .possible = [steps] { return steps->hasMask(); }});
+    actions.add({.id = QStringLiteral("mending.strip"),
+        .text = QStringLiteral("Steps of mending a mask"),
+        .tip = QStringLiteral("A strip over the views, while there is an imported mask"),
+        .run = [steps] { steps->setWanted(!steps->isWanted()); },
+        .checked = [steps] { return steps->isWanted(); }});
+    actions.fill(window.segmentsMenu(),
+        {QString(), QStringLiteral("mending.look"), QStringLiteral("mending.compare"),
+            QStringLiteral("mending.strip")});
+    QObject::connect(steps, &ui::MendingSteps::changed, &actions, &ui::Actions::refresh);
+    using Step = ui::MendingStrip::Step;
+    QObject::connect(
+        &window.mendingStrip(), &ui::MendingStrip::stepRequested, &window, [&window](Step step) {
+            ui::Actions& all = window.actionTable();
+            switch (step) {
+            case Step::Look:
+                return all[QStringLiteral("mending.look")].trigger();
+            case Step::Mend: {
+                QAction& chunks = all[QStringLiteral("tool.chunks")];
+                // Taken once more it would be put away, though its panel may be out of sight.
+                if (chunks.isChecked())
+                    chunks.trigger();
+                return chunks.trigger();
+            }
+            case Step::Compare:
+                return all[QStringLiteral("mending.compare")].trigger();
+            case Step::Export:
+                return all[QStringLiteral("file.export")].trigger();
+            }
+        });
+    return *steps;
+}
+
+void addExport(ui::MainWindow& window, ui::MendingSteps& mending)
 {
     ui::Workspace& workspace = window.workspace();
     QAction& action = window.actionTable().add({.id = QStringLiteral("file.export"),
@@ -132,9 +195,11 @@ void addExport(ui::MainWindow& window)
         .keys = {QKeySequence(QStringLiteral("Ctrl+E"))},
         .icon = QStringLiteral("export"),
         .run =
-            [&window, &workspace] {
+            [&window, &workspace, &mending] {
                 auto* dialog = new ui::ExportDialog(workspace, &window);
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
+                QObject::connect(
+                    dialog, &ui::ExportDialog::exported, &mending, &ui::MendingSteps::noteExported);
                 dialog->open();
             },
         .possible =
@@ -179,7 +244,8 @@ void addExport(ui::MainWindow& window)
     window.actionTable().refresh();
 }
 
-void addPanels(ui::MainWindow& window)
+/// @return the panel in which segments are compared
+ui::ComparePanel& addPanels(ui::MainWindow& window)
 {
     ui::Workspace& workspace = window.workspace();
     addDoctor(window);
@@ -193,13 +259,15 @@ void addPanels(ui::MainWindow& window)
     window.refineMenu().addSeparator();
     window.actionTable().fill(
         window.refineMenu(), ui::addRefineActions(window.actionTable(), workspace));
-    window.addPanel(new ui::ComparePanel(workspace));
+    auto* compare = new ui::ComparePanel(workspace);
+    window.addPanel(compare);
     window.addPanel(new ui::ChunksPanel(workspace));
     window.addPanel(new ui::HistoryPanel(workspace));
     window.addPanel(new ui::LayersPanel(workspace));
     window.addPanel(new ui::PiecesPanel(workspace, window.views().volume()));
     window.addPanel(new ui::VolumePanel(workspace));
     window.addPanel(new ui::ClippingPanel(workspace, window.views().volume()));
+    return *compare;
 }
 
 } // namespace
@@ -208,8 +276,8 @@ void addContents(ui::MainWindow& window)
 {
     ui::Workspace& workspace = window.workspace();
     const std::vector<ui::Tool*> tools = addTools(window);
-    addPanels(window);
-    addExport(window);
+    ui::ComparePanel& compare = addPanels(window);
+    addExport(window, addMending(window, compare));
     new ui::SpaceSteering(window);
     new ui::KeyframeRecorder(workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.

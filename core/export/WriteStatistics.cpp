@@ -94,8 +94,16 @@ Result<ReportLines> writeStatistics(const QString& path, const Volume& volume,
     for (const SegmentStatistics& each : *all)
         volumes.push_back(
             {ReportCode::VolumeOf, {each.segment.name, QString::number(each.millilitres, 'f', 3)}});
-    return ReportLines{ReportSentence{ReportCode::Statistics,
+    ReportLines lines{ReportSentence{ReportCode::Statistics,
         {QString::fromLatin1(factsOf(request.format).title), inReport(std::move(volumes))}}};
+    for (const SegmentStatistics& each : *all) {
+        if (each.sinceImport)
+            lines += ReportSentence{ReportCode::SinceImport,
+                {each.segment.name, QString::number(each.sinceImport->addedMl, 'f', 3),
+                    QString::number(each.sinceImport->takenMl, 'f', 3),
+                    QString::number(each.sinceImport->dice, 'f', 4)}};
+    }
+    return lines;
 }
 
 } // namespace core

@@ -43,6 +43,7 @@ enum class ReportCode : std::uint8_t {
     Surfaces,
     SurfacesSmoothed,
     Statistics,
+    SinceImport,
     SegBeside,
     OnOwnSlices,
     Deidentified,

@@ -2,16 +2,16 @@
 #include "ui/tasks/LiveComparison.h"
 
 #include "core/brick/LabelRuns.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/masks/ImportedMasks.h"
 #include "core/refine/mesh/SimplexMesh.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/SessionSurface.h"
+#include "core/session/past/PastImports.h"
 #include "ui/workspace/Refinement.h"
 
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace ui {
@@ -43,56 +43,6 @@ core::Result<LiveComparison::Outcome> LiveComparison::Job::compared(
             return done;
         });
 }
-
-namespace {
-
-/// The voxels of one imported mask that became one segment, united.
-core::VoxelRuns allOf(const core::ImportMask& edit, std::uint64_t voxels)
-{
-    core::VoxelRuns all;
-    for (const core::ImportedSegment& segment : *edit.segments) {
-        if (const auto runs = core::unpackedRuns(segment.voxels, voxels))
-            all = core::united(all, *runs);
-    }
-    return all;
-}
-
-/// The segments of masks as they were imported, the newest mask first; a name that a newer one has
-/// stands for the newer one. What was taken into one segment (ImportMask::as) has its name in
-/// @p names.
-core::Result<core::MaskOnVolume> masksOf(const std::vector<core::ImportMask>& imports,
-    const std::map<int, QString>& names, std::uint64_t voxels)
-{
-    core::MaskOnVolume masks;
-    std::set<QString> newer;
-    for (auto edit = imports.rbegin(); edit != imports.rend(); ++edit) {
-        std::vector<core::MaskSegment> its;
-        if (edit->as) {
-            const auto named = names.find(edit->as->number.value_or(0));
-            its.push_back({.name = named == names.end() ? edit->as->name : named->second,
-                .rgb = {},
-                .code = {},
-                .voxels = allOf(*edit, voxels)});
-        } else {
-            for (const core::ImportedSegment& segment : *edit->segments)
-                its.push_back({.name = segment.name,
-                    .rgb = segment.rgb,
-                    .code = segment.code,
-                    .voxels =
-                        core::unpackedRuns(segment.voxels, voxels).value_or(core::VoxelRuns())});
-        }
-        std::set<QString> own;
-        for (core::MaskSegment& segment : its) {
-            own.insert(segment.name);
-            if (!newer.contains(segment.name) && !segment.voxels.empty())
-                masks.segments.push_back(std::move(segment));
-        }
-        newer.merge(own);
-    }
-    return masks;
-}
-
-} // namespace
 
 LiveComparison::LiveComparison(Workspace& workspace, QObject* parent)
     : QObject(parent)
@@ -162,33 +112,22 @@ void LiveComparison::read(const QString& path)
     Q_EMIT changed();
 }
 
-std::vector<core::ImportMask> LiveComparison::imports() const
-{
-    std::vector<core::ImportMask> imports;
-    const core::EditSession* session = m_workspace.session();
-    if (!session)
-        return imports;
-    const core::History& history = session->history();
-    for (const core::RowId row : history.pathTo(history.position())) {
-        const auto* mask = history.row(row).edit.as<core::ImportMask>();
-        if (mask && mask->segments)
-            imports.push_back(*mask);
-    }
-    return imports;
-}
-
 bool LiveComparison::canTakeImported() const
 {
-    return !imports().empty();
+    const core::EditSession* session = m_workspace.session();
+    return session && !core::importsOf(session->history()).empty();
 }
 
 void LiveComparison::takeImported()
 {
-    std::vector<core::ImportMask> edits = imports();
-    if (edits.empty() || m_reading)
+    const core::EditSession* session = m_workspace.session();
+    if (!session || m_reading)
+        return;
+    std::vector<core::ImportMask> edits = core::importsOf(session->history());
+    if (edits.empty())
         return;
     std::map<int, QString> names;
-    for (const core::Segment& segment : m_workspace.session()->document().segments)
+    for (const core::Segment& segment : session->document().segments)
         names.emplace(segment.label, segment.name);
     forget();
     m_reading = true;
@@ -197,7 +136,7 @@ void LiveComparison::takeImported()
         this,
         [edits = std::move(edits), names = std::move(names),
             voxels = m_workspace.volume()->geometry.voxelCount()] {
-            return masksOf(edits, names, voxels);
+            return core::importedMasks(edits, names, voxels);
         },
         [this](core::Result<core::MaskOnVolume>&& read) { takeMasks(std::move(read)); });
     Q_EMIT changed();
@@ -234,6 +173,13 @@ QStringList LiveComparison::references() const
             names.append(segment.name);
     }
     return names;
+}
+
+std::shared_ptr<const core::VoxelRuns> LiveComparison::secondMask() const
+{
+    if (m_imported || !m_masks || m_chosen < 0)
+        return nullptr;
+    return {m_masks, &(*m_masks)[std::size_t(m_chosen)].voxels};
 }
 
 void LiveComparison::choose(int place)

@@ -14,10 +14,6 @@
 #include <optional>
 #include <vector>
 
-namespace core {
-struct ImportMask;
-}
-
 namespace ui {
 
 /// Compares the surface that is being refined, or else the active segment, with a segment of a
@@ -46,6 +42,9 @@ public:
     /// @param place index in references()
     void choose(int place);
     [[nodiscard]] int chosen() const { return m_chosen; } ///< −1: none
+    /// The voxels of the chosen reference if it is from a file: what was imported differs where the
+    /// user has mended it, which is no doubt. Null: none.
+    [[nodiscard]] std::shared_ptr<const core::VoxelRuns> secondMask() const;
 
     struct Outcome {
         int segment = 0; ///< label of the segment that was compared
@@ -73,7 +72,6 @@ private:
     void compare();
     void takeMasks(core::Result<core::MaskOnVolume>&& read);
     [[nodiscard]] const core::Segment* comparedSegment() const;
-    [[nodiscard]] std::vector<core::ImportMask> imports() const;
     [[nodiscard]] int placeOfCompared() const;
 
     Workspace& m_workspace;

@@ -83,6 +83,8 @@ QString formOf(ReportCode code, std::int64_t count)
             "Smoothed by less than half a voxel (at most 0.45 along each axis of the voxels).");
     case ReportCode::Statistics:
         return ReportTexts::tr("%1: %2.");
+    case ReportCode::SinceImport:
+        return ReportTexts::tr("%1 since its import: %2 mL added, %3 mL taken, Dice %4.");
     case ReportCode::SegBeside:
         return ReportTexts::tr("The DICOM SEG that it refers to: %1. %2");
     case ReportCode::OnOwnSlices:

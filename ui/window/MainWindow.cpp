@@ -9,6 +9,7 @@
 #include "ui/dialogs/session/UnwrittenSteps.h"
 #include "ui/dialogs/study/OpenDialogs.h"
 #include "ui/frame/LoadingBar.h"
+#include "ui/frame/MendingStrip.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/frame/Panel.h"
 #include "ui/frame/PanelColumn.h"
@@ -86,6 +87,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     , m_tools(new ToolColumn(this))
     , m_loading(new LoadingBar(this))
     , m_messages(new MessageBar(this))
+    , m_mending(new MendingStrip(this))
     , m_pages(new QStackedWidget(this))
     , m_startPage(new QScrollArea(this))
     , m_start(new StartPage)
@@ -205,6 +207,8 @@ void MainWindow::buildCentre()
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setHandleWidth(1);
     column->addWidget(m_messages);
+    m_mending->hide();
+    column->addWidget(m_mending);
     // Over the foot of the pictures, which would move when it comes and goes.
     auto* pictures = new QGridLayout;
     pictures->addWidget(m_pages, 0, 0);

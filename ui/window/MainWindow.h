@@ -21,6 +21,7 @@ class OptionBar;
 class Panel;
 class PanelColumn;
 class MaskImporter;
+class MendingStrip;
 class SessionSaver;
 class ShownStudy;
 class StartPage;
@@ -58,6 +59,7 @@ public:
     [[nodiscard]] ViewGrid& views() const { return *m_views; }
     [[nodiscard]] BookmarkMenu& bookmarks() const { return *m_bookmarks; }
     [[nodiscard]] MessageBar& messages() const { return *m_messages; }
+    [[nodiscard]] MendingStrip& mendingStrip() const { return *m_mending; }
     [[nodiscard]] StudyOpener& opener() { return m_opener; }
     [[nodiscard]] SessionSaver& saver() const { return *m_saver; }
     [[nodiscard]] Actions& actionTable() { return m_actions; }
@@ -104,6 +106,7 @@ private:
     ToolColumn* m_tools;
     LoadingBar* m_loading;
     MessageBar* m_messages;
+    MendingStrip* m_mending; ///< hidden until somebody shows it
     QStackedWidget* m_pages;
     QScrollArea* m_startPage; ///< holds m_start
     StartPage* m_start;

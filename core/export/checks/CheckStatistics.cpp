@@ -76,8 +76,33 @@ Numbers countedAnew(const ExportExpectation& expected, const Segment& segment)
     for (const int percent : {5, 10, 25, 75, 90, 95})
         numbers[QStringLiteral("percentile%1").arg(percent)] = share(percent);
     // Without gaps between slices to heed, every voxel is as large as the grid's.
-    if (volume.geometry.slicePositions.empty())
-        numbers[QStringLiteral("volumeMl")] = count * volume.geometry.voxelVolumeMm3() / 1000.0;
+    const bool isEven = volume.geometry.slicePositions.empty();
+    const double voxelMl = volume.geometry.voxelVolumeMm3() / 1000.0;
+    if (isEven)
+        numbers[QStringLiteral("volumeMl")] = count * voxelMl;
+    for (const ImportedVoxels& imported : expected.imported) {
+        if (imported.label != segment.label)
+            continue;
+        std::vector<bool> was(labels.size(), false);
+        for (const VoxelRun& run : imported.voxels.runs()) {
+            for (std::uint64_t at = run.first; at < run.first + run.count; ++at)
+                was[std::size_t(at)] = true;
+        }
+        double added = 0.0;
+        double taken = 0.0;
+        for (std::size_t at = 0; at < was.size(); ++at) {
+            const bool is = labels[at] == segment.label;
+            added += is && !was[at] ? 1.0 : 0.0;
+            taken += was[at] && !is ? 1.0 : 0.0;
+        }
+        // What both have counts twice in the sum of both.
+        numbers[QStringLiteral("importDice")] =
+            2.0 * (count - added) / (2.0 * (count - added) + added + taken);
+        if (isEven) {
+            numbers[QStringLiteral("importAddedMl")] = added * voxelMl;
+            numbers[QStringLiteral("importTakenMl")] = taken * voxelMl;
+        }
+    }
     return numbers;
 }
 

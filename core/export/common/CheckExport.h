@@ -14,6 +14,7 @@ struct ExportExpectation {
     ExportFormat format = ExportFormat::DicomSeg;
     std::span<const SegmentCoverage> coverages{}; ///< for a fractional SEG
     std::span<const std::uint16_t> codes{}; ///< for statistics
+    std::span<const ImportedVoxels> imported{}; ///< for statistics
     const Deidentifier* deidentifier = nullptr;
 };
 

@@ -171,6 +171,7 @@ Result<StagedExport> stageOn(const Volume& volume, const ExportRequest& request,
         .format = request.format,
         .coverages = request.coverages,
         .codes = request.codes,
+        .imported = request.imported,
         .deidentifier = request.deidentifier.get()};
     const auto checked = check(staged->path(), expected, progress);
     if (!checked)

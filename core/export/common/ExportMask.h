@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/brick/VoxelRuns.h"
 #include "core/dicom/write/SegSettings.h"
 #include "core/document/Document.h"
 #include "core/export/common/ExportFormats.h"
@@ -38,6 +39,12 @@ struct SegmentCoverage {
     std::span<const std::uint8_t> coverage; ///< x fastest
 };
 
+/// The voxels that were imported as a segment: a network's mask, for instance.
+struct ImportedVoxels {
+    std::uint8_t label = 0;
+    VoxelRuns voxels;
+};
+
 /// A request to export segments.
 struct ExportRequest {
     ExportFormat format = ExportFormat::DicomSeg;
@@ -50,6 +57,8 @@ struct ExportRequest {
     SegSettings seg{}; ///< for a DICOM SEG
     std::vector<SegmentCoverage> coverages{}; ///< for a fractional SEG
     std::span<const std::uint16_t> codes{}; ///< those of the volume, x fastest; for statistics
+    /// For statistics: what has been changed since is told of the segments that are listed.
+    std::vector<ImportedVoxels> imported{};
     std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient's identity is kept
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/common/SegmentStatistics.h"
 
+#include "core/brick/LabelRuns.h"
+#include "core/brick/VoxelRunSets.h"
 #include "core/export/common/CheckSources.h"
 #include "core/surface/SegmentSurface.h"
 #include "core/volume/UnevenSlices.h"
@@ -120,6 +122,45 @@ void measurePlace(SegmentStatistics& found, const Counts& counts, const VolumeGe
     }
 }
 
+double millilitresOf(const VoxelRuns& voxels, const VolumeGeometry& geometry)
+{
+    const std::vector<double> thickness = sliceThicknessesMm(geometry);
+    std::vector<std::int64_t> ofSlice(thickness.size(), 0);
+    const auto slice = std::uint64_t(geometry.size.x) * std::uint64_t(geometry.size.y);
+    for (const VoxelRun& run : voxels.runs()) {
+        std::uint64_t at = run.first;
+        std::uint64_t left = run.count;
+        while (left > 0) {
+            const std::uint64_t count = std::min(left, slice - at % slice);
+            ofSlice[std::size_t(at / slice)] += std::int64_t(count);
+            at += count;
+            left -= count;
+        }
+    }
+    const glm::dmat3 axes(geometry.indexToWorld);
+    const double pixelMm2 = glm::length(glm::cross(axes[0], axes[1]));
+    double millilitres = 0.0;
+    for (std::size_t k = 0; k < ofSlice.size(); ++k)
+        millilitres += double(ofSlice[k]) * pixelMm2 * thickness[k] / 1000.0;
+    return millilitres;
+}
+
+/// None if nothing was imported as the segment.
+std::optional<SegmentStatistics::SinceImport> sinceImport(const ExportRequest& request,
+    const Segment& segment, std::span<const std::uint8_t> labels, const VolumeGeometry& geometry)
+{
+    const auto its = std::find_if(request.imported.begin(), request.imported.end(),
+        [&](const ImportedVoxels& each) { return each.label == segment.label; });
+    if (its == request.imported.end())
+        return std::nullopt;
+    const VoxelRuns own = labelRuns(labels, segment.label);
+    const VoxelRuns changed = differing(own, its->voxels);
+    return SegmentStatistics::SinceImport{.addedMl = millilitresOf(common(changed, own), geometry),
+        .takenMl = millilitresOf(common(changed, its->voxels), geometry),
+        .dice = 2.0 * double(sharedVoxels(own, its->voxels))
+            / double(own.voxelCount() + its->voxels.voxelCount())};
+}
+
 double areaMm2(const SegmentSurface& surface, const VolumeGeometry& geometry)
 {
     double twice = 0.0;
@@ -152,6 +193,7 @@ Result<std::vector<SegmentStatistics>> segmentStatistics(const Volume& volume,
         measurePlace(found, counts, volume.geometry);
         found.surfaceMm2 =
             areaMm2(segmentSurface(labels, segment.label, volume.geometry.size), volume.geometry);
+        found.sinceImport = sinceImport(request, segment, labels, volume.geometry);
         all.push_back(found);
     }
     return all;

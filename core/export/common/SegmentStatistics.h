@@ -4,6 +4,7 @@
 #include "core/export/common/MaskSelection.h"
 
 #include <array>
+#include <optional>
 
 namespace core {
 
@@ -31,6 +32,13 @@ struct SegmentStatistics {
     double median = 0.0;
     /// The least value that occurs and that at least this percentage of the voxels do not exceed.
     std::array<double, statisticsPercentiles.size()> percentiles{};
+    /// The segment against the mask that was imported as it.
+    struct SinceImport {
+        double addedMl = 0.0; ///< volumes are measured as `millilitres` is
+        double takenMl = 0.0;
+        double dice = 1.0;
+    };
+    std::optional<SinceImport> sinceImport{}; ///< none: it was not imported
 };
 
 /// Errors: Cancelled.

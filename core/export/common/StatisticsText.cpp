@@ -48,13 +48,25 @@ std::vector<StatisticsNumber> numbersOf(const SegmentStatistics& s)
         {"standardDeviation", s.deviation}, {"median", s.median}};
     for (std::size_t i = 0; i < percentileNames.size(); ++i)
         numbers.push_back({percentileNames[i], s.percentiles[i]});
+    if (s.sinceImport) {
+        numbers.push_back({"importAddedMl", s.sinceImport->addedMl});
+        numbers.push_back({"importTakenMl", s.sinceImport->takenMl});
+        numbers.push_back({"importDice", s.sinceImport->dice});
+    }
     return numbers;
 }
 
 QByteArray statisticsCsv(const std::vector<SegmentStatistics>& all, const Volume& volume)
 {
     QByteArray text = "label,name,codingScheme,code,meaning,unit";
-    for (const StatisticsNumber& number : numbersOf(SegmentStatistics()))
+    // Columns of the import are there if a segment was imported, and empty for the others.
+    SegmentStatistics columns;
+    for (const SegmentStatistics& each : all) {
+        if (each.sinceImport)
+            columns.sinceImport.emplace();
+    }
+    const std::vector<StatisticsNumber> names = numbersOf(columns);
+    for (const StatisticsNumber& number : names)
         text += QByteArray(",") + number.name;
     text += "\r\n";
     for (const SegmentStatistics& each : all) {
@@ -63,9 +75,10 @@ QByteArray statisticsCsv(const std::vector<SegmentStatistics>& all, const Volume
         for (const QString& word : {segment.name, segment.code.scheme, segment.code.value,
                  segment.code.meaning, volume.unit})
             text += ',' + cell(word);
-        for (const StatisticsNumber& number : numbersOf(each))
+        const std::vector<StatisticsNumber> numbers = numbersOf(each);
+        for (const StatisticsNumber& number : numbers)
             text += ',' + numberText(number.value);
-        text += "\r\n";
+        text += QByteArray(qsizetype(names.size() - numbers.size()), ',') + "\r\n";
     }
     return text;
 }

@@ -13,7 +13,8 @@ struct StatisticsNumber {
     double value = 0.0;
 };
 
-/// All numbers, in the order of the columns.
+/// All numbers, in the order of the columns. Those that tell what was changed since an import come
+/// last, and only of a segment that was imported.
 [[nodiscard]] std::vector<StatisticsNumber> numbersOf(const SegmentStatistics& statistics);
 
 /// RFC 4180, UTF-8: a line of names, then one line per segment.

@@ -62,6 +62,7 @@ const std::vector<Row>& rows()
         {ReportCode::SurfacesSmoothed,
             "Smoothed by less than half a voxel (at most 0.45 along each axis of the voxels)."},
         {ReportCode::Statistics, "%1: %2."},
+        {ReportCode::SinceImport, "%1 since its import: %2 mL added, %3 mL taken, Dice %4."},
         {ReportCode::SegBeside, "The DICOM SEG that it refers to: %1. %2"},
         {ReportCode::OnOwnSlices,
             "Written on the images' own slices, %1 of them: each of their voxels takes what the "

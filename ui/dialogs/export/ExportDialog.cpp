@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export/ExportDialog.h"
 
+#include "core/export/common/ImportedSegments.h"
 #include "core/session/EditSession.h"
+#include "core/session/past/PastImports.h"
 #include "core/session/past/SegmentLayers.h"
 #include "core/sessionfile/SessionStudy.h"
 #include "ui/base/TabOrder.h"
@@ -245,7 +247,9 @@ void ExportDialog::takeLabels(const std::vector<ExportJob::Plane>& planes)
 void ExportDialog::write(const std::vector<ExportJob::Plane>& coverages)
 {
     m_job.start([volume = *m_workspace.volume(), request = m_request, planes = std::move(m_planes),
-                    layers = m_layers, coverages, session = m_workspace.session()->file()](
+                    layers = m_layers, coverages, session = m_workspace.session()->file(),
+                    segments = m_workspace.session()->document().segments,
+                    imports = core::importsOf(m_workspace.session()->history())](
                     const core::Progress& progress) -> core::Result<core::ExportReport> {
         core::ExportRequest whole = request;
         for (const ExportJob::Plane& plane : planes)
@@ -264,6 +268,7 @@ void ExportDialog::write(const std::vector<ExportJob::Plane>& coverages)
         if (!study)
             return tl::unexpected(study.error());
         whole.codes = study->codes;
+        whole.imported = core::importedAs(segments, imports, volume.geometry.voxelCount());
         return core::exportMask(volume, whole, progress);
     });
 }

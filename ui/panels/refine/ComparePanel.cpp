@@ -2,6 +2,7 @@
 #include "ui/panels/refine/ComparePanel.h"
 
 #include "ui/base/Theme.h"
+#include "ui/panels/refine/LookFirstSection.h"
 #include "ui/tasks/MaskImporter.h"
 
 #include <QComboBox>
@@ -36,11 +37,14 @@ ComparePanel::ComparePanel(Workspace& workspace, QWidget* parent)
     : Panel(parent)
     , m_workspace(workspace)
     , m_comparison(workspace)
+    , m_lookFirst(new LookFirstSection(
+          workspace, [this] { return m_comparison.secondMask(); }, this))
     , m_reference(new QComboBox(this))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, theme::padding);
     layout->setSpacing(theme::smallPadding);
+    layout->addWidget(m_lookFirst);
     auto* row = new QHBoxLayout;
     row->setSpacing(theme::smallPadding);
     m_open = new QPushButton(tr("Reference …"), this);

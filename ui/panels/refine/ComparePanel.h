@@ -12,9 +12,12 @@ class QPushButton;
 
 namespace ui {
 
+class LookFirstSection;
+
 /// Shows, while the user works, how far the surface that is being refined, or else the active
 /// segment, is from a reference mask, which is read from a file, or is the mask that was imported:
-/// relative volume error (seed B §7.3), Dice, distances, and what was added and taken.
+/// relative volume error (seed B §7.3), Dice, distances, and what was added and taken. Above that,
+/// the places of the active segment to look at first.
 class ComparePanel : public Panel {
     Q_OBJECT
 
@@ -25,6 +28,7 @@ public:
     [[nodiscard]] QString summary() const override;
     [[nodiscard]] bool foldedAtFirst() const override { return true; }
     [[nodiscard]] LiveComparison& comparison() { return m_comparison; }
+    [[nodiscard]] LookFirstSection& lookFirst() { return *m_lookFirst; }
 
 private:
     void ask();
@@ -34,6 +38,7 @@ private:
 
     Workspace& m_workspace;
     LiveComparison m_comparison;
+    LookFirstSection* m_lookFirst = nullptr;
     QPushButton* m_open = nullptr;
     QPushButton* m_imported = nullptr;
     QComboBox* m_reference = nullptr;

@@ -15,6 +15,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -103,6 +104,7 @@ private Q_SLOTS:
     void unevenSlicesCountByTheirRoom();
     void surfaceOfBalls();
     void othersReadTheSame();
+    void whatWasChangedSinceTheImport();
     void report();
     void aReportAndItsSegComeAndGoTogether();
     void aNumberThatIsWrongIsFound();
@@ -209,6 +211,64 @@ void ExportStatisticsTest::othersReadTheSame()
         }
         QCOMPARE(numbers, 30);
     }
+}
+
+/// Of four voxels two were imported, of three.
+void ExportStatisticsTest::whatWasChangedSinceTheImport()
+{
+    Measured on(ramp());
+    on.at(1, 1, 1) = on.at(2, 1, 1) = on.at(3, 1, 1) = on.at(4, 1, 1) = 1;
+    on.at(0, 0, 0) = 2;
+    const glm::ivec3 size = on.study.volume.geometry.size;
+    VoxelRuns network;
+    network.append(std::uint64_t((size.y + 1) * size.x + 3), 3);
+    ExportRequest request = on.request(ExportFormat::Csv, "a.csv");
+    request.imported = {{.label = 1, .voxels = network}};
+    const auto selection = selectMask(on.study.volume, request);
+    const auto all = segmentStatistics(on.study.volume, request, *selection, {});
+    QVERIFY(all.has_value());
+    QVERIFY(all->front().sinceImport && !all->back().sinceImport);
+    const double voxelMl = 0.75 * 1.25 * 2.5 / 1000.0;
+    QCOMPARE(all->front().sinceImport->addedMl, 2 * voxelMl);
+    QCOMPARE(all->front().sinceImport->takenMl, voxelMl);
+    QCOMPARE(all->front().sinceImport->dice, 4.0 / 7.0);
+
+    const auto made = exportMask(on.study.volume, request, {});
+    QVERIFY2(made, qPrintable(made ? QString() : messageOf(made.error())));
+    QCOMPARE(std::count_if(made->written.begin(), made->written.end(),
+                 [](const ReportLine& line) {
+                     const auto* sentence = std::get_if<ReportSentence>(&line);
+                     return sentence && sentence->code == ReportCode::SinceImport;
+                 }),
+        std::ptrdiff_t(1));
+    const QList<QByteArray> lines = test::bytesOf(on.file("a.csv")).split('\n');
+    QVERIFY(lines[0].endsWith(",importAddedMl,importTakenMl,importDice\r"));
+    QVERIFY(lines[1].contains(QByteArray::number(2 * voxelMl) + ','));
+    // The other segment was not imported.
+    QVERIFY(lines[2].endsWith(",,,\r"));
+    QCOMPARE(lines[2].count(','), lines[0].count(','));
+
+    request.format = ExportFormat::Json;
+    request.file = on.file("a.json");
+    QVERIFY(exportMask(on.study.volume, request, {}));
+    const QJsonArray said =
+        QJsonDocument::fromJson(test::bytesOf(request.file)).object()["segments"].toArray();
+    QCOMPARE(said[0]["importDice"].toDouble(), 4.0 / 7.0);
+    QVERIFY(said[1]["importDice"].isUndefined());
+    // Another import is not what the file tells of.
+    ExportExpectation expected{.volume = on.study.volume,
+        .segments = selection->segments,
+        .planes = request.planes,
+        .format = request.format,
+        .codes = request.codes,
+        .imported = request.imported};
+    QVERIFY(checkStatisticsExport(request.file, expected, {}));
+    network.append(std::uint64_t((size.y + 1) * size.x + 7), 1);
+    const std::vector<ImportedVoxels> other{{.label = 1, .voxels = network}};
+    expected.imported = other;
+    const auto checked = checkStatisticsExport(request.file, expected, {});
+    QVERIFY(!checked);
+    QCOMPARE(checked.error().code, ErrorCode::ExportMismatch);
 }
 
 void ExportStatisticsTest::report()

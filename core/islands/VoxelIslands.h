@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+#include "core/brick/VoxelRuns.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace core {
+
+/// The parts of a set of voxels that do not touch each other, not even at a corner (26 neighbours),
+/// in the order of their first voxels. Cost ∝ its runs and the volume's rows. Any thread.
+/// Errors: Cancelled.
+/// @param size of the volume
+/// @param least parts of fewer voxels are left out
+[[nodiscard]] Result<std::vector<VoxelRuns>> islandsOf(
+    const VoxelRuns& voxels, const glm::ivec3& size, std::int64_t least, const Progress& progress);
+
+} // namespace core

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "ui/dialogs/export/ExportDialog.h"
+#include "ui/frame/MendingStrip.h"
+#include "ui/input/Tool.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QTest>
+#include <QToolButton>
+
+namespace mendingUiTest {
+
+namespace {
+
+using Step = ui::MendingStrip::Step;
+
+/// The brain of the small study, without a lobe to the right.
+core::Edit brainMask(double cutX)
+{
+    const core::VolumeGeometry geometry = test::smallStudy().volume.geometry;
+    const glm::dvec3 middle = test::pointsInBrain().front();
+    core::VoxelRuns runs;
+    for (int z = 0; z < geometry.size.z; ++z) {
+        for (int y = 0; y < geometry.size.y; ++y) {
+            for (int x = 0; x < geometry.size.x; ++x) {
+                const glm::dvec3 place = geometry.toWorld({x, y, z});
+                if (glm::length(place - middle) < 11.0 && place.x >= cutX)
+                    runs.append(std::uint64_t((z * geometry.size.y + y) * geometry.size.x + x), 1);
+            }
+        }
+    }
+    core::ImportMask mask{.file = QStringLiteral("brain.nrrd")};
+    mask.size = geometry.size;
+    mask.segments = {{.name = QStringLiteral("Brain"),
+        .rgb = 0x4080C0,
+        .code = {},
+        .voxels = core::packedRuns(runs)}};
+    return mask;
+}
+
+} // namespace
+
+/// The strip that leads from an imported mask to its export.
+class MendingUiTest : public QObject, private test::WithApplication {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        makeApplication();
+        open(path("case/ct"));
+    }
+    void cleanup() { dropApplication(); }
+
+    void fromTheMaskToTheExport()
+    {
+        const glm::dvec3 middle = test::pointsInBrain().front();
+        const glm::dvec3 cut = middle - glm::dvec3(5.0, 0.0, 0.0);
+        QVERIFY(!strip().isVisible());
+        edit(brainMask(cut.x));
+        QTRY_VERIFY(strip().isVisible());
+        QVERIFY(strip().next() == Step::Look);
+        workspace().setActiveSegment(1);
+
+        click("mendingLook");
+        auto* list = window().findChild<QListWidget*>(QStringLiteral("placesToLookAt"));
+        QTRY_VERIFY_WITH_TIMEOUT(list->count() > 0, patience);
+        QTRY_VERIFY(list->isVisible());
+        QTest::mouseClick(
+            list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+        QVERIFY(glm::distance(workspace().crosshairLps(), cut) < 4.0);
+        QVERIFY(strip().next() == Step::Mend);
+
+        click("mendingMend");
+        QVERIFY(workspace().activeTool());
+        QCOMPARE(workspace().activeTool()->iconName(), QStringLiteral("chunks"));
+        QVERIFY(window().actionTable()[QStringLiteral("panel.ChunksPanel")].isChecked());
+        click("mendingMend");
+        QVERIFY(workspace().activeTool());
+        workspace().setActiveTool(nullptr);
+        edit(test::paintAt(1, {middle - glm::dvec3(7.0, 0.0, 0.0)}, 3.0));
+        QTRY_VERIFY(strip().next() == Step::Compare);
+
+        click("mendingCompare");
+        QTRY_VERIFY_WITH_TIMEOUT(strip().next() == Step::Export, patience);
+        auto* added = window().findChild<QLabel*>(QStringLiteral("compareAdded"));
+        QTRY_VERIFY(added->isVisible());
+        QVERIFY(added->text().endsWith(QStringLiteral(" mL")));
+        QVERIFY(!added->text().startsWith(QLocale().toString(0.0, 'f', 2)));
+
+        click("mendingExport");
+        auto* dialog = window().findChild<ui::ExportDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+        Q_EMIT dialog->exported(QStringLiteral("brain.dcm"));
+        QVERIFY(!strip().next());
+        static_cast<QDialog*>(dialog)->reject();
+        // What is edited afterwards is not in the file.
+        edit(test::eraseAt(1, {middle}, 2.0));
+        QTRY_VERIFY(strip().next() == Step::Export);
+        // Without the import there is nothing to be mended.
+        QVERIFY(session().goTo(0));
+        QVERIFY(session().settle());
+        QTRY_VERIFY(!strip().isVisible());
+    }
+
+    /// Ticked places need no mending.
+    void placesThatAreRight()
+    {
+        edit(brainMask(test::pointsInBrain().front().x - 5.0));
+        workspace().setActiveSegment(1);
+        click("mendingLook");
+        auto* list = window().findChild<QListWidget*>(QStringLiteral("placesToLookAt"));
+        QTRY_VERIFY_WITH_TIMEOUT(list->count() > 0, patience);
+        QVERIFY(strip().next() == Step::Mend);
+        for (int row = 0; row < list->count(); ++row)
+            list->item(row)->setCheckState(Qt::Checked);
+        QVERIFY(strip().next() == Step::Compare);
+    }
+
+    void itIsClosedAndComesBack()
+    {
+        QAction& action = window().actionTable()[QStringLiteral("mending.strip")];
+        QVERIFY(action.isChecked());
+        edit(brainMask(-100.0));
+        QTRY_VERIFY(strip().isVisible());
+        // In a small window it fits, and takes little of it.
+        window().resize(1280, 720);
+        QCoreApplication::processEvents();
+        QCOMPARE(window().size(), QSize(1280, 720));
+        QVERIFY(strip().height() <= 28);
+        for (const auto* button : strip().findChildren<QToolButton*>()) {
+            QVERIFY(strip().rect().contains(button->geometry()));
+            QVERIFY(button->width() >= button->sizeHint().width());
+        }
+        // Under the pen nothing moves.
+        QVERIFY(session().begin(test::paintAt(1, {test::pointsInBone().front()}, 2.0)));
+        QVERIFY(session().transactionOpen());
+        action.trigger();
+        QVERIFY(strip().isVisible());
+        session().end(core::Ending::Commit);
+        QVERIFY(session().settle());
+        QTRY_VERIFY(!strip().isVisible());
+        action.trigger();
+        QVERIFY(strip().isVisible());
+
+        click("mendingClose");
+        QVERIFY(!strip().isVisible());
+        QVERIFY(!action.isChecked());
+        // It stays closed, also in a window that is opened later.
+        const QString file = session().file();
+        m_fixture->start();
+        window().opener().openSession(file);
+        QTRY_VERIFY_WITH_TIMEOUT(workspace().session(), patience);
+        QTRY_COMPARE(session().history().rows().size(), std::size_t(2));
+        QVERIFY(!strip().isVisible());
+        // A session with an imported mask shows it at once.
+        QAction& again = window().actionTable()[QStringLiteral("mending.strip")];
+        QVERIFY(!again.isChecked());
+        again.trigger();
+        QVERIFY(strip().isVisible());
+        window().closeStudy();
+        QTRY_VERIFY(!workspace().session());
+        QVERIFY(!strip().isVisible());
+        window().opener().openSession(file);
+        QTRY_VERIFY_WITH_TIMEOUT(workspace().session(), patience);
+        QTRY_VERIFY(strip().isVisible());
+    }
+
+private:
+    [[nodiscard]] ui::MendingStrip& strip() { return window().mendingStrip(); }
+    void click(const char* name)
+    {
+        auto* button = strip().findChild<QToolButton*>(QLatin1String(name));
+        QVERIFY(button && button->isVisible());
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+};
+
+BURIN_WINDOW_TEST(MendingUiTest)
+
+} // namespace mendingUiTest
+
+#include "MendingUiTest.moc"

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "ui/panels/refine/ComparePanel.h"
+#include "ui/panels/refine/LookFirstSection.h"
+
+#include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <algorithm>
+
+namespace lookFirstUiTest {
+
+namespace {
+
+using Why = core::DoubtfulPlace::Why;
+
+/// The brain of the small head with its ventricle, which ends 6 mm to the right of the middle as if
+/// a lobe had been missed.
+class LookFixture : public test::WorkspaceFixture {
+public:
+    LookFixture()
+        : panel(workspace)
+    {
+        const core::VolumeGeometry& geometry = workspace.volume()->geometry;
+        core::VoxelRuns runs;
+        for (std::uint64_t at = 0; at < geometry.voxelCount(); ++at) {
+            const glm::ivec3 voxel(int(at % 40), int(at / 40 % 40), int(at / 1600));
+            const glm::dvec3 place = geometry.toWorld(glm::dvec3(voxel));
+            const bool isBrain = glm::length(place) < 13.0;
+            whole.push_back(isBrain ? 1 : 0);
+            if (isBrain && place.x >= cut.x)
+                runs.append(at, 1);
+        }
+        core::ImportMask mask{.file = QStringLiteral("brain.nrrd")};
+        mask.size = geometry.size;
+        mask.segments = {{.name = QStringLiteral("Brain"),
+            .rgb = 0x4080C0,
+            .code = {},
+            .voxels = core::packedRuns(runs)}};
+        apply(mask);
+        workspace.setActiveSegment(1);
+        panel.resize(300, 600);
+        panel.setVisible(true);
+    }
+    [[nodiscard]] QPushButton& button() { return child<QPushButton>("lookForPlaces"); }
+    [[nodiscard]] QListWidget& list() { return child<QListWidget>("placesToLookAt"); }
+    [[nodiscard]] QString state() { return child<QLabel>("placesState").text(); }
+    [[nodiscard]] ui::SegmentDoubts& doubts() { return panel.lookFirst().doubts(); }
+    /// Questions are answered when somebody polls.
+    [[nodiscard]] bool looked()
+    {
+        session().poll();
+        QCoreApplication::processEvents();
+        return !doubts().isLooking();
+    }
+    /// The whole brain, as a file.
+    [[nodiscard]] QString wholeFile() const
+    {
+        const QString path = folder.filePath(QStringLiteral("whole.nrrd"));
+        QFile file(path);
+        if (!file.open(QIODevice::WriteOnly))
+            qFatal("no file");
+        file.write("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 40 40 40\n"
+                   "space: left-posterior-superior\n"
+                   "space directions: (1,0,0) (0,1,0) (0,0,1.5)\n"
+                   "space origin: (-20,-20,-30)\nencoding: raw\n\n");
+        file.write(reinterpret_cast<const char*>(whole.data()), qint64(whole.size()));
+        return path;
+    }
+
+    const glm::dvec3 cut{-6.0, 0.0, 0.0};
+    QTemporaryDir folder;
+    std::vector<std::uint8_t> whole;
+    ui::ComparePanel panel;
+
+private:
+    template <class T> [[nodiscard]] T& child(const char* name)
+    {
+        return *panel.findChild<T*>(QLatin1String(name));
+    }
+};
+
+} // namespace
+
+/// The list of places to look at first in a segment.
+class LookFirstUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aClickLeadsThere()
+    {
+        LookFixture fixture;
+        QVERIFY(!fixture.list().isVisible());
+        QVERIFY(fixture.state().isEmpty());
+        QTest::mouseClick(&fixture.button(), Qt::LeftButton);
+        QVERIFY(fixture.doubts().isLooking());
+        QTRY_VERIFY(fixture.looked());
+        QVERIFY(fixture.list().isVisible());
+        const auto& entries = fixture.doubts().found()->entries;
+        QCOMPARE(fixture.list().count(), int(entries.size()));
+        QVERIFY(entries.size() <= ui::SegmentDoubts::mostPlaces);
+        QCOMPARE(entries.front().place.why, Why::NoEdge);
+        QVERIFY(fixture.list().item(0)->text().startsWith(QStringLiteral("No edge")));
+
+        const std::int64_t rows = fixture.session().history().position();
+        fixture.workspace.setCrosshairLps({10.0, 10.0, 10.0});
+        QCoreApplication::processEvents();
+        const QRect row = fixture.list().visualItemRect(fixture.list().item(0));
+        QTest::mouseClick(fixture.list().viewport(), Qt::LeftButton, {}, row.center());
+        QVERIFY(glm::distance(fixture.workspace.crosshairLps(), fixture.cut) < 3.0);
+        QCOMPARE(std::int64_t(fixture.session().history().position()), rows);
+    }
+
+    void aTickStaysAndLeadsNowhere()
+    {
+        LookFixture fixture;
+        fixture.button().click();
+        QTRY_VERIFY(fixture.looked());
+        QVERIFY(!fixture.doubts().found()->entries.empty());
+        QVERIFY(!fixture.doubts().found()->allSeen());
+        const glm::dvec3 elsewhere(10.0, 10.0, 10.0);
+        fixture.workspace.setCrosshairLps(elsewhere);
+        QListWidget& list = fixture.list();
+        QListWidgetItem* first = list.item(0);
+        // As a click on the tick's box does.
+        Q_EMIT list.itemPressed(first);
+        first->setCheckState(Qt::Checked);
+        Q_EMIT list.itemClicked(first);
+        QCOMPARE(fixture.workspace.crosshairLps(), elsewhere);
+        QVERIFY(fixture.doubts().found()->entries.front().seen);
+        // The next click leads there.
+        Q_EMIT list.itemPressed(first);
+        Q_EMIT list.itemClicked(first);
+        QVERIFY(glm::distance(fixture.workspace.crosshairLps(), fixture.cut) < 3.0);
+
+        // It is kept when the segment is looked at again, and while another one is active.
+        fixture.apply(test::newSegment(QStringLiteral("Other")));
+        fixture.workspace.setActiveSegment(2);
+        QCOMPARE(list.count(), 0);
+        fixture.workspace.setActiveSegment(1);
+        QVERIFY(list.count() > 0);
+        QCOMPARE(list.item(0)->checkState(), Qt::Checked);
+        fixture.button().click();
+        QTRY_VERIFY(fixture.looked());
+        QCOMPARE(list.item(0)->checkState(), Qt::Checked);
+        // A key takes it away.
+        list.setCurrentRow(0);
+        QTest::keyClick(&list, Qt::Key_Space);
+        QVERIFY(!fixture.doubts().found()->entries.front().seen);
+        // Another session knows nothing of it.
+        fixture.workspace.setSession(nullptr);
+        QVERIFY(!fixture.doubts().found());
+        QCOMPARE(list.count(), 0);
+        QVERIFY(!fixture.button().isEnabled());
+    }
+
+    void editsMakeItOld()
+    {
+        LookFixture fixture;
+        fixture.button().click();
+        QTRY_VERIFY(fixture.looked());
+        QVERIFY(fixture.state().isEmpty());
+        // What is missing is added.
+        std::vector<glm::dvec3> lobe;
+        for (double y = -8.0; y <= 8.0; y += 2.0)
+            lobe.push_back({-9.0, y, 0.0});
+        fixture.apply(test::paintAt(1, lobe, 4.0));
+        QVERIFY(fixture.doubts().found()->editedSince);
+        QVERIFY(!fixture.state().isEmpty());
+        // What is up to date is not looked at again without being asked.
+        fixture.panel.lookFirst().lookOnce();
+        QTRY_VERIFY(fixture.looked());
+        QVERIFY(!fixture.doubts().found()->editedSince);
+        fixture.panel.lookFirst().lookOnce();
+        QVERIFY(!fixture.doubts().isLooking());
+    }
+
+    /// What the reference has is told, unless the reference is what was imported.
+    void aReferenceThatDisagrees()
+    {
+        LookFixture fixture;
+        fixture.panel.comparison().takeImported();
+        QTRY_VERIFY(fixture.looked() && fixture.panel.comparison().outcome());
+        QVERIFY(!fixture.panel.comparison().secondMask());
+        fixture.panel.comparison().read(fixture.wholeFile());
+        QTRY_VERIFY(fixture.looked() && fixture.panel.comparison().outcome());
+        QVERIFY(fixture.panel.comparison().secondMask());
+        fixture.button().click();
+        QTRY_VERIFY(fixture.looked());
+        const auto& entries = fixture.doubts().found()->entries;
+        QVERIFY(!entries.empty());
+        QCOMPARE(entries.front().place.why, Why::OnlyThere);
+        QVERIFY(entries.front().place.placeLps.x < fixture.cut.x);
+        QVERIFY(entries.front().place.volumeMm3 > 500.0);
+        // The cut lies beside it and is not told twice.
+        QVERIFY(std::none_of(entries.begin(), entries.end(), [&](const auto& entry) {
+            return entry.place.why == Why::NoEdge
+                && glm::distance(entry.place.placeLps, fixture.cut) < 4.0;
+        }));
+    }
+
+    void itCanBeAborted()
+    {
+        LookFixture fixture;
+        fixture.button().click();
+        QVERIFY(fixture.doubts().isLooking());
+        const QString abort = fixture.button().text();
+        fixture.button().click();
+        QVERIFY(!fixture.doubts().isLooking());
+        QVERIFY(fixture.button().text() != abort);
+        for (int i = 0; i < 20; ++i) {
+            QVERIFY(fixture.looked());
+            QTest::qWait(10);
+        }
+        QVERIFY(!fixture.doubts().found());
+        // And in the middle of it the session may go.
+        fixture.button().click();
+        fixture.workspace.setSession(nullptr);
+        QVERIFY(!fixture.doubts().isLooking());
+        QTest::qWait(50);
+        QVERIFY(!fixture.doubts().found());
+    }
+
+    void anEmptySegment()
+    {
+        LookFixture fixture;
+        fixture.apply(test::newSegment(QStringLiteral("Empty")));
+        fixture.workspace.setActiveSegment(2);
+        fixture.button().click();
+        QTRY_VERIFY(fixture.looked());
+        QVERIFY(fixture.doubts().found());
+        QVERIFY(fixture.doubts().found()->entries.empty());
+        QVERIFY(!fixture.state().isEmpty());
+        QVERIFY(!fixture.list().isVisible());
+    }
+};
+
+BURIN_WINDOW_TEST(LookFirstUiTest)
+
+} // namespace lookFirstUiTest
+
+#include "LookFirstUiTest.moc"

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/refine/MendingSteps.h"
+
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "ui/panels/refine/ComparePanel.h"
+#include "ui/panels/refine/LookFirstSection.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QSettings>
+
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+QString wantedKey()
+{
+    return QStringLiteral("mending/strip");
+}
+
+} // namespace
+
+MendingSteps::MendingSteps(Workspace& workspace, ComparePanel& panel, MendingStrip& strip)
+    : QObject(&panel)
+    , m_workspace(workspace)
+    , m_panel(panel)
+    , m_strip(strip)
+    , m_wanted(QSettings().value(wantedKey(), true).toBool())
+{
+    m_strip.hide();
+    connect(&strip, &MendingStrip::closeRequested, this, [this] { setWanted(false); });
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_exported = false;
+        update();
+    });
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &MendingSteps::update);
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            using What = core::DocumentChange::What;
+            // A stroke under the pen changes labels many times; its end is told in the history.
+            const bool isOlder = change.what == What::Labels && std::exchange(m_exported, false);
+            if (isOlder || change.what == What::History)
+                update();
+        });
+    connect(&panel.lookFirst().doubts(), &SegmentDoubts::changed, this, &MendingSteps::update);
+    connect(&panel.comparison(), &LiveComparison::changed, this, &MendingSteps::update);
+    update();
+}
+
+std::optional<MendingSteps::Step> MendingSteps::next() const
+{
+    for (std::size_t i = 0; i < m_done.size(); ++i) {
+        if (!m_done[i])
+            return Step(i);
+    }
+    return std::nullopt;
+}
+
+void MendingSteps::setWanted(bool wanted)
+{
+    if (m_wanted == wanted)
+        return;
+    m_wanted = wanted;
+    QSettings().setValue(wantedKey(), wanted);
+    update();
+    Q_EMIT changed();
+}
+
+void MendingSteps::noteExported()
+{
+    m_exported = true;
+    update();
+}
+
+/// Whether a step after the last import has changed voxels.
+bool MendingSteps::isMended() const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return false;
+    const core::History& history = session->history();
+    const std::vector<core::RowId> path = history.pathTo(history.position());
+    for (auto row = path.rbegin(); row != path.rend(); ++row) {
+        const core::HistoryRow& step = history.row(*row);
+        if (step.edit.as<core::ImportMask>())
+            return false;
+        if (step.statistics.voxelsChanged > 0)
+            return true;
+    }
+    return false;
+}
+
+void MendingSteps::update()
+{
+    const core::EditSession* session = m_workspace.session();
+    const SegmentDoubts::Found* found = m_panel.lookFirst().doubts().found();
+    const LiveComparison& comparison = m_panel.comparison();
+    m_done = {found != nullptr, isMended() || (found && found->allSeen()),
+        comparison.isImported() && comparison.outcome().has_value(), m_exported};
+    m_strip.showSteps(m_done, next());
+    if (session && session->transactionOpen())
+        return;
+    const bool hasMask = comparison.canTakeImported();
+    m_strip.setVisible(m_wanted && hasMask);
+    if (std::exchange(m_hasMask, hasMask) != hasMask)
+        Q_EMIT changed();
+}
+
+} // namespace ui
