@@ -92,7 +92,7 @@ QString settingOf(const Reshaping& reshaping)
 } // namespace
 
 ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
-    : QDialog(parent)
+    : QDialog(parent, Qt::Tool) // so that the window's keys, undo above all, work in it, too
     , m_workspace(workspace)
     , m_whose(new FittingLabel(Qt::AlignLeft, this))
     , m_operation(new QComboBox(this))
@@ -130,6 +130,10 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     row->addWidget(m_mm);
     m_hint->setFont(theme::smallFont());
     m_hint->setProperty("role", QStringLiteral("secondary"));
+    int widest = 0; // of all of them, so that nothing moves when another is chosen
+    for (const Reshaping& each : reshapings())
+        widest = std::max(widest, m_hint->fontMetrics().horizontalAdvance(each.hint));
+    m_hint->setMinimumWidth(widest);
     m_progress->setObjectName(QStringLiteral("reshapeProgress"));
     m_progress->setRange(0, 100);
     m_abort->setObjectName(QStringLiteral("abortReshape"));

@@ -108,6 +108,7 @@ private Q_SLOTS:
         QCOMPARE(action.text(), QStringLiteral("Grow or shrink 'Brain' by a margin …"));
         ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
         QVERIFY(dialog.isVisible() && !dialog.isModal());
+        QVERIFY(dialog.windowType() == Qt::Tool); // the window's keys work in it, too
         QCOMPARE(whoseOf(dialog), QStringLiteral("Brain"));
         QCOMPARE(operationOf(dialog).currentText(), QStringLiteral("Grow by a margin"));
         QCOMPARE(mmOf(dialog).value(), 2.0);
