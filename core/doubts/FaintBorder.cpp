@@ -14,6 +14,7 @@ namespace core {
 namespace {
 
 constexpr int rimVoxels = 2;
+constexpr int asideQuarters = 9; // of a squared voxel: a voxel and a half
 constexpr std::int64_t finely = 16; // parts of a code in which means are told
 constexpr std::int64_t faintPart = 4; // of the median
 constexpr std::int64_t leastVoxels = 9;
@@ -102,15 +103,38 @@ private:
         return wholeRoot(area.x * area.x + area.y * area.y + area.z * area.z);
     }
 
-    template <class Visit> void forEachAround(const glm::ivec3& at, const Visit& visit) const
+    /// Where the faces of a voxel of the border look, together; 0 if they look in opposite ways.
+    [[nodiscard]] glm::ivec3 outward(const glm::ivec3& at) const
     {
+        glm::ivec3 out(0);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const int way : {-1, 1}) {
+                glm::ivec3 beside = at;
+                beside[axis] += way;
+                if (beside[axis] >= 0 && beside[axis] < m_size[axis] && !isOwn(beside))
+                    out[axis] += way;
+            }
+        }
+        return out;
+    }
+
+    /// Visits what lies near the line through a voxel in a direction; all around if that is 0.
+    template <class Visit>
+    void forEachNear(const glm::ivec3& at, const glm::ivec3& way, const Visit& visit) const
+    {
+        const int length = way.x * way.x + way.y * way.y + way.z * way.z;
         const glm::ivec3 low = glm::max(at - m_reach, m_source.box.minimum);
         const glm::ivec3 high = glm::min(at + m_reach, m_source.box.maximum - 1);
         for (int z = low.z; z <= high.z; ++z) {
             for (int y = low.y; y <= high.y; ++y) {
                 for (int x = low.x; x <= high.x; ++x) {
                     const glm::ivec3 near(x, y, z);
-                    visit(isOwn(near) ? 1U : 0U, codeAt(near));
+                    const glm::ivec3 off = near - at;
+                    const int along = off.x * way.x + off.y * way.y + off.z * way.z;
+                    const int apart = off.x * off.x + off.y * off.y + off.z * off.z;
+                    // The square of the distance from the line, times that of the way's length.
+                    if (asideQuarters * length >= 4 * (apart * length - along * along))
+                        visit(isOwn(near) ? 1U : 0U, codeAt(near));
                 }
             }
         }
@@ -118,17 +142,18 @@ private:
 
     [[nodiscard]] std::int64_t contrastAt(const glm::ivec3& at) const
     {
-        // Outside, inside. A voxel of the border has both.
+        const glm::ivec3 way = outward(at);
+        // Outside, inside. The voxel itself is inside, and that before one of its faces outside.
         std::int64_t counts[2] = {0, 0};
         std::int64_t sums[2] = {0, 0};
-        forEachAround(at, [&](unsigned side, std::int64_t code) {
+        forEachNear(at, way, [&](unsigned side, std::int64_t code) {
             ++counts[side];
             sums[side] += code;
         });
         const std::int64_t inner = finely * sums[1] / counts[1];
         const std::int64_t ofMeans = std::abs(inner - finely * sums[0] / counts[0]);
         std::int64_t away[2] = {0, 0};
-        forEachAround(at, [&](unsigned side, std::int64_t code) {
+        forEachNear(at, way, [&](unsigned side, std::int64_t code) {
             away[side] += std::abs(finely * code - inner);
         });
         return std::max(ofMeans, away[0] / counts[0] - away[1] / counts[1]);

@@ -29,12 +29,13 @@ struct BorderSource {
 /// Parts of the border of a segment where the values show no edge.
 ///
 /// Around each voxel of the border (one that has a face to a voxel that is not the segment's; the
-/// volume's own border is none) what is inside is compared with what is outside, within two voxels
-/// of the finest spacing: by their means, or by how much further the values outside are from the
-/// mean inside than those inside are themselves, which tells an edge also where one neighbour is
-/// brighter and the other darker. The greater of both is the contrast; so many values even out
-/// noise. Where it is less than a quarter of the median of the whole border, there is no edge.
-/// Whole numbers only.
+/// volume's own border is none) what is inside is compared with what is outside, along the way in
+/// which those faces look together: up to two voxels of the finest spacing away, and a voxel and a
+/// half aside, so that also the end of a thin vessel is compared with where the vessel goes on. By
+/// their means, or by how much further the values outside are from the mean inside than those
+/// inside are themselves, which tells an edge also where one neighbour is brighter and the other
+/// darker. The greater of both is the contrast; so many values even out noise. Where it is less
+/// than a quarter of the median of the whole border, there is no edge. Whole numbers only.
 class FaintBorder {
 public:
     struct Part {
