@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/repair/CrossingGuard.h"
 
+#include "core/base/Progress.h"
+
 #include <algorithm>
 #include <array>
 
@@ -19,11 +21,18 @@ template <typename Id> void sortUnique(std::vector<Id>& ids)
 
 } // namespace
 
-CrossingGuard::CrossingGuard(const SimplexMesh& mesh, const VolumeGeometry& geometry)
+CrossingGuard::CrossingGuard(
+    const SimplexMesh& mesh, const VolumeGeometry& geometry, const Progress* progress)
     : m_mesh(mesh)
-    , m_grid(mesh, geometry)
+    , m_progress(progress)
+    , m_grid(mesh, geometry, progress)
     , m_safe(mesh.positions().begin(), mesh.positions().end())
 {
+}
+
+bool CrossingGuard::isCancelled() const
+{
+    return m_progress && m_progress->cancelled();
 }
 
 void CrossingGuard::moved(std::span<const VertexId> vertices)
@@ -96,6 +105,8 @@ std::vector<VertexId> CrossingGuard::keepApart(SimplexMeshEdit& edit)
     for (std::vector<FaceId> faces = facesAt(m_moved); !faces.empty();) {
         m_grid.refresh(faces);
         std::vector<CrossingFaces> crossings = m_grid.crossingsOf(faces);
+        if (isCancelled())
+            return {};
         forgetKnown(crossings);
         std::vector<VertexId> shortened;
         for (const CrossingFaces& pair : crossings) {

@@ -20,7 +20,10 @@ class CrossingGuard {
 public:
     /// @param mesh, geometry must outlive this; the mesh is written only through edits that are
     /// reported here. Cost ∝ the faces.
-    CrossingGuard(const SimplexMesh& mesh, const VolumeGeometry& geometry);
+    /// @param progress once it is cancelled nothing is kept apart any more, and every change of
+    /// structure is refused: only a rollback makes sense then. Null: it never is; must outlive this
+    CrossingGuard(const SimplexMesh& mesh, const VolumeGeometry& geometry,
+        const Progress* progress = nullptr);
 
     /// Reports vertices that may have moved since the last call of keepApart().
     void moved(std::span<const VertexId> vertices);
@@ -36,11 +39,14 @@ public:
     /// changed.
     template <typename Change> bool attempt(SimplexMeshEdit& edit, const Change& change)
     {
+        if (isCancelled())
+            return false;
         edit.beginTrial();
         return concludes(edit, change());
     }
 
 private:
+    [[nodiscard]] bool isCancelled() const;
     [[nodiscard]] bool concludes(SimplexMeshEdit& edit, bool isChanged);
     /// Of these, the pairs that were not there before.
     void forgetKnown(std::vector<CrossingFaces>& crossings) const;
@@ -51,6 +57,7 @@ private:
     void remember(std::span<const FaceId> faces);
 
     const SimplexMesh& m_mesh;
+    const Progress* m_progress;
     FaceGrid m_grid;
     std::vector<glm::dvec3> m_safe; ///< by vertex: where it was when no new pair was there
     std::vector<VertexId> m_moved; ///< since keepApart(), each once

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/repair/FaceGrid.h"
 
+#include "core/base/Progress.h"
 #include "core/refine/mesh/SimplexDual.h"
 #include "core/refine/voxels/SurfaceFill.h"
 
@@ -16,8 +17,10 @@ constexpr std::size_t mostEntriesOfAFace = 16;
 
 } // namespace
 
-FaceGrid::FaceGrid(const SimplexMesh& mesh, const VolumeGeometry& geometry)
+FaceGrid::FaceGrid(
+    const SimplexMesh& mesh, const VolumeGeometry& geometry, const Progress* progress)
     : m_mesh(mesh)
+    , m_progress(progress)
     , m_toIndex(geometry)
     , m_points(mesh.vertexSlots())
     , m_middles(mesh.faceSlots())
@@ -197,8 +200,11 @@ std::vector<CrossingFaces> FaceGrid::crossingsOf(std::span<const FaceId> faces)
     // A face of two cells with the same bucket is met there twice.
     return collectCrossings(
         faces.size(), [&](std::size_t begin, std::size_t end, std::vector<CrossingFaces>& found) {
-            for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t i = begin; i < end; ++i) {
+                if (m_progress && m_progress->cancelled())
+                    return;
                 lookAround(faces[i], found);
+            }
         });
 }
 

@@ -11,12 +11,17 @@
 
 namespace core {
 
+class Progress;
+
 /// The faces of a mesh in a spatial grid that is kept up to date face by face, to find those that
 /// pass through each other exactly as SelfIntersections.h does, at a cost ∝ the faces asked about.
 class FaceGrid {
 public:
     /// @param mesh, geometry must outlive this. Cost ∝ the faces.
-    FaceGrid(const SimplexMesh& mesh, const VolumeGeometry& geometry);
+    /// @param progress once it is cancelled no pairs are looked for; null: it never is; must
+    /// outlive this
+    FaceGrid(const SimplexMesh& mesh, const VolumeGeometry& geometry,
+        const Progress* progress = nullptr);
 
     /// To be called for faces whose vertices moved or changed, or that were made or removed.
     void refresh(std::span<const FaceId> faces);
@@ -51,6 +56,7 @@ private:
     [[nodiscard]] bool isAsked(FaceId face) const { return m_asked[face] == m_question; }
 
     const SimplexMesh& m_mesh;
+    const Progress* m_progress;
     WorldToIndex m_toIndex;
     std::vector<glm::ivec3> m_points; ///< by vertex
     std::vector<glm::ivec3> m_middles; ///< by face

@@ -284,7 +284,7 @@ private:
         m_holds->learn(m_mesh, m_deformation.active());
         forces.push_back(m_holds.get());
         if (m_settings.apartOn && !m_guard)
-            m_guard.emplace(m_mesh, *m_settings.apartOn);
+            m_guard.emplace(m_mesh, *m_settings.apartOn, m_settings.progress);
         if (isCancelled())
             return;
         // Some may be at rest after it.

@@ -114,6 +114,7 @@ private Q_SLOTS:
         PaintStroke stroke{.segment = 1, .path = test::randomPath(bench.document, random)};
         stroke.path.shape = BrushPath::Shape::Ball;
         stroke.path.lifts.clear();
+        stroke.path.pressures.reset();
         stroke.path.radiusMm = number % 7 == 0 ? 60.0 : 0.5 + 9.0 * test::randomUnit(random);
         bench.paint(stroke);
         reference::DenseFields fields = bench.engine.fields();

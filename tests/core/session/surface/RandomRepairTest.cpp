@@ -120,6 +120,8 @@ private:
         const bool leftRow = m_session->history().rows().size() > rows;
         if (!done && (leftRow || m_session->history().position() != before))
             m_wrong = QStringLiteral("%1 was refused and left a row").arg(editName(edit));
+        if (!done && done.error().code == ErrorCode::Internal)
+            m_wrong = done.error().arguments.join(u' ');
         if (leftRow)
             ++m_done[editName(edit)];
         check(editName(edit));

@@ -219,13 +219,15 @@ core::BrushPath randomPath(const core::Document& document, Random& random)
             break;
         }
     }
-    // Every other one by a pen whose pressure changes; it follows from the places, so that paths
-    // are what they are without it.
-    if (path.pointsLps.size() % 2 == 0) {
+    // Short ones by a pen whose pressure changes, a wide one by less, since the oracle goes through
+    // the volume for each of the many pieces. It follows from the places, so that paths are what
+    // they are without it.
+    if (path.pointsLps.size() == 2 || path.pointsLps.size() == 3) {
+        const double least = path.radiusMm < 3.0 ? 0.0 : 0.8;
         path.pressures.emplace();
         for (const glm::dvec3& point : path.pointsLps) {
             const double turns = 0.37 * std::abs(point.x) + 0.11 * std::abs(point.y);
-            path.pressures->push_back(turns - std::floor(turns));
+            path.pressures->push_back(least + (1.0 - least) * (turns - std::floor(turns)));
         }
     }
     return path;
