@@ -146,8 +146,8 @@ double millilitresOf(const VoxelRuns& voxels, const VolumeGeometry& geometry)
 }
 
 /// None if nothing was imported as the segment.
-std::optional<SegmentStatistics::SinceImport> sinceImport(const ExportRequest& request,
-    const Segment& segment, std::span<const std::uint8_t> labels, const VolumeGeometry& geometry)
+std::optional<ChangeSinceImport> sinceImport(const ExportRequest& request, const Segment& segment,
+    std::span<const std::uint8_t> labels, const VolumeGeometry& geometry)
 {
     const auto its = std::find_if(request.imported.begin(), request.imported.end(),
         [&](const ImportedVoxels& each) { return each.label == segment.label; });
@@ -155,7 +155,7 @@ std::optional<SegmentStatistics::SinceImport> sinceImport(const ExportRequest& r
         return std::nullopt;
     const VoxelRuns own = labelRuns(labels, segment.label);
     const VoxelRuns changed = differing(own, its->voxels);
-    return SegmentStatistics::SinceImport{.addedMl = millilitresOf(common(changed, own), geometry),
+    return ChangeSinceImport{.addedMl = millilitresOf(common(changed, own), geometry),
         .takenMl = millilitresOf(common(changed, its->voxels), geometry),
         .dice = 2.0 * double(sharedVoxels(own, its->voxels))
             / double(own.voxelCount() + its->voxels.voxelCount())};

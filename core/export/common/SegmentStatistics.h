@@ -11,6 +11,13 @@ namespace core {
 /// The percentiles that are computed.
 constexpr std::array<int, 6> statisticsPercentiles{5, 10, 25, 75, 90, 95};
 
+/// The segment against the mask that was imported as it.
+struct ChangeSinceImport {
+    double addedMl = 0.0; ///< volumes are measured as `millilitres` is
+    double takenMl = 0.0;
+    double dice = 1.0;
+};
+
 /// The measurements of one segment. Values are in modality units, exactly those of the voxels'
 /// codes. They are computed from counts, so they do not depend on an order.
 struct SegmentStatistics {
@@ -32,13 +39,7 @@ struct SegmentStatistics {
     double median = 0.0;
     /// The least value that occurs and that at least this percentage of the voxels do not exceed.
     std::array<double, statisticsPercentiles.size()> percentiles{};
-    /// The segment against the mask that was imported as it.
-    struct SinceImport {
-        double addedMl = 0.0; ///< volumes are measured as `millilitres` is
-        double takenMl = 0.0;
-        double dice = 1.0;
-    };
-    std::optional<SinceImport> sinceImport{}; ///< none: it was not imported
+    std::optional<ChangeSinceImport> sinceImport{}; ///< none: it was not imported
 };
 
 /// Errors: Cancelled.
