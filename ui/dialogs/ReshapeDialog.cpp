@@ -202,7 +202,8 @@ void ReshapeDialog::showState()
     const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
     m_whose->setText(segment ? segment->name : QString());
     const QString why = whyUnchangeable(segment);
-    m_apply->setEnabled(why.isEmpty());
+    // An impatient second click would do it all once more.
+    m_apply->setEnabled(why.isEmpty() && !percentDone());
     m_apply->setToolTip(why);
 }
 
@@ -222,6 +223,7 @@ void ReshapeDialog::carryOut()
     reshapeSegment(m_workspace, chosen());
     m_watching.start();
     m_abort->setEnabled(percentDone().has_value());
+    showState();
 }
 
 std::optional<int> ReshapeDialog::percentDone() const
@@ -240,6 +242,7 @@ void ReshapeDialog::watch()
     m_progress->setValue(percent.value_or(0));
     m_progress->setVisible(percent.has_value());
     m_abort->setEnabled(percent.has_value());
+    showState();
 }
 
 } // namespace ui

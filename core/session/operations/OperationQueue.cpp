@@ -61,6 +61,11 @@ OperationQueue::~OperationQueue()
         if (OpenOperation* open = interactive())
             open->end(m_state, open->usualEnding());
     });
+    // A smoothing with a large ball may have minutes to go, and nobody could abort it any more.
+    for (const std::unique_ptr<Operation>& operation : m_operations) {
+        if (auto* whole = dynamic_cast<IslandOperation*>(operation.get()))
+            whole->abort();
+    }
     static_cast<void>(settle());
     if (m_wakeUp)
         m_state.engine.setWakeUp({});

@@ -5,6 +5,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "core/sessionfile/SessionSalvage.h"
 #include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -12,6 +13,7 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -97,11 +99,12 @@ ImportMask randomMatter(std::mt19937& random)
 }
 
 struct Bench {
-    explicit Bench(bool delayed = false, const ImportMask& matter = block())
+    explicit Bench(
+        bool delayed = false, const ImportMask& matter = block(), const QString& file = {})
         : late(inner, 11)
     {
         EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {.file = {}});
+        session = *EditSession::create(engine, test::smallStudy(), {.file = file});
         QCOMPARE(tried(matter), QString());
     }
     [[nodiscard]] QString tried(const Edit& edit) const
@@ -385,6 +388,21 @@ private Q_SLOTS:
         bench.session->segmentWork().abort(); // of nothing
         QCOMPARE(bench.tried(ReshapeSegment{.segment = 1, .mm = 3.0}), QString());
         QCOMPARE(bench.rows().size(), rows + 1);
+    }
+
+    /// Whoever closes a study does not wait for what may take minutes.
+    void closingDropsWhatIsBeingWorkedOut()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("a.burin"));
+        Bench bench(false, block(), file);
+        const std::size_t rows = bench.rows().size();
+        QVERIFY(bench.session->apply(ReshapeSegment{.segment = 1, .mm = 3.0}));
+        QVERIFY(bench.session->apply(ReshapeSegment{.segment = 1, .mm = 2.0}));
+        bench.session.reset();
+        const auto contents = checkSession(file);
+        QVERIFY(contents && contents->isWhole());
+        QCOMPARE(contents->rows.size(), rows);
     }
 };
 

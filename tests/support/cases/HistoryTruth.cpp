@@ -206,7 +206,7 @@ HistoryTruth::Bricks HistoryTruth::cleaned(
 {
     const glm::ivec3& size = m_study.volume.geometry.size;
     const std::vector<std::uint8_t> labels = labelsOf(before);
-    RelabelListed relabel{.target = relabelListed(edit, document, labels).value().target};
+    RelabelListed relabel{.target = relabelListed(edit, document, labels, {}).value().target};
     const bool gives = edit.rule == IslandRule::FillHoles || edit.rule == IslandRule::GiveClicked;
     const std::vector<bool> meant = islandVoxels(edit, m_study.volume.geometry, labels);
     const BrickGrid grid{size};

@@ -411,10 +411,10 @@ private:
             clean.segment = holedSegment(labels).value_or(segment);
         // Never as much as a whole number of voxels: rounding decides nothing.
         const glm::dvec3 spacing = geometry.spacingMm();
-        const double voxels = between(1, 80) - 0.5;
+        const double limit = between(1, 80) - 0.5;
         if (clean.rule == IslandRule::RemoveSmall
             || (clean.rule == IslandRule::FillHoles && chance(30)))
-            clean.mm3 = voxels * spacing.x * spacing.y * spacing.z;
+            clean.mm3 = limit * spacing.x * spacing.y * spacing.z;
         if (!isOfClicked(clean.rule))
             return clean;
         if (clean.rule == IslandRule::GiveClicked)
