@@ -12,6 +12,7 @@
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "ui/tools/growth/FillOutlineTool.h"
 #include "ui/tools/sculpt/PeelTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/views/ViewGrid.h"
@@ -149,6 +150,8 @@ private:
         workspace.setActiveLayer(2);
         workspace.setDrillSettings(drill);
         application.window().findChild<ui::PeelTool*>()->setDepthMm(7.5);
+        application.window().findChild<ui::FillOutlineTool*>()->setShape(
+            ui::FillOutlineTool::Shape::Ellipse);
         application.window().findChild<ui::ScissorsTool*>()->setSettings(
             {.limited = true, .depthMm = 33.0, .firstLayerOnly = true});
         workspace.setBrushSettings(ui::Workspace::Brush::Paint,
@@ -243,6 +246,8 @@ private Q_SLOTS:
         QCOMPARE(workspace.growSettings().generationsPerSecond, 20.0);
         QVERIFY(workspace.drillSettings() == drill);
         QCOMPARE(application->window().findChild<ui::PeelTool*>()->depthMm(), 7.5);
+        QVERIFY(application->window().findChild<ui::FillOutlineTool*>()->shape()
+            == ui::FillOutlineTool::Shape::Ellipse);
         const auto& scissors = application->window().findChild<ui::ScissorsTool*>()->settings();
         QVERIFY(scissors.limited && scissors.depthMm == 33.0 && scissors.firstLayerOnly);
         const auto& paint = workspace.brushSettings(ui::Workspace::Brush::Paint);

@@ -56,7 +56,7 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"erase an outline in what has grown", volume, {first, seeds, all}, erased});
     cases.push_back({"growth after an erased outline", volume, {first, seeds, some, erased}, all});
     cases.push_back(
-        {"undo only an outline", volume, {first, outline, paint}, core::RevertRows{{2}}});
+        {"undo only an outline", volume, {first, outline, drill}, core::RevertRows{{2}}});
     auto pressed = paint.get<core::PaintStroke>();
     pressed.path.pressures = std::vector<double>{0.2, 1.0, 0.6};
     cases.push_back({"paint as the pen is pressed", volume, {first}, pressed});
