@@ -48,6 +48,7 @@
 #include "ui/window/MainWindow.h"
 #include "ui/window/PieceActions.h"
 #include "ui/window/SpaceSteering.h"
+#include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QAction>
@@ -137,24 +138,29 @@ ui::MendingSteps& addMending(ui::MainWindow& window, ui::ComparePanel& panel)
         .text = QStringLiteral("Places to look at first"),
         .tip = QStringLiteral("Lists places of the active segment that may be wrong"),
         .run =
-            [&window, &panel] {
+            [&window, &workspace, &panel] {
+                static_cast<void>(ui::ensureActiveSegment(workspace));
                 window.bringUp(panel);
                 panel.lookFirst().lookOnce();
             },
         .possible =
             [&workspace] {
-                return workspace.session()
-                    && workspace.session()->document().segment(workspace.activeSegment());
+                return workspace.session() && !workspace.session()->document().segments.empty();
             }});
     actions.add({.id = QStringLiteral("mending.compare"),
         .text = QStringLiteral("Compare with what was imported"),
         .run =
-            [&window, &panel] {
+            [&window, &workspace, &panel] {
+                static_cast<void>(ui::ensureActiveSegment(workspace));
                 window.bringUp(panel);
                 if (!panel.comparison().isImported())
                     panel.comparison().takeImported();
             },
-        .possible = [steps] { return steps->hasMask(); }});
+        .possible =
+            [steps, &workspace] {
+                return steps->hasMask() && workspace.session()
+                    && !workspace.session()->document().segments.empty();
+            }});
     actions.add({.id = QStringLiteral("mending.strip"),
         .text = QStringLiteral("Steps of mending a mask"),
         .tip = QStringLiteral("A strip over the views, while there is an imported mask"),

@@ -176,6 +176,9 @@ void SegmentDoubts::takeLabels(const std::vector<ExportJob::Plane>& planes)
 
 void SegmentDoubts::askForCodes()
 {
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return abort();
     const std::shared_ptr<Job>& job = m_job;
     core::VoxelBox part = job->box;
     part.minimum.z += part.empty() ? 0 : job->slicesRead();
@@ -185,7 +188,7 @@ void SegmentDoubts::askForCodes()
     const std::int64_t slices =
         std::max<std::int64_t>(1, codesAtOnce / (std::int64_t(size.x) * size.y));
     part.maximum.z = int(std::min<std::int64_t>(part.maximum.z, part.minimum.z + slices));
-    m_workspace.session()->questions().codes(
+    session->questions().codes(
         part, [self = QPointer(this), job](const core::Result<std::vector<std::uint16_t>>& codes) {
             if (!self || self->m_job != job)
                 return;

@@ -71,9 +71,11 @@ private Q_SLOTS:
         edit(brainMask(cut.x));
         QTRY_VERIFY(strip().isVisible());
         QVERIFY(strip().next() == Step::Look);
-        workspace().setActiveSegment(1);
 
+        // The first segment becomes active if none is.
+        workspace().setActiveSegment(0);
         click("mendingLook");
+        QCOMPARE(workspace().activeSegment(), 1);
         auto* list = window().findChild<QListWidget*>(QStringLiteral("placesToLookAt"));
         QTRY_VERIFY_WITH_TIMEOUT(list->count() > 0, patience);
         QTRY_VERIFY(list->isVisible());

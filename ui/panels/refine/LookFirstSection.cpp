@@ -21,7 +21,7 @@ namespace ui {
 
 namespace {
 
-QString textOf(const core::DoubtfulPlace& place)
+QString placeText(const core::DoubtfulPlace& place)
 {
     using Why = core::DoubtfulPlace::Why;
     const QString volume = volumeText(place.volumeMm3 / 1000.0);
@@ -131,7 +131,7 @@ void LookFirstSection::fill(const SegmentDoubts::Found& found)
     for (int i = 0; i < count; ++i) {
         const SegmentDoubts::Entry& entry = found.entries[std::size_t(i)];
         QListWidgetItem& item = *m_list->item(i);
-        item.setText(textOf(entry.place));
+        item.setText(placeText(entry.place));
         item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item.setCheckState(entry.seen ? Qt::Checked : Qt::Unchecked);
         item.setForeground(entry.seen ? theme::secondary : theme::text);
