@@ -67,11 +67,10 @@ LiveComparison::LiveComparison(Workspace& workspace, QObject* parent)
                 m_labels.reset();
             later();
         });
-    connect(
-        &m_fetch, &LabelFetch::finished, this, [this](const std::vector<ExportJob::Plane>& planes) {
-            m_labels = std::make_shared<const std::vector<std::uint8_t>>(planes.front().labels);
-            compare();
-        });
+    connect(&m_fetch, &LabelFetch::finished, this, [this](const LabelFetch::Planes& planes) {
+        m_labels = {planes, &planes->front().labels};
+        compare();
+    });
     // Edited meanwhile: once more.
     connect(&m_fetch, &LabelFetch::failed, this, &LiveComparison::later);
 }

@@ -28,15 +28,26 @@ struct SegmentDoubts::Job {
     int label = 0;
     std::uint8_t plane = 0;
     Mask second;
-    std::vector<std::uint8_t> labels; ///< of the segment's plane, x fastest
+    std::shared_ptr<const std::vector<std::uint8_t>> labels; ///< of its plane, x fastest
     core::VoxelBox box;
-    std::vector<std::uint16_t> codes; ///< of the box, as far as they have come
+    /// Of the box, as far as they have come. They are joined where there is time.
+    std::vector<std::vector<std::uint16_t>> codes;
+    int slicesRead = 0;
     bool editedSince = false; ///< after the labels were fetched
 
-    [[nodiscard]] int slicesRead() const
+    [[nodiscard]] core::Result<Places> places(const core::Progress& progress) const
     {
         const glm::ivec3 size = box.maximum - box.minimum;
-        return int(codes.size() / (std::size_t(size.x) * std::size_t(size.y)));
+        std::vector<std::uint16_t> all;
+        all.reserve(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+        for (const std::vector<std::uint16_t>& portion : codes)
+            all.insert(all.end(), portion.begin(), portion.end());
+        const core::BorderSource source{.geometry = geometry,
+            .labels = *labels,
+            .label = std::uint8_t(label),
+            .box = box,
+            .codes = all};
+        return core::placesToLookAt(source, second.get(), mostPlaces, progress);
     }
 };
 
@@ -153,19 +164,17 @@ void SegmentDoubts::fetch()
     m_fetch.start(*session, {m_job->plane});
 }
 
-void SegmentDoubts::takeLabels(const std::vector<ExportJob::Plane>& planes)
+void SegmentDoubts::takeLabels(const LabelFetch::Planes& planes)
 {
     if (!m_job)
         return;
-    m_job->labels = planes.front().labels;
+    m_job->labels = {planes, &planes->front().labels};
     m_job->editedSince = false;
     m_background.start(
         this,
         [job = m_job] {
             job->box =
-                core::boxAroundBorder(job->labels, job->geometry.size, std::uint8_t(job->label));
-            const glm::ivec3 size = job->box.maximum - job->box.minimum;
-            job->codes.reserve(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+                core::boxAroundBorder(*job->labels, job->geometry.size, std::uint8_t(job->label));
         },
         [this](const core::Result<void>& done) {
             if (!done)
@@ -178,20 +187,22 @@ void SegmentDoubts::askForCodes()
 {
     const std::shared_ptr<Job>& job = m_job;
     core::VoxelBox part = job->box;
-    part.minimum.z += part.empty() ? 0 : job->slicesRead();
+    part.minimum.z += job->slicesRead;
     if (part.minimum.z >= part.maximum.z)
         return workOut();
     const glm::ivec3 size = part.maximum - part.minimum;
     const std::int64_t slices =
         std::max<std::int64_t>(1, codesAtOnce / (std::int64_t(size.x) * size.y));
     part.maximum.z = int(std::min<std::int64_t>(part.maximum.z, part.minimum.z + slices));
-    m_workspace.session()->questions().codes(
-        part, [self = QPointer(this), job](const core::Result<std::vector<std::uint16_t>>& codes) {
+    m_workspace.session()->questions().codes(part,
+        [self = QPointer(this), job, end = part.maximum.z](
+            core::Result<std::vector<std::uint16_t>> codes) {
             if (!self || self->m_job != job)
                 return;
             if (!codes)
                 return self->fail(codes.error());
-            job->codes.insert(job->codes.end(), codes->begin(), codes->end());
+            job->codes.push_back(*std::move(codes));
+            job->slicesRead = end - job->box.minimum.z;
             self->askForCodes();
         });
 }
@@ -199,15 +210,7 @@ void SegmentDoubts::askForCodes()
 void SegmentDoubts::workOut()
 {
     m_background.start(
-        this,
-        [job = m_job](const core::Progress& progress) {
-            const core::BorderSource source{.geometry = job->geometry,
-                .labels = job->labels,
-                .label = std::uint8_t(job->label),
-                .box = job->box,
-                .codes = job->codes};
-            return core::placesToLookAt(source, job->second.get(), mostPlaces, progress);
-        },
+        this, [job = m_job](const core::Progress& progress) { return job->places(progress); },
         [this](const core::Result<Places>& places) {
             if (!places)
                 return fail(places.error());

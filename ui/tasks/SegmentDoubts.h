@@ -60,7 +60,7 @@ private:
 
     void forget();
     void fetch();
-    void takeLabels(const std::vector<ExportJob::Plane>& planes);
+    void takeLabels(const LabelFetch::Planes& planes);
     void askForCodes();
     void workOut();
     void take(const Places& places);
