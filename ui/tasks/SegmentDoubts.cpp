@@ -33,7 +33,7 @@ struct SegmentDoubts::Job {
     /// Of the box, as far as they have come. They are joined where there is time.
     std::vector<std::vector<std::uint16_t>> codes;
     int slicesRead = 0;
-    bool editedSince = false; ///< after the labels were fetched
+    bool editedSince = false; ///< after the labels were asked for
 
     [[nodiscard]] core::Result<Places> places(const core::Progress& progress) const
     {
@@ -96,6 +96,7 @@ void SegmentDoubts::setSeen(std::size_t entry, bool seen)
 void SegmentDoubts::abort()
 {
     m_again.stop();
+    m_waits = false;
     m_fetch.cancel();
     m_background.cancel();
     m_job.reset();
@@ -159,9 +160,16 @@ void SegmentDoubts::fetch()
     if (!session || !m_job)
         return;
     // What stands open would be closed by the question.
-    if (session->transactionOpen())
-        return m_again.start();
-    m_fetch.start(*session, {m_job->plane});
+    const bool waits = session->transactionOpen();
+    if (waits) {
+        m_again.start();
+    } else {
+        // From here on: a stroke that begins after the last answer is no row of the history yet.
+        m_job->editedSince = false;
+        m_fetch.start(*session, {m_job->plane});
+    }
+    if (std::exchange(m_waits, waits) != waits)
+        Q_EMIT changed();
 }
 
 void SegmentDoubts::takeLabels(const LabelFetch::Planes& planes)
@@ -169,7 +177,6 @@ void SegmentDoubts::takeLabels(const LabelFetch::Planes& planes)
     if (!m_job)
         return;
     m_job->labels = {planes, &planes->front().labels};
-    m_job->editedSince = false;
     m_background.start(
         this,
         [job = m_job] {
