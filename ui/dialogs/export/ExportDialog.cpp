@@ -249,7 +249,7 @@ void ExportDialog::write(const LabelFetch::Planes& coverages)
     m_job.start([volume = *m_workspace.volume(), request = m_request, planes = std::move(m_planes),
                     layers = m_layers, coverages, session = m_workspace.session()->file(),
                     segments = m_workspace.session()->document().segments,
-                    imports = core::importsOf(m_workspace.session()->history())](
+                    imports = core::doneImports(m_workspace.session()->history())](
                     const core::Progress& progress) -> core::Result<core::ExportReport> {
         core::ExportRequest whole = request;
         for (const ExportJob::Plane& plane : *planes)
