@@ -161,7 +161,8 @@ void SegmentDoubts::fetch()
         return;
     // What stands open would be closed by the question.
     const bool waits = session->transactionOpen();
-    if (waits) {
+    // What was requested before counts as known, so it must not be told as news later.
+    if (waits || !session->idle()) {
         m_again.start();
     } else {
         // From here on: a stroke that begins after the last answer is no row of the history yet.
