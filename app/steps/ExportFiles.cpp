@@ -78,7 +78,7 @@ private:
                 return tl::unexpected(read.error());
             request.codes = m_study->codes;
             request.imported = core::importedAs(document().segments,
-                core::importsOf(m_steady.session().history()), m_volume.geometry.voxelCount());
+                core::doneImports(m_steady.session().history()), m_volume.geometry.voxelCount());
         }
         if (target.format == core::ExportFormat::DicomSegFractional) {
             if (const Result<void> added = addCoverages(request); !added)

@@ -67,11 +67,16 @@ private:
     std::array<bool, 3> m_counts{};
 };
 
-template <class Visit> void forEachNumber(const VoxelRuns& voxels, const Visit& visit)
+/// Ends early when the work is cancelled, which it asks every few thousand voxels.
+template <class Visit>
+void forEachNumber(const VoxelRuns& voxels, const Progress& progress, const Visit& visit)
 {
     for (const VoxelRun& run : voxels.runs()) {
-        for (std::uint64_t number = run.first; number < run.first + run.count; ++number)
+        for (std::uint64_t number = run.first; number < run.first + run.count; ++number) {
+            if ((number - run.first) % 4096 == 0 && progress.cancelled())
+                return;
             visit(number);
+        }
     }
 }
 
@@ -83,11 +88,11 @@ Result<std::vector<LonePart>> onlyIn(const VoxelRuns& mask, const VoxelRuns& oth
     const VoxelRuns difference = common(differing(mask, other), mask);
     const Neighbours neighbours(geometry);
     VoxelRuns cores;
-    forEachNumber(difference, [&](std::uint64_t number) {
+    forEachNumber(difference, progress, [&](std::uint64_t number) {
         const auto differs = [&](std::uint64_t near) {
             return runWith(difference.runs(), near) != noRun;
         };
-        if (!progress.cancelled() && neighbours.each(number, differs))
+        if (neighbours.each(number, differs))
             cores.append(number, 1);
     });
     Result<std::vector<VoxelRuns>> islands = islandsOf(cores, geometry.size, 1, progress);
@@ -106,7 +111,7 @@ Result<std::vector<LonePart>> onlyIn(const VoxelRuns& mask, const VoxelRuns& oth
     std::vector<VoxelRun> coreRuns;
     for (const PartRun& each : byRun)
         coreRuns.push_back(each.run);
-    forEachNumber(difference, [&](std::uint64_t number) {
+    forEachNumber(difference, progress, [&](std::uint64_t number) {
         std::size_t run = runWith(coreRuns, number);
         if (run == noRun)
             neighbours.each(number, [&](std::uint64_t near) {
@@ -116,6 +121,8 @@ Result<std::vector<LonePart>> onlyIn(const VoxelRuns& mask, const VoxelRuns& oth
         if (run != noRun)
             ++parts[byRun[run].part].voxels;
     });
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
     std::stable_sort(parts.begin(), parts.end(),
         [](const LonePart& one, const LonePart& two) { return one.voxels > two.voxels; });
     return parts;

@@ -33,12 +33,14 @@ public:
     }
     void add(const VoxelRuns& voxels) { m_all = united(m_all, voxels); }
     /// Whether more than half of some voxels lie beside what differs.
-    [[nodiscard]] bool hold(const VoxelRuns& voxels) const
+    [[nodiscard]] bool hold(const VoxelRuns& voxels, const Progress& progress) const
     {
         if (m_all.empty())
             return false;
         std::int64_t beside = 0;
         for (const VoxelRun& run : voxels.runs()) {
+            if (progress.cancelled())
+                return false;
             for (std::uint64_t number = run.first; number < run.first + run.count; ++number)
                 beside += isBeside(voxelOf(number, m_size)) ? 1 : 0;
         }
@@ -130,11 +132,15 @@ Result<std::vector<DoubtfulPlace>> placesToLookAt(
     for (const FaintBorder::Part& part : faint->parts) {
         if (edgeless.size() == most)
             break;
-        if (listed.hold(part.voxels))
+        if (progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        if (listed.hold(part.voxels, progress))
             continue;
         edgeless.push_back(placeAt(part.voxels, geometry, Why::NoEdge));
         edgeless.back().areaMm2 = double(part.areaUm2) / 1e6;
     }
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
     for (std::size_t turn = 0; turn < std::max(differences.size(), edgeless.size()); ++turn) {
         if (turn < differences.size()) {
             const Difference& difference = differences[turn];

@@ -3,7 +3,9 @@
 
 #include "ui/frame/Panel.h"
 
+#include <QScrollBar>
 #include <QSettings>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -110,8 +112,14 @@ void PanelColumn::bringUp(const ui::Panel& panel)
         place.wanted = true;
         place.section->setFolded(false);
         update();
-        if (!place.section->isFloating())
-            ensureWidgetVisible(place.section, 0, 0);
+        // Once what was unfolded has its height.
+        QTimer::singleShot(0, place.section, [this, section = place.section] {
+            if (section->isFloating())
+                return;
+            ensureWidgetVisible(section, 0, 0);
+            if (section->height() > viewport()->height())
+                verticalScrollBar()->setValue(section->y());
+        });
     }
 }
 

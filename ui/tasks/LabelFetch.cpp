@@ -61,7 +61,7 @@ void LabelFetch::askNext()
             if (done.position && done.session.history().position() != *done.position)
                 return fail(editedMeanwhile());
             m_work.reset();
-            Q_EMIT finished(**planes);
+            Q_EMIT finished(*planes);
         });
 }
 

@@ -21,6 +21,9 @@ class LabelFetch : public QObject {
     Q_OBJECT
 
 public:
+    /// Whoever keeps them shares them: they are as large as the volume.
+    using Planes = std::shared_ptr<const std::vector<ExportJob::Plane>>;
+
     using QObject::QObject;
 
     /// Starts reading; closes a running growth first.
@@ -37,7 +40,7 @@ public:
 
 Q_SIGNALS:
     void progressed(int done, int total);
-    void finished(const std::vector<ExportJob::Plane>& planes);
+    void finished(const ui::LabelFetch::Planes& planes);
     void failed(const core::Error& error);
 
 private:

@@ -54,8 +54,10 @@ LiveComparison::LiveComparison(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::sessionClosing, this, &LiveComparison::forget);
     connect(&workspace, &Workspace::sessionChanged, this, &LiveComparison::forget);
     connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
-        if (m_imported && m_masks) {
-            m_chosen = placeOfCompared();
+        const int place = m_masks ? placeFor(comparedSegment()) : -1;
+        // A file's reference stays where none belongs to the segment.
+        if (m_masks && (m_imported || (place >= 0 && place != m_chosen))) {
+            m_chosen = place;
             m_outcome.reset();
         }
         later();
@@ -67,11 +69,10 @@ LiveComparison::LiveComparison(Workspace& workspace, QObject* parent)
                 m_labels.reset();
             later();
         });
-    connect(
-        &m_fetch, &LabelFetch::finished, this, [this](const std::vector<ExportJob::Plane>& planes) {
-            m_labels = std::make_shared<const std::vector<std::uint8_t>>(planes.front().labels);
-            compare();
-        });
+    connect(&m_fetch, &LabelFetch::finished, this, [this](const LabelFetch::Planes& planes) {
+        m_labels = {planes, &planes->front().labels};
+        compare();
+    });
     // Edited meanwhile: once more.
     connect(&m_fetch, &LabelFetch::failed, this, &LiveComparison::later);
 }
@@ -90,6 +91,7 @@ void LiveComparison::forget()
     m_path.clear();
     m_masks.reset();
     m_chosen = -1;
+    m_byHand.clear();
     m_reading = false;
     m_imported = false;
     m_outcome.reset();
@@ -142,13 +144,19 @@ void LiveComparison::takeImported()
     Q_EMIT changed();
 }
 
-/// The reference of the compared segment's name; −1 if there is none.
-int LiveComparison::placeOfCompared() const
+/// The reference that belongs to a segment: chosen for it, of its name, or the only one of a file;
+/// −1 if there is none.
+int LiveComparison::placeFor(const core::Segment* segment) const
 {
-    const core::Segment* segment = comparedSegment();
+    if (!segment)
+        return -1;
+    if (const auto chosen = m_byHand.find(segment->label); chosen != m_byHand.end())
+        return chosen->second;
     const auto named = std::find_if(m_masks->begin(), m_masks->end(),
-        [&](const core::MaskSegment& mask) { return segment && mask.name == segment->name; });
-    return named == m_masks->end() ? -1 : int(named - m_masks->begin());
+        [&](const core::MaskSegment& mask) { return mask.name == segment->name; });
+    if (named != m_masks->end())
+        return int(named - m_masks->begin());
+    return !m_imported && m_masks->size() == 1 ? 0 : -1;
 }
 
 void LiveComparison::takeMasks(core::Result<core::MaskOnVolume>&& read)
@@ -160,7 +168,9 @@ void LiveComparison::takeMasks(core::Result<core::MaskOnVolume>&& read)
         return Q_EMIT failed(read.error());
     }
     m_masks = std::make_shared<const std::vector<core::MaskSegment>>(std::move(read->segments));
-    m_chosen = m_imported ? placeOfCompared() : m_masks->empty() ? -1 : 0;
+    m_chosen = placeFor(comparedSegment());
+    if (m_chosen < 0 && !m_imported && !m_masks->empty())
+        m_chosen = 0;
     later();
     Q_EMIT changed();
 }
@@ -177,14 +187,24 @@ QStringList LiveComparison::references() const
 
 std::shared_ptr<const core::VoxelRuns> LiveComparison::secondMask() const
 {
-    if (m_imported || !m_masks || m_chosen < 0)
+    const core::EditSession* session = m_workspace.session();
+    if (m_imported || !m_masks || !session)
         return nullptr;
-    return {m_masks, &(*m_masks)[std::size_t(m_chosen)].voxels};
+    const int place = placeFor(session->document().segment(m_workspace.activeSegment()));
+    if (place < 0)
+        return nullptr;
+    return {m_masks, &(*m_masks)[std::size_t(place)].voxels};
 }
 
 void LiveComparison::choose(int place)
 {
-    if (!m_masks || place < 0 || std::size_t(place) >= m_masks->size() || place == m_chosen)
+    if (!m_masks || place < 0 || std::size_t(place) >= m_masks->size())
+        return;
+    // The one that is shown already may be chosen, too.
+    const core::Segment* segment = comparedSegment();
+    if (segment && !m_imported)
+        m_byHand[segment->label] = place;
+    if (place == m_chosen)
         return;
     m_chosen = place;
     m_outcome.reset();

@@ -10,6 +10,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,7 +26,8 @@ class LiveComparison : public QObject {
 public:
     explicit LiveComparison(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Reads a mask of any format on another thread; then its first segment is the reference.
+    /// Reads a mask of any format on another thread; then its segment of the compared one's name is
+    /// the reference, or else its first, until another segment is active or one is chosen.
     void read(const QString& path);
     /// Takes the masks that the session has imported, as they came, for the reference: what has
     /// been changed since? The segment of the compared one's name is chosen, whichever that
@@ -39,11 +41,13 @@ public:
     /// The reference file; empty if there is none, or if it is what was imported.
     [[nodiscard]] const QString& path() const { return m_path; }
     [[nodiscard]] QStringList references() const; ///< names of the segments of the reference
+    /// Of a file: for the compared segment, until the reference is another one.
     /// @param place index in references()
     void choose(int place);
     [[nodiscard]] int chosen() const { return m_chosen; } ///< −1: none
-    /// The voxels of the chosen reference if it is from a file: what was imported differs where the
-    /// user has mended it, which is no doubt. Null: none.
+    /// The voxels of the reference that belongs to the active segment if it is from a file: the one
+    /// chosen by hand for it, or that of its name, or the only one. What was imported differs where
+    /// the user has mended it, which is no doubt. Null: none.
     [[nodiscard]] std::shared_ptr<const core::VoxelRuns> secondMask() const;
 
     struct Outcome {
@@ -72,12 +76,13 @@ private:
     void compare();
     void takeMasks(core::Result<core::MaskOnVolume>&& read);
     [[nodiscard]] const core::Segment* comparedSegment() const;
-    [[nodiscard]] int placeOfCompared() const;
+    [[nodiscard]] int placeFor(const core::Segment* segment) const;
 
     Workspace& m_workspace;
     QString m_path;
     Masks m_masks;
     int m_chosen = -1;
+    std::map<int, int> m_byHand; ///< places in m_masks that were chosen, by label
     bool m_reading = false;
     bool m_imported = false;
     std::optional<Outcome> m_outcome;

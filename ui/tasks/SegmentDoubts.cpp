@@ -28,15 +28,26 @@ struct SegmentDoubts::Job {
     int label = 0;
     std::uint8_t plane = 0;
     Mask second;
-    std::vector<std::uint8_t> labels; ///< of the segment's plane, x fastest
+    std::shared_ptr<const std::vector<std::uint8_t>> labels; ///< of its plane, x fastest
     core::VoxelBox box;
-    std::vector<std::uint16_t> codes; ///< of the box, as far as they have come
-    bool editedSince = false; ///< after the labels were fetched
+    /// Of the box, as far as they have come. They are joined where there is time.
+    std::vector<std::vector<std::uint16_t>> codes;
+    int slicesRead = 0;
+    bool editedSince = false; ///< after the labels were asked for
 
-    [[nodiscard]] int slicesRead() const
+    [[nodiscard]] core::Result<Places> places(const core::Progress& progress) const
     {
         const glm::ivec3 size = box.maximum - box.minimum;
-        return int(codes.size() / (std::size_t(size.x) * std::size_t(size.y)));
+        std::vector<std::uint16_t> all;
+        all.reserve(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+        for (const std::vector<std::uint16_t>& portion : codes)
+            all.insert(all.end(), portion.begin(), portion.end());
+        const core::BorderSource source{.geometry = geometry,
+            .labels = *labels,
+            .label = std::uint8_t(label),
+            .box = box,
+            .codes = all};
+        return core::placesToLookAt(source, second.get(), mostPlaces, progress);
     }
 };
 
@@ -85,6 +96,7 @@ void SegmentDoubts::setSeen(std::size_t entry, bool seen)
 void SegmentDoubts::abort()
 {
     m_again.stop();
+    m_waits = false;
     m_fetch.cancel();
     m_background.cancel();
     m_job.reset();
@@ -148,24 +160,29 @@ void SegmentDoubts::fetch()
     if (!session || !m_job)
         return;
     // What stands open would be closed by the question.
-    if (session->transactionOpen())
-        return m_again.start();
-    m_fetch.start(*session, {m_job->plane});
+    const bool waits = session->transactionOpen();
+    // What was requested before counts as known, so it must not be told as news later.
+    if (waits || !session->idle()) {
+        m_again.start();
+    } else {
+        // From here on: a stroke that begins after the last answer is no row of the history yet.
+        m_job->editedSince = false;
+        m_fetch.start(*session, {m_job->plane});
+    }
+    if (std::exchange(m_waits, waits) != waits)
+        Q_EMIT changed();
 }
 
-void SegmentDoubts::takeLabels(const std::vector<ExportJob::Plane>& planes)
+void SegmentDoubts::takeLabels(const LabelFetch::Planes& planes)
 {
     if (!m_job)
         return;
-    m_job->labels = planes.front().labels;
-    m_job->editedSince = false;
+    m_job->labels = {planes, &planes->front().labels};
     m_background.start(
         this,
         [job = m_job] {
             job->box =
-                core::boxAroundBorder(job->labels, job->geometry.size, std::uint8_t(job->label));
-            const glm::ivec3 size = job->box.maximum - job->box.minimum;
-            job->codes.reserve(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+                core::boxAroundBorder(*job->labels, job->geometry.size, std::uint8_t(job->label));
         },
         [this](const core::Result<void>& done) {
             if (!done)
@@ -181,20 +198,22 @@ void SegmentDoubts::askForCodes()
         return abort();
     const std::shared_ptr<Job>& job = m_job;
     core::VoxelBox part = job->box;
-    part.minimum.z += part.empty() ? 0 : job->slicesRead();
+    part.minimum.z += job->slicesRead;
     if (part.minimum.z >= part.maximum.z)
         return workOut();
     const glm::ivec3 size = part.maximum - part.minimum;
     const std::int64_t slices =
         std::max<std::int64_t>(1, codesAtOnce / (std::int64_t(size.x) * size.y));
     part.maximum.z = int(std::min<std::int64_t>(part.maximum.z, part.minimum.z + slices));
-    session->questions().codes(
-        part, [self = QPointer(this), job](const core::Result<std::vector<std::uint16_t>>& codes) {
+    session->questions().codes(part,
+        [self = QPointer(this), job, end = part.maximum.z](
+            core::Result<std::vector<std::uint16_t>> codes) {
             if (!self || self->m_job != job)
                 return;
             if (!codes)
                 return self->fail(codes.error());
-            job->codes.insert(job->codes.end(), codes->begin(), codes->end());
+            job->codes.push_back(*std::move(codes));
+            job->slicesRead = end - job->box.minimum.z;
             self->askForCodes();
         });
 }
@@ -202,15 +221,7 @@ void SegmentDoubts::askForCodes()
 void SegmentDoubts::workOut()
 {
     m_background.start(
-        this,
-        [job = m_job](const core::Progress& progress) {
-            const core::BorderSource source{.geometry = job->geometry,
-                .labels = job->labels,
-                .label = std::uint8_t(job->label),
-                .box = job->box,
-                .codes = job->codes};
-            return core::placesToLookAt(source, job->second.get(), mostPlaces, progress);
-        },
+        this, [job = m_job](const core::Progress& progress) { return job->places(progress); },
         [this](const core::Result<Places>& places) {
             if (!places)
                 return fail(places.error());

@@ -45,6 +45,8 @@ public:
     void look(Mask second);
     void abort();
     [[nodiscard]] bool isLooking() const { return m_job != nullptr; }
+    /// Whether the search begins only when the step that stands open is finished.
+    [[nodiscard]] bool isWaiting() const { return m_waits; }
     /// What was found of the active segment; null: it has not been searched.
     [[nodiscard]] const Found* found() const;
     /// Ticks a place of the active segment, or takes the tick away.
@@ -60,7 +62,7 @@ private:
 
     void forget();
     void fetch();
-    void takeLabels(const std::vector<ExportJob::Plane>& planes);
+    void takeLabels(const LabelFetch::Planes& planes);
     void askForCodes();
     void workOut();
     void take(const Places& places);
@@ -69,7 +71,8 @@ private:
 
     Workspace& m_workspace;
     LabelFetch m_fetch;
-    QTimer m_again; ///< the labels changed while they were fetched
+    QTimer m_again; ///< a step stands open, or the labels changed while they were fetched
+    bool m_waits = false;
     std::shared_ptr<Job> m_job; ///< what is under way
     std::map<int, Found> m_found; ///< by label
     core::Background m_background; ///< last: it uses all of the above

@@ -57,7 +57,7 @@ struct SurfaceDoubts::Job {
     core::SurfaceMirror surface;
     core::VolumeGeometry geometry;
     int label = 0;
-    std::vector<std::uint8_t> labels; ///< of the segment's plane, x fastest
+    std::shared_ptr<const std::vector<std::uint8_t>> labels; ///< of its plane, x fastest
     core::VoxelBox box;
     std::vector<std::uint16_t> codes; ///< of the box
 
@@ -74,7 +74,7 @@ std::vector<SurfaceDoubts::Doubt> SurfaceDoubts::Job::found()
                 doubts.push_back({.why = why, .region = region});
         }
     };
-    const core::BoxMask mask = core::BoxMask::of(labels, std::uint8_t(label), geometry.size);
+    const core::BoxMask mask = core::BoxMask::of(*labels, std::uint8_t(label), geometry.size);
     if (!mask.empty()) {
         const core::BoundaryForce boundary(mask, geometry, walkVoxels);
         add(core::offTheMask(surface, boundary, offVoxels * voxelMm), Doubt::Why::OffMask);
@@ -94,13 +94,12 @@ SurfaceDoubts::SurfaceDoubts(Workspace& workspace, QObject* parent)
         if (!m_workspace.refinement().surface() && (m_job || !m_doubts.empty()))
             forget();
     });
-    connect(
-        &m_fetch, &LabelFetch::finished, this, [this](const std::vector<ExportJob::Plane>& planes) {
-            if (!m_job)
-                return;
-            m_job->labels = planes.front().labels;
-            askForCodes(m_job);
-        });
+    connect(&m_fetch, &LabelFetch::finished, this, [this](const LabelFetch::Planes& planes) {
+        if (!m_job)
+            return;
+        m_job->labels = {planes, &planes->front().labels};
+        askForCodes(m_job);
+    });
     connect(&m_fetch, &LabelFetch::failed, this, &SurfaceDoubts::fail);
 }
 

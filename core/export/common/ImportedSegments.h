@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/ImportTargets.h"
 #include "core/export/common/ExportMask.h"
 
 namespace core {
 
-/// What was imported as these segments, found by their names; segments that were not imported are
-/// left out. Cost ∝ the runs of the imported masks. Any thread.
+/// What was imported as these segments, found by their labels, since names are not unique and a
+/// segment that was drawn may have the name of an imported one that is gone. The newest import of a
+/// segment counts; segments that were not imported are left out. Cost ∝ the runs of the imported
+/// masks. Any thread.
 /// @param imports in the order of the history, with their voxels
 /// @param voxels of the volume
 [[nodiscard]] std::vector<ImportedVoxels> importedAs(const std::vector<Segment>& segments,
-    const std::vector<ImportMask>& imports, std::uint64_t voxels);
+    const std::vector<DoneImport>& imports, std::uint64_t voxels);
 
 } // namespace core

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/PastImports.h"
 
+#include "core/edits/document/DocumentEdits.h"
+
+#include <utility>
+
 namespace core {
 
 std::vector<ImportMask> importsOf(const History& history)
@@ -10,6 +14,27 @@ std::vector<ImportMask> importsOf(const History& history)
         const auto* mask = history.row(row).edit.as<ImportMask>();
         if (mask && mask->segments)
             imports.push_back(*mask);
+    }
+    return imports;
+}
+
+std::vector<DoneImport> doneImports(const History& history)
+{
+    std::vector<DoneImport> imports;
+    // A new segment's label is that of its time: the rows tell it when they are counted again.
+    Document then = initialDocument({});
+    for (const RowId row : history.pathTo(history.position())) {
+        const Edit& edit = history.row(row).edit;
+        const auto* mask = edit.as<ImportMask>();
+        if (mask && mask->segments) {
+            if (const Result<ImportTargets> where = importTargets(*mask, then)) {
+                DoneImport done{.edit = *mask, .labels = {}};
+                for (const LabelTarget& target : where->targets)
+                    done.labels.push_back(target.label);
+                imports.push_back(std::move(done));
+            }
+        }
+        static_cast<void>(applyToDocument(edit, then));
     }
     return imports;
 }

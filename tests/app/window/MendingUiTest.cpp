@@ -179,6 +179,42 @@ private Q_SLOTS:
         QTRY_VERIFY(strip().isVisible());
     }
 
+    /// Carving changes voxels, too, but no segment.
+    void carvingIsNoMending()
+    {
+        const glm::dvec3 middle = test::pointsInBrain().front();
+        edit(brainMask(middle.x - 5.0));
+        workspace().setActiveSegment(1);
+        click("mendingLook");
+        auto* list = window().findChild<QListWidget*>(QStringLiteral("placesToLookAt"));
+        QTRY_VERIFY_WITH_TIMEOUT(list->count() > 0, patience);
+        QVERIFY(strip().next() == Step::Mend);
+        edit(test::carveAt({middle}, 3.0));
+        QCoreApplication::processEvents();
+        QCOMPARE(session().history().position(), core::RowId(2));
+        QVERIFY(session().history().row(2).statistics.voxelsChanged > 0);
+        QVERIFY(strip().next() == Step::Mend);
+        edit(test::paintAt(1, {middle - glm::dvec3(7.0, 0.0, 0.0)}, 3.0));
+        QTRY_VERIFY(strip().next() == Step::Compare);
+    }
+
+    /// A growth can stand open for long.
+    void itIsClosedWhileAStepStandsOpen()
+    {
+        edit(brainMask(-100.0));
+        QTRY_VERIFY(strip().isVisible());
+        QVERIFY(session().begin(test::paintAt(1, {test::pointsInBone().front()}, 2.0)));
+        QVERIFY(session().transactionOpen());
+        click("mendingClose");
+        QVERIFY(!strip().isVisible());
+        session().end(core::Ending::Commit);
+        QVERIFY(session().settle());
+        QCoreApplication::processEvents();
+        QVERIFY(!strip().isVisible());
+        window().actionTable()[QStringLiteral("mending.strip")].trigger();
+        QVERIFY(strip().isVisible());
+    }
+
 private:
     [[nodiscard]] ui::MendingStrip& strip() { return window().mendingStrip(); }
     void click(const char* name)

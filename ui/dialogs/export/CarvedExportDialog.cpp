@@ -206,10 +206,10 @@ void CarvedExportDialog::start()
     showRunning(true);
 }
 
-void CarvedExportDialog::write(const std::vector<ExportJob::Plane>& layers)
+void CarvedExportDialog::write(const LabelFetch::Planes& layers)
 {
     const core::Volume volume = *m_workspace.volume();
-    std::vector<std::uint8_t> coverage = composed(layers, volume.geometry.voxelCount());
+    std::vector<std::uint8_t> coverage = composed(*layers, volume.geometry.voxelCount());
     const QString target = m_target->path();
     if (m_coverage->isChecked()) {
         const core::SculptLayer* layer = activeLayer(m_workspace);

@@ -38,7 +38,7 @@ private:
     void suggestTarget();
     void showState();
     void start();
-    void write(const std::vector<ExportJob::Plane>& layers);
+    void write(const LabelFetch::Planes& layers);
     void showRunning(bool running);
     void showReport(const core::ExportReport& report);
     void showFailure(const core::Error& error);

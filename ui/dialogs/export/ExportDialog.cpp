@@ -224,7 +224,7 @@ void ExportDialog::start()
     showRunning(true);
 }
 
-void ExportDialog::takeLabels(const std::vector<ExportJob::Plane>& planes)
+void ExportDialog::takeLabels(const LabelFetch::Planes& planes)
 {
     m_request.segments = m_segments->chosen();
     m_planes = planes;
@@ -240,22 +240,22 @@ void ExportDialog::takeLabels(const std::vector<ExportJob::Plane>& planes)
         }
     }
     if (wanted.empty())
-        return write({});
+        return write(std::make_shared<const std::vector<ExportJob::Plane>>());
     m_coverageFetch.start(session, wanted, core::Field::Coverage);
 }
 
-void ExportDialog::write(const std::vector<ExportJob::Plane>& coverages)
+void ExportDialog::write(const LabelFetch::Planes& coverages)
 {
     m_job.start([volume = *m_workspace.volume(), request = m_request, planes = std::move(m_planes),
                     layers = m_layers, coverages, session = m_workspace.session()->file(),
                     segments = m_workspace.session()->document().segments,
-                    imports = core::importsOf(m_workspace.session()->history())](
+                    imports = core::doneImports(m_workspace.session()->history())](
                     const core::Progress& progress) -> core::Result<core::ExportReport> {
         core::ExportRequest whole = request;
-        for (const ExportJob::Plane& plane : planes)
+        for (const ExportJob::Plane& plane : *planes)
             whole.planes.push_back({plane.plane, plane.labels});
         for (const MadeOf& made : layers) {
-            for (const ExportJob::Plane& coverage : coverages) {
+            for (const ExportJob::Plane& coverage : *coverages) {
                 if (coverage.plane == made.layer)
                     whole.coverages.push_back({made.label, made.name, coverage.labels});
             }

@@ -48,8 +48,8 @@ private:
     void showChange();
     void showFormat();
     void start();
-    void takeLabels(const std::vector<ExportJob::Plane>& planes);
-    void write(const std::vector<ExportJob::Plane>& coverages);
+    void takeLabels(const LabelFetch::Planes& planes);
+    void write(const LabelFetch::Planes& coverages);
     void showRunning(bool running);
     void showReport(const core::ExportReport& report);
     void showFailure(const core::Error& error);
@@ -67,7 +67,7 @@ private:
     QPushButton* m_close = nullptr;
     /// The export under way; its segments are filled in when it is written.
     core::ExportRequest m_request;
-    std::vector<ExportJob::Plane> m_planes;
+    LabelFetch::Planes m_planes; ///< null until they are read
     std::vector<MadeOf> m_layers; ///< for a fractional SEG
     LabelFetch m_fetch;
     LabelFetch m_coverageFetch;

@@ -111,6 +111,8 @@ void LookFirstSection::lookOnce()
 QString LookFirstSection::stateText() const
 {
     const SegmentDoubts::Found* found = m_doubts.found();
+    if (m_doubts.isWaiting())
+        return tr("waits until the open step is finished");
     if (m_doubts.isLooking())
         return tr("looking …");
     if (!found)

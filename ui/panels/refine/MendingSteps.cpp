@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/MendingSteps.h"
 
+#include "core/edits/kinds/EditKinds.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/layers/MergeLayers.h"
+#include "core/edits/kinds/layers/RemoveLayer.h"
 #include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/sculpt/SculptVisit.h"
 #include "ui/panels/refine/ComparePanel.h"
 #include "ui/panels/refine/LookFirstSection.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QSettings>
 
+#include <algorithm>
 #include <utility>
 
 namespace ui {
@@ -17,6 +24,22 @@ namespace {
 QString wantedKey()
 {
     return QStringLiteral("mending/strip");
+}
+
+/// Whether a step may change labels. Carving changes voxels, too, but no segment; what takes older
+/// steps back or changes one is as they are.
+bool canChangeLabels(const core::History& history, const core::Edit& edit)
+{
+    if (core::isAmong(edit, core::SculptKinds())
+        || core::isAmong(edit, core::EditKinds<core::MergeLayers, core::RemoveLayer>()))
+        return false;
+    const auto ofRow = [&history](std::int64_t row) {
+        return canChangeLabels(history, history.row(core::RowId(row)).edit);
+    };
+    if (const auto* revert = edit.as<core::RevertRows>())
+        return std::any_of(revert->rows.begin(), revert->rows.end(), ofRow);
+    const auto* revise = edit.as<core::ReviseStroke>();
+    return !revise || ofRow(revise->row);
 }
 
 } // namespace
@@ -29,7 +52,11 @@ MendingSteps::MendingSteps(Workspace& workspace, ComparePanel& panel, MendingStr
     , m_wanted(QSettings().value(wantedKey(), true).toBool())
 {
     m_strip.hide();
-    connect(&strip, &MendingStrip::closeRequested, this, [this] { setWanted(false); });
+    connect(&strip, &MendingStrip::closeRequested, this, [this] {
+        setWanted(false);
+        // Also while a growth or a peeling stands open: whoever presses it is not drawing.
+        m_strip.hide();
+    });
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_exported = false;
         update();
@@ -85,7 +112,7 @@ bool MendingSteps::isMended() const
         const core::HistoryRow& step = history.row(*row);
         if (step.edit.as<core::ImportMask>())
             return false;
-        if (step.statistics.voxelsChanged > 0)
+        if (step.statistics.voxelsChanged > 0 && canChangeLabels(history, step.edit))
             return true;
     }
     return false;

@@ -13,12 +13,12 @@ class Workspace;
 /// Tells which steps of mending an imported mask are done, and shows them in a strip: it is shown
 /// while an imported mask is among the steps that led to the present state, unless the user has
 /// closed it, which the program remembers. Pictures do not move under the pen: it neither comes nor
-/// goes while a stroke is open.
+/// goes while a stroke is open, unless its own cross is pressed.
 ///
 /// A step is done: to look, when the active segment was searched for places to look at; to mend,
-/// when voxels were edited after the import, or when all places are ticked (there may be none); to
-/// compare, when there is a comparison with what was imported; to export, when that was done since
-/// the last edit.
+/// when voxels of segments were edited after the import, or when all places are ticked (there may
+/// be none); to compare, when there is a comparison with what was imported; to export, when that
+/// was done since the last edit.
 class MendingSteps : public QObject {
     Q_OBJECT
 

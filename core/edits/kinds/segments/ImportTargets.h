@@ -3,13 +3,12 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/sculpt/LayerWrites.h"
 
 #include <vector>
 
 namespace core {
-
-struct ImportMask;
 
 /// The labels that receive the segments of a mask, in any volume.
 struct ImportTargets {
@@ -19,5 +18,11 @@ struct ImportTargets {
 /// Errors: InvalidField (no voxels read, no room for so many segments), UnknownSegment,
 /// SegmentLocked.
 [[nodiscard]] Result<ImportTargets> importTargets(const ImportMask& edit, const Document& document);
+
+/// An import that was carried out.
+struct DoneImport {
+    ImportMask edit;
+    std::vector<int> labels; ///< that its segments got, one for each
+};
 
 } // namespace core

@@ -64,16 +64,22 @@ public:
     /// The whole brain, as a file.
     [[nodiscard]] QString wholeFile() const
     {
-        const QString path = folder.filePath(QStringLiteral("whole.nrrd"));
-        QFile file(path);
-        if (!file.open(QIODevice::WriteOnly))
-            qFatal("no file");
-        file.write("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 40 40 40\n"
-                   "space: left-posterior-superior\n"
-                   "space directions: (1,0,0) (0,1,0) (0,0,1.5)\n"
-                   "space origin: (-20,-20,-30)\nencoding: raw\n\n");
-        file.write(reinterpret_cast<const char*>(whole.data()), qint64(whole.size()));
-        return path;
+        return written(QStringLiteral("whole.nrrd"), whole, {});
+    }
+    /// The whole brain and, before it, something of 400 voxels far away from it.
+    [[nodiscard]] QString fileOfTwo() const
+    {
+        std::vector<std::uint8_t> labels = whole;
+        std::fill_n(labels.begin() + 1600, 400, std::uint8_t(2));
+        return written(QStringLiteral("two.seg.nrrd"), labels,
+            "Segment0_ID:=a\nSegment0_Name:=Other\nSegment0_LabelValue:=2\n"
+            "Segment1_ID:=b\nSegment1_Name:=Brain\nSegment1_LabelValue:=1\n");
+    }
+    /// Of the mask that a search would compare with; 0: none.
+    [[nodiscard]] std::int64_t secondVoxels()
+    {
+        const auto mask = panel.comparison().secondMask();
+        return mask ? std::int64_t(mask->voxelCount()) : 0;
     }
 
     const glm::dvec3 cut{-6.0, 0.0, 0.0};
@@ -82,6 +88,21 @@ public:
     ui::ComparePanel panel;
 
 private:
+    [[nodiscard]] QString written(
+        const QString& name, const std::vector<std::uint8_t>& labels, const QByteArray& keys) const
+    {
+        const QString path = folder.filePath(name);
+        QFile file(path);
+        if (!file.open(QIODevice::WriteOnly))
+            qFatal("no file");
+        file.write("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 40 40 40\n"
+                   "space: left-posterior-superior\n"
+                   "space directions: (1,0,0) (0,1,0) (0,0,1.5)\n"
+                   "space origin: (-20,-20,-30)\nencoding: raw\n"
+            + keys + "\n");
+        file.write(reinterpret_cast<const char*>(labels.data()), qint64(labels.size()));
+        return path;
+    }
     template <class T> [[nodiscard]] T& child(const char* name)
     {
         return *panel.findChild<T*>(QLatin1String(name));
@@ -205,6 +226,66 @@ private Q_SLOTS:
             return entry.place.why == Why::NoEdge
                 && glm::distance(entry.place.placeLps, fixture.cut) < 4.0;
         }));
+    }
+
+    /// Of several segments of a file, only the one that belongs to the active segment disagrees.
+    void aReferenceOfSeveralSegments()
+    {
+        LookFixture fixture;
+        ui::LiveComparison& comparison = fixture.panel.comparison();
+        const auto brain =
+            std::int64_t(std::count(fixture.whole.begin(), fixture.whole.end(), std::uint8_t(1)));
+        const auto isRead = [&] { return fixture.looked() && comparison.outcome().has_value(); };
+        comparison.read(fixture.fileOfTwo());
+        QTRY_VERIFY(isRead());
+        QCOMPARE(comparison.references(),
+            QStringList({QStringLiteral("Other"), QStringLiteral("Brain")}));
+        QCOMPARE(comparison.chosen(), 1);
+        QCOMPARE(fixture.secondVoxels(), brain);
+        fixture.button().click();
+        QTRY_VERIFY(fixture.looked());
+        const auto& entries = fixture.doubts().found()->entries;
+        QVERIFY(!entries.empty());
+        QCOMPARE(entries.front().place.why, Why::OnlyThere);
+        QVERIFY(entries.front().place.placeLps.x < fixture.cut.x);
+
+        // A choice stands for the segment that it was made for.
+        comparison.choose(0);
+        QCOMPARE(fixture.secondVoxels(), std::int64_t(400));
+        fixture.apply(test::newSegment(QStringLiteral("Kidney")));
+        fixture.workspace.setActiveSegment(2);
+        QCOMPARE(fixture.secondVoxels(), std::int64_t(0));
+        // It is what the list shows already.
+        QCOMPARE(comparison.chosen(), 0);
+        comparison.choose(0);
+        QCOMPARE(fixture.secondVoxels(), std::int64_t(400));
+        fixture.workspace.setActiveSegment(1);
+        QCOMPARE(comparison.chosen(), 0);
+        // And for the file.
+        comparison.read(fixture.fileOfTwo());
+        QTRY_VERIFY(isRead());
+        QCOMPARE(comparison.chosen(), 1);
+        QCOMPARE(fixture.secondVoxels(), brain);
+    }
+
+    void itWaitsForAnOpenStep()
+    {
+        LookFixture fixture;
+        QVERIFY(fixture.session().begin(test::paintAt(1, {{-9.0, 0.0, 0.0}}, 3.0)));
+        QVERIFY(fixture.session().transactionOpen());
+        fixture.button().click();
+        QVERIFY(fixture.doubts().isLooking());
+        QVERIFY(fixture.doubts().isWaiting());
+        const QString waiting = fixture.state();
+        fixture.session().end(core::Ending::Commit);
+        fixture.settle();
+        QTRY_VERIFY(fixture.looked());
+        QVERIFY(!fixture.doubts().isWaiting());
+        QVERIFY(fixture.doubts().found() && !fixture.doubts().found()->editedSince);
+        QVERIFY(fixture.state() != waiting);
+        fixture.button().click();
+        QVERIFY(fixture.doubts().isLooking() && !fixture.doubts().isWaiting());
+        QVERIFY(fixture.state() != waiting);
     }
 
     void itCanBeAborted()
