@@ -67,6 +67,11 @@ public:
     /// Called before something else happens: another tool is chosen, another study opened, a step
     /// undone.
     virtual void putAway() { cancel(); }
+    /// Undo while something is drawn step by step, before it is an edit: the last step is taken
+    /// back instead of a row of the history. stepsChanged() is emitted when the answer may be
+    /// another.
+    [[nodiscard]] virtual bool canTakeStepBack() const { return false; }
+    virtual void takeStepBack() { }
     virtual void hover(const PointerSample&, const ViewContext&) { }
     virtual void leave() { } ///< the pointer left the view
     /// A key went down over a view; Esc is cancel(). @return whether the tool uses it
@@ -84,6 +89,7 @@ public:
 
 Q_SIGNALS:
     void overlayChanged();
+    void stepsChanged();
 };
 
 } // namespace ui

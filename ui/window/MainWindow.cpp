@@ -120,7 +120,11 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     connect(&workspace, &Workspace::documentChanged, this, refresh);
     connect(&workspace, &Workspace::activeSegmentChanged, this, refresh);
     connect(&workspace, &Workspace::activeLayerChanged, this, refresh);
-    connect(&workspace, &Workspace::activeToolChanged, this, refresh);
+    connect(&workspace, &Workspace::activeToolChanged, this, [this] {
+        if (const Tool* tool = m_workspace.activeTool())
+            connect(tool, &Tool::stepsChanged, &m_actions, &Actions::refresh, Qt::UniqueConnection);
+        m_actions.refresh();
+    });
     connect(&workspace, &Workspace::volumeDisplayChanged, this, refresh);
     connect(&workspace, &Workspace::viewOptionsChanged, this, refresh);
     connect(&workspace, &Workspace::windowLevelChanged, this, refresh);

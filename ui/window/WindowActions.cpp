@@ -51,6 +51,12 @@ const std::array<Side, 6> sides{
     Side{"view.fromBelow", "From below (I)", "Shift+I", {0.0, 0.0, -1.0}},
 };
 
+/// What is drawn corner by corner is undone so, too.
+bool drawsStepwise(const Workspace& workspace)
+{
+    return workspace.activeTool() && workspace.activeTool()->canTakeStepBack();
+}
+
 void carryOut(Workspace& workspace, core::Result<void> (core::EditSession::*step)())
 {
     core::EditSession* session = workspace.session();
@@ -164,18 +170,22 @@ void addEditActions(MainWindow& window)
         .icon = QStringLiteral("undo"),
         .run =
             [&workspace] {
-                if (workspace.clipSteps().canUndo())
+                if (drawsStepwise(workspace))
+                    workspace.activeTool()->takeStepBack();
+                else if (workspace.clipSteps().canUndo())
                     workspace.clipSteps().undo();
                 else
                     carryOut(workspace, &core::EditSession::undo);
             },
         .possible =
             [&workspace] {
-                return workspace.clipSteps().canUndo()
+                return drawsStepwise(workspace) || workspace.clipSteps().canUndo()
                     || (workspace.session() && workspace.session()->history().canUndo());
             },
         .currentText =
             [&workspace] {
+                if (drawsStepwise(workspace))
+                    return QStringLiteral("Undo: last corner");
                 if (workspace.clipSteps().canUndo())
                     return QStringLiteral("Undo: Clip");
                 if (!workspace.session() || !workspace.session()->history().canUndo())

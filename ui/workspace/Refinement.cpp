@@ -23,14 +23,41 @@ Refinement::Refinement(Workspace& workspace)
     connect(&workspace, &Workspace::sessionChanged, this, &Refinement::follow);
     connect(&workspace, &Workspace::sessionClosing, this, [this] {
         m_contours.clear();
+        m_taken.clear();
         Q_EMIT contoursChanged();
     });
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            followTaken();
             if (change.what == core::DocumentChange::What::Surface
                 || change.what == core::DocumentChange::What::Segments)
                 Q_EMIT changed();
         });
+}
+
+/// Once a template is a row its contours are of no use any more.
+void Refinement::followTaken()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (m_taken.empty() || !session)
+        return;
+    const std::vector<core::HistoryRow>& rows = session->history().rows();
+    if (rows.size() <= m_rowsAtTaking || !rows.back().edit.is<core::ApplyTemplate>())
+        return;
+    // It was through before it could be aborted.
+    const bool wereBack = m_contours == m_taken;
+    m_taken.clear();
+    if (!wereBack)
+        return;
+    m_contours.clear();
+    Q_EMIT contoursChanged();
+}
+
+/// What begins next has nothing to do with a template that came to nothing.
+void Refinement::forgetTaken()
+{
+    if (!isAbortable())
+        m_taken.clear();
 }
 
 /// Updates come from the thread that deforms: those for pictures go on at once, ours in line.
@@ -151,6 +178,7 @@ QString Refinement::caution() const
 void Refinement::addContour(std::vector<glm::dvec3> pointsLps)
 {
     dropPreview();
+    forgetTaken();
     m_contours.push_back(std::move(pointsLps));
     Q_EMIT contoursChanged();
 }
@@ -195,6 +223,8 @@ void Refinement::takeTemplate()
 {
     if (!isPreviewing())
         return;
+    m_rowsAtTaking = m_workspace.session()->history().rows().size();
+    m_taken = std::move(m_contours);
     m_contours.clear();
     m_workspace.session()->end(core::Ending::Commit);
     Q_EMIT contoursChanged();
@@ -210,6 +240,7 @@ void Refinement::dropPreview()
 
 void Refinement::lay(int vertices)
 {
+    forgetTaken();
     const core::EditSession* session = m_workspace.session();
     if (!session || !session->document().segment(m_workspace.activeSegment()))
         return m_workspace.say(tr("No segment is chosen: choose the one to repair in the list"));
@@ -226,8 +257,11 @@ void Refinement::abort()
     if (!session)
         return;
     const bool wasPreviewing = isPreviewing();
+    const bool comesBack = session->surface().isAbortable() && !m_taken.empty();
+    if (comesBack)
+        m_contours = m_taken;
     session->surface().abort();
-    if (wasPreviewing && !isPreviewing())
+    if (comesBack || (wasPreviewing && !isPreviewing()))
         Q_EMIT contoursChanged();
 }
 
@@ -244,6 +278,7 @@ void Refinement::writeBack()
 
 void Refinement::followMask()
 {
+    forgetTaken();
     apply(core::FollowMask{.rules = core::newestSurfaceRules});
     Q_EMIT changed();
 }

@@ -92,7 +92,8 @@ public:
     /// @param vertices how many it has
     void lay(int vertices);
     /// Ends the laying of a surface, the following of the mask, or a template that still moves;
-    /// isAbortable() tells whether there is one of these. Contours that were not taken stay.
+    /// isAbortable() tells whether there is one of these. The contours stay, and come back if they
+    /// were taken.
     void abort();
     [[nodiscard]] bool isAbortable() const;
     void writeBack();
@@ -123,6 +124,8 @@ Q_SIGNALS:
 
 private:
     void follow();
+    void followTaken();
+    void forgetTaken();
     void take(const core::SurfaceUpdate& update);
     void apply(const core::Edit& edit);
     [[nodiscard]] gpu::SurfaceColours colours() const;
@@ -134,6 +137,9 @@ private:
     Look m_look;
     Settings m_settings;
     std::vector<std::vector<glm::dvec3>> m_contours;
+    /// Those that were taken while their template still moves: it may be aborted.
+    std::vector<std::vector<glm::dvec3>> m_taken;
+    std::size_t m_rowsAtTaking = 0;
 };
 
 } // namespace ui

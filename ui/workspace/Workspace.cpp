@@ -288,9 +288,14 @@ void Workspace::setActiveTool(Tool* tool)
 {
     if (tool == m_tool)
         return;
-    if (m_tool)
+    if (m_tool) {
+        disconnect(m_tool, &QObject::destroyed, this, nullptr);
         m_tool->putAway();
+    }
     m_tool = tool;
+    // The menus ask it at any time.
+    if (m_tool)
+        connect(m_tool, &QObject::destroyed, this, [this] { m_tool = nullptr; });
     Q_EMIT activeToolChanged();
 }
 

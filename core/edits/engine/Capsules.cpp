@@ -159,20 +159,29 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
     for (std::size_t i = 0; i < points.size(); ++i) {
         const glm::dvec3 end = turned(points[i]);
         const glm::dvec3 start = from ? turned(*from) : end;
-        const glm::dvec3 along = end - start;
+        glm::dvec3 along = end - start;
         const double pressure = i < pressures.atPoints.size() ? pressures.atPoints[i] : 1.0;
         // Where the pen rests, what it covered before is covered.
-        const double pressedFrom = along == glm::dvec3(0.0) ? pressure : before;
-        const double changeMm = std::abs(pressure - pressedFrom) * path.radiusMm;
+        double pressedFrom = along == glm::dvec3(0.0) ? pressure : before;
+        double pressedTo = pressure;
+        double changeMm = std::abs(pressedTo - pressedFrom) * path.radiusMm;
+        glm::dvec3 begin = start;
+        // The larger end holds all the smaller ones where the radius changes by more than the way.
+        if (changeMm > 0.0 && changeMm >= glm::length(along)) {
+            begin = pressedTo > pressedFrom ? end : start;
+            pressedFrom = pressedTo = std::max(pressedFrom, pressedTo);
+            along = glm::dvec3(0.0);
+            changeMm = 0.0;
+        }
         const auto pieces =
             std::max<std::int64_t>({1, std::int64_t(std::ceil(glm::length(along) / longestMm)),
                 std::int64_t(std::ceil(changeMm / mostMm))});
-        const auto [first, last] = piecesNear(start, along, pieces, nearMm);
+        const auto [first, last] = piecesNear(begin, along, pieces, nearMm);
         for (std::int64_t piece = first; piece < last; ++piece) {
-            Capsule capsule = capsuleBetween(start + along * (double(piece) / double(pieces)),
-                start + along * (double(piece + 1) / double(pieces)));
+            Capsule capsule = capsuleBetween(begin + along * (double(piece) / double(pieces)),
+                begin + along * (double(piece + 1) / double(pieces)));
             const double share =
-                pressedFrom + (pressure - pressedFrom) * ((double(piece) + 0.5) / double(pieces));
+                pressedFrom + (pressedTo - pressedFrom) * ((double(piece) + 0.5) / double(pieces));
             capsule.less = std::clamp(whole - mm16(path.radiusMm * share), 0, whole);
             made.push_back(capsule);
         }

@@ -64,7 +64,8 @@ struct PartPressures {
 /// A part of the path, through @p points. @p from is the last point of the part before; null for
 /// the first part and where the path begins anew. Where the radius changes the way is cut so short
 /// that the radii of two capsules one after the other differ by at most a quarter of a voxel; each
-/// has the radius of its middle.
+/// has the radius of its middle. Where it changes by more than the way is long, the larger end
+/// holds all of it and is the only capsule.
 [[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
     const glm::dvec3* from, const std::vector<glm::dvec3>& points,
     const PartPressures& pressures = {});

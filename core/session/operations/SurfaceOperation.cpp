@@ -181,6 +181,9 @@ void SurfaceOperation::finish(SessionState& state, Result<SurfaceWork::Outcome>&
         state.lose(outcome.error());
     if (!outcome)
         return giveUp(state, outcome.error());
+    // What was rolled back may end as if nothing had been aborted; whoever aborts is told.
+    if (m_isAborted && m_ending == Ending::Rollback)
+        return giveUp(state, {ErrorCode::Cancelled, {}});
     if (outcome->voxels)
         return write(state, *std::move(outcome->voxels));
     m_done = true;

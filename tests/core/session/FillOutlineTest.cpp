@@ -392,17 +392,24 @@ private Q_SLOTS:
     {
         Bench bench;
         const FillOutline edit = inSlice(bench.geometry(), 2, 17.0, {{1, 1}, {9, 1}, {9, 20}});
-        const RowDependencies needs(edit, bench.session->document(), {});
+        const BrickGrid grid{bench.geometry().size};
+        const auto needsItsBricks = [&] {
+            // Nothing is told of what was written.
+            const RowDependencies needs(edit, bench.session->document(), {});
+            for (int brick = 0; brick < grid.brickCount(); ++brick) {
+                const glm::ivec3 at = grid.brickPosition(brick);
+                const bool near = at.z == 1 && at.x == 0 && at.y <= 1;
+                for (const Field field : {Field::Labels, Field::SeedWords, Field::Overwritten})
+                    QCOMPARE(needs.covers({field, 0, std::uint32_t(brick)}), near);
+                QVERIFY(!needs.covers({Field::Coverage, 1, std::uint32_t(brick)}));
+            }
+        };
+        needsItsBricks();
         bench.run(edit);
         QCOMPARE(bench.rows().back().statistics.bricks, 2);
-        const BrickGrid grid{bench.geometry().size};
-        for (int brick = 0; brick < grid.brickCount(); ++brick) {
-            const glm::ivec3 at = grid.brickPosition(brick);
-            const bool near = at.z == 1 && at.x == 0 && at.y <= 1;
-            for (const Field field : {Field::Labels, Field::SeedWords, Field::Overwritten})
-                QCOMPARE(needs.covers({field, 0, std::uint32_t(brick)}), near);
-            QVERIFY(!needs.covers({Field::Coverage, 1, std::uint32_t(brick)}));
-        }
+        // They are the same when the segment must not be changed any more.
+        bench.run(test::lockSegment(1));
+        needsItsBricks();
     }
 };
 

@@ -15,8 +15,8 @@ namespace ui {
 /// Whether a pen that rests is pressed so much harder that its tool has to cover more.
 [[nodiscard]] bool pressesHarder(double share, double before);
 
-/// The switch "p" in a tool's options, as the drill has one for its depth: the radius follows the pressure of the pen, or
-/// nothing does.
+/// The switch "p" in a tool's options, as the drill has one for its depth: the radius follows the
+/// pressure of the pen, or nothing does.
 [[nodiscard]] QToolButton* pressureButton(QWidget* parent);
 
 } // namespace ui

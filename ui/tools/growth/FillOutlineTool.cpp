@@ -115,6 +115,7 @@ void FillOutlineTool::press(const PointerSample& sample, const ViewContext& view
         m_erases = isInverse(sample);
         m_view = view;
         m_pressed = true;
+        Q_EMIT stepsChanged();
     }
     showCursor(sample, view);
 }
@@ -133,6 +134,7 @@ void FillOutlineTool::pressCorner(const PointerSample& sample, const ViewContext
     m_outline.addCorner(sample.position, view);
     m_view = view;
     m_pressed = true;
+    Q_EMIT stepsChanged();
 }
 
 void FillOutlineTool::drag(const PointerSample& sample, const ViewContext& view)
@@ -162,11 +164,13 @@ void FillOutlineTool::close(const ViewContext& view)
         .polygonMm = m_outline.polygonMm(),
         .erase = m_erases};
     const bool meant = m_outline.isMeant(view);
-    m_outline.drop();
-    Q_EMIT overlayChanged();
+    const bool isPolygon = m_outline.shape() == Shape::Polygon;
+    if (!isPolygon)
+        drop();
     if (!meant)
-        return m_workspace.say(
-            tr("Draw around what is to be filled; the outline closes by itself"));
+        return m_workspace.say(isPolygon
+                ? tr("A polygon has three corners or more")
+                : tr("Draw around what is to be filled; the outline closes by itself"));
     if (m_erases && m_workspace.session()->document().segments.empty())
         return m_workspace.say(tr("There is no segment to erase"));
     const core::Result<int> label = ensureActiveSegment(m_workspace);
@@ -180,27 +184,49 @@ void FillOutlineTool::close(const ViewContext& view)
         edit.upper = std::max(limits.lower, limits.upper);
     }
     if (const auto applied = m_workspace.session()->apply(edit); !applied)
-        m_workspace.fail(applied.error());
+        return m_workspace.fail(applied.error());
+    drop();
+}
+
+void FillOutlineTool::drop()
+{
+    m_outline.drop();
+    Q_EMIT overlayChanged();
+    Q_EMIT stepsChanged();
 }
 
 void FillOutlineTool::cancel()
 {
     m_pressed = false;
-    m_outline.drop();
+    drop();
+}
+
+bool FillOutlineTool::canTakeStepBack() const
+{
+    return m_outline.drawing() && m_outline.shape() == Shape::Polygon;
+}
+
+void FillOutlineTool::takeStepBack()
+{
+    if (!canTakeStepBack())
+        return;
+    // The pen may still be down on that corner.
+    m_pressed = false;
+    m_outline.removeCorner();
     Q_EMIT overlayChanged();
+    Q_EMIT stepsChanged();
 }
 
 bool FillOutlineTool::pressKey(int key)
 {
-    if (!m_outline.drawing() || m_pressed || m_outline.shape() != Shape::Polygon)
+    if (!canTakeStepBack() || m_pressed)
         return false;
     if (key == Qt::Key_Backspace)
-        m_outline.removeCorner();
+        takeStepBack();
     else if (key == Qt::Key_Return || key == Qt::Key_Enter)
         close(*m_view);
     else
         return false;
-    Q_EMIT overlayChanged();
     return true;
 }
 

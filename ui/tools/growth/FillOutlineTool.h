@@ -38,6 +38,9 @@ public:
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
+    /// A corner of a polygon that is open.
+    [[nodiscard]] bool canTakeStepBack() const override;
+    void takeStepBack() override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
     void leave() override;
     bool pressKey(int key) override;
@@ -54,8 +57,10 @@ Q_SIGNALS:
 private:
     [[nodiscard]] QString action(bool erases) const;
     [[nodiscard]] QColor colour() const;
+    void drop();
     void pressCorner(const PointerSample& sample, const ViewContext& view);
-    /// Fills what is drawn and ends the drawing.
+    /// Fills what is drawn and ends the drawing. A polygon that cannot be filled stays open: it is
+    /// more work than another stroke.
     void close(const ViewContext& view);
     void showCursor(const PointerSample& sample, const ViewContext& view);
     [[nodiscard]] static bool isInverse(const PointerSample& sample);

@@ -131,8 +131,9 @@ std::optional<core::MeshHit> RefineTool::hitAt(
     return surface.hit(view.toLps(pixel) - farMm * forward, forward);
 }
 
-std::optional<glm::dvec3> RefineTool::placeOf(Stroke& stroke, const QPointF& pixel) const
+std::optional<glm::dvec3> RefineTool::placeOf(Stroke& stroke, const PointerSample& sample) const
 {
+    const QPointF& pixel = sample.position;
     if (stroke.view.isSlice())
         return stroke.view.toLps(pixel);
     const glm::dvec3 forward = forwardOf(stroke.view);
@@ -148,7 +149,9 @@ std::optional<glm::dvec3> RefineTool::placeOf(Stroke& stroke, const QPointF& pix
     stroke.depthMm = hit->distanceMm;
     if (stroke.settings.mode != Mode::Sphere)
         return hit->placeLps;
-    const double off = 0.5 * stroke.settings.radiusMm;
+    // Of the sphere as it is pressed: a smaller one that far out would touch nothing.
+    const double share = stroke.isPressed ? pressedShare(sample) : 1.0;
+    const double off = 0.5 * stroke.settings.radiusMm * share;
     return hit->placeLps + (stroke.inverted ? -off : off) * hit->normalLps;
 }
 
@@ -210,7 +213,7 @@ void RefineTool::press(const PointerSample& sample, const ViewContext& view)
         .inverted = sample.eraserEnd || (sample.modifiers & Qt::ControlModifier),
         .isPressed = refinement.settings().radiusByPressure && sample.isPen,
         .lastPressure = pressedShare(sample)};
-    const std::optional<glm::dvec3> place = placeOf(*m_stroke, sample.position);
+    const std::optional<glm::dvec3> place = placeOf(*m_stroke, sample);
     if (!place) {
         m_stroke.reset();
         return m_workspace.say(tr("The surface is not there"));
@@ -231,7 +234,7 @@ void RefineTool::drag(const PointerSample& sample, const ViewContext& view)
     }
     if (!m_stroke || view.view != m_stroke->view.view)
         return;
-    const std::optional<glm::dvec3> place = placeOf(*m_stroke, sample.position);
+    const std::optional<glm::dvec3> place = placeOf(*m_stroke, sample);
     const double pressure = pressedShare(sample);
     const bool widens = m_stroke->isPressed && pressesHarder(pressure, m_stroke->lastPressure);
     if (place && (*place != m_stroke->last || widens)) {

@@ -60,7 +60,8 @@ private:
     };
 
     /// Where the tool is, LPS; none if the surface is not met.
-    [[nodiscard]] std::optional<glm::dvec3> placeOf(Stroke& stroke, const QPointF& pixel) const;
+    [[nodiscard]] std::optional<glm::dvec3> placeOf(
+        Stroke& stroke, const PointerSample& sample) const;
     [[nodiscard]] std::optional<core::MeshHit> hitAt(
         const core::SurfaceMirror& surface, const ViewContext& view, const QPointF& pixel) const;
     [[nodiscard]] core::Edit editOf(const Stroke& stroke, const glm::dvec3& placeLps) const;

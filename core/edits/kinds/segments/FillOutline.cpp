@@ -73,6 +73,34 @@ Result<std::vector<glm::ivec2>> cornersOf(
     return corners;
 }
 
+/// Where the outline lies, whatever it is done to. Errors: InvalidField.
+Result<LabelOutlined> placed(const FillOutline& edit, const VolumeGeometry& geometry)
+{
+    const Result<glm::dmat3> axes = sliceAxes(edit);
+    if (!axes)
+        return tl::unexpected(axes.error());
+    const glm::dvec3& normal = (*axes)[2];
+    const SlicePlane slice = slicePlane(geometry, normal, edit.originLps);
+    if (!meetsVolume(slice, normal, geometry))
+        return outlineFailure("originLps", QStringLiteral("lies on a plane outside the volume"));
+
+    const glm::dmat3 toPlane = glm::transpose(*axes);
+    const glm::dvec3 origin = toPlane * (edit.originLps - slice.middleLps);
+    Result<std::vector<glm::ivec2>> corners =
+        cornersOf(edit.polygonMm, glm::dvec2(origin.x, origin.y));
+    if (!corners)
+        return tl::unexpected(corners.error());
+    LabelOutlined outlined{.corners = *std::move(corners)};
+    const glm::dmat3 perVoxel = toPlane * glm::dmat3(geometry.indexToWorld);
+    outlined.origin = toFixed30(
+        toPlane * (geometry.originLps() - slice.middleLps) - glm::dvec3(0.0, 0.0, slice.heightMm));
+    outlined.perI = toFixed30(perVoxel[0]);
+    outlined.perJ = toFixed30(perVoxel[1]);
+    outlined.perK = toFixed30(perVoxel[2]);
+    outlined.halfThickness = mm16(slice.halfThicknessMm);
+    return outlined;
+}
+
 } // namespace
 
 Result<void> check(const FillOutline& edit, const Document& document)
@@ -103,40 +131,19 @@ Result<LabelOutlined> labelOutlined(const FillOutline& edit, const Document& doc
     if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
         return outlineFailure(
             "upper", QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
-    const Result<glm::dmat3> axes = sliceAxes(edit);
-    if (!axes)
-        return tl::unexpected(axes.error());
     const Volume& volume = document.volumes.front();
-    const VolumeGeometry& geometry = volume.geometry;
-    const glm::dvec3& normal = (*axes)[2];
-    const SlicePlane slice = slicePlane(geometry, normal, edit.originLps);
-    if (!meetsVolume(slice, normal, geometry))
-        return outlineFailure("originLps", QStringLiteral("lies on a plane outside the volume"));
-
-    const glm::dmat3 toPlane = glm::transpose(*axes);
-    const glm::dvec3 origin = toPlane * (edit.originLps - slice.middleLps);
-    Result<std::vector<glm::ivec2>> corners =
-        cornersOf(edit.polygonMm, glm::dvec2(origin.x, origin.y));
-    if (!corners)
-        return tl::unexpected(corners.error());
-    LabelOutlined outlined{.target = {.plane = (*segment)->plane,
-                               .label = std::uint8_t((*segment)->label),
-                               .overwritable = {}},
-        .erase = edit.erase,
-        .corners = *std::move(corners)};
+    Result<LabelOutlined> outlined = placed(edit, volume.geometry);
+    if (!outlined)
+        return outlined;
+    outlined->target = {
+        .plane = (*segment)->plane, .label = std::uint8_t((*segment)->label), .overwritable = {}};
+    outlined->erase = edit.erase;
     if (edit.overwriteUnlocked)
-        outlined.target.overwritable = document.unlockedLabels((*segment)->plane);
+        outlined->target.overwritable = document.unlockedLabels((*segment)->plane);
     if (edit.lower)
-        outlined.lowCode = volume.encoding.lowestCodeAtLeast(*edit.lower);
+        outlined->lowCode = volume.encoding.lowestCodeAtLeast(*edit.lower);
     if (edit.upper)
-        outlined.highCode = volume.encoding.highestCodeAtMost(*edit.upper);
-    const glm::dmat3 perVoxel = toPlane * glm::dmat3(geometry.indexToWorld);
-    outlined.origin = toFixed30(
-        toPlane * (geometry.originLps() - slice.middleLps) - glm::dvec3(0.0, 0.0, slice.heightMm));
-    outlined.perI = toFixed30(perVoxel[0]);
-    outlined.perJ = toFixed30(perVoxel[1]);
-    outlined.perK = toFixed30(perVoxel[2]);
-    outlined.halfThickness = mm16(slice.halfThicknessMm);
+        outlined->highCode = volume.encoding.highestCodeAtMost(*edit.upper);
     return outlined;
 }
 
@@ -158,14 +165,16 @@ RowTitle rowTitle(const FillOutline& edit, const RowFacts& row)
     return title;
 }
 
-/// The labels and seed words of the bricks in which the outline lies.
+/// The labels and seed words of the bricks in which the outline lies, whatever became of the
+/// segment since.
 EditDependencies dependencies(const FillOutline& edit, const DependencyFacts& row)
 {
-    const Result<LabelOutlined> outlined = labelOutlined(edit, row.document);
+    const Result<LabelOutlined> outlined = placed(edit, row.geometry());
     if (!outlined)
         return row.whatWasWritten();
     const std::vector<std::uint32_t> near = bricksNear(*outlined, row.grid());
-    return row.labelled(std::set<std::uint32_t>(near.begin(), near.end()), outlined->target.plane);
+    return row.labelled(
+        std::set<std::uint32_t>(near.begin(), near.end()), row.planeOf(edit.segment));
 }
 
 } // namespace core

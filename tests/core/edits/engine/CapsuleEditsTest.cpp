@@ -308,6 +308,50 @@ private Q_SLOTS:
         }
     }
 
+    /// A pen that hardly moves while it is pressed harder, or less: the larger ball holds the rest.
+    void aShortWayIsItsLargerEnd()
+    {
+        for (const bool disc : {false, true}) {
+            for (const bool harder : {true, false}) {
+                Bench bench({60, 40, 20}, straight);
+                PaintStroke stroke{.segment = 1};
+                stroke.path.radiusMm = 8.0;
+                if (disc) {
+                    stroke.path.shape = BrushPath::Shape::Disc;
+                    stroke.path.normalLps = glm::dvec3(0.0, 0.0, 1.0);
+                }
+                const glm::dvec3 from = bench.geometry().toWorld({28.0, 20.0, 10.0});
+                // 6 mm of radius come or go on the way.
+                const auto pressed = [&](double wayMm) {
+                    stroke.path.pointsLps = {from, from + glm::dvec3(wayMm, 0.0, 0.0)};
+                    stroke.path.pressures =
+                        harder ? std::vector<double>{0.25, 1.0} : std::vector<double>{1.0, 0.25};
+                    return capsules(stroke.path, bench.geometry());
+                };
+                const std::vector<Capsule> made = pressed(5.5);
+                QCOMPARE(made.size(), std::size_t(2)); // one of the first point, one of the way
+                QCOMPARE(made.back().less, 0);
+                QCOMPARE(made.back().length, 0);
+                QVERIFY((made.back().from == made.front().from) == !harder);
+                QVERIFY(pressed(6.5).size() > 5);
+                static_cast<void>(pressed(5.5));
+                bench.paint(stroke);
+                std::set<std::array<int, 3>> painted;
+                for (const glm::ivec3& voxel : bench.voxels())
+                    painted.insert({voxel.x, voxel.y, voxel.z});
+                Bench other({60, 40, 20}, straight);
+                PaintStroke whole = stroke;
+                whole.path.pointsLps = {stroke.path.pointsLps[harder ? 1 : 0]};
+                whole.path.pressures.reset();
+                other.paint(whole);
+                std::set<std::array<int, 3>> expected;
+                for (const glm::ivec3& voxel : other.voxels())
+                    expected.insert({voxel.x, voxel.y, voxel.z});
+                QVERIFY(expected.size() > 50 && painted == expected);
+            }
+        }
+    }
+
     void aPathHasAsManyPressuresAsPoints()
     {
         Bench bench({30, 30, 10}, straight);

@@ -182,11 +182,16 @@ private:
     void giveUp()
     {
         const std::size_t rows = m_session->history().rows().size();
+        QString what = QStringLiteral("given up");
         if (chance(50) && m_session->begin(lobe())) {
-            if (chance(50))
+            if (chance(50)) {
+                // It may stand already, or have failed; then there is nothing to abort.
+                if (m_session->surface().isAbortable())
+                    what = QStringLiteral("template aborted");
                 m_session->surface().abort();
-            else
+            } else {
                 m_session->end(Ending::Rollback);
+            }
         } else {
             SpherePush push = pushAnywhere();
             const std::vector<glm::dvec3> points = push.path.pointsLps;
@@ -203,8 +208,8 @@ private:
         static_cast<void>(m_session->settle());
         if (m_session->history().rows().size() != rows)
             m_wrong = QStringLiteral("what was given up left a row");
-        ++m_done[QStringLiteral("given up")];
-        check(QStringLiteral("given up"));
+        ++m_done[what];
+        check(what);
     }
 
     Edit think()
@@ -377,6 +382,9 @@ private Q_SLOTS:
                 "template", "writeBack", "surfaceBarrier", "followMask", "dropSurface", "chunks",
                 "chunkToggle", "paint", "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done[QLatin1String(kind)] > 0, kind);
+        // A short run may have none.
+        if (test::longRun())
+            QVERIFY(m_done[QStringLiteral("template aborted")] > 0);
     }
 
 private:

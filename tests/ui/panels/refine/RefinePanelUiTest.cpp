@@ -87,6 +87,55 @@ private Q_SLOTS:
         QTRY_VERIFY(fixture.button("abortSurface").isHidden());
     }
 
+    /// Whoever took it at once, and then thinks better of it, has not drawn in vain.
+    void aTakenTemplateIsAborted()
+    {
+        PanelFixture fixture;
+        ui::Refinement& refinement = fixture.workspace.refinement();
+        fixture.apply(
+            core::LaySurface{.segment = 1, .vertices = 6000, .rules = core::newestSurfaceRules});
+        fixture.apply(core::MarkSurface{.mark = core::SurfaceMark::Red,
+            .path = {.radiusMm = 12.0,
+                .pointsLps = {glm::dvec3(10.0, 0.0, 0.0)},
+                .rules = core::newestSurfaceRules}});
+        const QByteArray before = fixture.session().stateHash();
+        std::vector<glm::dvec3> lobe;
+        for (int i = -8; i <= 8; ++i)
+            lobe.emplace_back(14.0 - 0.15 * i * i, double(i), 0.0);
+        refinement.addContour(lobe);
+        const std::vector<std::vector<glm::dvec3>> drawn = refinement.contours();
+        refinement.previewTemplate();
+        refinement.takeTemplate();
+        QVERIFY(refinement.contours().empty());
+        QVERIFY(refinement.isAbortable());
+        QSignalSpy told(&refinement, &ui::Refinement::contoursChanged);
+        refinement.abort();
+        QVERIFY(refinement.contours() == drawn);
+        QCOMPARE(told.size(), 1);
+        // It may have been through before; then it is a row, and the contours are gone after all.
+        const auto settled = fixture.session().settle();
+        QCOMPARE(refinement.contours().size(), std::size_t(settled ? 0 : 1));
+        QCOMPARE(fixture.session().stateHash() == before, !settled);
+        if (settled) {
+            refinement.addContour(lobe);
+            QVERIFY(fixture.session().undo() && fixture.session().settle());
+        } else {
+            QCOMPARE(settled.error().code, core::ErrorCode::Cancelled);
+        }
+        // Taken and through it is over: what is aborted later brings nothing back.
+        refinement.previewTemplate();
+        refinement.takeTemplate();
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.session().stateHash() != before);
+        QVERIFY(refinement.contours().empty());
+        refinement.followMask();
+        QVERIFY(refinement.isAbortable());
+        refinement.abort();
+        QVERIFY(refinement.contours().empty());
+        static_cast<void>(fixture.session().settle());
+        QVERIFY(refinement.contours().empty());
+    }
+
     void theSurfaceIsSaved_data()
     {
         QTest::addColumn<QString>("ending");

@@ -9,10 +9,12 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/base/Actions.h"
 #include "ui/views/PlaneView.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/CuttingPlane.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QMouseEvent>
@@ -454,6 +456,97 @@ private Q_SLOTS:
         QCOMPARE(failures, 1);
         QVERIFY(fixture.voxels().empty());
         QCOMPARE(fixture.rows(), std::size_t(2));
+    }
+
+    /// A polygon is worth more than a drag: it stays until it is filled.
+    void aPolygonThatCannotBeFilledStaysOpen()
+    {
+        Fixture fixture;
+        int failures = 0;
+        int said = 0;
+        connect(&fixture.workspace, &ui::Workspace::failed, this, [&failures] { ++failures; });
+        connect(&fixture.workspace, &ui::Workspace::said, this, [&said] { ++said; });
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Liver"), 0x804020)));
+        QVERIFY(fixture.session().apply(test::lockSegment(1)));
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(1);
+        fixture.tool.setShape(Shape::Polygon);
+        ui::SliceView& view = fixture.views.axial();
+        const std::vector<QPointF> corners = fixture.square();
+        // Two corners are no polygon, but may become one.
+        Fixture::click(view, corners[0]);
+        Fixture::click(view, corners[1]);
+        QTest::keyClick(&view, Qt::Key_Return);
+        QCOMPARE(said, 1);
+        Fixture::click(view, corners[2]);
+        Fixture::click(view, corners[3]);
+        QTest::keyClick(&view, Qt::Key_Return);
+        QCOMPARE(failures, 1);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.voxels().empty());
+        QCOMPARE(fixture.rows(), std::size_t(2));
+        QVERIFY(fixture.session().apply(test::lockSegment(1, false)));
+        QVERIFY(fixture.session().settle());
+        QTest::keyClick(&view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(failures, 1);
+        QVERIFY(fixture.voxels() == Fixture::squareVoxels());
+        QCOMPARE(fixture.rows(), std::size_t(4));
+        // Now it is done with.
+        QVERIFY(!fixture.tool.canTakeStepBack());
+        QTest::keyClick(&view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(4));
+    }
+
+    /// Undo takes the corners back one by one, and a step of the history only after them.
+    void undoTakesACornerBack()
+    {
+        Fixture fixture;
+        QAction& undo = fixture.window.actionTable()[QStringLiteral("edit.undo")];
+        fixture.tool.setShape(Shape::Polygon);
+        ui::SliceView& view = fixture.views.axial();
+        const std::vector<QPointF> corners = fixture.square();
+        // There is no history yet.
+        QVERIFY(!undo.isEnabled());
+        Fixture::click(view, corners[0]);
+        QVERIFY(undo.isEnabled());
+        undo.trigger();
+        QVERIFY(!fixture.tool.canTakeStepBack());
+        QVERIFY(!undo.isEnabled());
+
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Liver"), 0x804020)));
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(1);
+        const core::RowId row = fixture.session().history().position();
+        for (const QPointF& corner : corners)
+            Fixture::click(view, corner);
+        Fixture::click(view, fixture.pixel(view, {30.0, 35.0, 20.0}));
+        QCOMPARE(undo.text(), QStringLiteral("Undo: last corner"));
+        undo.trigger();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().position(), row);
+        QTest::keyClick(&view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.voxels() == Fixture::squareVoxels());
+        QCOMPARE(fixture.rows(), std::size_t(2));
+        // Closed, it is a step as any other.
+        QVERIFY(undo.text() != QStringLiteral("Undo: last corner"));
+        undo.trigger();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().position(), row);
+        QVERIFY(fixture.voxels().empty());
+        // Of all corners nothing is left, and the segment is still there.
+        for (const QPointF& corner : corners)
+            Fixture::click(view, corner);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            undo.trigger();
+        QVERIFY(!fixture.tool.canTakeStepBack());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().position(), row);
+        undo.trigger();
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.session().document().segments.empty());
     }
 };
 

@@ -457,6 +457,39 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().history().position(), before);
     }
 
+    /// A small sphere half the whole radius out would touch nothing.
+    void inTheThirdDimensionALightPenPushes()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.refinement().setSettings(
+            {.mode = Mode::Sphere, .radiusMm = 6.0, .radiusByPressure = true});
+        const QByteArray before = fixture.session().stateHash();
+        const QPointF middle = fixture.at(fixture.view, glm::dvec3(0.0));
+        const QPointF aside = fixture.at(fixture.view, glm::dvec3(2.0, 0.0, 0.0));
+        {
+            test::Pen pen(fixture.view);
+            pen.press(middle, 0.3, 70000);
+            pen.move(aside, 0.6, 70012);
+            pen.release(aside, 70024);
+        }
+        fixture.settle();
+        const core::Edit pushed = fixture.lastRow().edit;
+        QVERIFY(pushed.is<core::SpherePush>());
+        const core::SurfacePath& path = pushed.get<core::SpherePush>().path;
+        QVERIFY(path.pressures && path.pressures->size() == 2 && path.pointsLps.size() == 2);
+        QVERIFY(std::abs(path.pressures->front() - 0.3) < 1e-3);
+        QVERIFY(std::abs(path.pressures->back() - 0.6) < 1e-3);
+        // Half of what the radius is at that pressure, as far as the surface is a ball: 0.9 mm at
+        // the front, and 1.8 mm along the normal 2 mm beside it.
+        const auto outside = [](const glm::dvec3& place) { return glm::length(place) - radius; };
+        QVERIFY2(std::abs(outside(path.pointsLps[0]) - 0.9) < 0.6,
+            qPrintable(QString::number(outside(path.pointsLps[0]))));
+        QVERIFY2(std::abs(outside(path.pointsLps[1]) - 1.8) < 0.6,
+            qPrintable(QString::number(outside(path.pointsLps[1]))));
+        QVERIFY(fixture.session().stateHash() != before); // and the surface was met
+    }
+
     void whatIsDraggedFollowsThePen()
     {
         RefineFixture fixture;
