@@ -121,7 +121,8 @@ void main()
         if (wanted == 0u)
             continue;
         bool taken = isTaken(offset, held);
-        if (!taken && held != 0u && held != wanted && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
+        if (!taken && held != 0u && held != wanted
+            && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
             continue;
         if ((held == wanted) == taken) {
             found |= changedLabel;

@@ -29,12 +29,14 @@
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
+#include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
@@ -117,7 +119,7 @@ bool changesLabels(const Edit& edit)
         || edit.is<BarrierStroke>() || edit.is<GrowFromSeeds>() || edit.is<PaintStroke>()
         || edit.is<RemoveSegment>() || edit.is<LayerToSegment>() || edit.is<SegmentSeen>()
         || edit.is<ImportMask>() || edit.is<InvertSegment>() || edit.is<CombineSegments>()
-        || edit.is<CleanSegment>();
+        || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -348,6 +350,12 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return after(before, *mapLabels(*both, document), {}, nullptr);
     if (const auto* clean = edit.as<CleanSegment>())
         return cleaned(before, *clean, document);
+    if (const auto* outline = edit.as<FillOutline>())
+        return after(before, *labelOutlined(*outline, document), {}, nullptr);
+    // What a ball does to a segment is another test's matter; here from which labels, and when.
+    if (const auto* reshape = edit.as<ReshapeSegment>())
+        return after(
+            before, *relabelListed(*reshape, document, labelsOf(before), Progress()), {}, nullptr);
     if (const auto* barrier = edit.as<BarrierStroke>())
         return after(before, *paintBarrier(*barrier, document),
             {CapsulePath{capsules(barrier->path, m_study.volume.geometry)}}, nullptr);

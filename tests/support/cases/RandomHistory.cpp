@@ -37,11 +37,13 @@
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
+#include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
@@ -366,6 +368,10 @@ private:
         // Of the row's number, as in randomGrowth().
         if (m_session->history().rows().size() % 32 == 0)
             return InvertSegment{.segment = document.segments.front().label};
+        if (m_session->history().rows().size() % 8 == 3)
+            return randomOutline(any(document.segments).label);
+        if (m_session->history().rows().size() % 8 == 5)
+            return randomReshape(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
@@ -666,6 +672,31 @@ private:
             path.pressures->front() = 1.0;
         }
         return path;
+    }
+    /// In a slice along the grid or an oblique one, of a curve that may cross itself.
+    FillOutline randomOutline(int segment)
+    {
+        FillOutline outline{.segment = segment, .originLps = randomPath().pointsLps.front()};
+        if (chance(50))
+            outline.upLps = {0.1, 0.6, between(-8, 8) / 10.0};
+        for (int i = between(3, 5); i > 0; --i)
+            outline.polygonMm.emplace_back(between(-80, 80) / 10.0, between(-80, 80) / 10.0);
+        outline.erase = chance(30);
+        outline.overwriteUnlocked = chance(40);
+        if (chance(30))
+            outline.lower = between(-200, 300);
+        return outline;
+    }
+    ReshapeSegment randomReshape(const Document& document)
+    {
+        const glm::dvec3 spacing = document.volumes.front().geometry.spacingMm();
+        // No distance between two voxels: rounding decides nothing.
+        ReshapeSegment reshape{.segment = any(document.segments).label,
+            .operation = ShapeOperation(between(0, 5)),
+            .mm = (between(1, 3) + 0.13) * std::max({spacing.x, spacing.y, spacing.z})};
+        if (reshape.operation == ShapeOperation::Hollow && chance(60))
+            reshape.shell = ShellPlace(between(0, 2));
+        return reshape;
     }
     PaintStroke randomPaint(int segment)
     {
