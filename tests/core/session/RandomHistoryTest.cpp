@@ -6,6 +6,9 @@
 
 #include <QTest>
 
+#include <numeric>
+#include <vector>
+
 namespace randomHistoryTest {
 
 /// Random sequences of all kinds of commands with undo, redo, branches and files: after each step
@@ -21,7 +24,13 @@ private Q_SLOTS:
         QTest::addColumn<int>("commands");
         QTest::addColumn<uint>("seed");
         const bool isLong = qEnvironmentVariableIsSet("BURIN_LONG");
-        for (uint seed = 1; seed <= (isLong ? 20u : 6u); ++seed)
+        // Those of a daily run are chosen: the rarest commands occur in one seed of twenty.
+        std::vector<uint> seeds{1, 3, 9, 11, 18, 28};
+        if (isLong) {
+            seeds.resize(32);
+            std::iota(seeds.begin(), seeds.end(), 1u);
+        }
+        for (const uint seed : seeds)
             QTest::addRow("seed %u", seed) << (isLong ? 500 : 340) << seed;
     }
     void equalsTheTruthAfterEveryStep()
