@@ -114,10 +114,10 @@ void SurfaceOperation::work(SessionState& state)
         const Result<void> begun = work->begin();
         work->add(path.pointsLps, path.pressures.value_or(std::vector<double>()));
         // It is told at once: whoever looks at what he began waits for something to be seen.
-        return SideThread::Sequel([this, begun](SessionState& known) {
+        return SideThread::Sequel([this, begun](SessionState& now) {
             m_hasBegun = true;
             if (!begun && !isTakenBack(begun.error()))
-                reportFailure(known, begun.error());
+                reportFailure(now, begun.error());
         });
     });
     if (m_ending)
