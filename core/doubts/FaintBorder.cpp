@@ -2,6 +2,7 @@
 #include "core/doubts/FaintBorder.h"
 
 #include "core/base/ParallelFor.h"
+#include "core/brick/LabelBox.h"
 #include "core/doubts/PartMiddle.h"
 #include "core/islands/VoxelIslands.h"
 
@@ -201,22 +202,8 @@ std::int64_t faintLimit(const std::vector<BorderVoxel>& border)
 VoxelBox boxAroundBorder(
     std::span<const std::uint8_t> labels, const glm::ivec3& size, std::uint8_t label)
 {
-    VoxelBox box{.minimum = size, .maximum = glm::ivec3(0)};
-    for (int z = 0; z < size.z; ++z) {
-        for (int y = 0; y < size.y; ++y) {
-            const auto* row = &labels[(std::size_t(z) * std::size_t(size.y) + std::size_t(y))
-                * std::size_t(size.x)];
-            const auto* first = std::find(row, row + size.x, label);
-            if (first == row + size.x)
-                continue;
-            const auto* last = row + size.x;
-            while (*(last - 1) != label)
-                --last;
-            box.minimum = glm::min(box.minimum, glm::ivec3(int(first - row), y, z));
-            box.maximum = glm::max(box.maximum, glm::ivec3(int(last - row), y + 1, z + 1));
-        }
-    }
-    if (box.minimum.x >= box.maximum.x)
+    VoxelBox box = boxOfLabel(labels, size, label);
+    if (box.empty())
         return {};
     box.minimum = glm::max(box.minimum - rimVoxels, glm::ivec3(0));
     box.maximum = glm::min(box.maximum + rimVoxels, size);
