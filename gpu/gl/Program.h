@@ -33,8 +33,10 @@ struct GraphicsProgramOptions {
     ShaderDefines defines{}; ///< for both stages
 };
 
-/// A linked shader program. The constructors throw ShaderError with file and line; the engine turns
-/// it into an Error where its thread starts.
+/// A linked shader program. The constructors throw ShaderError with file and line. Programs that
+/// every engine needs are made where its thread starts, the variants of passes and kernels when one
+/// first needs them; the engine turns the exception into an Error of its start, of the edit or of
+/// the picture.
 ///
 /// Uniforms are set by name; the program need not be in use. A name that the program does not have
 /// is ignored, so that variants by #define share their setters.

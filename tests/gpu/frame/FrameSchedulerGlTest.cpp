@@ -69,6 +69,20 @@ private Q_SLOTS:
         QCOMPARE(m_fixture->scheduler.counters().tiles, tiles);
     }
 
+    /// Kernels are made ready for the edits that a window's picture is followed by, and for none
+    /// after a picture that stands alone.
+    void aSinglePictureMakesNothingReady()
+    {
+        FrameRequest request = volumeRequest(1);
+        request.single = true;
+        m_fixture->scheduler.request(request);
+        QCOMPARE(m_fixture->settle().back().quality, Frame::Quality::Refined);
+        QCOMPARE(m_fixture->edits.warmUps, 0);
+        m_fixture->scheduler.request(volumeRequest(2));
+        QCOMPARE(m_fixture->settle().back().quality, Frame::Quality::Refined);
+        QVERIFY(m_fixture->edits.warmUps > 0);
+    }
+
     void slicesAreFinalAtOnce()
     {
         m_fixture->scheduler.request(sliceRequest(1, 0.0));
