@@ -10,8 +10,9 @@ namespace core {
 /// border follows no edge of the image, and where it disagrees with a second mask. Nothing is
 /// changed; the same is found on every machine.
 ///
-/// Both kinds take turns, disagreements first, each with the largest first. A place without an edge
-/// beside a disagreement that is listed is the same place, and not listed again.
+/// Both kinds take turns, disagreements first: of these the largest, of places without an edge the
+/// most doubtful. A place without an edge beside a disagreement that is listed is the same place,
+/// and not listed again.
 /// Cost: that of FaintBorder and onlyIn(). Any thread. Errors: Cancelled.
 /// @param second null: there is none
 /// @param most the greatest number of places
