@@ -148,10 +148,7 @@ bool readVertex(Reader& reader, SimplexMeshDelta::VertexChange& change)
             return false;
     }
     if ((sides & After) != 0) {
-        const VertexBytes read = reader.vertex();
-        if (sides == (Before | After) && read == VertexBytes{})
-            return false;
-        change.after = vertexOf(differenceOf(read, before));
+        change.after = vertexOf(differenceOf(reader.vertex(), before));
         if (!change.after)
             return false;
     }
@@ -178,8 +175,8 @@ bool readFace(Reader& reader, SimplexMeshDelta::FaceChange& change)
     change.id = reader.number<std::uint32_t>();
     const auto before = reader.number<std::uint32_t>();
     const auto after = reader.number<std::uint32_t>();
-    return change.id < mostPackedIds && readRing(reader, before, change.before)
-        && readRing(reader, after, change.after) && change.before != change.after
+    return change.id < mostPackedIds && (before != 0 || after != 0)
+        && readRing(reader, before, change.before) && readRing(reader, after, change.after)
         && !reader.isShort();
 }
 

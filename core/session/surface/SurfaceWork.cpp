@@ -23,14 +23,15 @@ namespace core {
 
 namespace {
 
-/// From all of one mesh to all of another.
+/// From all of one mesh to all of another; a piece that comes out as it was is no part of it.
 SimplexMeshDelta replacement(const SimplexMesh& before, const SimplexMesh& after)
 {
     SimplexMeshDelta delta;
     for (VertexId id = 0; id < std::max(before.vertexSlots(), after.vertexSlots()); ++id) {
         const bool was = before.hasVertex(id);
         const bool is = after.hasVertex(id);
-        if (was || is)
+        const bool stayed = was && is && identical(before.vertex(id), after.vertex(id));
+        if ((was || is) && !stayed)
             delta.vertices.push_back({.id = id,
                 .before = was ? std::optional(before.vertex(id)) : std::nullopt,
                 .after = is ? std::optional(after.vertex(id)) : std::nullopt});
@@ -38,7 +39,8 @@ SimplexMeshDelta replacement(const SimplexMesh& before, const SimplexMesh& after
     for (FaceId id = 0; id < std::max(before.faceSlots(), after.faceSlots()); ++id) {
         const bool was = before.hasFace(id);
         const bool is = after.hasFace(id);
-        if (was || is)
+        const bool stayed = was && is && before.ring(id) == after.ring(id);
+        if ((was || is) && !stayed)
             delta.faces.push_back({.id = id,
                 .before = was ? before.ring(id) : FaceRing(),
                 .after = is ? after.ring(id) : FaceRing()});

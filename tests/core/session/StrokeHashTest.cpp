@@ -49,7 +49,7 @@ void StrokeHashTest::agrees()
         || stroke.name == "take what is not there" || stroke.name == "follow what did not change"
         || stroke.name == "fill holes where there are none"
         || stroke.name == "write back what was not changed"
-        || stroke.name == "write back a second time"
+        || stroke.name == "write back a second time" || stroke.name == "lay a surface again"
         || stroke.name == "barrier around the surface again"
         || stroke.name == "open no barrier around the surface"
         || stroke.name == "merge an empty segment into another"
@@ -62,7 +62,7 @@ void StrokeHashTest::agrees()
         return;
     reference::ReferenceEngine inner;
     reference::DelayedEngine late(inner, 11);
-    const QString apart = test::difference(direct, test::runStroke(late, stroke));
+    const QString apart = test::difference(direct.ends(), test::runStroke(late, stroke));
     QVERIFY2(apart.isEmpty(), qPrintable(apart));
 }
 

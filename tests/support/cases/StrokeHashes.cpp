@@ -232,6 +232,20 @@ StrokeHashes runStroke(core::EditEngine& engine, const StrokeCase& strokeCase)
     }
 }
 
+StrokeEnds strokeEnds(core::EditEngine& engine, const StrokeCase& strokeCase)
+{
+    StrokeEnds ends;
+    try {
+        const auto session = begun(engine, strokeCase, {});
+        ends.before = settledHash(*session);
+        require(session->apply(strokeCase.edit), "apply");
+        ends.finished = settledHash(*session);
+    } catch (const Failure& failure) {
+        ends.failure = failure.text;
+    }
+    return ends;
+}
+
 QString contradiction(const StrokeHashes& hashes)
 {
     if (!hashes.failure.isEmpty())
@@ -254,12 +268,12 @@ QString contradiction(const StrokeHashes& hashes)
     return {};
 }
 
-QString difference(const StrokeHashes& expected, const StrokeHashes& actual)
+QString difference(const StrokeEnds& expected, const StrokeHashes& actual)
 {
-    for (const StrokeHashes* hashes : {&expected, &actual}) {
-        if (const QString text = contradiction(*hashes); !text.isEmpty())
-            return text;
-    }
+    if (!expected.failure.isEmpty())
+        return expected.failure;
+    if (const QString text = contradiction(actual); !text.isEmpty())
+        return text;
     if (expected.before != actual.before)
         return QStringLiteral("the engines part before the edit");
     if (expected.finished != actual.finished)

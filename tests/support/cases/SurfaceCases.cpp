@@ -88,6 +88,11 @@ std::vector<StrokeCase> surfaceCases()
     };
     add("lay a surface", {ball}, lay);
     add("lay a surface anew", {ball, lay, push}, core::LaySurface{.segment = 1, .vertices = 900});
+    // The mesh comes out as it was, in whole or in the piece that was there already.
+    add("lay a surface again", {ball, lay}, lay);
+    const core::Edit measured = core::LaySurface{.segment = 1, .vertices = 0};
+    const core::Edit piece = test::paintAt(1, {at({14, 14, 0})}, 2.0 * voxelMm);
+    add("lay a surface again beside a new piece", {ball, measured, piece}, measured);
     add("mark", {ball, lay}, red);
     add("mark green", {ball, lay, red}, green);
     add("grow marks", {ball, lay, red},

@@ -49,6 +49,7 @@ class SurfaceDeltaTest : public QObject {
 private Q_SLOTS:
     void thereAndBack();
     void theFormIsWhatItIs();
+    void whatIsListedMayHaveStayed();
     void theHashTellsMeshesApart();
     void truncationsAndFlippedBytes();
     void countsPromiseNoMemory();
@@ -108,6 +109,26 @@ void SurfaceDeltaTest::theFormIsWhatItIs()
     QCOMPARE(int(bytes.back()), int(core::SurfaceMark::Red));
     QCOMPARE(core::sha256Of(tetrahedron()),
         QByteArray("05c00e04bbe7731b282be6334e64884463056ae49a1a8278ff433ccf3ae43f22"));
+}
+
+/// Sessions of earlier versions have such rows: a surface that was laid again where it was.
+void SurfaceDeltaTest::whatIsListedMayHaveStayed()
+{
+    core::SimplexMesh mesh = tetrahedron();
+    core::SimplexMeshDelta stayed;
+    for (const core::VertexId id : mesh.vertexIds())
+        stayed.vertices.push_back({.id = id, .before = mesh.vertex(id), .after = mesh.vertex(id)});
+    for (const core::FaceId id : mesh.faceIds())
+        stayed.faces.push_back({.id = id, .before = mesh.ring(id), .after = mesh.ring(id)});
+    const QByteArray bytes = core::packed(stayed);
+    const auto read = core::unpackedSurfaceDelta(bytes);
+    QVERIFY(read);
+    QCOMPARE(core::packed(*read), bytes);
+    QVERIFY(core::canRedo(*read, mesh) && core::canUndo(*read, mesh));
+    read->redo(mesh);
+    QVERIFY(core::identical(mesh, tetrahedron()));
+    read->undo(mesh);
+    QVERIFY(core::identical(mesh, tetrahedron()));
 }
 
 void SurfaceDeltaTest::theHashTellsMeshesApart()
