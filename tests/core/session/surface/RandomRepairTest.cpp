@@ -214,9 +214,10 @@ private:
 
     Edit think()
     {
+        // Two numbers only, so that a surface is also laid again as it was.
         const bool hasSurface = m_session->document().surface.has_value();
         if (!hasSurface && chance(40))
-            return LaySurface{.segment = 1, .vertices = between(250, 500), .rules = rules()};
+            return LaySurface{.segment = 1, .vertices = 250 * between(1, 2), .rules = rules()};
         switch (between(0, hasSurface ? 19 : 5)) {
         case 0:
             return DivideSegment{.segment = between(1, 2), .marginMm = double(between(2, 6))};
@@ -236,7 +237,7 @@ private:
         case 5:
             return test::lockSegment(2, chance(40));
         case 6:
-            return LaySurface{.segment = 1, .vertices = between(250, 500), .rules = rules()};
+            return LaySurface{.segment = 1, .vertices = 250 * between(1, 2), .rules = rules()};
         case 7:
         case 8:
             return MarkSurface{
