@@ -12,10 +12,8 @@ namespace gpu {
 /// Programs that are compiled for many kinds of work, of which only those used last are kept: with
 /// some drivers a program takes megabytes, and hundreds of kinds can be asked for in a day. Whoever
 /// works with programs holds them, so that none is deleted in use. Engine thread only.
-template <class Kind, class Programs> class RecentPrograms {
+template <class Kind, class Programs, std::size_t most = 8> class RecentPrograms {
 public:
-    static constexpr std::size_t most = 8;
-
     /// @param make compiles them: a std::shared_ptr. Cost: that of compiling, for a kind that is
     /// not among the last ones.
     template <class Make>
@@ -32,6 +30,7 @@ public:
             m_known.pop_back();
         return m_known.front().second;
     }
+    [[nodiscard]] std::size_t count() const { return m_known.size(); }
 
 private:
     std::vector<std::pair<Kind, std::shared_ptr<Programs>>> m_known; ///< the last used one first

@@ -116,10 +116,9 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
     for (const bool part : {clipped, home, sculpted, segments, with.pieces, with.seeds,
              with.barriers, with.warned, with.cutPreview, with.sheets, with.chunks})
         variant = 2 * variant + std::size_t(part);
-    Program& program = m_seldomPrograms[variant];
-    if (!program)
-        program = Program(m_library,
-            {.label = labels[mode],
+    const auto make = [&] {
+        return std::make_shared<Program>(m_library,
+            GraphicsProgramOptions{.label = labels[mode],
                 .fragmentPath = "render/raycast/raycast.frag",
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", int(sculpted)},
                     {"SEGMENTS", int(segments)}, {"CLIPPED", int(clipped)}, {"HOME", int(home)},
@@ -127,7 +126,8 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
                     {"BARRIERS", int(with.barriers)}, {"WARNED", int(with.warned)},
                     {"CUT_PREVIEW", int(with.cutPreview)}, {"SHEETS", int(with.sheets)},
                     {"CHUNKS", int(with.chunks)}, {"CONTEXT", context}}});
-    return program;
+    };
+    return *m_seldomPrograms.of(variant, make);
 }
 
 std::size_t RaycastPass::variantOf(const VolumeScene& scene, RayBlocks::Kind kind)

@@ -13,9 +13,9 @@
 #include "gpu/render/parts/TransferLookup.h"
 #include "gpu/scene/PassTarget.h"
 #include "gpu/scene/Scene.h"
+#include "gpu/shaders/RecentPrograms.h"
 
 #include <array>
-#include <map>
 
 namespace gpu {
 
@@ -86,7 +86,8 @@ private:
     static constexpr std::size_t variants = 6; ///< kinds but pieces, each clipped or not
     [[nodiscard]] Program& programFor(
         RayBlocks::Kind kind, const VolumeScene& scene, const Seldom& with);
-    /// A program for exactly these features, compiled when it is first needed.
+    /// A program for exactly these features, compiled when it is needed; it may go at the next
+    /// call.
     [[nodiscard]] Program& seldomProgram(const VolumeScene& scene, const Seldom& with);
     [[nodiscard]] static std::size_t variantOf(const VolumeScene& scene, RayBlocks::Kind kind);
     /// The program of a variantOf(), compiled when it is first needed.
@@ -102,7 +103,9 @@ private:
     Texture2D m_noSheet; ///< one texel; made with the first sheet
     SeedDots m_seeds;
     SegmentCells m_segmentCells;
-    std::map<std::size_t, Program> m_seldomPrograms; ///< by all features that they are compiled for
+    /// By all features that they are compiled for. There are thousands of combinations; a picture
+    /// takes a dozen at most.
+    RecentPrograms<std::size_t, Program, 32> m_seldomPrograms;
     TransferLookup m_transfer;
     RayBlocks m_blocks;
     VolumeScene m_blocksScene; ///< what m_blocks was made for, like the next three
