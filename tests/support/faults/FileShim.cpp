@@ -44,7 +44,8 @@ QProcessEnvironment WatchedHome::environment(const FileFault& fault) const
     set("LD_PRELOAD", QStringLiteral(BURIN_FILE_SHIM));
     set("BURIN_SHIM_LOG", path(logName));
     // A sanitizer wants to be first, and can do without.
-    set("ASAN_OPTIONS", QStringLiteral("verify_asan_link_order=0"));
+    set("ASAN_OPTIONS",
+        qEnvironmentVariable("ASAN_OPTIONS") + QStringLiteral(":verify_asan_link_order=0"));
     if (fault.under.isEmpty())
         return all;
     set("BURIN_SHIM_UNDER", fault.under);
