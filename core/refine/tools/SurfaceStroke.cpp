@@ -121,7 +121,9 @@ public:
         const SurfaceSample from = m_last.value_or(sample);
         const double walkMm = walkMmOf(std::min(from.pressure, sample.pressure));
         const double wayMm = glm::distance(from.placeLps, sample.placeLps);
-        const int count = std::clamp(int(std::ceil(wayMm / walkMm)), 1, mostPlaces);
+        // A surface without faces has no edges to measure by.
+        const double places = walkMm > 0.0 ? std::min(wayMm / walkMm, double(mostPlaces)) : 1.0;
+        const int count = std::max(int(std::ceil(places)), 1);
         for (int i = 1; i <= count && !isCancelled(); ++i) {
             const double share = double(i) / double(count);
             visit(i == count
