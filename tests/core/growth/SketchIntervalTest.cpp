@@ -164,7 +164,8 @@ private Q_SLOTS:
         const SketchedCodes seen = lookAt(
             codes, {{.voxels = {{0, 20, 20}, {0, 21, 20}}, .inward = glm::dvec3(-1.0, 0.0, 0.0)}});
         QVERIFY(seen.voxels > 0);
-        for (const glm::ivec3& voxel : SketchInterval({{.voxels = {{39, 39, 39}}}}, size).voxels())
+        const SketchInterval corner({{.voxels = {{39, 39, 39}}}}, size);
+        for (const glm::ivec3& voxel : corner.voxels())
             QVERIFY(glm::all(glm::lessThan(voxel, size)));
     }
 

@@ -33,7 +33,7 @@ QByteArray garbage(int size)
 {
     QByteArray bytes;
     for (int i = 0; i < size; ++i)
-        bytes.append(char((i * 7919 + i / 251) & 0xff));
+        bytes.append(char((quint32(i) * 7919U + quint32(i) / 251U) & 0xffU));
     return bytes;
 }
 

@@ -153,7 +153,7 @@ private Q_SLOTS:
         }
         QVERIFY(fixture.workspace.clip() != whole);
         QCOMPARE(fixture.workspace.session()->history().rows().size(), rows);
-        const auto& shown = std::get<gpu::VolumeScene>(fixture.view.context().scene);
+        const auto shown = std::get<gpu::VolumeScene>(fixture.view.context().scene);
         QVERIFY(shown.clip == fixture.workspace.clip());
         save(fixture.window, "/clipping.png");
     }
