@@ -2,7 +2,7 @@
 # Installs what is missing, builds, and runs every test; says what each part took and which tests
 # were the slowest, and ends with ctest's summary. build/check/tests.xml holds the results (JUnit).
 #   packaging/test.sh            the counts of every day
-#   packaging/test.sh --long     the counts that the issues name, the figures, and packaging/tsan.sh (hours)
+#   packaging/test.sh --long     the counts that the issues name, the figures, packaging/tsan.sh and asan.sh (hours)
 #   packaging/test.sh --figures  the figures and re-enactments alone
 # CXX=g++ packaging/test.sh      the same, built by another compiler, in build/check-g++
 set -euo pipefail
@@ -60,13 +60,17 @@ timed "running" ctest --test-dir "$burinBuild" --label-regex "$labels" --output-
     > >(tee "$burinBuild/tests.log") 2>&1 || status=$?
 wait $! 2> /dev/null || true
 threads=
+memory=
 if [ "${1-}" = --long ]; then
     threads="the threads of core are in order"
     timed "threads" env CXX="$compiler" "$burinRoot/packaging/tsan.sh" \
         || { status=1; threads="packaging/tsan.sh found fault with the threads of core"; }
+    memory="memory is used in order"
+    timed "memory" env CXX="$compiler" "$burinRoot/packaging/asan.sh" \
+        || { status=1; memory="packaging/asan.sh found fault with the use of memory"; }
 fi
 summarize "$burinBuild/tests.log"
 # Once more at the end, where whoever looks for the result looks first.
 sed -n '/tests passed,/p' "$burinBuild/tests.log"
-[ -z "$threads" ] || say "$threads"
+[ -z "$threads" ] || say "$threads; $memory"
 exit $status

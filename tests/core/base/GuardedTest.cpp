@@ -4,7 +4,7 @@
 #include "core/base/ParallelFor.h"
 #include "core/base/TaskThread.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/program/ThreadSanitizer.h"
+#include "tests/support/program/Sanitizer.h"
 
 #include <QTest>
 
@@ -72,7 +72,7 @@ void GuardedTest::whatIsThrownIsTheError()
     QCOMPARE(named.code, ErrorCode::OutOfMemory);
     QVERIFY2(named.arguments.value(0).contains(QLatin1String("12 MB")),
         qPrintable(named.arguments.value(0)));
-    if (!test::underThreadSanitizer)
+    if (!test::underSanitizer)
         QCOMPARE(errorOf([] { place = new char[tooMuch()]; }).code, ErrorCode::OutOfMemory);
     const Error told = errorOf([] { throw std::runtime_error("why"); });
     QCOMPARE(told.code, ErrorCode::Internal);
@@ -133,8 +133,8 @@ void GuardedTest::parallelWorkThrowsOnce()
 
 void GuardedTest::workIsDoneWhereNoThreadCanBeStarted()
 {
-    if (test::underThreadSanitizer)
-        QSKIP("The thread sanitizer itself needs the addresses that threads must not get.");
+    if (test::underSanitizer)
+        QSKIP("A sanitizer itself needs the addresses that threads must not get.");
     std::vector<int> counts(1000, 0);
     std::thread::id here = std::this_thread::get_id();
     std::vector<std::thread::id> where(1000);

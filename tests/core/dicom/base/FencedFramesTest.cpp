@@ -4,7 +4,7 @@
 #include "core/fence/FencedDecoder.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/program/ThreadSanitizer.h"
+#include "tests/support/program/Sanitizer.h"
 #include "tests/support/series/HostileDicom.h"
 #include "tests/support/series/SyntheticSeries.h"
 #include "ui/texts/ProblemTexts.h"
@@ -97,8 +97,8 @@ void FencedFramesTest::init()
 
 void FencedFramesTest::failingSlicesAreLeftOutAndNamed()
 {
-    if (test::underThreadSanitizer)
-        QSKIP("The thread sanitizer ends a decoder that asks for more memory than it may have.");
+    if (test::underSanitizer)
+        QSKIP("A sanitizer ends a decoder that asks for more memory than it may have.");
     const QTemporaryDir folder;
     const QStringList files = write(folder);
     append(files[3], "STOP");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/program/ThreadSanitizer.h"
+#include "tests/support/program/Sanitizer.h"
 
 #if defined(__has_feature)
 #if __has_feature(thread_sanitizer)

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#ifndef __has_feature
+#define __has_feature(feature) 0 // clang alone tells
+#endif
+
+namespace test {
+
+/// Whether this was built with the thread sanitizer (packaging/tsan.sh), which takes terabytes of
+/// addresses for itself and ends a program that asks for more memory than there is.
+inline constexpr bool underThreadSanitizer = __has_feature(thread_sanitizer);
+
+/// The same for the address sanitizer (packaging/asan.sh). It has an allocation of its own, which
+/// none can be preloaded before, and reads files when something is thrown.
+inline constexpr bool underAddressSanitizer = __has_feature(address_sanitizer);
+
+inline constexpr bool underSanitizer = underThreadSanitizer || underAddressSanitizer;
+
+} // namespace test
