@@ -174,12 +174,12 @@ private Q_SLOTS:
         const glm::dvec3 right = glm::normalize(glm::dvec3(1.0, 0.2, 0.4));
         const glm::dvec3 down = glm::normalize(glm::cross(right, glm::dvec3(0.1, -1.0, 0.6)));
         const core::SliceLattice lattice =
-            core::sliceLattice(geometry, geometry.toWorld({1500, 1500, 450}), right, down);
+            core::sliceLattice(geometry, geometry.toWorld({1500.0, 1500.0, 450.0}), right, down);
         QVERIFY(!lattice.box);
         const std::int64_t pixels = std::int64_t(lattice.size.x) * lattice.size.y;
         QVERIFY(pixels <= core::SliceLattice::mostObliquePixels);
         QVERIFY(pixels > core::SliceLattice::mostObliquePixels / 4);
-        const glm::dvec3 far = geometry.toWorld({0, 0, 0}) + 1e5 * glm::cross(right, down);
+        const glm::dvec3 far = geometry.toWorld({0.0, 0.0, 0.0}) + 1e5 * glm::cross(right, down);
         QVERIFY(core::sliceLattice(geometry, far, right, down).empty());
     }
 };
