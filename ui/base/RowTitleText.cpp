@@ -244,6 +244,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Close '%1' by %2 mm");
     case RowTitleCode::SmoothShape:
         return tr("Smooth '%1' by %2 mm");
+    case RowTitleCode::FillBetweenSlices:
+        return tr("Fill '%1' between slices");
     case RowTitleCode::SegmentSeen:
         return tr("Segment what is seen as '%1'");
     case RowTitleCode::LayerToSegment:
