@@ -65,6 +65,9 @@ private Q_SLOTS:
         const ReshapeSegment reshape{.segment = 2, .mm = 1.0};
         QVERIFY(effectsOf(reshape).fills.label == 2 && effectsOf(reshape).writesTo == 2);
         QVERIFY(!effectsOf(reshape).boundToStudy);
+        const FillBetweenSlices between{.segment = 3};
+        QVERIFY(effectsOf(between).fills.label == 3 && effectsOf(between).writesTo == 3);
+        QVERIFY(!effectsOf(between).boundToStudy);
     }
 };
 

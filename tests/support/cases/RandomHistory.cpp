@@ -3,6 +3,7 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
@@ -47,6 +48,7 @@
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
+#include "core/morphology/BetweenSlices.h"
 #include "core/session/EditSession.h"
 #include "tests/support/cases/HistoryTruth.h"
 #include "tests/support/cases/IslandTruth.h"
@@ -372,6 +374,10 @@ private:
             return randomOutline(any(document.segments).label);
         if (m_session->history().rows().size() % 8 == 5)
             return randomReshape(document);
+        if (m_session->history().rows().size() % 8 == 1) {
+            if (const std::optional<FillBetweenSlices> between = randomBetween(document))
+                return *between;
+        }
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
@@ -686,6 +692,25 @@ private:
         if (chance(30))
             outline.lower = between(-200, 300);
         return outline;
+    }
+    /// Of a segment that has empty slices between others, along any axis.
+    std::optional<FillBetweenSlices> randomBetween(const Document& document)
+    {
+        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
+        std::vector<FillBetweenSlices> possible;
+        for (const Segment& segment : document.segments) {
+            for (const DrawnSlices& drawn : drawnSlices(
+                     labels, document.volumes.front().geometry.size, std::uint8_t(segment.label))) {
+                if (drawn.emptySlices() > 0 && !segment.locked)
+                    possible.push_back({.segment = segment.label, .axis = drawn.axis});
+            }
+        }
+        if (possible.empty())
+            return std::nullopt;
+        FillBetweenSlices between = any(possible);
+        if (chance(50))
+            between.axis.reset();
+        return between;
     }
     ReshapeSegment randomReshape(const Document& document)
     {
