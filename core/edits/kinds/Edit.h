@@ -33,6 +33,7 @@ struct DrillStroke;
 struct DropSurface;
 struct FillBetweenSlices;
 struct FillOutline;
+struct FloodFill;
 struct FollowMask;
 struct GrowFromSeeds;
 struct GrowSteps;
@@ -85,7 +86,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
     SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
-    FillBetweenSlices>;
+    FillBetweenSlices, FloodFill>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {
