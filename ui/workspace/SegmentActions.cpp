@@ -3,6 +3,7 @@
 
 #include "core/document/SegmentColours.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
@@ -227,6 +228,13 @@ void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit
 {
     carryOut(workspace, edit,
         QObject::tr("There is nothing to fill between the slices of '%1'")
+            .arg(nameOfSegment(workspace, edit.segment)));
+}
+
+void floodFill(Workspace& workspace, const core::FloodFill& edit)
+{
+    carryOut(workspace, edit,
+        QObject::tr("Nothing there can be given to '%1'")
             .arg(nameOfSegment(workspace, edit.segment)));
 }
 

@@ -14,6 +14,7 @@
 namespace core {
 struct Document;
 struct FillBetweenSlices;
+struct FloodFill;
 struct ReshapeSegment;
 struct Segment;
 } // namespace core
@@ -49,6 +50,9 @@ void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit);
 
 /// The same for what lies between the slices on which a segment was drawn.
 void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit);
+
+/// The same for a region that was clicked.
+void floodFill(Workspace& workspace, const core::FloodFill& edit);
 
 /// The same for the island of a segment that has a voxel at a place: it goes, all others go, or it
 /// becomes another segment's.
