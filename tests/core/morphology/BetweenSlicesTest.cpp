@@ -5,6 +5,7 @@
 #include "core/morphology/SliceParts.h"
 #include "core/volume/VolumeGeometry.h"
 #include "tests/reference/BetweenSlices.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

@@ -65,6 +65,7 @@ private Q_SLOTS:
         kinds.insert(editPlace<CleanSegment>);
         kinds.insert(editPlace<CombineSegments>);
         kinds.insert(editPlace<FillBetweenSlices>);
+        kinds.insert(editPlace<FloodFill>);
         kinds.insert(editPlace<FillOutline>);
         kinds.insert(editPlace<ReshapeSegment>);
         QCOMPARE(kinds.size(), AllEdits::count);

@@ -46,6 +46,7 @@
 #include "core/sessionfile/records/StateHash.h"
 #include "tests/reference/BetweenSlices.h"
 #include "tests/reference/ElementPlane.h"
+#include "tests/reference/FloodFill.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/IslandTruth.h"
 
@@ -121,7 +122,7 @@ bool changesLabels(const Edit& edit)
         || edit.is<RemoveSegment>() || edit.is<LayerToSegment>() || edit.is<SegmentSeen>()
         || edit.is<ImportMask>() || edit.is<InvertSegment>() || edit.is<CombineSegments>()
         || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>()
-        || edit.is<FillBetweenSlices>();
+        || edit.is<FillBetweenSlices>() || edit.is<FloodFill>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -223,6 +224,16 @@ HistoryTruth::Bricks HistoryTruth::filledBetween(
         reference::voxelsBetween(
             labels, m_study.volume.geometry, std::uint8_t(edit.segment), edit.axis),
         RelabelListed::give);
+}
+
+HistoryTruth::Bricks HistoryTruth::flooded(
+    const Bricks& before, const FloodFill& edit, const Document& document) const
+{
+    const LabelTarget target = labelTarget(
+        {.segment = edit.segment, .name = {}}, edit.overwriteUnlocked && !edit.erase, document)
+                                   .value();
+    return relabelled(before, target, reference::floodedVoxels(edit, m_study, labelsOf(before)),
+        edit.erase ? RelabelListed::take : RelabelListed::give);
 }
 
 HistoryTruth::Bricks HistoryTruth::relabelled(const Bricks& before, const LabelTarget& target,
@@ -370,6 +381,8 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return cleaned(before, *clean, document);
     if (const auto* between = edit.as<FillBetweenSlices>())
         return filledBetween(before, *between, document);
+    if (const auto* flood = edit.as<FloodFill>())
+        return flooded(before, *flood, document);
     if (const auto* outline = edit.as<FillOutline>())
         return after(before, *labelOutlined(*outline, document), {}, nullptr);
     // What a ball does to a segment is another test's matter; here from which labels, and when.

@@ -4,6 +4,7 @@
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/engine/EditEngine.h"
@@ -83,6 +84,8 @@ private:
         const Bricks& before, const core::CleanSegment& edit, const core::Document& document) const;
     [[nodiscard]] Bricks filledBetween(const Bricks& before, const core::FillBetweenSlices& edit,
         const core::Document& document) const;
+    [[nodiscard]] Bricks flooded(
+        const Bricks& before, const core::FloodFill& edit, const core::Document& document) const;
     /// Gives a label to voxels of the whole volume, or takes it from them.
     /// @param asked RelabelListed::give or take
     [[nodiscard]] Bricks relabelled(const Bricks& before, const core::LabelTarget& target,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
@@ -43,6 +44,31 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {first, low, high, between, scene.seeds}, scene.all});
     cases.push_back({"undo only a fill between slices", volume,
         {first, low, high, between, scene.drill}, core::RevertRows{{4}}});
+
+    core::FloodFill flood{.segment = 1,
+        .placeLps = geometry.toWorld({20.0, 16.0, 10.0}),
+        .within = core::SliceAxis::K,
+        .tolerance = 150.0};
+    cases.push_back({"flood fill in a slice", volume, {first}, flood});
+    flood.within = core::SliceAxis::I;
+    flood.corners = true;
+    cases.push_back({"flood fill across rows, over corners", volume, {first}, flood});
+    flood.within.reset();
+    cases.push_back({"flood fill in all directions", volume, {first, low}, flood});
+    core::FloodFill over = flood;
+    over.segment = 2;
+    over.overwriteUnlocked = true;
+    cases.push_back({"flood fill over another segment", volume, {first, second, flood}, over});
+    cases.push_back({"flood fill beside a locked segment", volume,
+        {first, second, scene.paint, scene.lock}, over});
+    const core::FloodFill away{
+        .segment = 1, .placeLps = geometry.toWorld({14.0, 12.0, 4.0}), .erase = true};
+    cases.push_back({"take a region away", volume, {first, low, high}, away});
+    cases.push_back(
+        {"take a region away after growth", volume, {first, scene.seeds, scene.some, low}, away});
+    cases.push_back({"growth after a flood fill", volume, {first, flood, scene.seeds}, scene.all});
+    cases.push_back({"undo only a flood fill", volume, {first, scene.paint, flood, scene.drill},
+        core::RevertRows{{3}}});
 }
 
 } // namespace test
