@@ -115,6 +115,7 @@ private:
         return m_upper.parts[std::size_t(each.upper.front())].centroid
             - m_lower.parts[std::size_t(each.lower.front())].centroid;
     }
+    /// Without parts it begins where the slice ends, and makes no other one larger.
     static DrawnShape boxOf(const SliceParts& slice, const std::vector<int>& chosen)
     {
         DrawnShape box{.begin = slice.size};
@@ -146,15 +147,8 @@ private:
         const DrawnShape lowerBox = boxOf(m_lower, each.lower);
         const DrawnShape upperBox = boxOf(m_upper, each.upper);
         // Both where the lower one lies, with a border in which nothing is.
-        glm::ivec2 first = glm::min(lowerBox.begin, upperBox.begin - way) - 1;
-        glm::ivec2 end = glm::max(lowerBox.end, upperBox.end - way) + 1;
-        if (each.lower.empty()) {
-            first = upperBox.begin - 1;
-            end = upperBox.end + 1;
-        } else if (each.upper.empty()) {
-            first = lowerBox.begin - 1;
-            end = lowerBox.end + 1;
-        }
+        const glm::ivec2 first = glm::min(lowerBox.begin, upperBox.begin - way) - 1;
+        const glm::ivec2 end = glm::max(lowerBox.end, upperBox.end - way) + 1;
         const glm::ivec2 size = end - first;
         SliceMask lower{.size = size,
             .pixels = std::vector<std::uint8_t>(std::size_t(size.x) * std::size_t(size.y), 0)};

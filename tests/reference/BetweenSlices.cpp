@@ -130,24 +130,36 @@ bool overlap(const Pixels& one, const Pixels& other)
         one.begin(), one.end(), [&](const Pixel& pixel) { return other.count(pixel) > 0; });
 }
 
-/// The squared distance to the other side, less than 0 outside.
-std::int64_t signedSquare(const Pixels& shape, const Pixel& pixel, const SliceSteps& steps)
+/// The pixels of a shape that touch one outside, and those outside.
+struct Border {
+    std::vector<Pixel> inner;
+    std::vector<Pixel> outer;
+};
+Border borderOf(const Pixels& shape)
 {
-    std::int64_t least = std::numeric_limits<std::int64_t>::max();
-    if (shape.count(pixel) == 0) {
-        for (const Pixel& other : shape)
-            least = std::min(least, squared(steps, pixel, other));
-        return -least;
-    }
-    // What lies beyond the slice is outside, and the nearest pixel outside touches one inside.
-    for (const Pixel& other : shape) {
+    Border border;
+    for (const Pixel& pixel : shape) {
         for (const auto& [down, across] : {Pixel(-1, 0), Pixel(1, 0), Pixel(0, -1), Pixel(0, 1)}) {
-            const Pixel beside(other.first + down, other.second + across);
-            if (shape.count(beside) == 0)
-                least = std::min(least, squared(steps, pixel, beside));
+            const Pixel beside(pixel.first + down, pixel.second + across);
+            if (shape.count(beside) > 0)
+                continue;
+            border.inner.push_back(pixel);
+            border.outer.push_back(beside);
         }
     }
-    return least;
+    return border;
+}
+
+/// The squared distance to the other side, less than 0 outside. What lies beyond the slice is
+/// outside; the nearest pixel of the other side always touches one of this side.
+std::int64_t signedSquare(
+    const Pixels& shape, const Border& border, const Pixel& pixel, const SliceSteps& steps)
+{
+    const bool isIn = shape.count(pixel) > 0;
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    for (const Pixel& other : isIn ? border.outer : border.inner)
+        least = std::min(least, squared(steps, pixel, other));
+    return isIn ? least : -least;
 }
 
 Pixels moved(const Pixels& shape, const Pixel& by)
@@ -260,11 +272,13 @@ std::vector<bool> voxelsBetween(std::span<const std::uint8_t> labels,
         for (const Pair& each : pairsOf(partsOf(slices.drawn(drawn[at - 1], label)),
                  partsOf(slices.drawn(drawn[at], label)), steps)) {
             const Pixels upper = moved(each.upper, {-each.way.first, -each.way.second});
+            const Border lowerBorder = borderOf(each.lower);
+            const Border upperBorder = borderOf(upper);
             Pixels all = each.lower;
             all.insert(upper.begin(), upper.end());
             for (const Pixel& pixel : all) {
-                const Wide lowerSquare = signedSquare(each.lower, pixel, steps);
-                const Wide upperSquare = signedSquare(upper, pixel, steps);
+                const Wide lowerSquare = signedSquare(each.lower, lowerBorder, pixel, steps);
+                const Wide upperSquare = signedSquare(upper, upperBorder, pixel, steps);
                 for (int done = 1; done < of; ++done) {
                     // A blend of roots is not negative where its terms, squared with their signs,
                     // are not.

@@ -13,7 +13,8 @@ namespace reference {
 
 /// Which voxels of the volume lie between the drawn slices of a label, whoever has them, by the
 /// rule of core/morphology/BetweenSlices.h: pixel by pixel, with distances that are looked for
-/// among all pixels and products in 128 bits, where core makes distance maps of rectangles.
+/// among all pixels of a border and products in 128 bits, where core makes distance maps of
+/// rectangles.
 /// @param axis none: the one across which somebody has drawn
 /// @param labels x fastest
 [[nodiscard]] std::vector<bool> voxelsBetween(std::span<const std::uint8_t> labels,

@@ -64,19 +64,20 @@ std::vector<bool> floodedVoxels(const core::FloodFill& edit, const core::LoadedV
     };
     std::vector<bool> found(study.codes.size(), false);
     found[grid.at(first)] = mayBelong(first);
-    for (bool more = found[grid.at(first)]; more;) {
+    // To and fro, so that what winds about takes few sweeps.
+    bool forth = true;
+    for (bool more = found[grid.at(first)]; more; forth = !forth) {
         more = false;
-        for (int z = 0; z < grid.size.z; ++z) {
-            for (int y = 0; y < grid.size.y; ++y) {
-                for (int x = 0; x < grid.size.x; ++x) {
-                    const glm::ivec3 voxel(x, y, z);
-                    if (found[grid.at(voxel)] || !mayBelong(voxel)
-                        || !touchesFound(edit, grid, voxel, found))
-                        continue;
-                    found[grid.at(voxel)] = true;
-                    more = true;
-                }
-            }
+        for (std::size_t step = 0; step < found.size(); ++step) {
+            const std::size_t at = forth ? step : found.size() - 1 - step;
+            const auto columns = std::size_t(grid.size.x);
+            const auto rows = std::size_t(grid.size.y);
+            const glm::ivec3 voxel{
+                int(at % columns), int(at / columns % rows), int(at / columns / rows)};
+            if (found[at] || !mayBelong(voxel) || !touchesFound(edit, grid, voxel, found))
+                continue;
+            found[at] = true;
+            more = true;
         }
     }
     return found;

@@ -147,7 +147,9 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (!isVisible())
                 return;
-            if (change.what == core::DocumentChange::What::History)
+            // The history also tells when a step is on the disk.
+            if (change.what == core::DocumentChange::What::History
+                && m_position != m_workspace.session()->history().position())
                 m_lookSoon.start();
             showState();
         });
@@ -182,6 +184,7 @@ void BetweenSlicesDialog::forget()
     m_planes.reset();
     m_found.reset();
     m_looking = false;
+    m_position.reset();
 }
 
 void BetweenSlicesDialog::look()
@@ -191,8 +194,10 @@ void BetweenSlicesDialog::look()
     const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
     // What is open ends with a step, after which it is looked again.
     m_looking = segment && !session->transactionOpen();
-    if (m_looking)
+    if (m_looking) {
+        m_position = session->history().position();
         m_fetch.start(*session, {segment->plane});
+    }
     showState();
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/Background.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/history/History.h"
 #include "core/morphology/BetweenSlices.h"
 #include "ui/tasks/LabelFetch.h"
 
@@ -61,6 +62,7 @@ private:
     std::optional<Found> m_found; ///< none: it is being looked for, or could not be
     LabelFetch::Planes m_planes; ///< null: they are being read, or nobody looks at it
     bool m_looking = false;
+    std::optional<core::RowId> m_position; ///< of the history, at which it was looked
     FittingLabel* m_whose;
     QComboBox* m_axis;
     FittingLabel* m_drawn;
