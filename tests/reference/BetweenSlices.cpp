@@ -20,7 +20,7 @@ using Pixels = std::set<Pixel>;
 
 __extension__ using Wide = __int128;
 
-std::int64_t squared(const SliceSteps& steps, const Pixel& one, const Pixel& other)
+std::int64_t squaredStep(const SliceSteps& steps, const Pixel& one, const Pixel& other)
 {
     const std::int64_t down = one.first - other.first;
     const std::int64_t across = one.second - other.second;
@@ -108,14 +108,14 @@ Pixel centroidOf(const Pixels& part)
 
 /// The first of those whose places lie nearest.
 template <class Places, class PlaceOf>
-std::size_t nearest(
+std::size_t nearestPlace(
     const Places& places, const PlaceOf& placeOf, const Pixel& to, const SliceSteps& steps)
 {
     std::size_t best = 0;
     std::size_t number = 0;
     std::int64_t least = std::numeric_limits<std::int64_t>::max();
     for (const auto& each : places) {
-        if (const std::int64_t now = squared(steps, placeOf(each), to); now < least) {
+        if (const std::int64_t now = squaredStep(steps, placeOf(each), to); now < least) {
             least = now;
             best = number;
         }
@@ -158,7 +158,7 @@ std::int64_t signedSquare(
     const bool isIn = shape.count(pixel) > 0;
     std::int64_t least = std::numeric_limits<std::int64_t>::max();
     for (const Pixel& other : isIn ? border.outer : border.inner)
-        least = std::min(least, squared(steps, pixel, other));
+        least = std::min(least, squaredStep(steps, pixel, other));
     return isIn ? least : -least;
 }
 
@@ -198,9 +198,9 @@ std::vector<Pair> pairsOf(
         if (!one.upper.empty() || upper.empty())
             continue;
         const Pixel centroid = centroidOf(one.lower);
-        const Pixels& found = upper[nearest(upper, &centroidOf, centroid, steps)];
+        const Pixels& found = upper[nearestPlace(upper, &centroidOf, centroid, steps)];
         const Pixel other = centroidOf(found);
-        if (lower[nearest(lower, &centroidOf, other, steps)] != one.lower)
+        if (lower[nearestPlace(lower, &centroidOf, other, steps)] != one.lower)
             continue;
         for (Pair& its : pairs) {
             if (its.lower.empty() && its.upper == found) {
@@ -214,7 +214,7 @@ std::vector<Pair> pairsOf(
     const auto middleOf = [&steps](const Pixels& part) {
         const auto itself = [](const Pixel& pixel) { return pixel; };
         auto middle = part.begin();
-        std::advance(middle, std::ptrdiff_t(nearest(part, itself, centroidOf(part), steps)));
+        std::advance(middle, std::ptrdiff_t(nearestPlace(part, itself, centroidOf(part), steps)));
         return *middle;
     };
     for (Pair& each : pairs) {

@@ -8,7 +8,7 @@ namespace reference {
 
 namespace {
 
-struct Grid {
+struct Voxels {
     glm::ivec3 size;
 
     [[nodiscard]] std::size_t at(const glm::ivec3& voxel) const
@@ -25,7 +25,7 @@ struct Grid {
 };
 
 /// Whether a neighbour that counts was found before.
-bool touchesFound(const core::FloodFill& edit, const Grid& grid, const glm::ivec3& voxel,
+bool touchesFound(const core::FloodFill& edit, const Voxels& grid, const glm::ivec3& voxel,
     const std::vector<bool>& found)
 {
     for (int z = -1; z <= 1; ++z) {
@@ -47,7 +47,7 @@ std::vector<bool> floodedVoxels(const core::FloodFill& edit, const core::LoadedV
     std::span<const std::uint8_t> labels)
 {
     const core::VolumeGeometry& geometry = study.volume.geometry;
-    const Grid grid{geometry.size};
+    const Voxels grid{geometry.size};
     const glm::dvec3 index = geometry.toIndex(edit.placeLps);
     const glm::ivec3 first{int(std::floor(index.x + 0.5)), int(std::floor(index.y + 0.5)),
         int(std::floor(index.z + 0.5))};
