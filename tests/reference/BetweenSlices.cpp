@@ -195,7 +195,7 @@ std::vector<Pair> pairsOf(
     }
     // What is alone looks for company.
     for (Pair& one : pairs) {
-        if (!one.upper.empty() || upper.empty())
+        if (one.lower.empty() || !one.upper.empty() || upper.empty())
             continue;
         const Pixel centroid = centroidOf(one.lower);
         const Pixels& found = upper[nearestPlace(upper, &centroidOf, centroid, steps)];
