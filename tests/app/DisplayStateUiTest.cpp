@@ -13,6 +13,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/tools/growth/FillOutlineTool.h"
+#include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/sculpt/PeelTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/views/ViewGrid.h"
@@ -152,6 +153,8 @@ private:
         application.window().findChild<ui::PeelTool*>()->setDepthMm(7.5);
         application.window().findChild<ui::FillOutlineTool*>()->setShape(
             ui::FillOutlineTool::Shape::Ellipse);
+        application.window().findChild<ui::FloodFillTool*>()->setSettings(
+            {.in3D = true, .corners = true, .tolerance = 72.0});
         application.window().findChild<ui::ScissorsTool*>()->setSettings(
             {.limited = true, .depthMm = 33.0, .firstLayerOnly = true});
         workspace.setBrushSettings(ui::Workspace::Brush::Paint,
@@ -248,6 +251,8 @@ private Q_SLOTS:
         QCOMPARE(application->window().findChild<ui::PeelTool*>()->depthMm(), 7.5);
         QVERIFY(application->window().findChild<ui::FillOutlineTool*>()->shape()
             == ui::FillOutlineTool::Shape::Ellipse);
+        QVERIFY((application->window().findChild<ui::FloodFillTool*>()->settings()
+            == ui::FloodFillTool::Settings{.in3D = true, .corners = true, .tolerance = 72.0}));
         const auto& scissors = application->window().findChild<ui::ScissorsTool*>()->settings();
         QVERIFY(scissors.limited && scissors.depthMm == 33.0 && scissors.firstLayerOnly);
         const auto& paint = workspace.brushSettings(ui::Workspace::Brush::Paint);

@@ -244,6 +244,16 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Close '%1' by %2 mm");
     case RowTitleCode::SmoothShape:
         return tr("Smooth '%1' by %2 mm");
+    case RowTitleCode::FillBetweenSlices:
+        return tr("Fill '%1' between slices");
+    case RowTitleCode::FloodSlice:
+        return tr("Flood fill '%1' in a slice");
+    case RowTitleCode::FloodVolume:
+        return tr("Flood fill '%1' in 3D");
+    case RowTitleCode::FloodEraseSlice:
+        return tr("Erase a region of '%1' in a slice");
+    case RowTitleCode::FloodEraseVolume:
+        return tr("Erase a region of '%1' in 3D");
     case RowTitleCode::SegmentSeen:
         return tr("Segment what is seen as '%1'");
     case RowTitleCode::LayerToSegment:

@@ -5,6 +5,7 @@
 #include "ui/base/MenuText.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/dialogs/AuthorDialog.h"
+#include "ui/dialogs/BetweenSlicesDialog.h"
 #include "ui/dialogs/KeysDialog.h"
 #include "ui/dialogs/PenTesterDialog.h"
 #include "ui/dialogs/ReshapeDialog.h"
@@ -404,6 +405,13 @@ void addListActions(MainWindow& window)
             if (!dialog)
                 dialog = new ReshapeDialog(workspace, &window);
             dialog->ask(label, first);
+        });
+    QObject::connect(
+        &workspace, &Workspace::fillBetweenAsked, &window, [&window, &workspace](int label) {
+            auto* dialog = window.findChild<BetweenSlicesDialog*>();
+            if (!dialog)
+                dialog = new BetweenSlicesDialog(workspace, &window);
+            dialog->ask(label);
         });
     actions.add({.id = QStringLiteral("layers.add"),
         .text = QStringLiteral("Add sculpt layer"),

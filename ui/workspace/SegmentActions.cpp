@@ -2,6 +2,8 @@
 #include "ui/workspace/SegmentActions.h"
 
 #include "core/document/SegmentColours.h"
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
@@ -209,12 +211,31 @@ void askSmoothing(Workspace& workspace, int label)
     workspace.askToReshape(label, core::ShapeOperation::Median);
 }
 
+void askBetweenSlices(Workspace& workspace, int label)
+{
+    workspace.askToFillBetween(label);
+}
+
 } // namespace
 
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit)
 {
     carryOut(workspace, edit,
         QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment)));
+}
+
+void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit)
+{
+    carryOut(workspace, edit,
+        QObject::tr("There is nothing to fill between the slices of '%1'")
+            .arg(nameOfSegment(workspace, edit.segment)));
+}
+
+void floodFill(Workspace& workspace, const core::FloodFill& edit)
+{
+    carryOut(workspace, edit,
+        QObject::tr("Nothing there can be given to '%1'")
+            .arg(nameOfSegment(workspace, edit.segment)));
 }
 
 void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps)
@@ -283,6 +304,10 @@ const std::vector<SegmentAction>& segmentActions()
             .text = QObject::tr("Smooth …"),
             .named = QObject::tr("Smooth '%1' …"),
             .run = &askSmoothing},
+        {.id = "segments.fillBetween",
+            .text = QObject::tr("Fill between slices …"),
+            .named = QObject::tr("Fill between slices of '%1' …"),
+            .run = &askBetweenSlices},
         {.id = "segments.invert", .text = QObject::tr("Invert segment"), .run = &invertSegment},
         {.id = "segments.remove",
             .text = QObject::tr("Delete segment"),

@@ -13,6 +13,8 @@
 
 namespace core {
 struct Document;
+struct FillBetweenSlices;
+struct FloodFill;
 struct ReshapeSegment;
 struct Segment;
 } // namespace core
@@ -45,6 +47,12 @@ void swapSegments(Workspace& workspace, int one, int other);
 
 /// The same for what a ball of millimetres makes of a segment.
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit);
+
+/// The same for what lies between the slices on which a segment was drawn.
+void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit);
+
+/// The same for a region that was clicked.
+void floodFill(Workspace& workspace, const core::FloodFill& edit);
 
 /// The same for the island of a segment that has a voxel at a place: it goes, all others go, or it
 /// becomes another segment's.

@@ -4,6 +4,8 @@
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
@@ -171,8 +173,25 @@ private Q_SLOTS:
                 editFromJson(parse(qPrintable(QStringLiteral("{'edit':'reshapeSegment','segment':2,"
                                                              "'operation':'%1','mm':2}")
                                                   .arg(QLatin1String(operation))))));
-        for (const Edit& edit :
-            {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped, *grown, *shell})
+        const Result<Edit> between =
+            editFromJson(parse("{'edit':'fillBetweenSlices','segment':2}"));
+        const Result<Edit> across =
+            editFromJson(parse("{'edit':'fillBetweenSlices','segment':2,'axis':'j'}"));
+        QVERIFY(between && across);
+        QVERIFY(!between->get<FillBetweenSlices>().axis);
+        QVERIFY(across->get<FillBetweenSlices>().axis == SliceAxis::J);
+        const Result<Edit> flood = editFromJson(parse("{'edit':'floodFill','segment':2,"
+                                                      "'placeLps':[1,2,3],'tolerance':40}"));
+        const Result<Edit> away =
+            editFromJson(parse("{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'within':'k',"
+                               "'corners':true,'erase':true}"));
+        QVERIFY(flood && away);
+        QVERIFY(!flood->get<FloodFill>().within && !flood->get<FloodFill>().corners);
+        QCOMPARE(flood->get<FloodFill>().tolerance, 40.0);
+        QVERIFY(away->get<FloodFill>().within == SliceAxis::K);
+        QVERIFY(away->get<FloodFill>().corners && away->get<FloodFill>().erase);
+        for (const Edit& edit : {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped,
+                 *grown, *shell, *between, *across, *flood, *away})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -194,7 +213,15 @@ private Q_SLOTS:
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':100.5}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'polish','mm':1}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'hollow','mm':1,'shell':'on'}",
-                "{'edit':'invertSegment'}", "{'edit':'invertSegment','segment':0}"})
+                "{'edit':'floodFill','segment':2,'placeLps':[1,2,3]}",
+                "{'edit':'floodFill','segment':2,'tolerance':1}",
+                "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'tolerance':-1}",
+                "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'erase':true,'tolerance':1}",
+                "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'tolerance':1,'within':'x'}",
+                "{'edit':'fillBetweenSlices'}",
+                "{'edit':'fillBetweenSlices','segment':2,'axis':'axial'}",
+                "{'edit':'fillBetweenSlices','segment':2,'axis':1}", "{'edit':'invertSegment'}",
+                "{'edit':'invertSegment','segment':0}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }
 

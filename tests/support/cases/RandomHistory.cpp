@@ -3,6 +3,8 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
@@ -47,6 +49,7 @@
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
+#include "core/morphology/BetweenSlices.h"
 #include "core/session/EditSession.h"
 #include "tests/support/cases/HistoryTruth.h"
 #include "tests/support/cases/IslandTruth.h"
@@ -372,6 +375,12 @@ private:
             return randomOutline(any(document.segments).label);
         if (m_session->history().rows().size() % 8 == 5)
             return randomReshape(document);
+        if (m_session->history().rows().size() % 8 == 1) {
+            if (const std::optional<FillBetweenSlices> filling = randomBetween(document))
+                return *filling;
+        }
+        if (m_session->history().rows().size() % 8 == 7)
+            return randomFlood(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
@@ -686,6 +695,54 @@ private:
         if (chance(30))
             outline.lower = between(-200, 300);
         return outline;
+    }
+    /// Of a segment that has empty slices between others, along any axis.
+    std::optional<FillBetweenSlices> randomBetween(const Document& document)
+    {
+        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
+        std::vector<FillBetweenSlices> possible;
+        for (const Segment& segment : document.segments) {
+            for (const DrawnSlices& drawn : drawnSlices(
+                     labels, document.volumes.front().geometry.size, std::uint8_t(segment.label))) {
+                if (drawn.emptySlices() > 0 && !segment.locked)
+                    possible.push_back({.segment = segment.label, .axis = drawn.axis});
+            }
+        }
+        if (possible.empty())
+            return std::nullopt;
+        FillBetweenSlices filling = any(possible);
+        if (chance(50))
+            filling.axis.reset();
+        return filling;
+    }
+    /// From any voxel; of one that a segment has, it may be taken away.
+    FloodFill randomFlood(const Document& document)
+    {
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
+        FloodFill flood{.segment = any(document.segments).label};
+        std::size_t voxel = std::size_t(between(0, int(labels.size()) - 1));
+        if (chance(40)) { // the next one of a segment
+            const auto next = std::find_if(labels.begin() + std::ptrdiff_t(voxel), labels.end(),
+                [](std::uint8_t label) { return label != 0; });
+            if (next != labels.end()) {
+                voxel = std::size_t(next - labels.begin());
+                flood.segment = *next;
+                flood.erase = true;
+            }
+        }
+        const auto columns = std::size_t(geometry.size.x);
+        const auto rows = std::size_t(geometry.size.y);
+        flood.placeLps = geometry.toWorld({double(voxel % columns), double(voxel / columns % rows),
+            double(voxel / columns / rows)});
+        if (chance(60))
+            flood.within = SliceAxis(between(0, 2));
+        flood.corners = chance(40);
+        if (!flood.erase) {
+            flood.tolerance = between(0, 300);
+            flood.overwriteUnlocked = chance(40);
+        }
+        return flood;
     }
     ReshapeSegment randomReshape(const Document& document)
     {

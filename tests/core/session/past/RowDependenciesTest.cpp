@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/RowDependencies.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
@@ -218,12 +220,21 @@ private Q_SLOTS:
         QVERIFY(!removal.covers({Field::Coverage, 1, 3}));
         for (const Edit& wholePlane :
             std::vector<Edit>{InvertSegment{.segment = 1}, CombineSegments{.segment = 1, .with = 2},
-                ReshapeSegment{.segment = 1, .mm = 1.0}}) {
+                ReshapeSegment{.segment = 1, .mm = 1.0}, FillBetweenSlices{.segment = 1}}) {
             const RowDependencies whole(wholePlane, document, {});
             QVERIFY(whole.covers({Field::SeedWords, 0, 3}));
             QVERIFY(whole.covers({Field::Labels, 0, 3}));
             QVERIFY(!whole.covers({Field::Labels, 1, 3}));
             QVERIFY(!whole.covers({Field::Coverage, 1, 3}));
+        }
+        FloodFill flood{.segment = 1, .placeLps = geometry.toWorld(glm::dvec3(20, 3, 17))};
+        const RowDependencies everywhere(flood, document, {});
+        flood.within = SliceAxis::K;
+        const RowDependencies inSlice(flood, document, {});
+        for (int brick = 0; brick < grid.brickCount(); ++brick) {
+            const BrickKey key{Field::Labels, 0, std::uint32_t(brick)};
+            QVERIFY(everywhere.covers(key));
+            QCOMPARE(inSlice.covers(key), grid.boxOf(brick).minimum.z == 16);
         }
         const BrickKey written{Field::Labels, 0, 2};
         const RowDependencies revert(test::revertRows({1}), document, {written});
