@@ -56,8 +56,8 @@ std::vector<std::uint32_t> bricksNear(
     const double slack = 4.0 * double(1 << frame.shift) + 1024.0;
     const double radius =
         double(std::max(frame.radius - capsule.less, 0)) + double(frame.rampHalfWidth) + slack;
-    // A disc is a flat cylinder: round about the axis, thin along it.
-    const double thickness = frame.disc ? double(frame.halfThickness) + slack : radius;
+    // A flat one is thin along its axis.
+    const double thickness = frame.isFlat ? double(frame.halfThickness) + slack : radius;
     const glm::dvec3 around(radius, radius, thickness);
     const glm::dvec3 low = glm::min(from, from + along) - around;
     const glm::dvec3 high = glm::max(from, from + along) + around;
@@ -84,6 +84,8 @@ std::vector<std::uint32_t> bricksNear(
         halfExtent += glm::abs(perVoxel[axis]) * halfBrick.x;
         halfDiagonal += glm::length(perVoxel[axis]) * halfBrick.x;
     }
+    // How far its corners are from its middle.
+    const double corner = frame.isSquare ? 1.7321 * radius : radius;
     const glm::ivec3 bricks = grid.bricks();
     std::vector<std::uint32_t> found;
     for (int z = first.z; z <= end.z; ++z) {
@@ -94,9 +96,9 @@ std::vector<std::uint32_t> bricksNear(
                 if (glm::any(glm::greaterThan(centre - halfExtent, high))
                     || glm::any(glm::lessThan(centre + halfExtent, low)))
                     continue;
-                if (frame.disc)
+                if (frame.isFlat)
                     centre.z = from.z;
-                if (distanceToLine(centre, from, along) > halfDiagonal + radius)
+                if (distanceToLine(centre, from, along) > halfDiagonal + corner)
                     continue;
                 found.push_back(std::uint32_t(x + bricks.x * (y + bricks.y * z)));
             }

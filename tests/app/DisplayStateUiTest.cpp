@@ -161,7 +161,8 @@ private:
                 .lower = -7.0,
                 .upper = 80.5,
                 .overwriteUnlocked = true});
-        workspace.setBrushSettings(ui::Workspace::Brush::Carve, {.radiusMm = 2.5, .disc = true});
+        workspace.setBrushSettings(
+            ui::Workspace::Brush::Carve, {.radiusMm = 2.5, .disc = true, .square = true});
         workspace.setBrushSettings(ui::Workspace::Brush::Barrier, {.radiusMm = 1.5, .disc = true});
         workspace.setGrowSettings({.lower = 15.0,
             .upper = 333.0,
@@ -260,6 +261,7 @@ private Q_SLOTS:
                 .overwriteUnlocked = true}));
         QCOMPARE(workspace.brushSettings(ui::Workspace::Brush::Carve).radiusMm, 2.5);
         QVERIFY(workspace.brushSettings(ui::Workspace::Brush::Carve).disc);
+        QVERIFY(workspace.brushSettings(ui::Workspace::Brush::Carve).square);
         QCOMPARE(workspace.brushSettings(ui::Workspace::Brush::Barrier).radiusMm, 1.5);
         QCOMPARE(workspace.activeLayer(), 2);
         QCOMPARE(workspace.activeTool()->iconName(), QStringLiteral("seed"));

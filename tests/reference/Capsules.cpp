@@ -22,6 +22,60 @@ std::int64_t round14(std::int64_t value)
     return (value + 8192) >> 14;
 }
 
+/// numerator / denominator; the latter is above 0.
+struct Fraction {
+    std::int64_t numerator;
+    std::int64_t denominator;
+
+    bool operator<(const Fraction& other) const
+    {
+        return numerator * other.denominator < other.numerator * denominator;
+    }
+};
+
+/// Whether a box of this half side around some point of the line from 0 along u holds q. A point at
+/// t of the line is t·u / 2¹⁴; the box holds q in one component while t is in some interval.
+bool isInBox(
+    const Position& q, const core::Capsule& capsule, std::int64_t length, std::int64_t half)
+{
+    Fraction from{0, 1};
+    Fraction to{length, 1};
+    for (int c = 0; c < 3; ++c) {
+        std::int64_t u = capsule.direction[c];
+        std::int64_t enters = (q[std::size_t(c)] - half) * 16384;
+        std::int64_t leaves = (q[std::size_t(c)] + half) * 16384;
+        if (u == 0) {
+            if (enters > 0 || leaves < 0)
+                return false;
+            continue;
+        }
+        if (u < 0) {
+            u = -u;
+            std::swap(enters, leaves);
+            enters = -enters;
+            leaves = -leaves;
+        }
+        from = std::max(from, Fraction{enters, u});
+        to = std::min(to, Fraction{leaves, u});
+    }
+    return !(to < from);
+}
+
+/// The least such half side.
+std::int64_t leastBox(const Position& q, const core::Capsule& capsule, std::int64_t length)
+{
+    std::int64_t tooSmall = -1;
+    std::int64_t half = std::max({std::abs(q[0]), std::abs(q[1]), std::abs(q[2])}); // around 0
+    while (half - tooSmall > 1) {
+        const std::int64_t middle = (half + tooSmall) / 2;
+        if (isInBox(q, capsule, length, middle))
+            half = middle;
+        else
+            tooSmall = middle;
+    }
+    return half;
+}
+
 bool bears(std::uint32_t word, std::uint32_t label)
 {
     return (seedWord::isMember(word) || seedWord::isPendingSeed(word))
@@ -81,7 +135,7 @@ Position Capsules::position(const glm::ivec3& voxel) const
 std::optional<std::int64_t> Capsules::distance(
     const core::Capsule& capsule, Position position) const
 {
-    if (m_frame.disc) {
+    if (m_frame.isFlat) {
         if (std::abs(position[2]) > m_frame.halfThickness)
             return std::nullopt;
         position[2] = capsule.from.z;
@@ -94,6 +148,10 @@ std::optional<std::int64_t> Capsules::distance(
             return std::nullopt;
         q[std::size_t(c)] = a >> m_frame.shift;
         along += q[std::size_t(c)] * capsule.direction[c];
+    }
+    if (m_frame.isSquare) {
+        const std::int64_t half = leastBox(q, capsule, capsule.length >> m_frame.shift);
+        return half * half;
     }
     const std::int64_t h =
         std::clamp<std::int64_t>(round14(along), 0, capsule.length >> m_frame.shift);

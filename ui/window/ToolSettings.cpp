@@ -76,6 +76,7 @@ void read(const QJsonValue& json, Workspace::DrillSettings& drill)
 QJsonObject toJson(const Workspace::BrushSettings& brush)
 {
     return {{QStringLiteral("radiusMm"), brush.radiusMm}, {QStringLiteral("disc"), brush.disc},
+        {QStringLiteral("square"), brush.square},
         {QStringLiteral("onlyBetween"), brush.onlyBetween}, {QStringLiteral("lower"), brush.lower},
         {QStringLiteral("upper"), brush.upper},
         {QStringLiteral("overwriteUnlocked"), brush.overwriteUnlocked},
@@ -87,6 +88,7 @@ void read(const QJsonValue& json, Workspace::BrushSettings& brush)
     read(json[QLatin1String("radiusMm")], brush.radiusMm, BrushTool::minimumRadiusMm,
         BrushTool::maximumRadiusMm);
     read(json[QLatin1String("disc")], brush.disc);
+    read(json[QLatin1String("square")], brush.square);
     read(json[QLatin1String("onlyBetween")], brush.onlyBetween);
     read(json[QLatin1String("lower")], brush.lower);
     read(json[QLatin1String("upper")], brush.upper);

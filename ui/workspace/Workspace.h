@@ -66,6 +66,8 @@ public:
     struct BrushSettings {
         double radiusMm = 4.0;
         bool disc = false; ///< on slices: a disc in the slice instead of a ball
+        bool square =
+            false; ///< on slices: a square instead of the disc, a cube instead of the ball
         bool onlyBetween = false; ///< paint: only values from lower to upper
         double lower = 0.0; ///< modality units
         double upper = 0.0;

@@ -18,7 +18,7 @@ namespace {
 struct StrokeSpace {
     glm::dvec3 middleLps{0.0};
     glm::dmat3 toStroke{1.0}; ///< turns LPS directions
-    double planeMm = 0.0; ///< of a disc: height of its plane over the middle
+    double planeMm = 0.0; ///< of a flat brush: height of its plane over the middle
     double volumeRadiusMm = 0.0; ///< a ball around the middle that holds every voxel
     double halfThicknessMm = 0.0;
 
@@ -36,6 +36,49 @@ glm::dmat3 planeAxes(const glm::dvec3& normal)
     return glm::transpose(glm::dmat3(right, glm::cross(normal, right), normal));
 }
 
+/// The same, the first of them along a side of a square or cube.
+glm::dmat3 sideAxes(const glm::dvec3& normal, const glm::dvec3& side)
+{
+    const glm::dvec3 right = glm::normalize(side - normal * glm::dot(normal, side));
+    return glm::transpose(glm::dmat3(right, glm::cross(normal, right), normal));
+}
+
+/// Errors: InvalidField below @p name where a shape lacks a direction that it needs.
+Result<void> checkDirections(const BrushPath& path, const QString& name)
+{
+    if (path.shape == BrushPath::Shape::Ball)
+        return {};
+    const auto wrong = [&name](const char* field, const QString& why) {
+        return failure(ErrorCode::InvalidField, name + QLatin1String(field), why);
+    };
+    const QString none = QStringLiteral("is no direction");
+    const bool square = isSquare(path.shape);
+    if (!path.normalLps)
+        return wrong(".normalLps",
+            square ? QStringLiteral("missing: a square or cube needs the direction of a side")
+                   : QStringLiteral("missing: a disc needs the direction across its plane"));
+    if (!(glm::length(*path.normalLps) > 1e-3))
+        return wrong(".normalLps", none);
+    if (!square)
+        return {};
+    if (!path.sideLps)
+        return wrong(".sideLps",
+            QStringLiteral("missing: a square or cube needs the direction of another side"));
+    if (!(glm::length(*path.sideLps) > 1e-3))
+        return wrong(".sideLps", none);
+    const glm::dvec3 across =
+        glm::cross(glm::normalize(*path.normalLps), glm::normalize(*path.sideLps));
+    if (!(glm::length(across) > 1e-3))
+        return wrong(".sideLps", QStringLiteral("runs along normalLps"));
+    return {};
+}
+
+/// How far from its middle a brush reaches.
+double reachMm(const BrushPath& path)
+{
+    return (isSquare(path.shape) ? std::sqrt(3.0) : 1.0) * path.radiusMm;
+}
+
 /// Expects a path that capsuleFrame() accepts.
 StrokeSpace strokeSpace(const BrushPath& path, const VolumeGeometry& geometry)
 {
@@ -47,7 +90,9 @@ StrokeSpace strokeSpace(const BrushPath& path, const VolumeGeometry& geometry)
     if (path.shape == BrushPath::Shape::Ball)
         return space;
     const glm::dvec3 normal = glm::normalize(*path.normalLps);
-    space.toStroke = planeAxes(normal);
+    space.toStroke = isSquare(path.shape) ? sideAxes(normal, *path.sideLps) : planeAxes(normal);
+    if (!isFlat(path.shape))
+        return space;
     const SlicePlane slice = slicePlane(geometry, normal, path.pointsLps.front());
     space.planeMm = slice.heightMm;
     space.halfThicknessMm = slice.halfThicknessMm;
@@ -118,13 +163,8 @@ Result<CapsuleFrame> capsuleFrame(
     if (const Result<void> pressed = checkPressures(path.pressures, path.pointsLps.size(), name);
         !pressed)
         return tl::unexpected(pressed.error());
-    const bool disc = path.shape == BrushPath::Shape::Disc;
-    if (disc && !path.normalLps)
-        return failure(ErrorCode::InvalidField, name + QStringLiteral(".normalLps"),
-            QStringLiteral("missing: a disc needs the direction across its plane"));
-    if (disc && !(glm::length(*path.normalLps) > 1e-3))
-        return failure(ErrorCode::InvalidField, name + QStringLiteral(".normalLps"),
-            QStringLiteral("is no direction"));
+    if (const Result<void> directed = checkDirections(path, name); !directed)
+        return tl::unexpected(directed.error());
     const StrokeSpace space = strokeSpace(path, geometry);
     CapsuleFrame frame;
     frame.origin = toFixed30(space.turned(geometry.originLps()));
@@ -132,7 +172,8 @@ Result<CapsuleFrame> capsuleFrame(
     frame.perI = toFixed30(perVoxel[0]);
     frame.perJ = toFixed30(perVoxel[1]);
     frame.perK = toFixed30(perVoxel[2]);
-    frame.disc = disc;
+    frame.isFlat = isFlat(path.shape);
+    frame.isSquare = isSquare(path.shape);
     frame.halfThickness = mm16(space.halfThicknessMm);
     frame.radius = mm16(path.radiusMm);
     frame.rampHalfWidth = std::max(mm16(finestSpacing(geometry) / 2.0), 1);
@@ -147,10 +188,10 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
 {
     const StrokeSpace space = strokeSpace(path, geometry);
     const double longestMm = longestCapsule(path, geometry) / 65536.0;
-    const double nearMm = space.volumeRadiusMm + path.radiusMm + longestMm;
+    const double nearMm = space.volumeRadiusMm + reachMm(path) + longestMm;
     const auto turned = [&](const glm::dvec3& point) {
         const glm::dvec3 at = space.turned(point);
-        return path.shape == BrushPath::Shape::Disc ? glm::dvec3(at.x, at.y, 0.0) : at;
+        return isFlat(path.shape) ? glm::dvec3(at.x, at.y, 0.0) : at;
     };
     const std::int32_t whole = mm16(path.radiusMm);
     const double mostMm = 0.25 * finestSpacing(geometry); // from one radius to the next

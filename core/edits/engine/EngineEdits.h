@@ -47,8 +47,8 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 [[nodiscard]] Result<LabelTarget> labelTarget(
     const SegmentChoice& choice, bool overwriteUnlocked, const Document& document);
 
-/// The frame of a brush; of its points only the first is used, and only for a disc. Errors:
-/// InvalidField below @p name (no point, a disc without a normal across its plane).
+/// The frame of a brush; of its points only the first is used, and only for a flat one. Errors:
+/// InvalidField below @p name (no point, a shape without a direction that it needs).
 [[nodiscard]] Result<CapsuleFrame> capsuleFrame(
     const BrushPath& path, const VolumeGeometry& geometry, const QString& name);
 

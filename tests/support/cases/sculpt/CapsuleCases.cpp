@@ -33,6 +33,25 @@ glm::dvec3 randomPoint(const core::VolumeGeometry& geometry, Random& random, dou
     return geometry.toWorld(at);
 }
 
+/// Makes a square of a disc and a cube of a ball; a side runs along the row, column or stack of
+/// voxels that is most nearly across the normal.
+void makeSquare(BrushPath& path, const core::VolumeGeometry& geometry)
+{
+    const glm::dmat3 direction = geometry.direction();
+    path.shape = core::isFlat(path.shape) ? BrushPath::Shape::Square : BrushPath::Shape::Cube;
+    if (!path.normalLps)
+        path.normalLps = direction[1] + 0.4 * direction[2];
+    const auto slant = [&](int axis) {
+        return std::abs(glm::dot(glm::normalize(*path.normalLps), direction[axis]));
+    };
+    int across = 0;
+    for (int axis = 1; axis < 3; ++axis) {
+        if (slant(axis) < slant(across))
+            across = axis;
+    }
+    path.sideLps = direction[across];
+}
+
 template <class T> T valueOf(core::Result<T> result)
 {
     if (!result)
@@ -230,6 +249,10 @@ core::BrushPath randomPath(const core::Document& document, Random& random)
             path.pressures->push_back(least + (1.0 - least) * (turns - std::floor(turns)));
         }
     }
+    // Some have corners; it follows from the places too.
+    const double share = 0.71 * std::abs(path.pointsLps.front().y);
+    if (share - std::floor(share) < 0.4)
+        makeSquare(path, geometry);
     return path;
 }
 
@@ -275,9 +298,9 @@ std::vector<EngineCase> capsuleCases(int randomCount)
         }
         add(scene);
     }
-    for (const bool disc : {false, true}) {
-        Scene scene(disc ? "disc: a point, no way, far away" : "ball: a point, no way, far away",
-            22, size, true);
+    for (const char* name : {"ball", "disc", "square", "cube"}) {
+        const bool disc = name[0] == 'd' || name[0] == 's';
+        Scene scene(QByteArray(name) + ": a point, no way, far away", 22, size, true);
         const core::VolumeGeometry& geometry = scene.document.volumes.front().geometry;
         PaintStroke paint{.segment = 1};
         paint.path.radiusMm = 4.0;
@@ -285,6 +308,8 @@ std::vector<EngineCase> capsuleCases(int randomCount)
             paint.path.shape = BrushPath::Shape::Disc;
             paint.path.normalLps = glm::cross(geometry.direction()[0], geometry.direction()[1]);
         }
+        if (name[0] == 's' || name[0] == 'c')
+            makeSquare(paint.path, geometry);
         const glm::dvec3 middle = geometry.toWorld(glm::dvec3(size) / 2.0);
         const glm::dvec3 across = geometry.direction()[0];
         for (const auto& points :

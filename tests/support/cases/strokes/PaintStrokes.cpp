@@ -63,6 +63,14 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     pressed = slice.get<core::PaintStroke>();
     pressed.path.pressures = std::vector<double>{1.0, 0.0, 0.8};
     cases.push_back({"paint on a slice as the pen is pressed", volume, {first, paint}, pressed});
+    pressed.path.shape = core::BrushPath::Shape::Square;
+    pressed.path.sideLps = geometry.direction()[0] + 0.5 * geometry.direction()[1];
+    cases.push_back({"paint a square on a slice", volume, {first, paint}, pressed});
+    auto cube = eraser.get<core::PaintStroke>();
+    cube.path.shape = core::BrushPath::Shape::Cube;
+    cube.path.normalLps = geometry.direction()[2];
+    cube.path.sideLps = geometry.direction()[0];
+    cases.push_back({"erase a cube", volume, {first, seeds, some, paint}, cube});
     auto dab = paint.get<core::PaintStroke>();
     dab.segment = 2;
     dab.path.radiusMm = 2.0;

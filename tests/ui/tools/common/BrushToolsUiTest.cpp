@@ -178,6 +178,80 @@ private Q_SLOTS:
         QCOMPARE(recipe.session().stateHash(), fixture.session().stateHash());
     }
 
+    /// A square's sides are the view's; the eraser end takes it away as the mouse's Ctrl does.
+    void aSquareOnASliceHasTheSidesOfTheView()
+    {
+        BrushFixture fixture(Brush::Paint);
+        auto* shape = fixture.window.findChild<QComboBox*>(QStringLiteral("brushShape"));
+        QVERIFY(shape);
+        const int squareIndex = shape->findText(QStringLiteral("square"));
+        shape->setCurrentIndex(squareIndex);
+        Q_EMIT shape->activated(squareIndex);
+        QVERIFY(fixture.workspace.brushSettings(Brush::Paint).square);
+        QVERIFY(fixture.workspace.brushSettings(Brush::Paint).disc);
+        ui::Workspace::BrushSettings settings = fixture.workspace.brushSettings(Brush::Paint);
+        settings.radiusMm = 3.3; // no edge on the middle of a voxel
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+        const QPointF middle = BrushFixture::middleOf(fixture.slice);
+        {
+            test::Pen pen(fixture.slice);
+            pen.press(middle, 0.5, 70000);
+            pen.release(middle, 70100);
+        }
+        QVERIFY(fixture.session().settle());
+        const auto edit = fixture.lastEdit().get<core::PaintStroke>();
+        QVERIFY(edit.path.shape == BrushPath::Shape::Square);
+        const auto& scene = std::get<gpu::SliceScene>(fixture.slice.context().scene);
+        QVERIFY(glm::distance(*edit.path.sideLps, glm::normalize(scene.rightLps)) < 1e-3);
+        // Voxels of one slice, as many as lie within the half side along both axes of the view.
+        const auto voxels = fixture.painted();
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        std::set<std::array<int, 3>> expected;
+        const int z = (*voxels.begin())[2];
+        for (int y = 0; y < geometry.size.y; ++y) {
+            for (int x = 0; x < geometry.size.x; ++x) {
+                const glm::dvec3 way = geometry.toWorld({x, y, z}) - edit.path.pointsLps.front();
+                const double half =
+                    std::max(std::abs(glm::dot(way, glm::normalize(scene.rightLps))),
+                        std::abs(glm::dot(way, glm::normalize(scene.downLps))));
+                QVERIFY(std::abs(half - 3.3) > 1e-3); // there rounding would decide
+                if (half < 3.3)
+                    expected.insert({x, y, z});
+            }
+        }
+        QVERIFY(expected.size() > 8);
+        QCOMPARE(voxels, expected);
+
+        // Its corners are taken away by a square, not by a disc of that radius.
+        settings.square = false;
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+        QCOMPARE(shape->currentText(), QStringLiteral("disc"));
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, middle.toPoint());
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().erase);
+        QVERIFY(!fixture.painted().empty());
+        QVERIFY(fixture.painted().size() < voxels.size());
+        settings.square = true;
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+        test::Pen eraser(fixture.slice, test::Pen::End::Eraser);
+        eraser.press(middle, 0.5, 71000);
+        eraser.release(middle, 71100);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.painted().empty());
+        // A cube goes through more slices than one; in the 3D view all brushes are balls.
+        settings.disc = false;
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+        QCOMPARE(shape->currentText(), QStringLiteral("cube"));
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, {}, middle.toPoint());
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().path.shape == BrushPath::Shape::Cube);
+        QVERIFY(fixture.painted().size() > 2 * voxels.size());
+        test::Pen pen(fixture.view);
+        draw(fixture, fixture.view, pen);
+        lift(fixture, fixture.view, pen);
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().path.shape == BrushPath::Shape::Ball);
+    }
+
     void theEraserEndAndControlErase()
     {
         BrushFixture fixture(Brush::Paint);
