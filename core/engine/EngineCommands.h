@@ -20,8 +20,8 @@ namespace core {
 // transaction is open; a brick or voxel that the volume does not have; an image that is neither
 // empty nor whole; a connectivity other than 6, 18 and 26; a shrinking to more than there is, also
 // by ShrinkTo; a cut, also by CutFurther, of no step; a segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is
-// below 1; a laser, a brush's frame, what is hidden, a list of labels or places, a growth or groups
-// of seeds that are not sound (isSound()); bounds that are not (areSound()); a layer folded into
+// below 1; a laser, a brush's frame or edges, what is hidden, a list of labels or places, a growth
+// or groups of seeds that are not sound (isSound()); bounds that are not (areSound()); a layer folded into
 // itself; a table of opacities of another length than 256; growing from seeds that is not sound
 // (isSound()) or with seeds of fewer than two labels; TraceTolerance while a transaction is open,
 // by a rule that is not sound (isSound()) or of a label without seeds; PreviewCut while a

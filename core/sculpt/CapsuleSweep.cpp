@@ -18,6 +18,20 @@ double distanceToLine(const glm::dvec3& point, const glm::dvec3& from, const glm
     return glm::distance(point, from + t * along);
 }
 
+/// Whether a box of this half size on its way along a line passes beside a place, seen along one
+/// of its axes.
+bool passesBeside(const glm::dvec3& away, const glm::dvec3& along, const glm::dvec3& halfSize)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const int a = (axis + 1) % 3;
+        const int b = (axis + 2) % 3;
+        if (std::abs(away[a] * along[b] - away[b] * along[a])
+            > halfSize[a] * std::abs(along[b]) + halfSize[b] * std::abs(along[a]))
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 bool isSound(const CapsuleFrame& frame)
@@ -84,8 +98,6 @@ std::vector<std::uint32_t> bricksNear(
         halfExtent += glm::abs(perVoxel[axis]) * halfBrick.x;
         halfDiagonal += glm::length(perVoxel[axis]) * halfBrick.x;
     }
-    // How far its corners are from its middle.
-    const double corner = frame.isSquare ? 1.7321 * radius : radius;
     const glm::ivec3 bricks = grid.bricks();
     std::vector<std::uint32_t> found;
     for (int z = first.z; z <= end.z; ++z) {
@@ -98,7 +110,10 @@ std::vector<std::uint32_t> bricksNear(
                     continue;
                 if (frame.isFlat)
                     centre.z = from.z;
-                if (distanceToLine(centre, from, along) > halfDiagonal + corner)
+                const bool isFar = frame.isSquare
+                    ? passesBeside(centre - from, along, around + halfExtent)
+                    : distanceToLine(centre, from, along) > halfDiagonal + radius;
+                if (isFar)
                     continue;
                 found.push_back(std::uint32_t(x + bricks.x * (y + bricks.y * z)));
             }

@@ -61,19 +61,19 @@ bool isInBox(
     return !(to < from);
 }
 
-/// The least such half side.
-std::int64_t leastBox(const Position& q, const core::Capsule& capsule, std::int64_t length)
+/// The least such half side, or @p low where it is less, @p high where it is more.
+std::int64_t leastBox(const Position& q, const core::Capsule& capsule, std::int64_t length,
+    std::int64_t low, std::int64_t high)
 {
-    std::int64_t tooSmall = -1;
-    std::int64_t half = std::max({std::abs(q[0]), std::abs(q[1]), std::abs(q[2])}); // around 0
-    while (half - tooSmall > 1) {
-        const std::int64_t middle = (half + tooSmall) / 2;
-        if (isInBox(q, capsule, length, middle))
-            half = middle;
-        else
-            tooSmall = middle;
+    if (isInBox(q, capsule, length, low))
+        return low;
+    if (!isInBox(q, capsule, length, high))
+        return high;
+    while (high - low > 1) {
+        const std::int64_t middle = (low + high) / 2;
+        (isInBox(q, capsule, length, middle) ? high : low) = middle;
     }
-    return half;
+    return high;
 }
 
 bool bears(std::uint32_t word, std::uint32_t label)
@@ -150,7 +150,12 @@ std::optional<std::int64_t> Capsules::distance(
         along += q[std::size_t(c)] * capsule.direction[c];
     }
     if (m_frame.isSquare) {
-        const std::int64_t half = leastBox(q, capsule, capsule.length >> m_frame.shift);
+        // Beyond the ramp it does not matter how far.
+        const std::int64_t radius = std::max<std::int64_t>(m_frame.radius - capsule.less, 0);
+        const std::int64_t low = (radius - m_frame.rampHalfWidth) >> m_frame.shift;
+        const std::int64_t high = (radius + m_frame.rampHalfWidth) >> m_frame.shift;
+        const std::int64_t half = leastBox(
+            q, capsule, capsule.length >> m_frame.shift, std::max<std::int64_t>(low, 0), high + 1);
         return half * half;
     }
     const std::int64_t h =
@@ -163,8 +168,12 @@ std::optional<std::int64_t> Capsules::distance(
     return squared;
 }
 
-void Capsules::extend(const std::vector<core::Capsule>& capsules)
+void Capsules::extend(const core::CapsulePath& path)
 {
+    const auto* edgewise = std::get_if<core::PaintLabel>(&m_edit);
+    if (edgewise && edgewise->edges)
+        return followEdges(*edgewise, path);
+    const std::vector<core::Capsule>& capsules = path.capsules;
     const glm::ivec3 size = m_codes.size;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {

@@ -2,8 +2,7 @@
 #include "core/edits/engine/EngineEdits.h"
 
 #include "core/edits/engine/CutFrames.h"
-#include "core/edits/engine/SlicePlane.h"
-
+#include "core/edits/engine/StrokeSpace.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 
 #include <algorithm>
@@ -13,35 +12,6 @@
 namespace core {
 
 namespace {
-
-/// Where stroke coordinates lie in the patient.
-struct StrokeSpace {
-    glm::dvec3 middleLps{0.0};
-    glm::dmat3 toStroke{1.0}; ///< turns LPS directions
-    double planeMm = 0.0; ///< of a flat brush: height of its plane over the middle
-    double volumeRadiusMm = 0.0; ///< a ball around the middle that holds every voxel
-    double halfThicknessMm = 0.0;
-
-    [[nodiscard]] glm::dvec3 turned(const glm::dvec3& lps) const
-    {
-        return toStroke * (lps - middleLps) - glm::dvec3(0.0, 0.0, planeMm);
-    }
-};
-
-/// Rows are two directions in the plane and the normal.
-glm::dmat3 planeAxes(const glm::dvec3& normal)
-{
-    const glm::dvec3 across = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 right = glm::normalize(glm::cross(across, normal));
-    return glm::transpose(glm::dmat3(right, glm::cross(normal, right), normal));
-}
-
-/// The same, the first of them along a side of a square or cube.
-glm::dmat3 sideAxes(const glm::dvec3& normal, const glm::dvec3& side)
-{
-    const glm::dvec3 right = glm::normalize(side - normal * glm::dot(normal, side));
-    return glm::transpose(glm::dmat3(right, glm::cross(normal, right), normal));
-}
 
 /// Errors: InvalidField below @p name where a shape lacks a direction that it needs.
 Result<void> checkDirections(const BrushPath& path, const QString& name)
@@ -79,60 +49,10 @@ double reachMm(const BrushPath& path)
     return (isSquare(path.shape) ? std::sqrt(3.0) : 1.0) * path.radiusMm;
 }
 
-/// Expects a path that capsuleFrame() accepts.
-StrokeSpace strokeSpace(const BrushPath& path, const VolumeGeometry& geometry)
-{
-    StrokeSpace space;
-    space.middleLps = geometry.toWorld((glm::dvec3(geometry.size) - 1.0) / 2.0);
-    for (const glm::dvec3& corner : geometry.cornersLps())
-        space.volumeRadiusMm =
-            std::max(space.volumeRadiusMm, glm::distance(corner, space.middleLps));
-    if (path.shape == BrushPath::Shape::Ball)
-        return space;
-    const glm::dvec3 normal = glm::normalize(*path.normalLps);
-    space.toStroke = isSquare(path.shape) ? sideAxes(normal, *path.sideLps) : planeAxes(normal);
-    if (!isFlat(path.shape))
-        return space;
-    const SlicePlane slice = slicePlane(geometry, normal, path.pointsLps.front());
-    space.planeMm = slice.heightMm;
-    space.halfThicknessMm = slice.halfThicknessMm;
-    // A plane that lies far off meets no voxel, however far.
-    const double farMm = 2.0 * space.volumeRadiusMm + 2.0 * space.halfThicknessMm;
-    space.planeMm = std::clamp(space.planeMm, -farMm, farMm);
-    return space;
-}
-
-double finestSpacing(const VolumeGeometry& geometry)
-{
-    const glm::dvec3 spacing = geometry.spacingMm();
-    return std::min({spacing.x, spacing.y, spacing.z});
-}
-
 /// No capsule is longer: short enough that 14 bits resolve it, long enough that there are few.
 std::int32_t longestCapsule(const BrushPath& path, const VolumeGeometry& geometry)
 {
     return std::max(mm16(path.radiusMm), mm16(8.0 * finestSpacing(geometry)));
-}
-
-/// Pieces of a straight way that can come near the volume, first and one past the last.
-std::array<std::int64_t, 2> piecesNear(
-    const glm::dvec3& from, const glm::dvec3& along, std::int64_t pieces, double nearMm)
-{
-    const double a = glm::dot(along, along);
-    const double b = glm::dot(from, along);
-    const double c = glm::dot(from, from) - nearMm * nearMm;
-    if (a == 0.0)
-        return {0, c <= 0.0 ? 1 : 0};
-    const double root = b * b - a * c;
-    if (root < 0.0)
-        return {0, 0};
-    const auto at = [&](double t) { return std::clamp(t, 0.0, 1.0) * double(pieces); };
-    const double enter = (-b - std::sqrt(root)) / a;
-    const double leave = (-b + std::sqrt(root)) / a;
-    if (leave < 0.0 || enter > 1.0)
-        return {0, 0};
-    return {std::max<std::int64_t>(std::int64_t(at(enter)) - 1, 0),
-        std::min<std::int64_t>(std::int64_t(at(leave)) + 2, pieces)};
 }
 
 Capsule capsuleBetween(const glm::dvec3& from, const glm::dvec3& to)

@@ -70,4 +70,14 @@ struct PartPressures {
     const glm::dvec3* from, const std::vector<glm::dvec3>& points,
     const PartPressures& pressures = {});
 
+/// The voxels under the pen along a path, in and out of the volume those that are in it; of a flat
+/// brush, those of its slab. What CapsulePath::under says of a brush that follows edges.
+[[nodiscard]] std::vector<glm::ivec3> voxelsUnder(
+    const BrushPath& path, const VolumeGeometry& geometry);
+/// Along a part of it; the parameters are those of capsules().
+[[nodiscard]] std::vector<glm::ivec3> voxelsUnder(const BrushPath& path,
+    const VolumeGeometry& geometry, const glm::dvec3* from, const std::vector<glm::dvec3>& points);
+/// The voxel under the first point, or the one nearest to it where that is outside the volume.
+[[nodiscard]] glm::ivec3 startVoxel(const BrushPath& path, const VolumeGeometry& geometry);
+
 } // namespace core

@@ -322,6 +322,15 @@ private Q_SLOTS:
         QVERIFY(!stroke.upper && !stroke.erase && !stroke.seeds && stroke.overwriteUnlocked);
         QCOMPARE(editToJson(*editFromJson(editToJson(*paint))), editToJson(*paint));
         QVERIFY(!editToJson(*paint).contains(QLatin1String("sideLps")));
+        QVERIFY(!editToJson(*paint).contains(QLatin1String("edgeTolerance")));
+        QVERIFY(!stroke.edgeTolerance);
+        const Result<Edit> edgewise = editFromJson(parse(
+            "{'edit':'paint','segment':2,'radiusMm':6,'pointsLps':[[0,0,0]],'edgeTolerance':40}"));
+        QVERIFY(edgewise);
+        QCOMPARE(*edgewise->get<PaintStroke>().edgeTolerance, 40.0);
+        QCOMPARE(editToJson(*editFromJson(editToJson(*edgewise))), editToJson(*edgewise));
+        QVERIFY(!editFromJson(parse("{'edit':'paint','segment':2,'radiusMm':6,"
+                                    "'pointsLps':[[0,0,0]],'edgeTolerance':-1}")));
 
         const Result<Edit> square = editFromJson(
             parse("{'edit':'paint','segment':2,'radiusMm':6,'shape':'square','normalLps':[0,0,1],"

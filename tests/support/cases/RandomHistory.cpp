@@ -711,6 +711,9 @@ private:
         stroke.overwriteUnlocked = chance(40);
         if (chance(30))
             stroke.lower = between(-200, 300);
+        // Of the row's number, as in randomGrowth().
+        if (m_session->history().rows().size() % 4 == 1)
+            stroke.edgeTolerance = 120.0;
         return stroke;
     }
     BrushStroke randomBrush()
