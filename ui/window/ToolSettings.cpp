@@ -80,7 +80,9 @@ QJsonObject toJson(const Workspace::BrushSettings& brush)
         {QStringLiteral("onlyBetween"), brush.onlyBetween}, {QStringLiteral("lower"), brush.lower},
         {QStringLiteral("upper"), brush.upper},
         {QStringLiteral("overwriteUnlocked"), brush.overwriteUnlocked},
-        {QStringLiteral("radiusByPressure"), brush.radiusByPressure}};
+        {QStringLiteral("radiusByPressure"), brush.radiusByPressure},
+        {QStringLiteral("followsEdges"), brush.followsEdges},
+        {QStringLiteral("edgeTolerance"), brush.edgeTolerance}};
 }
 
 void read(const QJsonValue& json, Workspace::BrushSettings& brush)
@@ -94,6 +96,9 @@ void read(const QJsonValue& json, Workspace::BrushSettings& brush)
     read(json[QLatin1String("upper")], brush.upper);
     read(json[QLatin1String("overwriteUnlocked")], brush.overwriteUnlocked);
     read(json[QLatin1String("radiusByPressure")], brush.radiusByPressure);
+    read(json[QLatin1String("followsEdges")], brush.followsEdges);
+    read(json[QLatin1String("edgeTolerance")], brush.edgeTolerance, 0.0,
+        Workspace::BrushSettings::greatestEdgeTolerance);
 }
 
 /// Sessions of old have one interval for all segments, which is left as it is.

@@ -73,6 +73,9 @@ public:
         double upper = 0.0;
         bool overwriteUnlocked = false;
         bool radiusByPressure = false; ///< of a pen; else its pressure does nothing
+        bool followsEdges = false; ///< paint, on slices
+        double edgeTolerance = 0.0; ///< modality units; 0: none was chosen yet
+        static constexpr double greatestEdgeTolerance = 1e6;
         bool operator==(const BrushSettings&) const = default;
     };
     enum class Brush { Paint, Carve, Barrier };

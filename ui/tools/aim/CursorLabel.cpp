@@ -48,6 +48,15 @@ void drawCursorSquare(
         [&] { painter.drawRect(QRectF(cursor - corner, cursor + corner)); });
 }
 
+void drawCursorCross(QPainter& painter, const QPointF& cursor, const QColor& colour)
+{
+    constexpr double arm = 4.0;
+    drawOutline(painter, colour, false, [&] {
+        painter.drawLine(cursor - QPointF(arm, 0.0), cursor + QPointF(arm, 0.0));
+        painter.drawLine(cursor - QPointF(0.0, arm), cursor + QPointF(0.0, arm));
+    });
+}
+
 void drawCursorLabel(QPainter& painter, const QSizeF& view, const QPointF& cursor, double radius,
     const QStringList& lines)
 {

@@ -19,6 +19,8 @@ void drawCursorRing(
     QPainter& painter, const QPointF& cursor, double radius, const QColor& colour, bool dashed);
 void drawCursorSquare(
     QPainter& painter, const QPointF& cursor, double radius, const QColor& colour, bool dashed);
+/// Marks the middle of a brush.
+void drawCursorCross(QPainter& painter, const QPointF& cursor, const QColor& colour);
 
 /// Words beside the cursor, led to by a short line from the rim of a mask; kept inside the view.
 /// The first line is what the tool will do and stands out.

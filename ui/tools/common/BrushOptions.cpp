@@ -3,6 +3,7 @@
 
 #include "ui/base/Theme.h"
 #include "ui/tools/common/BrushTool.h"
+#include "ui/tools/common/EdgeOptions.h"
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
@@ -66,8 +67,10 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
     layout->addWidget(m_radius);
     layout->addWidget(m_pressure);
     layout->addWidget(m_shape);
-    if (brush == Workspace::Brush::Paint)
+    if (brush == Workspace::Brush::Paint) {
+        layout->addWidget(new EdgeOptions(workspace, this));
         layout->addWidget(new PaintLimits(workspace, this));
+    }
 
     showSettings();
     connect(&m_workspace, &Workspace::brushSettingsChanged, this, &BrushOptions::showSettings);

@@ -294,6 +294,12 @@ void BrushTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     if (view.isSlice())
         size += shapeText(shape);
     QStringList lines{action(m_inverted), size};
+    const QString followed = view.isSlice() ? edges() : QString();
+    if (!followed.isEmpty()) {
+        // What lies under it decides.
+        drawCursorCross(painter, m_cursor, colour());
+        lines += followed;
+    }
     if (const QString text = limits(); !text.isEmpty())
         lines += text;
     drawCursorLabel(painter, view.sizePixels, m_cursor, radius, lines);

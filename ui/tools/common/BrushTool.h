@@ -47,6 +47,8 @@ protected:
     [[nodiscard]] virtual QString action(bool inverted) const = 0;
     /// Which voxels may change, in words; empty if all may.
     [[nodiscard]] virtual QString limits() const { return {}; }
+    /// How it follows edges on slices, in words; empty if it does not.
+    [[nodiscard]] virtual QString edges() const { return {}; }
     [[nodiscard]] virtual QColor colour() const = 0;
     /// The edit of a stroke that begins now and follows a path.
     [[nodiscard]] virtual core::Result<core::Edit> strokeAlong(

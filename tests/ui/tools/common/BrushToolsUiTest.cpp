@@ -252,6 +252,89 @@ private Q_SLOTS:
         QVERIFY(fixture.lastEdit().get<core::PaintStroke>().path.shape == BrushPath::Shape::Ball);
     }
 
+    /// In the small head's ventricle (8 HU) the brush takes the ventricle, beside it the brain.
+    void theBrushFollowsEdgesOnSlices()
+    {
+        BrushFixture fixture(Brush::Paint);
+        auto* button = fixture.window.findChild<QToolButton*>(QStringLiteral("brushEdges"));
+        auto* follows = fixture.window.findChild<QCheckBox*>(QStringLiteral("brushFollowsEdges"));
+        auto* within =
+            fixture.window.findChild<QDoubleSpinBox*>(QStringLiteral("brushEdgeTolerance"));
+        QVERIFY(button && follows && within);
+        QVERIFY(!button->isChecked() && !within->isEnabled());
+        fixture.workspace.setWindowLevel({.centre = 40.0, .width = 300.0});
+        follows->click();
+        QVERIFY(button->isChecked() && within->isEnabled());
+        QCOMPARE(fixture.workspace.brushSettings(Brush::Paint).edgeTolerance, 30.0);
+        QVERIFY(within->suffix().endsWith(QStringLiteral("HU")));
+        within->setValue(10.0);
+        QVERIFY(button->toolTip().contains(QStringLiteral("±10 HU")));
+        ui::Workspace::BrushSettings settings = fixture.workspace.brushSettings(Brush::Paint);
+        QCOMPARE(settings.edgeTolerance, 10.0);
+        settings.radiusMm = 9.0;
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+
+        // From the ventricle into the brain: what is alike only lies in the ventricle.
+        const QPointF middle = BrushFixture::middleOf(fixture.slice);
+        const double perMm = 1.0 / fixture.slice.context().mmPerPixel();
+        test::Pen pen(fixture.slice);
+        pen.press(middle, 1.0, 70000);
+        fixture.session().poll();
+        pen.move(middle + QPointF(2.5 * perMm, 0.0), 1.0, 70010);
+        fixture.session().poll();
+        pen.move(middle + QPointF(8.0 * perMm, 0.0), 1.0, 70020);
+        pen.release(middle + QPointF(8.0 * perMm, 0.0), 70100);
+        QVERIFY(fixture.session().settle());
+        const auto edit = fixture.lastEdit().get<core::PaintStroke>();
+        QCOMPARE(edit.edgeTolerance.value_or(-1.0), 10.0);
+        const auto ventricle = fixture.painted();
+        QVERIFY(!ventricle.empty());
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        std::set<std::array<int, 3>> expected;
+        for (int y = 0; y < geometry.size.y; ++y) {
+            for (int x = 0; x < geometry.size.x; ++x) {
+                const int z = (*ventricle.begin())[2];
+                if (glm::length(geometry.toWorld({x, y, z})) < 5.0)
+                    expected.insert({x, y, z});
+            }
+        }
+        QCOMPARE(ventricle, expected);
+        // The oracle comes to the same from a recipe.
+        test::WorkspaceFixture recipe;
+        recipe.apply(fixture.session().history().row(1).edit);
+        recipe.apply(edit);
+        QCOMPARE(recipe.session().stateHash(), fixture.session().stateHash());
+
+        // The eraser end follows them, too: it begins in the brain and leaves the ventricle.
+        const core::RowId row = fixture.session().history().position();
+        const QPointF brain = middle + QPointF(8.0 * perMm, 0.0);
+        {
+            test::Pen eraser(fixture.slice, test::Pen::End::Eraser);
+            eraser.press(brain, 1.0, 71000);
+            eraser.release(brain, 71100);
+        }
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().position(), row);
+        // A mouse paints the brain around it; the cursor's label names the tolerance.
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, {}, brain.toPoint());
+        QVERIFY(fixture.session().settle());
+        const auto both = fixture.painted();
+        QVERIFY(both.size() > ventricle.size() + 50);
+        for (const auto& voxel : both) {
+            const double distance = glm::length(geometry.toWorld({voxel[0], voxel[1], voxel[2]}));
+            QVERIFY(distance < 13.0); // no bone
+        }
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, middle.toPoint());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.painted().size(), both.size() - ventricle.size());
+        // In the 3D view it is a plain brush.
+        test::Pen other(fixture.view);
+        draw(fixture, fixture.view, other);
+        lift(fixture, fixture.view, other);
+        QVERIFY(!fixture.lastEdit().get<core::PaintStroke>().edgeTolerance);
+        QVERIFY(fixture.window.minimumSizeHint().width() <= 1280);
+    }
+
     void theEraserEndAndControlErase()
     {
         BrushFixture fixture(Brush::Paint);
