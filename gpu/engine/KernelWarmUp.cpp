@@ -166,6 +166,9 @@ void KernelWarmUp::runBrushes()
         core::capsules(brushPath, m_document.volumes.front().geometry)};
     if (const auto paint = core::paintLabel({.segment = label, .path = brushPath}, m_document))
         run(*paint, {capsules});
+    const core::PaintStroke alongEdges{.segment = label, .path = brushPath, .edgeTolerance = 1.0};
+    if (const auto paint = core::paintLabel(alongEdges, m_document))
+        run(*paint, {core::paintPath(alongEdges, m_document.volumes.front().geometry)});
     if (const auto barrier = core::paintBarrier({.path = brushPath}, m_document))
         run(*barrier, {capsules});
     if (const auto carve = core::capsuleCut({.path = brushPath}, m_document))

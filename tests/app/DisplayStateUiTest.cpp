@@ -163,8 +163,11 @@ private:
                 .onlyBetween = true,
                 .lower = -7.0,
                 .upper = 80.5,
-                .overwriteUnlocked = true});
-        workspace.setBrushSettings(ui::Workspace::Brush::Carve, {.radiusMm = 2.5, .disc = true});
+                .overwriteUnlocked = true,
+                .followsEdges = true,
+                .edgeTolerance = 37.5});
+        workspace.setBrushSettings(
+            ui::Workspace::Brush::Carve, {.radiusMm = 2.5, .disc = true, .square = true});
         workspace.setBrushSettings(ui::Workspace::Brush::Barrier, {.radiusMm = 1.5, .disc = true});
         workspace.setGrowSettings({.lower = 15.0,
             .upper = 333.0,
@@ -262,9 +265,12 @@ private Q_SLOTS:
                 .onlyBetween = true,
                 .lower = -7.0,
                 .upper = 80.5,
-                .overwriteUnlocked = true}));
+                .overwriteUnlocked = true,
+                .followsEdges = true,
+                .edgeTolerance = 37.5}));
         QCOMPARE(workspace.brushSettings(ui::Workspace::Brush::Carve).radiusMm, 2.5);
         QVERIFY(workspace.brushSettings(ui::Workspace::Brush::Carve).disc);
+        QVERIFY(workspace.brushSettings(ui::Workspace::Brush::Carve).square);
         QCOMPARE(workspace.brushSettings(ui::Workspace::Brush::Barrier).radiusMm, 1.5);
         QCOMPARE(workspace.activeLayer(), 2);
         QCOMPARE(workspace.activeTool()->iconName(), QStringLiteral("seed"));

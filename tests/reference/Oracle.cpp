@@ -265,6 +265,8 @@ core::Result<Oracle::Work> Oracle::begin(core::PaintLabel& edit)
         return refuse("label", "0 is no segment");
     if (!core::isSound(edit.frame))
         return refuse("frame", "is not sound");
+    if (edit.edges && !core::isSound(*edit.edges, core::BrickGrid{m_codes.size}))
+        return refuse("edges", "is not sound");
     return Capsules(m_codes, m_fields, edit);
 }
 
@@ -371,7 +373,7 @@ Oracle::Outcome Oracle::carryOut(core::ExtendEdit& command)
         Capsules* stroke = std::get_if<Capsules>(&m_open->work);
         if (!stroke)
             return refuse("extension", "the open edit is no stroke of a brush");
-        stroke->extend(path->capsules);
+        stroke->extend(*path);
         return std::nullopt;
     }
     if (const auto* depth = std::get_if<core::PeelDepth>(&command.extension)) {

@@ -201,6 +201,10 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Paint '%1' %2 mm");
     case RowTitleCode::Erase:
         return tr("Erase '%1' %2 mm");
+    case RowTitleCode::PaintAlongEdges:
+        return tr("Paint '%1' along edges %2 mm");
+    case RowTitleCode::EraseAlongEdges:
+        return tr("Erase '%1' along edges %2 mm");
     case RowTitleCode::FillOutline:
         return tr("Fill an outline with '%1'");
     case RowTitleCode::EraseOutline:

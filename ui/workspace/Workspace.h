@@ -66,11 +66,16 @@ public:
     struct BrushSettings {
         double radiusMm = 4.0;
         bool disc = false; ///< on slices: a disc in the slice instead of a ball
+        bool square =
+            false; ///< on slices: a square instead of the disc, a cube instead of the ball
         bool onlyBetween = false; ///< paint: only values from lower to upper
         double lower = 0.0; ///< modality units
         double upper = 0.0;
         bool overwriteUnlocked = false;
         bool radiusByPressure = false; ///< of a pen; else its pressure does nothing
+        bool followsEdges = false; ///< paint, on slices
+        double edgeTolerance = 0.0; ///< modality units; 0: none was chosen yet
+        static constexpr double greatestEdgeTolerance = 1e6;
         bool operator==(const BrushSettings&) const = default;
     };
     enum class Brush { Paint, Carve, Barrier };

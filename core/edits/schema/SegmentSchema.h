@@ -155,6 +155,12 @@ template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)
     visitOverwrite(visit, edit.overwriteUnlocked);
     visit.field("seeds", Presence::Optional, edit.seeds, editFields::Flag{},
         "whether what is painted takes part in growth: the next one goes on from there");
+    visit.maybe("edgeTolerance", edit.edgeTolerance,
+        editFields::Number{"modality units", 0.0, quantum::unbounded, 0.0},
+        "follow edges: only voxels whose values differ by at most this from the one where the "
+        "path begins (the median of the voxels around it), and that are joined to the path by "
+        "such voxels under the brush",
+        "all that is under the brush");
 }
 
 template <> inline constexpr const char* editName<FillOutline> = "fillOutline";

@@ -348,6 +348,24 @@ private Q_SLOTS:
         QCOMPARE(*stroke.lower, -10.0);
         QVERIFY(!stroke.upper && !stroke.erase && !stroke.seeds && stroke.overwriteUnlocked);
         QCOMPARE(editToJson(*editFromJson(editToJson(*paint))), editToJson(*paint));
+        QVERIFY(!editToJson(*paint).contains(QLatin1String("sideLps")));
+        QVERIFY(!editToJson(*paint).contains(QLatin1String("edgeTolerance")));
+        QVERIFY(!stroke.edgeTolerance);
+        const Result<Edit> edgewise = editFromJson(parse(
+            "{'edit':'paint','segment':2,'radiusMm':6,'pointsLps':[[0,0,0]],'edgeTolerance':40}"));
+        QVERIFY(edgewise);
+        QCOMPARE(*edgewise->get<PaintStroke>().edgeTolerance, 40.0);
+        QCOMPARE(editToJson(*editFromJson(editToJson(*edgewise))), editToJson(*edgewise));
+        QVERIFY(!editFromJson(parse("{'edit':'paint','segment':2,'radiusMm':6,"
+                                    "'pointsLps':[[0,0,0]],'edgeTolerance':-1}")));
+
+        const Result<Edit> square = editFromJson(
+            parse("{'edit':'paint','segment':2,'radiusMm':6,'shape':'square','normalLps':[0,0,1],"
+                  "'sideLps':[1,0.5,0],'pointsLps':[[1,2.5,-3]]}"));
+        QVERIFY(square);
+        QVERIFY(square->get<PaintStroke>().path.shape == BrushPath::Shape::Square);
+        QCOMPARE(square->get<PaintStroke>().path.sideLps->y, 0.5);
+        QCOMPARE(editToJson(*editFromJson(editToJson(*square))), editToJson(*square));
 
         const Result<Edit> brush = editFromJson(
             parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'restore':true}"));
@@ -356,10 +374,10 @@ private Q_SLOTS:
         QVERIFY(brush->get<BrushStroke>().path.shape == BrushPath::Shape::Ball);
         QCOMPARE(brush->get<BrushStroke>().layer, 1);
 
-        const Result<Edit> cube = editFromJson(
-            parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'shape':'cube'}"));
-        QVERIFY(!cube);
-        QCOMPARE(cube.error().arguments.value(0), QStringLiteral("brush.shape"));
+        const Result<Edit> cone = editFromJson(
+            parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'shape':'cone'}"));
+        QVERIFY(!cone);
+        QCOMPARE(cone.error().arguments.value(0), QStringLiteral("brush.shape"));
         const Result<Edit> lifted = editFromJson(
             parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0],[9,0,0]],'lifts':[1]}"));
         QVERIFY(lifted);

@@ -366,7 +366,7 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return withoutLabel(before, remove->segment);
     if (const auto* paint = edit.as<PaintStroke>())
         return after(before, *paintLabel(*paint, document),
-            {CapsulePath{capsules(paint->path, m_study.volume.geometry)}}, nullptr);
+            {paintPath(*paint, m_study.volume.geometry)}, nullptr);
     if (const auto* carved = edit.as<LayerToSegment>())
         return after(before, *labelCarved(*carved, document), {}, nullptr);
     if (const auto* seen = edit.as<SegmentSeen>())

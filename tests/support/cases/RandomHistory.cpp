@@ -680,6 +680,11 @@ private:
             path.pressures.emplace(path.pointsLps.size(), 0.4);
             path.pressures->front() = 1.0;
         }
+        if (m_session->history().rows().size() % 5 == 2) {
+            path.shape = path.normalLps ? BrushPath::Shape::Square : BrushPath::Shape::Cube;
+            path.normalLps = glm::dvec3(0, 0, 1);
+            path.sideLps = glm::dvec3(1, 0.5, 0);
+        }
         return path;
     }
     /// In a slice along the grid or an oblique one, of a curve that may cross itself.
@@ -763,6 +768,9 @@ private:
         stroke.overwriteUnlocked = chance(40);
         if (chance(30))
             stroke.lower = between(-200, 300);
+        // Of the row's number, as in randomGrowth().
+        if (m_session->history().rows().size() % 4 == 1)
+            stroke.edgeTolerance = 120.0;
         return stroke;
     }
     BrushStroke randomBrush()

@@ -154,14 +154,17 @@ private Q_SLOTS:
             paint.erase = false;
             paint.lower.reset();
             paint.upper.reset();
+            // What a brush that follows edges leaves out where the pen is outside the volume counts
+            // as unwritten below.
+            if (number % 4 != 0)
+                paint.edgeTolerance.reset();
             BrushStroke brush = test::randomBrush(document, random);
             brush.restore = false;
             const std::vector<std::uint16_t> codes(std::size_t(size.x) * size.y * size.z, 7);
             reference::ReferenceEngine engine;
             QVERIFY(engine.openVolume(size, codes));
             const VolumeGeometry& geometry = document.volumes.front().geometry;
-            submitWhole(engine, *paintLabel(paint, document),
-                {CapsulePath{capsules(paint.path, geometry)}});
+            submitWhole(engine, *paintLabel(paint, document), {paintPath(paint, geometry)});
             submitWhole(engine, *capsuleCut(brush, document),
                 {CapsulePath{capsules(brush.path, geometry)}});
             const std::vector<EngineResult> results = engine.collect();
