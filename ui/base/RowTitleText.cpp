@@ -244,6 +244,12 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Close '%1' by %2 mm");
     case RowTitleCode::SmoothShape:
         return tr("Smooth '%1' by %2 mm");
+    case RowTitleCode::ThresholdReplace:
+        return tr("Threshold '%1' to %2");
+    case RowTitleCode::ThresholdAdd:
+        return tr("Add %2 to '%1'");
+    case RowTitleCode::ThresholdSubtract:
+        return tr("Subtract %2 from '%1'");
     case RowTitleCode::SegmentSeen:
         return tr("Segment what is seen as '%1'");
     case RowTitleCode::LayerToSegment:

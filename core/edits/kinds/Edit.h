@@ -69,6 +69,7 @@ struct ShrinkSteps;
 struct SmoothSurface;
 struct SpherePush;
 struct SurfaceBarrier;
+struct ThresholdSegment;
 struct WriteBack;
 
 template <class... Es> struct EditKinds {
@@ -83,7 +84,8 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, ImportMask,
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
-    SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment>;
+    SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
+    ThresholdSegment>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {
