@@ -21,6 +21,7 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QJsonArray>
@@ -171,8 +172,25 @@ private Q_SLOTS:
                 editFromJson(parse(qPrintable(QStringLiteral("{'edit':'reshapeSegment','segment':2,"
                                                              "'operation':'%1','mm':2}")
                                                   .arg(QLatin1String(operation))))));
-        for (const Edit& edit :
-            {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped, *grown, *shell})
+        const Result<Edit> threshold =
+            editFromJson(parse("{'edit':'thresholdSegment','segment':3,'lower':300.5,"
+                               "'mode':'subtract','box':[[1,2,3],[4.00001,5,6]],"
+                               "'onlyVisible':true,'overwriteUnlocked':true}"));
+        const Result<Edit> everything =
+            editFromJson(parse("{'edit':'thresholdSegment','segment':3}"));
+        QVERIFY(threshold && everything);
+        const auto& limited = threshold->get<ThresholdSegment>();
+        QVERIFY(limited.lower == 300.5 && !limited.upper && limited.segment == 3);
+        QVERIFY(limited.mode == ThresholdSegment::Mode::Subtract);
+        QVERIFY(limited.onlyVisible && limited.overwriteUnlocked);
+        QCOMPARE(
+            quantised(*threshold).get<ThresholdSegment>().box->toLps, (glm::dvec3{4.0, 5.0, 6.0}));
+        const auto& whole = everything->get<ThresholdSegment>();
+        QVERIFY(!whole.lower && !whole.upper && !whole.box && !whole.onlyVisible);
+        QVERIFY(whole.mode == ThresholdSegment::Mode::Replace && !whole.overwriteUnlocked);
+        QVERIFY(editFromJson(parse("{'edit':'thresholdSegment','segment':3,'mode':'add'}")));
+        for (const Edit& edit : {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped,
+                 *grown, *shell, *threshold, *everything})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -194,6 +212,10 @@ private Q_SLOTS:
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':100.5}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'polish','mm':1}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'hollow','mm':1,'shell':'on'}",
+                "{'edit':'thresholdSegment'}", "{'edit':'thresholdSegment','segment':0}",
+                "{'edit':'thresholdSegment','segment':2,'mode':'invert'}",
+                "{'edit':'thresholdSegment','segment':2,'box':[[1,2,3]]}",
+                "{'edit':'thresholdSegment','segment':2,'lower':'much'}",
                 "{'edit':'invertSegment'}", "{'edit':'invertSegment','segment':0}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }

@@ -65,6 +65,13 @@ private Q_SLOTS:
         const ReshapeSegment reshape{.segment = 2, .mm = 1.0};
         QVERIFY(effectsOf(reshape).fills.label == 2 && effectsOf(reshape).writesTo == 2);
         QVERIFY(!effectsOf(reshape).boundToStudy);
+        ThresholdSegment threshold{.segment = 5};
+        QVERIFY(effectsOf(threshold).fills.label == 5 && effectsOf(threshold).writesTo == 5);
+        QVERIFY(!effectsOf(threshold).boundToStudy && effectsOf(threshold).standsOpen);
+        threshold.mode = ThresholdSegment::Mode::Subtract;
+        threshold.box = GrowBox{};
+        QVERIFY(!effectsOf(threshold).fills.label && effectsOf(threshold).writesTo == 5);
+        QVERIFY(effectsOf(threshold).boundToStudy); // it names places
     }
 };
 

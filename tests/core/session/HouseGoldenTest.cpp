@@ -66,6 +66,7 @@ private Q_SLOTS:
         kinds.insert(editPlace<CombineSegments>);
         kinds.insert(editPlace<FillOutline>);
         kinds.insert(editPlace<ReshapeSegment>);
+        kinds.insert(editPlace<ThresholdSegment>);
         QCOMPARE(kinds.size(), AllEdits::count);
     }
 

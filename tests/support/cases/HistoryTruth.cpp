@@ -38,6 +38,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "core/edits/sculpt/SculptVisit.h"
@@ -119,7 +120,8 @@ bool changesLabels(const Edit& edit)
         || edit.is<BarrierStroke>() || edit.is<GrowFromSeeds>() || edit.is<PaintStroke>()
         || edit.is<RemoveSegment>() || edit.is<LayerToSegment>() || edit.is<SegmentSeen>()
         || edit.is<ImportMask>() || edit.is<InvertSegment>() || edit.is<CombineSegments>()
-        || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>();
+        || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>()
+        || edit.is<ThresholdSegment>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -352,6 +354,8 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return cleaned(before, *clean, document);
     if (const auto* outline = edit.as<FillOutline>())
         return after(before, *labelOutlined(*outline, document), {}, nullptr);
+    if (const auto* threshold = edit.as<ThresholdSegment>())
+        return after(before, *labelThreshold(*threshold, document), {}, nullptr, &document);
     // What a ball does to a segment is another test's matter; here from which labels, and when.
     if (const auto* reshape = edit.as<ReshapeSegment>())
         return after(

@@ -28,6 +28,7 @@ struct ThresholdSegment {
     bool onlyVisible = false;
     std::optional<GrowBox> box{}; ///< what lies outside stays as it is; none: the whole volume
     bool overwriteUnlocked = false;
+    bool operator==(const ThresholdSegment&) const = default;
 };
 
 [[nodiscard]] Result<void> check(const ThresholdSegment& edit, const Document& document);
