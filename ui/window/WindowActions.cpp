@@ -8,6 +8,7 @@
 #include "ui/dialogs/KeysDialog.h"
 #include "ui/dialogs/PenTesterDialog.h"
 #include "ui/dialogs/ReshapeDialog.h"
+#include "ui/dialogs/ThresholdDialog.h"
 #include "ui/dialogs/session/HistoryMemoryDialog.h"
 #include "ui/dialogs/study/OpenDialogs.h"
 #include "ui/frame/MessageBar.h"
@@ -395,7 +396,11 @@ void addListActions(MainWindow& window)
         actions.add({.id = QLatin1String(each.id),
             .text = each.text,
             .run = [&workspace, &each] { each.run(workspace, workspace.activeSegment()); },
-            .possible = [activeSegment] { return activeSegment() && !activeSegment()->locked; },
+            .possible =
+                [activeSegment, isOpen, &each] {
+                    const core::Segment* segment = activeSegment();
+                    return segment ? !segment->locked : each.makesFirst && isOpen();
+                },
             .currentText = [activeSegment, &each] { return namedText(each, activeSegment()); }});
     }
     QObject::connect(&workspace, &Workspace::reshapeAsked, &window,
@@ -404,6 +409,13 @@ void addListActions(MainWindow& window)
             if (!dialog)
                 dialog = new ReshapeDialog(workspace, &window);
             dialog->ask(label, first);
+        });
+    QObject::connect(
+        &workspace, &Workspace::thresholdAsked, &window, [&window, &workspace](int label) {
+            auto* dialog = window.findChild<ThresholdDialog*>();
+            if (!dialog)
+                dialog = new ThresholdDialog(workspace, &window);
+            dialog->ask(label);
         });
     actions.add({.id = QStringLiteral("layers.add"),
         .text = QStringLiteral("Add sculpt layer"),

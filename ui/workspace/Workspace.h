@@ -194,6 +194,8 @@ public:
     void offer(const Offer& made) { Q_EMIT offered(made); }
     /// Has the window ask how far a segment is to be reshaped.
     void askToReshape(int label, core::ShapeOperation first) { Q_EMIT reshapeAsked(label, first); }
+    /// Has the window ask of which values a segment is to be made.
+    void askForThreshold(int label) { Q_EMIT thresholdAsked(label); }
     /// Shows the present pen pressure, 0 … 1.
     void showPressure(double pressure) { Q_EMIT pressureChanged(pressure); }
 
@@ -221,6 +223,7 @@ Q_SIGNALS:
     void failed(const core::Error& error);
     void offered(const ui::Workspace::Offer& made);
     void reshapeAsked(int label, core::ShapeOperation first);
+    void thresholdAsked(int label);
     void pressureChanged(double pressure);
 
 private:
