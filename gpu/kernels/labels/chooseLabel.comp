@@ -1,6 +1,7 @@
 // Gives a label to chosen voxels of listed bricks, or takes it from them, by one of LabelWrites
 // (core/sculpt/LayerWrites.h, LabelOutlined.h) or by their values (LabelThreshold.h). Tells what
-// changes in each; writes only where it is told to. One work-group a brick, each voxel written by one invocation.
+// changes in each; writes only where it is told to. One work-group a brick, each voxel written by
+// one invocation.
 
 layout(local_size_x = 64) in;
 
