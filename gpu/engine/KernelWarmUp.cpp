@@ -223,6 +223,8 @@ void KernelWarmUp::runRelabelling()
     outlined.perI[0] = outlined.perJ[1] = outlined.perK[2] = std::int64_t(1) << 30;
     outlined.corners = {{0, 0}, {2 << 16, 0}, {0, 2 << 16}};
     run(outlined, {});
+    // An interval of values that follows a slider.
+    run(core::LabelThreshold{.target = relabel.target, .lowCode = matter}, {});
 }
 
 void KernelWarmUp::runBarriers()

@@ -319,6 +319,14 @@ core::Result<Oracle::Work> Oracle::begin(core::LabelOutlined& edit)
     return Done{};
 }
 
+core::Result<Oracle::Work> Oracle::begin(core::LabelThreshold& edit)
+{
+    if (edit.target.label == 0)
+        return refuse("label", "0 is no segment");
+    labelThreshold(m_codes, m_fields.composedCoverage(m_muted), m_fields, edit);
+    return Done{};
+}
+
 core::Result<Oracle::Work> Oracle::begin(core::MapLabels& edit)
 {
     mapLabels(m_fields, edit);

@@ -258,6 +258,12 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Erase a region of '%1' in a slice");
     case RowTitleCode::FloodEraseVolume:
         return tr("Erase a region of '%1' in 3D");
+    case RowTitleCode::ThresholdReplace:
+        return tr("Threshold '%1' to %2");
+    case RowTitleCode::ThresholdAdd:
+        return tr("Add %2 to '%1'");
+    case RowTitleCode::ThresholdSubtract:
+        return tr("Subtract %2 from '%1'");
     case RowTitleCode::SegmentSeen:
         return tr("Segment what is seen as '%1'");
     case RowTitleCode::LayerToSegment:

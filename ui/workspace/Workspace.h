@@ -201,6 +201,8 @@ public:
     void askToReshape(int label, core::ShapeOperation first) { Q_EMIT reshapeAsked(label, first); }
     /// Has the window show what lies between the drawn slices of a segment.
     void askToFillBetween(int label) { Q_EMIT fillBetweenAsked(label); }
+    /// Has the window ask of which values a segment is to be made.
+    void askForThreshold(int label) { Q_EMIT thresholdAsked(label); }
     /// Shows the present pen pressure, 0 … 1.
     void showPressure(double pressure) { Q_EMIT pressureChanged(pressure); }
 
@@ -229,6 +231,7 @@ Q_SIGNALS:
     void offered(const ui::Workspace::Offer& made);
     void reshapeAsked(int label, core::ShapeOperation first);
     void fillBetweenAsked(int label);
+    void thresholdAsked(int label);
     void pressureChanged(double pressure);
 
 private:

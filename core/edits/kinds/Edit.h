@@ -71,6 +71,7 @@ struct ShrinkSteps;
 struct SmoothSurface;
 struct SpherePush;
 struct SurfaceBarrier;
+struct ThresholdSegment;
 struct WriteBack;
 
 template <class... Es> struct EditKinds {
@@ -86,7 +87,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
     SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
-    FillBetweenSlices, FloodFill>;
+    FillBetweenSlices, FloodFill, ThresholdSegment>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

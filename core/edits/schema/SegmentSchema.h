@@ -15,6 +15,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/edits/schema/EditMasks.h"
 #include "core/edits/schema/SchemaParts.h"
 
@@ -139,6 +140,25 @@ template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
     visit.maybe("shell", edit.shell,
         editFields::Choice<ShellPlace, 3>{{"inside", "centred", "outside"}},
         "of hollow alone: where the shell lies, from the segment's border", "inside");
+}
+
+template <> inline constexpr const char* editName<ThresholdSegment> = "thresholdSegment";
+template <>
+inline constexpr const char* editMeaning<ThresholdSegment> =
+    "Makes a segment that is not locked of every voxel whose value lies in an interval, adds these "
+    "voxels to it, or takes them from it.";
+template <class Visitor> void visitFields(Visitor& visit, ThresholdSegment& edit)
+{
+    visitSegment(visit, edit.segment);
+    visitOnlyValues(visit, edit.lower, edit.upper);
+    visit.field("mode", Presence::Optional, edit.mode,
+        editFields::Choice<ThresholdSegment::Mode, 3>{{"replace", "add", "subtract"}},
+        "the segment becomes these voxels and loses all others, receives them, or loses them");
+    visit.field("onlyVisible", Presence::Optional, edit.onlyVisible, editFields::Flag{},
+        "whether voxels that are carved away stay as they are");
+    visit.maybe("box", edit.box, editFields::CornerPair{positionLps},
+        "two opposite corners: only voxels between them change", "the whole volume");
+    visitOverwrite(visit, edit.overwriteUnlocked);
 }
 
 template <> inline constexpr const char* editName<PaintStroke> = "paint";

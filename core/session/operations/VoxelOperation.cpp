@@ -267,7 +267,7 @@ void VoxelOperation::takeResult(SessionState& state, EngineResult&& result)
             state.fail(*result.error);
         m_failed = true;
         m_refused = m_refused || (result.ticket == *m_begun && !m_ended);
-        if (m_refused && isPreview())
+        if (m_refused && (isPreview() || isThreshold()))
             m_ending = Ending::Rollback; // nobody's pen is down: it ends here
     }
 }

@@ -23,6 +23,7 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QJsonArray>
@@ -190,8 +191,25 @@ private Q_SLOTS:
         QCOMPARE(flood->get<FloodFill>().tolerance, 40.0);
         QVERIFY(away->get<FloodFill>().within == SliceAxis::K);
         QVERIFY(away->get<FloodFill>().corners && away->get<FloodFill>().erase);
+        const Result<Edit> threshold =
+            editFromJson(parse("{'edit':'thresholdSegment','segment':3,'lower':300.5,"
+                               "'mode':'subtract','box':[[1,2,3],[4.00001,5,6]],"
+                               "'onlyVisible':true,'overwriteUnlocked':true}"));
+        const Result<Edit> everything =
+            editFromJson(parse("{'edit':'thresholdSegment','segment':3}"));
+        QVERIFY(threshold && everything);
+        const auto& limited = threshold->get<ThresholdSegment>();
+        QVERIFY(limited.lower == 300.5 && !limited.upper && limited.segment == 3);
+        QVERIFY(limited.mode == ThresholdSegment::Mode::Subtract);
+        QVERIFY(limited.onlyVisible && limited.overwriteUnlocked);
+        QCOMPARE(
+            quantised(*threshold).get<ThresholdSegment>().box->toLps, (glm::dvec3{4.0, 5.0, 6.0}));
+        const auto& whole = everything->get<ThresholdSegment>();
+        QVERIFY(!whole.lower && !whole.upper && !whole.box && !whole.onlyVisible);
+        QVERIFY(whole.mode == ThresholdSegment::Mode::Replace && !whole.overwriteUnlocked);
+        QVERIFY(editFromJson(parse("{'edit':'thresholdSegment','segment':3,'mode':'add'}")));
         for (const Edit& edit : {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped,
-                 *grown, *shell, *between, *across, *flood, *away})
+                 *grown, *shell, *between, *across, *flood, *away, *threshold, *everything})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -220,8 +238,12 @@ private Q_SLOTS:
                 "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'tolerance':1,'within':'x'}",
                 "{'edit':'fillBetweenSlices'}",
                 "{'edit':'fillBetweenSlices','segment':2,'axis':'axial'}",
-                "{'edit':'fillBetweenSlices','segment':2,'axis':1}", "{'edit':'invertSegment'}",
-                "{'edit':'invertSegment','segment':0}"})
+                "{'edit':'fillBetweenSlices','segment':2,'axis':1}", "{'edit':'thresholdSegment'}",
+                "{'edit':'thresholdSegment','segment':0}",
+                "{'edit':'thresholdSegment','segment':2,'mode':'invert'}",
+                "{'edit':'thresholdSegment','segment':2,'box':[[1,2,3]]}",
+                "{'edit':'thresholdSegment','segment':2,'lower':'much'}",
+                "{'edit':'invertSegment'}", "{'edit':'invertSegment','segment':0}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }
 

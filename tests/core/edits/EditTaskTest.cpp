@@ -73,6 +73,13 @@ private Q_SLOTS:
         const FillBetweenSlices between{.segment = 3};
         QVERIFY(effectsOf(between).fills.label == 3 && effectsOf(between).writesTo == 3);
         QVERIFY(!effectsOf(between).boundToStudy);
+        ThresholdSegment threshold{.segment = 5};
+        QVERIFY(effectsOf(threshold).fills.label == 5 && effectsOf(threshold).writesTo == 5);
+        QVERIFY(!effectsOf(threshold).boundToStudy && effectsOf(threshold).standsOpen);
+        threshold.mode = ThresholdSegment::Mode::Subtract;
+        threshold.box = GrowBox{};
+        QVERIFY(!effectsOf(threshold).fills.label && effectsOf(threshold).writesTo == 5);
+        QVERIFY(effectsOf(threshold).boundToStudy); // it names places
     }
 };
 

@@ -60,7 +60,7 @@ private Q_SLOTS:
                  "cleanSegment keep largest", "cleanSegment remove small",
                  "cleanSegment keep clicked", "cleanSegment remove clicked",
                  "cleanSegment give clicked", "fillOutline", "reshapeSegment", "fillBetweenSlices",
-                 "floodFill", "undo", "redo", "goTo", "reopen", "given up"})
+                 "floodFill", "thresholdSegment", "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done[QLatin1String(kind)] > 0, kind);
     }
 

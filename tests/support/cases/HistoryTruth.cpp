@@ -38,6 +38,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "core/edits/sculpt/SculptVisit.h"
@@ -122,7 +123,7 @@ bool changesLabels(const Edit& edit)
         || edit.is<RemoveSegment>() || edit.is<LayerToSegment>() || edit.is<SegmentSeen>()
         || edit.is<ImportMask>() || edit.is<InvertSegment>() || edit.is<CombineSegments>()
         || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>()
-        || edit.is<FillBetweenSlices>() || edit.is<FloodFill>();
+        || edit.is<FillBetweenSlices>() || edit.is<FloodFill>() || edit.is<ThresholdSegment>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -385,6 +386,8 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return flooded(before, *flood, document);
     if (const auto* outline = edit.as<FillOutline>())
         return after(before, *labelOutlined(*outline, document), {}, nullptr);
+    if (const auto* threshold = edit.as<ThresholdSegment>())
+        return after(before, *labelThreshold(*threshold, document), {}, nullptr, &document);
     // What a ball does to a segment is another test's matter; here from which labels, and when.
     if (const auto* reshape = edit.as<ReshapeSegment>())
         return after(

@@ -47,6 +47,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "core/morphology/BetweenSlices.h"
@@ -381,6 +382,8 @@ private:
         }
         if (m_session->history().rows().size() % 8 == 7)
             return randomFlood(document);
+        if (m_session->history().rows().size() % 16 == 2)
+            return randomThreshold(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
@@ -748,6 +751,25 @@ private:
             flood.overwriteUnlocked = chance(40);
         }
         return flood;
+    }
+    ThresholdSegment randomThreshold(const Document& document)
+    {
+        ThresholdSegment threshold{.segment = any(document.segments).label};
+        threshold.mode = ThresholdSegment::Mode(between(0, 2));
+        threshold.onlyVisible = chance(30);
+        threshold.overwriteUnlocked = chance(40);
+        const double lower = between(-200, 1000);
+        threshold.lower = lower;
+        // Without a box few values: what takes most of the volume leaves nothing to do.
+        if (chance(70)) {
+            const VolumeGeometry& geometry = document.volumes.front().geometry;
+            const glm::dvec3 from{between(0, 20), between(0, 20), between(0, 20)};
+            const glm::dvec3 sides{between(2, 14), between(2, 14), between(2, 14)};
+            threshold.box = GrowBox{geometry.toWorld(from), geometry.toWorld(from + sides)};
+        } else {
+            threshold.upper = lower + between(0, 60);
+        }
+        return threshold;
     }
     ReshapeSegment randomReshape(const Document& document)
     {

@@ -9,6 +9,7 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/engine/EngineCommands.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/RandomEdits.h"
@@ -221,9 +222,9 @@ private Q_SLOTS:
         QVERIFY(removal.covers({Field::SeedWords, 0, 3}));
         QVERIFY(removal.covers({Field::Labels, 0, 3}));
         QVERIFY(!removal.covers({Field::Coverage, 1, 3}));
-        for (const Edit& wholePlane :
-            std::vector<Edit>{InvertSegment{.segment = 1}, CombineSegments{.segment = 1, .with = 2},
-                ReshapeSegment{.segment = 1, .mm = 1.0}, FillBetweenSlices{.segment = 1}}) {
+        for (const Edit& wholePlane : std::vector<Edit>{InvertSegment{.segment = 1},
+                 CombineSegments{.segment = 1, .with = 2}, ReshapeSegment{.segment = 1, .mm = 1.0},
+                 FillBetweenSlices{.segment = 1}, ThresholdSegment{.segment = 1}}) {
             const RowDependencies whole(wholePlane, document, {});
             QVERIFY(whole.covers({Field::SeedWords, 0, 3}));
             QVERIFY(whole.covers({Field::Labels, 0, 3}));
@@ -239,6 +240,10 @@ private Q_SLOTS:
             QVERIFY(everywhere.covers(key));
             QCOMPARE(inSlice.covers(key), grid.boxOf(brick).minimum.z == 16);
         }
+        const RowDependencies visible(
+            ThresholdSegment{.segment = 1, .onlyVisible = true}, document, {});
+        QVERIFY(visible.covers({Field::SeedWords, 0, 3}) && visible.covers({Field::Labels, 0, 3}));
+        QVERIFY(visible.covers({Field::Coverage, 1, 3}) && !visible.covers({Field::Labels, 1, 3}));
         const BrickKey written{Field::Labels, 0, 2};
         const RowDependencies revert(test::revertRows({1}), document, {written});
         QVERIFY(revert.covers(written));
