@@ -26,6 +26,7 @@
 #include "ui/settings/StudyOpener.h"
 #include "ui/tools/growth/BarrierTool.h"
 #include "ui/tools/growth/FillOutlineTool.h"
+#include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/growth/SeedTool.h"
 #include "ui/tools/growth/ShrinkTool.h"
@@ -75,6 +76,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     auto* shrink = new ui::ShrinkTool(workspace, &window);
     auto* paint = new ui::PaintTool(workspace, &window);
     auto* outline = new ui::FillOutlineTool(workspace, &window);
+    auto* flood = new ui::FloodFillTool(workspace, &window);
     auto* barrier = new ui::BarrierTool(workspace, &window);
     auto* refine = new ui::RefineTool(workspace, &window);
     auto* plane = new ui::CuttingPlaneTool(workspace, &window);
@@ -100,6 +102,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*shrink, window.growMenu(), QKeySequence(QStringLiteral("X")));
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
     window.addTool(*outline, window.growMenu(), QKeySequence(QStringLiteral("D")));
+    window.addTool(*flood, window.growMenu(), QKeySequence(QStringLiteral("Shift+D")));
     window.addTool(*barrier, window.growMenu(), QKeySequence(QStringLiteral("Shift+B")));
     window.addToolGroup();
     window.addTool(*refine, window.refineMenu(), QKeySequence(QStringLiteral("F")));
@@ -109,8 +112,8 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*ruler, window.editMenu(), QKeySequence(QStringLiteral("L")));
     window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
-    return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, outline, barrier,
-        refine, plane, chunks, ruler, undoHere};
+    return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, outline, flood,
+        barrier, refine, plane, chunks, ruler, undoHere};
 }
 
 void addDoctor(ui::MainWindow& window)

@@ -19,18 +19,18 @@ namespace core {
 // another kind of edit; a peel's depth below 0; SwapBricks, XorBricks or MuteLayers while a
 // transaction is open; a brick or voxel that the volume does not have; an image that is neither
 // empty nor whole; a connectivity other than 6, 18 and 26; a shrinking to more than there is, also
-// by ShrinkTo; a cut, also by CutFurther, of no step; a segment label of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is
-// below 1; a laser, a brush's frame, what is hidden, a list of labels or places, a growth or groups
-// of seeds that are not sound (isSound()); bounds that are not (areSound()); a layer folded into
-// itself; a table of opacities of another length than 256; growing from seeds that is not sound
-// (isSound()) or with seeds of fewer than two labels; TraceTolerance while a transaction is open,
-// by a rule that is not sound (isSound()) or of a label without seeds; PreviewCut while a
-// transaction is open, or of a cut that could not begin; a box of codes that is empty or not within
-// the volume. ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels,
-// CountGenerations, DropTolerance and DropCutPreview are served while a transaction is open too. A
-// CutGrowth over seeds yields ErrorCode::SeedsStay, one where nothing has grown NothingGrown, one
-// backwards that would take everything EverythingGrown (growth/cut/GrowthCut.h), and so does a
-// PreviewCut of it.
+// by ShrinkTo; a cut, also by CutFurther, of no step; a segment label of 0; a mask's frame whose
+// pitch, rampHalfWidth or gapSamples is below 1; a laser, a brush's frame or edges, what is hidden,
+// a list of labels or places, a growth or groups of seeds that are not sound (isSound()); bounds
+// that are not (areSound()); a layer folded into itself; a table of opacities of another length
+// than 256; growing from seeds that is not sound (isSound()) or with seeds of fewer than two
+// labels; TraceTolerance while a transaction is open, by a rule that is not sound (isSound()) or of
+// a label without seeds; PreviewCut while a transaction is open, or of a cut that could not begin;
+// a box of codes that is empty or not within the volume. ReadBricks, ReadSeedWords, ReadCodes,
+// ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations, DropTolerance and DropCutPreview are
+// served while a transaction is open too. A CutGrowth over seeds yields ErrorCode::SeedsStay, one
+// where nothing has grown NothingGrown, one backwards that would take everything EverythingGrown
+// (growth/cut/GrowthCut.h), and so does a PreviewCut of it.
 
 /// Opens a transaction. At most one is open; its ticket identifies it until EndEdit.
 struct BeginEdit {

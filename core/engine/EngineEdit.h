@@ -13,6 +13,7 @@
 #include "core/growth/SeedSpread.h"
 #include "core/sculpt/DrillCut.h"
 #include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/LabelThreshold.h"
 #include "core/sculpt/LaserCut.h"
 #include "core/sculpt/LayerWrites.h"
 #include "core/sculpt/OutlineCut.h"
@@ -32,9 +33,10 @@ using GrowthEdits = TypeList<SeedPlacement, GrowBurst, ShrinkGrowth, CutGrowth, 
 /// LaserCut: along the surface's normals. CapsuleCut, PaintLabel, PaintBarrier: with a brush.
 using StrokeEdits =
     TypeList<DrillCut, LaserCut, ShellPeel, OutlineCut, CapsuleCut, PaintLabel, PaintBarrier>;
-/// Of whole labels and layers, and of places that are listed. CoverLabel, FoldLayer:
-/// sculpt/LayerWrites.h, as LabelWrites, which give labels to voxels (and LabelOutlined.h).
-using WholeEdits = TypeList<EraseLabel, CoverLabel, FoldLayer, BarrierListed>;
+/// Of whole labels and layers, of places that are listed, and of values (sculpt/LabelThreshold.h).
+/// CoverLabel, FoldLayer: sculpt/LayerWrites.h, as LabelWrites, which give labels to voxels (and
+/// LabelOutlined.h).
+using WholeEdits = TypeList<EraseLabel, CoverLabel, FoldLayer, BarrierListed, LabelThreshold>;
 
 using EngineEditVariant =
     JoinedTypes<GrowthEdits, StrokeEdits, WholeEdits, LabelWrites>::List::Variant;

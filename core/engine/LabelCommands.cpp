@@ -11,7 +11,7 @@ Result<void> checkSound(const EraseLabel& edit, const BrickGrid&)
     return {};
 }
 
-Result<void> checkSound(const PaintLabel& edit, const BrickGrid&)
+Result<void> checkSound(const PaintLabel& edit, const BrickGrid& grid)
 {
     if (edit.label == 0)
         return failure(
@@ -19,6 +19,9 @@ Result<void> checkSound(const PaintLabel& edit, const BrickGrid&)
     if (!isSound(edit.frame))
         return failure(
             ErrorCode::InvalidField, QStringLiteral("frame"), QStringLiteral("is not sound"));
+    if (edit.edges && !isSound(*edit.edges, grid))
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("edges"), QStringLiteral("is not sound"));
     return {};
 }
 

@@ -4,9 +4,11 @@
 #include "core/base/Result.h"
 #include "core/brick/BrickGrid.h"
 #include "core/sculpt/CapsuleSweep.h"
+#include "core/sculpt/EdgeRegion.h"
 
 #include <bitset>
 #include <cstdint>
+#include <optional>
 
 namespace core {
 
@@ -33,6 +35,9 @@ struct EraseLabel {
 /// which removes later generations, leaves what was painted, and no burst treats it as its own.
 /// Barriers stay. Erase: a voxel at which the plane holds the label becomes 0, and a seed word that
 /// has the label becomes unvisited, so growth may enter it.
+///
+/// With `edges` it changes only the members of EdgeRegion.h, rule 3, where it could change them
+/// without; the codes that the edit may change at all are lowCode … highCode.
 struct PaintLabel {
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
@@ -42,6 +47,7 @@ struct PaintLabel {
     int lowCode = 0;
     int highCode = 65535;
     CapsuleFrame frame;
+    std::optional<EdgeRule> edges{};
 };
 
 [[nodiscard]] Result<void> checkSound(const EraseLabel& edit, const BrickGrid& grid);

@@ -19,6 +19,9 @@ struct DrillPath {
 /// Further pieces of the path of a PaintLabel, PaintBarrier or CapsuleCut.
 struct CapsulePath {
     std::vector<Capsule> capsules;
+    /// Of a PaintLabel that follows edges: the voxels under the pen along these pieces. The order
+    /// does not matter, and what is outside the volume counts for nothing.
+    std::vector<glm::ivec3> under{};
 };
 
 /// Sets the depth of an open ShellPeel, which begins with 0. It may increase or decrease.

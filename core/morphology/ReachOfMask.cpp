@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/morphology/ReachOfMask.h"
 
+#include "core/morphology/LowerEnvelope.h"
+
 #include <algorithm>
 
 namespace core {
@@ -8,13 +10,6 @@ namespace core {
 namespace {
 
 constexpr int columnsAtOnce = 16; ///< a line of the processor's cache holds them
-
-/// Of integers; @p divisor is positive.
-std::int64_t dividedUp(std::int64_t number, std::int64_t divisor)
-{
-    const std::int64_t quotient = number / divisor;
-    return quotient + (number % divisor > 0 ? 1 : 0);
-}
 
 /// The reach of the voxels of one column, along y, from their distances along x.
 class Column {
@@ -24,8 +19,8 @@ public:
         , m_upTo(upTo)
         , m_steps(std::size_t(length))
         , m_reach(std::size_t(length))
+        , m_envelope(ball.yy, std::size_t(length))
     {
-        m_parabolas.reserve(std::size_t(length) + 1);
     }
 
     [[nodiscard]] std::vector<int>& steps() { return m_steps; } ///< more than the extent: none
@@ -48,59 +43,27 @@ public:
     }
 
 private:
-    struct Parabola {
-        int y = 0;
-        int from = 0; ///< the first place at which it is the lowest
-        std::int64_t least = 0;
-    };
-
-    [[nodiscard]] std::int64_t valueAt(const Parabola& parabola, int y) const
-    {
-        const std::int64_t step = y - parabola.y;
-        return parabola.least + m_ball.yy * step * step;
-    }
     /// Voxels from @p begin to @p end are not of the mask, those beside them are, or there are
     /// none: no voxel beyond is nearer.
     void lookBetween(int begin, int end)
     {
-        m_parabolas.clear();
+        m_envelope.clear(begin, end);
         const auto length = int(m_steps.size());
         for (int y = std::max(0, begin - 1); y < std::min(length, end + 1); ++y) {
-            if (m_steps[std::size_t(y)] <= m_ball.extent.x)
-                add(y, begin, end);
+            const std::int64_t step = m_steps[std::size_t(y)];
+            const std::int64_t least = m_ball.xx * step * step;
+            if (step <= m_ball.extent.x && least <= m_ball.squaredRadius)
+                m_envelope.add(y, least);
         }
-        if (m_parabolas.empty()) {
+        if (m_envelope.empty()) {
             std::fill(m_reach.begin() + begin, m_reach.begin() + end, std::uint16_t(0));
             return;
         }
-        std::size_t lowest = 0;
         std::size_t reach = 0;
         for (int y = begin; y < end; ++y) {
-            while (lowest + 1 < m_parabolas.size() && m_parabolas[lowest + 1].from <= y)
-                ++lowest;
-            reach = reachWith(m_ball.squaredRadius - valueAt(m_parabolas[lowest], y), reach);
+            reach = reachWith(m_ball.squaredRadius - m_envelope.at(y), reach);
             m_reach[std::size_t(y)] = std::uint16_t(reach);
         }
-    }
-    void add(int y, int begin, int end)
-    {
-        const std::int64_t step = m_steps[std::size_t(y)];
-        const std::int64_t least = m_ball.xx * step * step;
-        if (least > m_ball.squaredRadius)
-            return;
-        std::int64_t from = begin;
-        while (!m_parabolas.empty()) {
-            const Parabola& last = m_parabolas.back();
-            const std::int64_t apart = y - last.y;
-            from = dividedUp(least - last.least + m_ball.yy * apart * (std::int64_t(y) + last.y),
-                2 * m_ball.yy * apart);
-            if (from > last.from)
-                break;
-            m_parabolas.pop_back();
-            from = begin;
-        }
-        if (from < end)
-            m_parabolas.push_back({.y = y, .from = int(from), .least = least});
     }
     /// @param rest of the squared radius
     /// @param near the neighbour's reach, from which it hardly differs
@@ -117,7 +80,7 @@ private:
     const std::vector<std::int64_t>& m_upTo;
     std::vector<int> m_steps;
     std::vector<std::uint16_t> m_reach;
-    std::vector<Parabola> m_parabolas; ///< the lower envelope, from left to right
+    LowerEnvelope m_envelope;
 };
 
 } // namespace

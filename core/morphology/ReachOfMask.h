@@ -15,8 +15,7 @@ class StageCounter;
 /// each other, then the two directions along z.
 ///
 /// Within a slice each voxel's squared distance to the mask is exact: along x by counting, along y
-/// by the lower envelope of the parabolas that the rows stand for (Felzenszwalb and Huttenlocher;
-/// Meijster, Roerdink and Hesselink), whose intersections are divided as integers and rounded up.
+/// by the lower envelope of the parabolas that the rows stand for (LowerEnvelope.h).
 /// What is kept of it is one more than the slices up to which the rest of the radius reaches; 0:
 /// none. So two bytes a voxel are enough, and what is left to do along z is to take the greater of
 /// a voxel's reach and that of its neighbour less one.

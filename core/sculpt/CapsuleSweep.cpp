@@ -18,6 +18,20 @@ double distanceToLine(const glm::dvec3& point, const glm::dvec3& from, const glm
     return glm::distance(point, from + t * along);
 }
 
+/// Whether a box of this half size on its way along a line passes beside a place, seen along one
+/// of its axes.
+bool passesBeside(const glm::dvec3& away, const glm::dvec3& along, const glm::dvec3& halfSize)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const int a = (axis + 1) % 3;
+        const int b = (axis + 2) % 3;
+        if (std::abs(away[a] * along[b] - away[b] * along[a])
+            > halfSize[a] * std::abs(along[b]) + halfSize[b] * std::abs(along[a]))
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 bool isSound(const CapsuleFrame& frame)
@@ -56,8 +70,8 @@ std::vector<std::uint32_t> bricksNear(
     const double slack = 4.0 * double(1 << frame.shift) + 1024.0;
     const double radius =
         double(std::max(frame.radius - capsule.less, 0)) + double(frame.rampHalfWidth) + slack;
-    // A disc is a flat cylinder: round about the axis, thin along it.
-    const double thickness = frame.disc ? double(frame.halfThickness) + slack : radius;
+    // A flat one is thin along its axis.
+    const double thickness = frame.isFlat ? double(frame.halfThickness) + slack : radius;
     const glm::dvec3 around(radius, radius, thickness);
     const glm::dvec3 low = glm::min(from, from + along) - around;
     const glm::dvec3 high = glm::max(from, from + along) + around;
@@ -94,9 +108,12 @@ std::vector<std::uint32_t> bricksNear(
                 if (glm::any(glm::greaterThan(centre - halfExtent, high))
                     || glm::any(glm::lessThan(centre + halfExtent, low)))
                     continue;
-                if (frame.disc)
+                if (frame.isFlat)
                     centre.z = from.z;
-                if (distanceToLine(centre, from, along) > halfDiagonal + radius)
+                const bool isFar = frame.isSquare
+                    ? passesBeside(centre - from, along, around + halfExtent)
+                    : distanceToLine(centre, from, along) > halfDiagonal + radius;
+                if (isFar)
                     continue;
                 found.push_back(std::uint32_t(x + bricks.x * (y + bricks.y * z)));
             }

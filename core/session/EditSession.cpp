@@ -182,6 +182,12 @@ bool EditSession::previewOpen() const
     return open && open->isPreview();
 }
 
+bool EditSession::thresholdOpen() const
+{
+    const VoxelOperation* open = m_queue->interactiveVoxels();
+    return open && open->isThreshold();
+}
+
 bool EditSession::backwardsOpen() const
 {
     const VoxelOperation* open = m_queue->interactiveVoxels();

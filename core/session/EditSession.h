@@ -97,12 +97,13 @@ public:
     void cancelPreview(); ///< and what the engine keeps for the next preview
     [[nodiscard]] bool transactionOpen() const;
     [[nodiscard]] bool previewOpen() const; ///< a GrowFromSeeds is open
+    [[nodiscard]] bool thresholdOpen() const; ///< a ThresholdSegment is open
     [[nodiscard]] bool backwardsOpen() const; ///< a ShrinkAt with steps is open, refused or not
     [[nodiscard]] bool backwardsRefused() const; ///< it is open, and takes nothing
     [[nodiscard]] bool templateOpen() const; ///< an ApplyTemplate that is being previewed is open
     /// Commits a running growth at its generation and an open peel at its depth, and takes a
-    /// preview back; an open stroke is left alone. apply(), begin(), undo() and others do this
-    /// themselves.
+    /// preview or a threshold back; an open stroke is left alone. apply(), begin(), undo() and
+    /// others do this themselves.
     void closeGrowth();
 
     Result<void> undo();

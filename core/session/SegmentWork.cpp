@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SegmentWork.h"
 
-#include "core/session/operations/IslandOperation.h"
+#include "core/session/operations/AbortableOperation.h"
 #include "core/session/operations/OperationQueue.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ SegmentWork::SegmentWork(OperationQueue& queue)
 
 std::optional<int> SegmentWork::percent() const
 {
-    const IslandOperation* operation = m_queue.runningIslands();
+    const AbortableOperation* operation = m_queue.runningAbortable();
     if (!operation || !operation->isAbortable())
         return std::nullopt;
     return std::max(0, operation->percent());
@@ -23,7 +23,7 @@ std::optional<int> SegmentWork::percent() const
 
 void SegmentWork::abort()
 {
-    if (IslandOperation* operation = m_queue.runningIslands())
+    if (AbortableOperation* operation = m_queue.runningAbortable())
         operation->abort();
 }
 

@@ -7,8 +7,8 @@ namespace core {
 
 class OperationQueue;
 
-/// The edit of a whole segment that is being worked out (CleanSegment, ReshapeSegment). Part of
-/// EditSession.
+/// The edit of a segment that is being worked out (CleanSegment, ReshapeSegment, FillBetweenSlices,
+/// FloodFill). Part of EditSession.
 class SegmentWork {
 public:
     explicit SegmentWork(OperationQueue& queue);

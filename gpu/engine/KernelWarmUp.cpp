@@ -166,6 +166,9 @@ void KernelWarmUp::runBrushes()
         core::capsules(brushPath, m_document.volumes.front().geometry)};
     if (const auto paint = core::paintLabel({.segment = label, .path = brushPath}, m_document))
         run(*paint, {capsules});
+    const core::PaintStroke alongEdges{.segment = label, .path = brushPath, .edgeTolerance = 1.0};
+    if (const auto paint = core::paintLabel(alongEdges, m_document))
+        run(*paint, {core::paintPath(alongEdges, m_document.volumes.front().geometry)});
     if (const auto barrier = core::paintBarrier({.path = brushPath}, m_document))
         run(*barrier, {capsules});
     if (const auto carve = core::capsuleCut({.path = brushPath}, m_document))
@@ -220,6 +223,8 @@ void KernelWarmUp::runRelabelling()
     outlined.perI[0] = outlined.perJ[1] = outlined.perK[2] = std::int64_t(1) << 30;
     outlined.corners = {{0, 0}, {2 << 16, 0}, {0, 2 << 16}};
     run(outlined, {});
+    // An interval of values that follows a slider.
+    run(core::LabelThreshold{.target = relabel.target, .lowCode = matter}, {});
 }
 
 void KernelWarmUp::runBarriers()

@@ -2,6 +2,7 @@
 #include "gpu/engine/BeginWork.h"
 #include "gpu/kernels/cut/LayerWriter.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace gpu {
@@ -18,6 +19,40 @@ public:
     std::vector<core::BrickKey> touchedKeys() const override { return m_keys; }
 
 private:
+    std::vector<core::BrickKey> m_keys;
+};
+
+/// Goes through its bricks in slices, so that pictures are drawn in between, and that it can be
+/// rolled back on the way.
+class ThresholdWork final : public EditWork {
+public:
+    ThresholdWork(const core::LabelThreshold& edit, const WorkContext& context)
+        : m_edit(edit)
+        , m_context(context)
+        , m_bricks(bricksConcerned(context.fields, edit))
+    {
+    }
+    bool hasStepsLeft() const override { return m_done < m_bricks.size(); }
+    void advance(int rings) override
+    {
+        constexpr std::size_t bricksPerRing = 64;
+        const std::size_t end =
+            std::min(m_done + bricksPerRing * std::size_t(rings), m_bricks.size());
+        const std::vector<std::uint32_t> next(
+            m_bricks.begin() + std::ptrdiff_t(m_done), m_bricks.begin() + std::ptrdiff_t(end));
+        const std::vector<core::BrickKey> changed = writeThreshold(
+            m_context.programs.label, m_context.fields, m_context.before, m_edit, next);
+        m_keys.insert(m_keys.end(), changed.begin(), changed.end());
+        m_done = end;
+    }
+    std::vector<core::BrickKey> touchedKeys() const override { return m_keys; }
+    core::GrowthProgress progress() const override { return {.running = hasStepsLeft()}; }
+
+private:
+    core::LabelThreshold m_edit;
+    WorkContext m_context;
+    std::vector<std::uint32_t> m_bricks; ///< all that may change
+    std::size_t m_done = 0; ///< of these
     std::vector<core::BrickKey> m_keys;
 };
 
@@ -39,6 +74,11 @@ BegunWork begun(const core::BarrierListed& edit, const WorkContext& context)
 BegunWork begun(const core::CoverLabel& edit, const WorkContext& context)
 {
     return done(coverLabel(context.programs.erase, context.fields, context.before, edit));
+}
+
+BegunWork begun(const core::LabelThreshold& edit, const WorkContext& context)
+{
+    return std::make_unique<ThresholdWork>(edit, context);
 }
 
 BegunWork begun(const core::FoldLayer& edit, const WorkContext& context)

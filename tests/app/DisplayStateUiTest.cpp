@@ -13,6 +13,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/tools/growth/FillOutlineTool.h"
+#include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/sculpt/PeelTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/views/ViewGrid.h"
@@ -152,6 +153,8 @@ private:
         application.window().findChild<ui::PeelTool*>()->setDepthMm(7.5);
         application.window().findChild<ui::FillOutlineTool*>()->setShape(
             ui::FillOutlineTool::Shape::Ellipse);
+        application.window().findChild<ui::FloodFillTool*>()->setSettings(
+            {.in3D = true, .corners = true, .tolerance = 72.0});
         application.window().findChild<ui::ScissorsTool*>()->setSettings(
             {.limited = true, .depthMm = 33.0, .firstLayerOnly = true});
         workspace.setBrushSettings(ui::Workspace::Brush::Paint,
@@ -160,8 +163,11 @@ private:
                 .onlyBetween = true,
                 .lower = -7.0,
                 .upper = 80.5,
-                .overwriteUnlocked = true});
-        workspace.setBrushSettings(ui::Workspace::Brush::Carve, {.radiusMm = 2.5, .disc = true});
+                .overwriteUnlocked = true,
+                .followsEdges = true,
+                .edgeTolerance = 37.5});
+        workspace.setBrushSettings(
+            ui::Workspace::Brush::Carve, {.radiusMm = 2.5, .disc = true, .square = true});
         workspace.setBrushSettings(ui::Workspace::Brush::Barrier, {.radiusMm = 1.5, .disc = true});
         workspace.setGrowSettings({.lower = 15.0,
             .upper = 333.0,
@@ -248,6 +254,8 @@ private Q_SLOTS:
         QCOMPARE(application->window().findChild<ui::PeelTool*>()->depthMm(), 7.5);
         QVERIFY(application->window().findChild<ui::FillOutlineTool*>()->shape()
             == ui::FillOutlineTool::Shape::Ellipse);
+        QVERIFY((application->window().findChild<ui::FloodFillTool*>()->settings()
+            == ui::FloodFillTool::Settings{.in3D = true, .corners = true, .tolerance = 72.0}));
         const auto& scissors = application->window().findChild<ui::ScissorsTool*>()->settings();
         QVERIFY(scissors.limited && scissors.depthMm == 33.0 && scissors.firstLayerOnly);
         const auto& paint = workspace.brushSettings(ui::Workspace::Brush::Paint);
@@ -257,9 +265,12 @@ private Q_SLOTS:
                 .onlyBetween = true,
                 .lower = -7.0,
                 .upper = 80.5,
-                .overwriteUnlocked = true}));
+                .overwriteUnlocked = true,
+                .followsEdges = true,
+                .edgeTolerance = 37.5}));
         QCOMPARE(workspace.brushSettings(ui::Workspace::Brush::Carve).radiusMm, 2.5);
         QVERIFY(workspace.brushSettings(ui::Workspace::Brush::Carve).disc);
+        QVERIFY(workspace.brushSettings(ui::Workspace::Brush::Carve).square);
         QCOMPARE(workspace.brushSettings(ui::Workspace::Brush::Barrier).radiusMm, 1.5);
         QCOMPARE(workspace.activeLayer(), 2);
         QCOMPARE(workspace.activeTool()->iconName(), QStringLiteral("seed"));

@@ -22,6 +22,60 @@ std::int64_t round14(std::int64_t value)
     return (value + 8192) >> 14;
 }
 
+/// numerator / denominator; the latter is above 0.
+struct Fraction {
+    std::int64_t numerator;
+    std::int64_t denominator;
+
+    bool operator<(const Fraction& other) const
+    {
+        return numerator * other.denominator < other.numerator * denominator;
+    }
+};
+
+/// Whether a box of this half side around some point of the line from 0 along u holds q. A point at
+/// t of the line is t·u / 2¹⁴; the box holds q in one component while t is in some interval.
+bool isInBox(
+    const Position& q, const core::Capsule& capsule, std::int64_t length, std::int64_t half)
+{
+    Fraction from{0, 1};
+    Fraction to{length, 1};
+    for (int c = 0; c < 3; ++c) {
+        std::int64_t u = capsule.direction[c];
+        std::int64_t enters = (q[std::size_t(c)] - half) * 16384;
+        std::int64_t leaves = (q[std::size_t(c)] + half) * 16384;
+        if (u == 0) {
+            if (enters > 0 || leaves < 0)
+                return false;
+            continue;
+        }
+        if (u < 0) {
+            u = -u;
+            std::swap(enters, leaves);
+            enters = -enters;
+            leaves = -leaves;
+        }
+        from = std::max(from, Fraction{enters, u});
+        to = std::min(to, Fraction{leaves, u});
+    }
+    return !(to < from);
+}
+
+/// The least such half side, or @p low where it is less, @p high where it is more.
+std::int64_t leastBox(const Position& q, const core::Capsule& capsule, std::int64_t length,
+    std::int64_t low, std::int64_t high)
+{
+    if (isInBox(q, capsule, length, low))
+        return low;
+    if (!isInBox(q, capsule, length, high))
+        return high;
+    while (high - low > 1) {
+        const std::int64_t middle = (low + high) / 2;
+        (isInBox(q, capsule, length, middle) ? high : low) = middle;
+    }
+    return high;
+}
+
 bool bears(std::uint32_t word, std::uint32_t label)
 {
     return (seedWord::isMember(word) || seedWord::isPendingSeed(word))
@@ -81,7 +135,7 @@ Position Capsules::position(const glm::ivec3& voxel) const
 std::optional<std::int64_t> Capsules::distance(
     const core::Capsule& capsule, Position position) const
 {
-    if (m_frame.disc) {
+    if (m_frame.isFlat) {
         if (std::abs(position[2]) > m_frame.halfThickness)
             return std::nullopt;
         position[2] = capsule.from.z;
@@ -95,6 +149,15 @@ std::optional<std::int64_t> Capsules::distance(
         q[std::size_t(c)] = a >> m_frame.shift;
         along += q[std::size_t(c)] * capsule.direction[c];
     }
+    if (m_frame.isSquare) {
+        // Beyond the ramp it does not matter how far.
+        const std::int64_t radius = std::max<std::int64_t>(m_frame.radius - capsule.less, 0);
+        const std::int64_t low = (radius - m_frame.rampHalfWidth) >> m_frame.shift;
+        const std::int64_t high = (radius + m_frame.rampHalfWidth) >> m_frame.shift;
+        const std::int64_t half = leastBox(
+            q, capsule, capsule.length >> m_frame.shift, std::max<std::int64_t>(low, 0), high + 1);
+        return half * half;
+    }
     const std::int64_t h =
         std::clamp<std::int64_t>(round14(along), 0, capsule.length >> m_frame.shift);
     std::int64_t squared = 0;
@@ -105,8 +168,12 @@ std::optional<std::int64_t> Capsules::distance(
     return squared;
 }
 
-void Capsules::extend(const std::vector<core::Capsule>& capsules)
+void Capsules::extend(const core::CapsulePath& path)
 {
+    const auto* edgewise = std::get_if<core::PaintLabel>(&m_edit);
+    if (edgewise && edgewise->edges)
+        return followEdges(*edgewise, path);
+    const std::vector<core::Capsule>& capsules = path.capsules;
     const glm::ivec3 size = m_codes.size;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {

@@ -151,6 +151,28 @@ void labelOutlined(
     });
 }
 
+void labelThreshold(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uint8_t>& carved,
+    DenseFields& fields, const core::LabelThreshold& edit)
+{
+    using How = core::LabelThreshold::How;
+    forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (edit.box
+                && (voxel[axis] < edit.box->minimum[axis]
+                    || voxel[axis] >= edit.box->maximum[axis]))
+                return;
+        }
+        if (edit.onlyVisible && carved.at(voxel) >= 128)
+            return;
+        const int code = codes.at(voxel);
+        const bool chosen = edit.lowCode <= code && code <= edit.highCode;
+        if (chosen && edit.how != How::Subtract)
+            give(fields, edit.target, voxel);
+        else if (chosen || edit.how == How::Replace)
+            take(fields, edit.target, voxel);
+    });
+}
+
 void mapLabels(DenseFields& fields, const core::MapLabels& edit)
 {
     std::bitset<256> all;

@@ -3,6 +3,7 @@
 
 #include "core/growth/GrowthCommands.h"
 #include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/LabelThreshold.h"
 #include "core/sculpt/LayerWrites.h"
 #include "tests/reference/DenseFields.h"
 
@@ -19,6 +20,10 @@ void relabelListed(DenseFields& fields, const core::RelabelListed& edit);
 /// core/sculpt/LabelOutlined.h.
 void labelOutlined(
     const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelOutlined& edit);
+/// core/sculpt/LabelThreshold.h.
+/// @param carved as above
+void labelThreshold(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uint8_t>& carved,
+    DenseFields& fields, const core::LabelThreshold& edit);
 void mapLabels(DenseFields& fields, const core::MapLabels& edit);
 /// Of growth (core/growth/GrowthCommands.h), listed in the same way.
 void writeBarriers(DenseFields& fields, const core::BarrierListed& edit);

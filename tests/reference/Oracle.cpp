@@ -265,6 +265,8 @@ core::Result<Oracle::Work> Oracle::begin(core::PaintLabel& edit)
         return refuse("label", "0 is no segment");
     if (!core::isSound(edit.frame))
         return refuse("frame", "is not sound");
+    if (edit.edges && !core::isSound(*edit.edges, core::BrickGrid{m_codes.size}))
+        return refuse("edges", "is not sound");
     return Capsules(m_codes, m_fields, edit);
 }
 
@@ -314,6 +316,14 @@ core::Result<Oracle::Work> Oracle::begin(core::LabelOutlined& edit)
     if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
         return tl::unexpected(checked.error());
     labelOutlined(m_codes, m_fields, edit);
+    return Done{};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::LabelThreshold& edit)
+{
+    if (edit.target.label == 0)
+        return refuse("label", "0 is no segment");
+    labelThreshold(m_codes, m_fields.composedCoverage(m_muted), m_fields, edit);
     return Done{};
 }
 
@@ -371,7 +381,7 @@ Oracle::Outcome Oracle::carryOut(core::ExtendEdit& command)
         Capsules* stroke = std::get_if<Capsules>(&m_open->work);
         if (!stroke)
             return refuse("extension", "the open edit is no stroke of a brush");
-        stroke->extend(path->capsules);
+        stroke->extend(*path);
         return std::nullopt;
     }
     if (const auto* depth = std::get_if<core::PeelDepth>(&command.extension)) {

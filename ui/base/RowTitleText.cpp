@@ -201,6 +201,10 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Paint '%1' %2 mm");
     case RowTitleCode::Erase:
         return tr("Erase '%1' %2 mm");
+    case RowTitleCode::PaintAlongEdges:
+        return tr("Paint '%1' along edges %2 mm");
+    case RowTitleCode::EraseAlongEdges:
+        return tr("Erase '%1' along edges %2 mm");
     case RowTitleCode::FillOutline:
         return tr("Fill an outline with '%1'");
     case RowTitleCode::EraseOutline:
@@ -244,6 +248,22 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Close '%1' by %2 mm");
     case RowTitleCode::SmoothShape:
         return tr("Smooth '%1' by %2 mm");
+    case RowTitleCode::FillBetweenSlices:
+        return tr("Fill '%1' between slices");
+    case RowTitleCode::FloodSlice:
+        return tr("Flood fill '%1' in a slice");
+    case RowTitleCode::FloodVolume:
+        return tr("Flood fill '%1' in 3D");
+    case RowTitleCode::FloodEraseSlice:
+        return tr("Erase a region of '%1' in a slice");
+    case RowTitleCode::FloodEraseVolume:
+        return tr("Erase a region of '%1' in 3D");
+    case RowTitleCode::ThresholdReplace:
+        return tr("Threshold '%1' to %2");
+    case RowTitleCode::ThresholdAdd:
+        return tr("Add %2 to '%1'");
+    case RowTitleCode::ThresholdSubtract:
+        return tr("Subtract %2 from '%1'");
     case RowTitleCode::SegmentSeen:
         return tr("Segment what is seen as '%1'");
     case RowTitleCode::LayerToSegment:

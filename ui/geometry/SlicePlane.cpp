@@ -26,6 +26,22 @@ SliceAxes sliceAxes(SliceOrientation orientation)
     return axes(left, feet);
 }
 
+core::SliceAxis axisAlong(const core::VolumeGeometry& geometry, const glm::dvec3& normalLps)
+{
+    auto nearest = core::SliceAxis::I;
+    double greatest = -1.0;
+    for (const core::SliceAxis axis :
+        {core::SliceAxis::I, core::SliceAxis::J, core::SliceAxis::K}) {
+        const glm::dvec3 step(geometry.indexToWorld[alongOf(axis)]);
+        const double cosine = std::abs(glm::dot(step, normalLps)) / glm::length(step);
+        if (cosine > greatest) {
+            greatest = cosine;
+            nearest = axis;
+        }
+    }
+    return nearest;
+}
+
 int SliceStack::numberAt(const glm::dvec3& lps) const
 {
     // Halves go up, with a grain of tolerance: positions come from sums of millimetres.
@@ -43,17 +59,8 @@ SliceStack sliceStack(const core::VolumeGeometry& geometry, const glm::dvec3& no
 {
     SliceStack stack;
     stack.normalLps = normalLps;
-
-    double nearest = -1.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const glm::dvec3 step(geometry.indexToWorld[axis]);
-        const double along = std::abs(glm::dot(step, stack.normalLps));
-        const double cosine = along / glm::length(step);
-        if (cosine > nearest) {
-            nearest = cosine;
-            stack.stepMm = along;
-        }
-    }
+    const glm::dvec3 step(geometry.indexToWorld[alongOf(axisAlong(geometry, normalLps))]);
+    stack.stepMm = std::abs(glm::dot(step, normalLps));
 
     double lowest = std::numeric_limits<double>::max();
     double highest = std::numeric_limits<double>::lowest();

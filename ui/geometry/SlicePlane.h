@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/brick/SliceAxis.h"
 #include "core/volume/VolumeGeometry.h"
 
 #include <glm/glm.hpp>
@@ -20,6 +21,11 @@ struct SliceAxes {
     glm::dvec3 normalLps;
 };
 [[nodiscard]] SliceAxes sliceAxes(SliceOrientation orientation);
+
+/// The voxel axis that is nearest to a direction: who looks along it sees, at least about, slices
+/// across that axis.
+[[nodiscard]] core::SliceAxis axisAlong(
+    const core::VolumeGeometry& geometry, const glm::dvec3& normalLps);
 
 /// The stack of slices through which the user scrolls: as many as cover the volume, with the
 /// spacing of the voxel axis that is nearest to the normal. For a volume acquired in this plane

@@ -88,7 +88,9 @@ void GrowthRun::finish()
     m_watch.stop();
     m_running = false;
     m_nextTurn = false;
-    if (core::EditSession* session = m_workspace.session(); session && session->transactionOpen())
+    // What is open may be a threshold by now, which its dialog shows.
+    if (core::EditSession* session = m_workspace.session();
+        session && session->transactionOpen() && !session->thresholdOpen())
         session->end(core::Ending::Commit);
     Q_EMIT changed();
 }

@@ -76,10 +76,13 @@ void read(const QJsonValue& json, Workspace::DrillSettings& drill)
 QJsonObject toJson(const Workspace::BrushSettings& brush)
 {
     return {{QStringLiteral("radiusMm"), brush.radiusMm}, {QStringLiteral("disc"), brush.disc},
+        {QStringLiteral("square"), brush.square},
         {QStringLiteral("onlyBetween"), brush.onlyBetween}, {QStringLiteral("lower"), brush.lower},
         {QStringLiteral("upper"), brush.upper},
         {QStringLiteral("overwriteUnlocked"), brush.overwriteUnlocked},
-        {QStringLiteral("radiusByPressure"), brush.radiusByPressure}};
+        {QStringLiteral("radiusByPressure"), brush.radiusByPressure},
+        {QStringLiteral("followsEdges"), brush.followsEdges},
+        {QStringLiteral("edgeTolerance"), brush.edgeTolerance}};
 }
 
 void read(const QJsonValue& json, Workspace::BrushSettings& brush)
@@ -87,11 +90,15 @@ void read(const QJsonValue& json, Workspace::BrushSettings& brush)
     read(json[QLatin1String("radiusMm")], brush.radiusMm, BrushTool::minimumRadiusMm,
         BrushTool::maximumRadiusMm);
     read(json[QLatin1String("disc")], brush.disc);
+    read(json[QLatin1String("square")], brush.square);
     read(json[QLatin1String("onlyBetween")], brush.onlyBetween);
     read(json[QLatin1String("lower")], brush.lower);
     read(json[QLatin1String("upper")], brush.upper);
     read(json[QLatin1String("overwriteUnlocked")], brush.overwriteUnlocked);
     read(json[QLatin1String("radiusByPressure")], brush.radiusByPressure);
+    read(json[QLatin1String("followsEdges")], brush.followsEdges);
+    read(json[QLatin1String("edgeTolerance")], brush.edgeTolerance, 0.0,
+        Workspace::BrushSettings::greatestEdgeTolerance);
 }
 
 /// Sessions of old have one interval for all segments, which is left as it is.

@@ -7,7 +7,7 @@
 #include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/KeysDialog.h"
 #include "ui/dialogs/PenTesterDialog.h"
-#include "ui/dialogs/ReshapeDialog.h"
+#include "ui/dialogs/SegmentDialogs.h"
 #include "ui/dialogs/session/HistoryMemoryDialog.h"
 #include "ui/dialogs/study/OpenDialogs.h"
 #include "ui/frame/MessageBar.h"
@@ -395,16 +395,14 @@ void addListActions(MainWindow& window)
         actions.add({.id = QLatin1String(each.id),
             .text = each.text,
             .run = [&workspace, &each] { each.run(workspace, workspace.activeSegment()); },
-            .possible = [activeSegment] { return activeSegment() && !activeSegment()->locked; },
+            .possible =
+                [activeSegment, isOpen, &each] {
+                    const core::Segment* segment = activeSegment();
+                    return segment ? !segment->locked : each.makesFirst && isOpen();
+                },
             .currentText = [activeSegment, &each] { return namedText(each, activeSegment()); }});
     }
-    QObject::connect(&workspace, &Workspace::reshapeAsked, &window,
-        [&window, &workspace](int label, core::ShapeOperation first) {
-            auto* dialog = window.findChild<ReshapeDialog*>();
-            if (!dialog)
-                dialog = new ReshapeDialog(workspace, &window);
-            dialog->ask(label, first);
-        });
+    openSegmentDialogs(workspace, window);
     actions.add({.id = QStringLiteral("layers.add"),
         .text = QStringLiteral("Add sculpt layer"),
         .run =

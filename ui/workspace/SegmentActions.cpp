@@ -2,12 +2,15 @@
 #include "ui/workspace/SegmentActions.h"
 
 #include "core/document/SegmentColours.h"
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/CountText.h"
 #include "ui/base/MenuText.h"
@@ -17,6 +20,7 @@
 #include <QPointer>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -124,26 +128,27 @@ QString nameOfSegment(const Workspace& workspace, int label)
     return segment ? segment->name : QString::number(label);
 }
 
-/// What is told of an edit that may find nothing to do.
-/// @param nothing what is told then
-void carryOut(Workspace& workspace, const core::Edit& edit, const QString& nothing)
+/// Tells what an edit did that may find nothing to do.
+/// @param start has it carried out
+/// @param nothing what is told if there was nothing
+void tellOf(Workspace& workspace, std::size_t kind, const QString& nothing,
+    const std::function<core::Result<void>(core::EditSession&)>& start)
 {
     core::EditSession* session = workspace.session();
     if (!session)
         return;
-    session->closeGrowth();
     const std::size_t rows = session->history().rows().size();
     auto* failures = new QObject(&workspace);
     const auto failed = std::make_shared<bool>(false);
     QObject::connect(
         &workspace, &Workspace::failed, failures, [failed](const core::Error&) { *failed = true; });
-    if (const auto applied = session->apply(edit); !applied) {
+    if (const auto started = start(*session); !started) {
         delete failures;
-        return workspace.fail(applied.error());
+        return workspace.fail(started.error());
     }
     // Only when it has been looked at is it known whether there was anything.
     session->questions().afterAll([guard = QPointer(&workspace), watch = QPointer(failures),
-                                      session, rows, nothing, kind = edit.kind(), failed] {
+                                      session, rows, nothing, kind, failed] {
         delete watch;
         if (!guard || guard->session() != session || *failed)
             return;
@@ -155,6 +160,15 @@ void carryOut(Workspace& workspace, const core::Edit& edit, const QString& nothi
         }
         guard->say(nothing);
     });
+}
+
+/// The same for an edit as a whole.
+void carryOut(Workspace& workspace, const core::Edit& edit, const QString& nothing)
+{
+    if (core::EditSession* session = workspace.session())
+        session->closeGrowth();
+    tellOf(workspace, edit.kind(), nothing,
+        [&edit](core::EditSession& session) { return session.apply(edit); });
 }
 
 void fillHoles(Workspace& workspace, int label)
@@ -194,6 +208,18 @@ void aboutIsland(Workspace& workspace, int label, core::IslandRule rule, const g
             : QObject::tr("'%1' has no island there").arg(nameOfSegment(workspace, label)));
 }
 
+void askThreshold(Workspace& workspace, int label)
+{
+    const core::EditSession* session = workspace.session();
+    if (session && !session->foreseenDocument().segment(label)) {
+        const core::Result<int> made = ensureActiveSegment(workspace);
+        if (!made)
+            return workspace.fail(made.error());
+        label = *made;
+    }
+    workspace.askForThreshold(label);
+}
+
 void askMargin(Workspace& workspace, int label)
 {
     workspace.askToReshape(label, core::ShapeOperation::Grow);
@@ -209,12 +235,43 @@ void askSmoothing(Workspace& workspace, int label)
     workspace.askToReshape(label, core::ShapeOperation::Median);
 }
 
+void askBetweenSlices(Workspace& workspace, int label)
+{
+    workspace.askToFillBetween(label);
+}
+
 } // namespace
 
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit)
 {
     carryOut(workspace, edit,
         QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment)));
+}
+
+void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit)
+{
+    carryOut(workspace, edit,
+        QObject::tr("There is nothing to fill between the slices of '%1'")
+            .arg(nameOfSegment(workspace, edit.segment)));
+}
+
+void floodFill(Workspace& workspace, const core::FloodFill& edit)
+{
+    carryOut(workspace, edit,
+        QObject::tr("Nothing there can be given to '%1'")
+            .arg(nameOfSegment(workspace, edit.segment)));
+}
+
+void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, bool isShown)
+{
+    const QString nothing =
+        QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment));
+    if (!isShown)
+        return carryOut(workspace, edit, nothing);
+    tellOf(workspace, core::Edit(edit).kind(), nothing, [](core::EditSession& session) {
+        session.end(core::Ending::Commit);
+        return core::Result<void>();
+    });
 }
 
 void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps)
@@ -259,6 +316,11 @@ QString namedText(const SegmentAction& action, const core::Segment* segment)
 const std::vector<SegmentAction>& segmentActions()
 {
     static const std::vector<SegmentAction> all{
+        {.id = "segments.threshold",
+            .text = QObject::tr("Threshold …"),
+            .named = QObject::tr("Threshold for '%1' …"),
+            .run = &askThreshold,
+            .makesFirst = true},
         {.id = "segments.fillHoles",
             .text = QObject::tr("Fill holes"),
             .named = QObject::tr("Fill holes of '%1'"),
@@ -283,6 +345,10 @@ const std::vector<SegmentAction>& segmentActions()
             .text = QObject::tr("Smooth …"),
             .named = QObject::tr("Smooth '%1' …"),
             .run = &askSmoothing},
+        {.id = "segments.fillBetween",
+            .text = QObject::tr("Fill between slices …"),
+            .named = QObject::tr("Fill between slices of '%1' …"),
+            .run = &askBetweenSlices},
         {.id = "segments.invert", .text = QObject::tr("Invert segment"), .run = &invertSegment},
         {.id = "segments.remove",
             .text = QObject::tr("Delete segment"),

@@ -13,8 +13,11 @@
 
 namespace core {
 struct Document;
+struct FillBetweenSlices;
+struct FloodFill;
 struct ReshapeSegment;
 struct Segment;
+struct ThresholdSegment;
 } // namespace core
 
 namespace ui {
@@ -46,6 +49,16 @@ void swapSegments(Workspace& workspace, int one, int other);
 /// The same for what a ball of millimetres makes of a segment.
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit);
 
+/// The same for what lies between the slices on which a segment was drawn.
+void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit);
+
+/// The same for a region that was clicked.
+void floodFill(Workspace& workspace, const core::FloodFill& edit);
+
+/// The same for an interval of values.
+/// @param isShown it stands open (ThresholdSegment), and is taken as it is shown
+void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, bool isShown);
+
 /// The same for the island of a segment that has a voxel at a place: it goes, all others go, or it
 /// becomes another segment's.
 void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps);
@@ -60,6 +73,7 @@ struct SegmentAction {
     QString named{}; ///< unless this says it: "Fill holes of '%1'"
     QKeySequence keys{}; ///< heard in the list of segments alone
     void (*run)(Workspace& workspace, int label);
+    bool makesFirst = false; ///< where there is no segment yet, one is added for it
 };
 /// The text with the segment's name, where no list shows whose it is; null: without.
 [[nodiscard]] QString namedText(const SegmentAction& action, const core::Segment* segment);

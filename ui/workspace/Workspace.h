@@ -66,11 +66,16 @@ public:
     struct BrushSettings {
         double radiusMm = 4.0;
         bool disc = false; ///< on slices: a disc in the slice instead of a ball
+        bool square =
+            false; ///< on slices: a square instead of the disc, a cube instead of the ball
         bool onlyBetween = false; ///< paint: only values from lower to upper
         double lower = 0.0; ///< modality units
         double upper = 0.0;
         bool overwriteUnlocked = false;
         bool radiusByPressure = false; ///< of a pen; else its pressure does nothing
+        bool followsEdges = false; ///< paint, on slices
+        double edgeTolerance = 0.0; ///< modality units; 0: none was chosen yet
+        static constexpr double greatestEdgeTolerance = 1e6;
         bool operator==(const BrushSettings&) const = default;
     };
     enum class Brush { Paint, Carve, Barrier };
@@ -194,6 +199,10 @@ public:
     void offer(const Offer& made) { Q_EMIT offered(made); }
     /// Has the window ask how far a segment is to be reshaped.
     void askToReshape(int label, core::ShapeOperation first) { Q_EMIT reshapeAsked(label, first); }
+    /// Has the window show what lies between the drawn slices of a segment.
+    void askToFillBetween(int label) { Q_EMIT fillBetweenAsked(label); }
+    /// Has the window ask of which values a segment is to be made.
+    void askForThreshold(int label) { Q_EMIT thresholdAsked(label); }
     /// Shows the present pen pressure, 0 … 1.
     void showPressure(double pressure) { Q_EMIT pressureChanged(pressure); }
 
@@ -221,6 +230,8 @@ Q_SIGNALS:
     void failed(const core::Error& error);
     void offered(const ui::Workspace::Offer& made);
     void reshapeAsked(int label, core::ShapeOperation first);
+    void fillBetweenAsked(int label);
+    void thresholdAsked(int label);
     void pressureChanged(double pressure);
 
 private:

@@ -17,7 +17,7 @@ enum class EditTask {
     Engine, ///< the engine, and the document too if changedPart() says so
     Surface, ///< the surface that is refined; writing back also uses the engine
     Chunks, ///< the chunks around a segment
-    Islands, ///< what all labels tell about a segment's parts or shape, then the engine
+    Islands, ///< what labels or values tell about a segment's parts or shape, then the engine
     History, ///< older rows are taken back or changed
 };
 

@@ -2,8 +2,7 @@
 #include "core/edits/engine/EngineEdits.h"
 
 #include "core/edits/engine/CutFrames.h"
-#include "core/edits/engine/SlicePlane.h"
-
+#include "core/edits/engine/StrokeSpace.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 
 #include <algorithm>
@@ -14,80 +13,46 @@ namespace core {
 
 namespace {
 
-/// Where stroke coordinates lie in the patient.
-struct StrokeSpace {
-    glm::dvec3 middleLps{0.0};
-    glm::dmat3 toStroke{1.0}; ///< turns LPS directions
-    double planeMm = 0.0; ///< of a disc: height of its plane over the middle
-    double volumeRadiusMm = 0.0; ///< a ball around the middle that holds every voxel
-    double halfThicknessMm = 0.0;
-
-    [[nodiscard]] glm::dvec3 turned(const glm::dvec3& lps) const
-    {
-        return toStroke * (lps - middleLps) - glm::dvec3(0.0, 0.0, planeMm);
-    }
-};
-
-/// Rows are two directions in the plane and the normal.
-glm::dmat3 planeAxes(const glm::dvec3& normal)
+/// Errors: InvalidField below @p name where a shape lacks a direction that it needs.
+Result<void> checkDirections(const BrushPath& path, const QString& name)
 {
-    const glm::dvec3 across = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 right = glm::normalize(glm::cross(across, normal));
-    return glm::transpose(glm::dmat3(right, glm::cross(normal, right), normal));
-}
-
-/// Expects a path that capsuleFrame() accepts.
-StrokeSpace strokeSpace(const BrushPath& path, const VolumeGeometry& geometry)
-{
-    StrokeSpace space;
-    space.middleLps = geometry.toWorld((glm::dvec3(geometry.size) - 1.0) / 2.0);
-    for (const glm::dvec3& corner : geometry.cornersLps())
-        space.volumeRadiusMm =
-            std::max(space.volumeRadiusMm, glm::distance(corner, space.middleLps));
     if (path.shape == BrushPath::Shape::Ball)
-        return space;
-    const glm::dvec3 normal = glm::normalize(*path.normalLps);
-    space.toStroke = planeAxes(normal);
-    const SlicePlane slice = slicePlane(geometry, normal, path.pointsLps.front());
-    space.planeMm = slice.heightMm;
-    space.halfThicknessMm = slice.halfThicknessMm;
-    // A plane that lies far off meets no voxel, however far.
-    const double farMm = 2.0 * space.volumeRadiusMm + 2.0 * space.halfThicknessMm;
-    space.planeMm = std::clamp(space.planeMm, -farMm, farMm);
-    return space;
+        return {};
+    const auto wrong = [&name](const char* field, const QString& why) {
+        return failure(ErrorCode::InvalidField, name + QLatin1String(field), why);
+    };
+    const QString none = QStringLiteral("is no direction");
+    const bool square = isSquare(path.shape);
+    if (!path.normalLps)
+        return wrong(".normalLps",
+            square ? QStringLiteral("missing: a square or cube needs the direction of a side")
+                   : QStringLiteral("missing: a disc needs the direction across its plane"));
+    if (!(glm::length(*path.normalLps) > 1e-3))
+        return wrong(".normalLps", none);
+    if (!square)
+        return {};
+    if (!path.sideLps)
+        return wrong(".sideLps",
+            QStringLiteral("missing: a square or cube needs the direction of another side"));
+    if (!(glm::length(*path.sideLps) > 1e-3))
+        return wrong(".sideLps", none);
+    const glm::dvec3 across =
+        glm::cross(glm::normalize(*path.normalLps), glm::normalize(*path.sideLps));
+    if (!(glm::length(across) > 1e-3))
+        return wrong(".sideLps", QStringLiteral("runs along normalLps"));
+    return {};
 }
 
-double finestSpacing(const VolumeGeometry& geometry)
+/// How far from its middle a brush reaches.
+double reachMm(const BrushPath& path)
 {
-    const glm::dvec3 spacing = geometry.spacingMm();
-    return std::min({spacing.x, spacing.y, spacing.z});
+    return (isSquare(path.shape) ? std::sqrt(3.0) : 1.0) * path.radiusMm;
 }
 
 /// No capsule is longer: short enough that 14 bits resolve it, long enough that there are few.
 std::int32_t longestCapsule(const BrushPath& path, const VolumeGeometry& geometry)
 {
     return std::max(mm16(path.radiusMm), mm16(8.0 * finestSpacing(geometry)));
-}
-
-/// Pieces of a straight way that can come near the volume, first and one past the last.
-std::array<std::int64_t, 2> piecesNear(
-    const glm::dvec3& from, const glm::dvec3& along, std::int64_t pieces, double nearMm)
-{
-    const double a = glm::dot(along, along);
-    const double b = glm::dot(from, along);
-    const double c = glm::dot(from, from) - nearMm * nearMm;
-    if (a == 0.0)
-        return {0, c <= 0.0 ? 1 : 0};
-    const double root = b * b - a * c;
-    if (root < 0.0)
-        return {0, 0};
-    const auto at = [&](double t) { return std::clamp(t, 0.0, 1.0) * double(pieces); };
-    const double enter = (-b - std::sqrt(root)) / a;
-    const double leave = (-b + std::sqrt(root)) / a;
-    if (leave < 0.0 || enter > 1.0)
-        return {0, 0};
-    return {std::max<std::int64_t>(std::int64_t(at(enter)) - 1, 0),
-        std::min<std::int64_t>(std::int64_t(at(leave)) + 2, pieces)};
 }
 
 Capsule capsuleBetween(const glm::dvec3& from, const glm::dvec3& to)
@@ -118,13 +83,8 @@ Result<CapsuleFrame> capsuleFrame(
     if (const Result<void> pressed = checkPressures(path.pressures, path.pointsLps.size(), name);
         !pressed)
         return tl::unexpected(pressed.error());
-    const bool disc = path.shape == BrushPath::Shape::Disc;
-    if (disc && !path.normalLps)
-        return failure(ErrorCode::InvalidField, name + QStringLiteral(".normalLps"),
-            QStringLiteral("missing: a disc needs the direction across its plane"));
-    if (disc && !(glm::length(*path.normalLps) > 1e-3))
-        return failure(ErrorCode::InvalidField, name + QStringLiteral(".normalLps"),
-            QStringLiteral("is no direction"));
+    if (const Result<void> directed = checkDirections(path, name); !directed)
+        return tl::unexpected(directed.error());
     const StrokeSpace space = strokeSpace(path, geometry);
     CapsuleFrame frame;
     frame.origin = toFixed30(space.turned(geometry.originLps()));
@@ -132,7 +92,8 @@ Result<CapsuleFrame> capsuleFrame(
     frame.perI = toFixed30(perVoxel[0]);
     frame.perJ = toFixed30(perVoxel[1]);
     frame.perK = toFixed30(perVoxel[2]);
-    frame.disc = disc;
+    frame.isFlat = isFlat(path.shape);
+    frame.isSquare = isSquare(path.shape);
     frame.halfThickness = mm16(space.halfThicknessMm);
     frame.radius = mm16(path.radiusMm);
     frame.rampHalfWidth = std::max(mm16(finestSpacing(geometry) / 2.0), 1);
@@ -147,10 +108,10 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
 {
     const StrokeSpace space = strokeSpace(path, geometry);
     const double longestMm = longestCapsule(path, geometry) / 65536.0;
-    const double nearMm = space.volumeRadiusMm + path.radiusMm + longestMm;
+    const double nearMm = space.volumeRadiusMm + reachMm(path) + longestMm;
     const auto turned = [&](const glm::dvec3& point) {
         const glm::dvec3 at = space.turned(point);
-        return path.shape == BrushPath::Shape::Disc ? glm::dvec3(at.x, at.y, 0.0) : at;
+        return isFlat(path.shape) ? glm::dvec3(at.x, at.y, 0.0) : at;
     };
     const std::int32_t whole = mm16(path.radiusMm);
     const double mostMm = 0.25 * finestSpacing(geometry); // from one radius to the next

@@ -47,8 +47,8 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 [[nodiscard]] Result<LabelTarget> labelTarget(
     const SegmentChoice& choice, bool overwriteUnlocked, const Document& document);
 
-/// The frame of a brush; of its points only the first is used, and only for a disc. Errors:
-/// InvalidField below @p name (no point, a disc without a normal across its plane).
+/// The frame of a brush; of its points only the first is used, and only for a flat one. Errors:
+/// InvalidField below @p name (no point, a shape without a direction that it needs).
 [[nodiscard]] Result<CapsuleFrame> capsuleFrame(
     const BrushPath& path, const VolumeGeometry& geometry, const QString& name);
 
@@ -69,5 +69,15 @@ struct PartPressures {
 [[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
     const glm::dvec3* from, const std::vector<glm::dvec3>& points,
     const PartPressures& pressures = {});
+
+/// The voxels under the pen along a path, in and out of the volume those that are in it; of a flat
+/// brush, those of its slab. What CapsulePath::under says of a brush that follows edges.
+[[nodiscard]] std::vector<glm::ivec3> voxelsUnder(
+    const BrushPath& path, const VolumeGeometry& geometry);
+/// Along a part of it; the parameters are those of capsules().
+[[nodiscard]] std::vector<glm::ivec3> voxelsUnder(const BrushPath& path,
+    const VolumeGeometry& geometry, const glm::dvec3* from, const std::vector<glm::dvec3>& points);
+/// The voxel under the first point, or the one nearest to it where that is outside the volume.
+[[nodiscard]] glm::ivec3 startVoxel(const BrushPath& path, const VolumeGeometry& geometry);
 
 } // namespace core

@@ -8,8 +8,8 @@ namespace core {
 
 namespace {
 
-double snappedHeight(const VolumeGeometry& geometry, const glm::dvec3& normal,
-    const glm::dvec3& middleLps, const glm::dvec3& throughLps)
+std::optional<SlicePlane::OnGrid> sliceOnGrid(
+    const VolumeGeometry& geometry, const glm::dvec3& normal, const glm::dvec3& throughLps)
 {
     for (int axis = 0; axis < 3; ++axis) {
         const auto stepAlong = [&](int each) {
@@ -22,11 +22,13 @@ double snappedHeight(const VolumeGeometry& geometry, const glm::dvec3& normal,
         }
         if (tilt >= 0.25 * std::abs(stepAlong(axis)))
             continue;
-        glm::dvec3 slice = (glm::dvec3(geometry.size) - 1.0) / 2.0;
-        slice[axis] = std::floor(geometry.toIndex(throughLps)[axis] + 0.5);
-        return glm::dot(normal, geometry.toWorld(slice) - middleLps);
+        // Farther outside than any volume reaches the cast to an integer would not be defined.
+        constexpr double farthest = 1e6;
+        const double slice = std::floor(geometry.toIndex(throughLps)[axis] + 0.5);
+        return SlicePlane::OnGrid{
+            .axis = axis, .slice = int(std::fmax(-farthest, std::fmin(slice, farthest)))};
     }
-    return glm::dot(normal, throughLps - middleLps);
+    return std::nullopt;
 }
 
 } // namespace
@@ -35,8 +37,16 @@ SlicePlane slicePlane(
     const VolumeGeometry& geometry, const glm::dvec3& normal, const glm::dvec3& throughLps)
 {
     SlicePlane plane;
-    plane.middleLps = geometry.toWorld((glm::dvec3(geometry.size) - 1.0) / 2.0);
-    plane.heightMm = snappedHeight(geometry, normal, plane.middleLps, throughLps);
+    const glm::dvec3 middle = (glm::dvec3(geometry.size) - 1.0) / 2.0;
+    plane.middleLps = geometry.toWorld(middle);
+    plane.onGrid = sliceOnGrid(geometry, normal, throughLps);
+    glm::dvec3 heldLps = throughLps;
+    if (plane.onGrid) {
+        glm::dvec3 middleOfSlice = middle;
+        middleOfSlice[plane.onGrid->axis] = plane.onGrid->slice;
+        heldLps = geometry.toWorld(middleOfSlice);
+    }
+    plane.heightMm = glm::dot(normal, heldLps - plane.middleLps);
     for (int axis = 0; axis < 3; ++axis) {
         const double step = std::abs(glm::dot(normal, glm::dvec3(geometry.indexToWorld[axis])));
         plane.halfThicknessMm = std::max(plane.halfThicknessMm, step / 2.0);

@@ -5,6 +5,8 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
+
 namespace core {
 
 /// Where a slice lies in a volume, for edits that act in one slice.
@@ -12,6 +14,12 @@ struct SlicePlane {
     glm::dvec3 middleLps{0.0}; ///< of the volume
     double heightMm = 0.0; ///< of the slice over that middle, along the normal
     double halfThicknessMm = 0.0; ///< half the distance of neighbouring slices
+    /// A slice along the grid, which may lie beside the volume.
+    struct OnGrid {
+        int axis = 0; ///< the one that leads from slice to slice
+        int slice = 0; ///< index along it
+    };
+    std::optional<OnGrid> onGrid{}; ///< none: it lies oblique to the voxels
 };
 
 /// The slice across a normal through a point. One that lies along the grid of the volume is brought

@@ -7,6 +7,7 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/EditKinds.h"
 #include "core/edits/schema/ChunkSchema.h"
+#include "core/edits/schema/FillingSchema.h"
 #include "core/edits/schema/GrowthSchema.h"
 #include "core/edits/schema/HistorySchema.h"
 #include "core/edits/schema/LayerSchema.h"

@@ -31,7 +31,9 @@ struct CutPiece;
 struct DivideSegment;
 struct DrillStroke;
 struct DropSurface;
+struct FillBetweenSlices;
 struct FillOutline;
+struct FloodFill;
 struct FollowMask;
 struct GrowFromSeeds;
 struct GrowSteps;
@@ -69,6 +71,7 @@ struct ShrinkSteps;
 struct SmoothSurface;
 struct SpherePush;
 struct SurfaceBarrier;
+struct ThresholdSegment;
 struct WriteBack;
 
 template <class... Es> struct EditKinds {
@@ -83,7 +86,8 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     ChangeInterval, ResumeGrowth, ShrinkAt, PlugLeak, BarrierStroke, GrowFromSeeds, ImportMask,
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
-    SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment>;
+    SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
+    FillBetweenSlices, FloodFill, ThresholdSegment>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

@@ -125,14 +125,20 @@ template <class Visitor> void visitPressures(Visitor& visit, PenPressures& press
 template <class Visitor> void visitPath(Visitor& visit, BrushPath& path)
 {
     using namespace editFields;
-    visit.field(
-        "radiusMm", Presence::Required, path.radiusMm, brushRadius, "radius of the ball or disc");
+    visit.field("radiusMm", Presence::Required, path.radiusMm, brushRadius,
+        "radius of the ball or disc, half of a side of the square or cube");
     visit.field("shape", Presence::Optional, path.shape,
-        Choice<BrushPath::Shape, 2>{{"ball", "disc"}},
-        "a ball, or a disc that lies in one plane and is one voxel thick");
-    visit.maybe("normalLps", path.normalLps,
-        Point{Number{"", -1000.0, 1000.0, quantum::perDirection}},
-        "of a disc: a direction across its plane, which holds the first point", "none, of a ball");
+        Choice<BrushPath::Shape, 4>{{"ball", "disc", "square", "cube"}},
+        "a ball or a cube, or a disc or a square that lies in one plane and is one voxel thick");
+    const Point direction{Number{"", -1000.0, 1000.0, quantum::perDirection}};
+    visit.maybe("normalLps", path.normalLps, direction,
+        "of a disc or square: a direction across its plane, which holds the first point; of a "
+        "cube: along one of its sides",
+        "none, of a ball");
+    visit.maybe("sideLps", path.sideLps, direction,
+        "of a square or cube: a direction along another side; what of it runs along normalLps is "
+        "left out",
+        "none, of a ball or disc");
     visit.field("pointsLps", Presence::Required, path.pointsLps, PointList{positionLps},
         "the path, straight from point to point, patient coordinates (LPS)");
     visit.field("lifts", Presence::Optional, path.lifts, PlaceList{},

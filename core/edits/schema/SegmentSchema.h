@@ -15,6 +15,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/edits/schema/EditMasks.h"
 #include "core/edits/schema/SchemaParts.h"
 
@@ -141,6 +142,25 @@ template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
         "of hollow alone: where the shell lies, from the segment's border", "inside");
 }
 
+template <> inline constexpr const char* editName<ThresholdSegment> = "thresholdSegment";
+template <>
+inline constexpr const char* editMeaning<ThresholdSegment> =
+    "Makes a segment that is not locked of every voxel whose value lies in an interval, adds these "
+    "voxels to it, or takes them from it.";
+template <class Visitor> void visitFields(Visitor& visit, ThresholdSegment& edit)
+{
+    visitSegment(visit, edit.segment);
+    visitOnlyValues(visit, edit.lower, edit.upper);
+    visit.field("mode", Presence::Optional, edit.mode,
+        editFields::Choice<ThresholdSegment::Mode, 3>{{"replace", "add", "subtract"}},
+        "the segment becomes these voxels and loses all others, receives them, or loses them");
+    visit.field("onlyVisible", Presence::Optional, edit.onlyVisible, editFields::Flag{},
+        "whether voxels that are carved away stay as they are");
+    visit.maybe("box", edit.box, editFields::CornerPair{positionLps},
+        "two opposite corners: only voxels between them change", "the whole volume");
+    visitOverwrite(visit, edit.overwriteUnlocked);
+}
+
 template <> inline constexpr const char* editName<PaintStroke> = "paint";
 template <>
 inline constexpr const char* editMeaning<PaintStroke> =
@@ -155,6 +175,12 @@ template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)
     visitOverwrite(visit, edit.overwriteUnlocked);
     visit.field("seeds", Presence::Optional, edit.seeds, editFields::Flag{},
         "whether what is painted takes part in growth: the next one goes on from there");
+    visit.maybe("edgeTolerance", edit.edgeTolerance,
+        editFields::Number{"modality units", 0.0, quantum::unbounded, 0.0},
+        "follow edges: only voxels whose values differ by at most this from the one where the "
+        "path begins (the median of the voxels around it), and that are joined to the path by "
+        "such voxels under the brush",
+        "all that is under the brush");
 }
 
 template <> inline constexpr const char* editName<FillOutline> = "fillOutline";

@@ -4,12 +4,15 @@
 #include "core/edits/EditTask.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/session/operations/ChunkOperation.h"
 #include "core/session/operations/DocumentOperation.h"
+#include "core/session/operations/FloodOperation.h"
 #include "core/session/operations/IslandOperation.h"
 #include "core/session/operations/RevertOperation.h"
 #include "core/session/operations/ReviseOperation.h"
@@ -36,6 +39,10 @@ std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
     case EditTask::Islands:
         if (const auto* reshape = edit.as<ReshapeSegment>())
             return std::make_unique<IslandOperation>(*reshape, again);
+        if (const auto* flood = edit.as<FloodFill>())
+            return std::make_unique<FloodOperation>(*flood, again);
+        if (const auto* between = edit.as<FillBetweenSlices>())
+            return std::make_unique<IslandOperation>(*between, again);
         return std::make_unique<IslandOperation>(edit.get<CleanSegment>(), again);
     case EditTask::Engine:
         break;

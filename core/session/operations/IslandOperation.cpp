@@ -2,6 +2,7 @@
 #include "core/session/operations/IslandOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/engine/EngineCommands.h"
@@ -29,6 +30,15 @@ IslandOperation::IslandOperation(const CleanSegment& edit, RowId again)
 }
 
 IslandOperation::IslandOperation(const ReshapeSegment& edit, RowId again)
+    : IslandOperation(
+        edit, edit.segment,
+        [edit](const Document& document, std::span<const std::uint8_t> labels,
+            const Progress& progress) { return relabelListed(edit, document, labels, progress); },
+        again)
+{
+}
+
+IslandOperation::IslandOperation(const FillBetweenSlices& edit, RowId again)
     : IslandOperation(
         edit, edit.segment,
         [edit](const Document& document, std::span<const std::uint8_t> labels,

@@ -3,9 +3,9 @@
 
 #include "core/base/Progress.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/session/operations/AbortableOperation.h"
 #include "core/session/operations/Relabelling.h"
 #include "core/session/past/LabelReader.h"
-#include "core/session/state/Operation.h"
 
 #include <atomic>
 #include <functional>
@@ -17,23 +17,22 @@
 namespace core {
 
 /// An edit of a segment as a whole that is worked out from all labels of its plane (CleanSegment,
-/// ReshapeSegment): it reads them, works out on the side thread which voxels are meant, and lets
-/// the engine write them; one row if it changed anything.
-class IslandOperation final : public Operation {
+/// ReshapeSegment, FillBetweenSlices): it reads them, works out on the side thread which voxels are
+/// meant, and lets the engine write them; one row if it changed anything.
+class IslandOperation final : public AbortableOperation {
 public:
     /// @param again as in VoxelOperation
     explicit IslandOperation(const CleanSegment& edit, RowId again = 0);
     explicit IslandOperation(const ReshapeSegment& edit, RowId again = 0);
+    explicit IslandOperation(const FillBetweenSlices& edit, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     [[nodiscard]] bool done() const override { return m_relabelling.done(); }
 
-    /// Until the engine begins to write: it ends with Cancelled and changes nothing.
-    void abort();
-    [[nodiscard]] bool isAbortable() const { return !m_isWriting && !done(); }
-    /// How much of the work on the side thread is done; less than 0 before it has begun.
-    [[nodiscard]] int percent() const { return m_work->percent; }
+    void abort() override;
+    [[nodiscard]] bool isAbortable() const override { return !m_isWriting && !done(); }
+    [[nodiscard]] int percent() const override { return m_work->percent; }
 
 private:
     /// What the side thread shares with the session's.

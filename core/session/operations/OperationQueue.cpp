@@ -4,7 +4,7 @@
 #include "core/base/Guarded.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/engine/EngineCommands.h"
-#include "core/session/operations/IslandOperation.h"
+#include "core/session/operations/AbortableOperation.h"
 #include "core/session/operations/SurfaceOperation.h"
 
 #include <utility>
@@ -63,8 +63,8 @@ OperationQueue::~OperationQueue()
     });
     // A smoothing with a large ball may have minutes to go, and nobody could abort it any more.
     for (const std::unique_ptr<Operation>& operation : m_operations) {
-        if (auto* whole = dynamic_cast<IslandOperation*>(operation.get()))
-            whole->abort();
+        if (auto* work = dynamic_cast<AbortableOperation*>(operation.get()))
+            work->abort();
     }
     static_cast<void>(settle());
     if (m_wakeUp)
@@ -110,10 +110,10 @@ SurfaceOperation* OperationQueue::runningSurface() const
         : nullptr;
 }
 
-IslandOperation* OperationQueue::runningIslands() const
+AbortableOperation* OperationQueue::runningAbortable() const
 {
     return m_started && !m_operations.empty()
-        ? dynamic_cast<IslandOperation*>(m_operations.front().get())
+        ? dynamic_cast<AbortableOperation*>(m_operations.front().get())
         : nullptr;
 }
 

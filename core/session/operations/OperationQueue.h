@@ -12,7 +12,7 @@
 
 namespace core {
 
-class IslandOperation;
+class AbortableOperation;
 class SurfaceOperation;
 
 /// The queue of everything that a session was asked to do: edits, walks through the history and
@@ -37,8 +37,8 @@ public:
     [[nodiscard]] VoxelOperation* interactiveVoxels() const;
     /// The edit of the surface that is running; null: another operation, or none.
     [[nodiscard]] SurfaceOperation* runningSurface() const;
-    /// The edit of a whole segment that is running; null: another operation, or none.
-    [[nodiscard]] IslandOperation* runningIslands() const;
+    /// The edit that is being worked out; null: another operation is running, or none.
+    [[nodiscard]] AbortableOperation* runningAbortable() const;
     void end(OpenOperation& stroke, Ending ending);
     /// Commits a running growth at its generation and an open peel at its depth, and takes a
     /// preview back.

@@ -13,6 +13,7 @@
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/engine/EngineCommands.h"
 #include "core/session/past/RecentGrowth.h"
@@ -79,8 +80,11 @@ void VoxelOperation::start(SessionState& state)
         m_waiting.push_front(DrillPath{m_path->add(*samples)});
     if (const auto* peel = m_edit.as<PeelCut>())
         m_waiting.push_front(peelDepth(*peel));
-    if (const BrushPath* path = brushPathOf(m_edit))
-        m_waiting.push_front(CapsulePath{capsules(*path, state.document.volumes.front().geometry)});
+    const VolumeGeometry& geometry = state.document.volumes.front().geometry;
+    if (const auto* paint = m_edit.as<PaintStroke>())
+        m_waiting.push_front(paintPath(*paint, geometry));
+    else if (const BrushPath* path = brushPathOf(m_edit))
+        m_waiting.push_front(CapsulePath{capsules(*path, geometry)});
     const std::optional<int>* steps = growStepsOf(m_edit);
     if (steps && m_kind == Kind::Whole && steps->value_or(1) > 0)
         m_waiting.push_back(GrowAdvance{.steps = steps->value_or(GrowAdvance::toClosure)});
@@ -135,8 +139,12 @@ void VoxelOperation::extendPath(SessionState& state, const std::vector<glm::dvec
     if (m_begun) {
         const glm::dvec3 last = path->pointsLps.back();
         const glm::dvec3* from = lifted ? nullptr : &last;
-        m_waiting.push_back(CapsulePath{
-            capsules(*path, state.document.volumes.front().geometry, from, pointsLps, pressed)});
+        const VolumeGeometry& geometry = state.document.volumes.front().geometry;
+        CapsulePath further{capsules(*path, geometry, from, pointsLps, pressed)};
+        const auto* paint = m_edit.as<PaintStroke>();
+        if (paint && paint->edgeTolerance)
+            further.under = voxelsUnder(*path, geometry, from, pointsLps);
+        m_waiting.push_back(std::move(further));
     }
     if (lifted)
         path->lifts.push_back(std::int64_t(path->pointsLps.size()));
@@ -259,7 +267,7 @@ void VoxelOperation::takeResult(SessionState& state, EngineResult&& result)
             state.fail(*result.error);
         m_failed = true;
         m_refused = m_refused || (result.ticket == *m_begun && !m_ended);
-        if (m_refused && isPreview())
+        if (m_refused && (isPreview() || isThreshold()))
             m_ending = Ending::Rollback; // nobody's pen is down: it ends here
     }
 }

@@ -51,14 +51,16 @@ public:
     [[nodiscard]] bool refused() const { return m_refused || m_failed; }
     /// Whether it is only shown for the user to decide; the next operation takes it back.
     [[nodiscard]] bool isPreview() const { return m_edit.is<GrowFromSeeds>(); }
+    /// The same for an interval of values; it keeps nothing for the next one.
+    [[nodiscard]] bool isThreshold() const { return m_edit.is<ThresholdSegment>(); }
     [[nodiscard]] bool standsOpen() const override
     {
-        return isGrowth() || isPreview() || m_edit.is<PeelCut>() || m_edit.is<ShrinkSteps>()
-            || isBackwards();
+        return isGrowth() || isPreview() || isThreshold() || m_edit.is<PeelCut>()
+            || m_edit.is<ShrinkSteps>() || isBackwards();
     }
     [[nodiscard]] Ending usualEnding() const override
     {
-        return standsOpen() && !isPreview() ? Ending::Commit : Ending::Rollback;
+        return standsOpen() && !isPreview() && !isThreshold() ? Ending::Commit : Ending::Rollback;
     }
 
     void start(SessionState& state) override;

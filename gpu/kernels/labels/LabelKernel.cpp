@@ -5,6 +5,7 @@
 #include "gpu/kernels/labels/ChosenBricks.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace gpu {
@@ -216,6 +217,45 @@ std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fi
 {
     return std::visit(
         [&](const auto* known) { return write(programs, fields, before, *known); }, edit);
+}
+
+std::vector<std::uint32_t> bricksConcerned(VoxelFields& fields, const core::LabelThreshold& edit)
+{
+    const core::VoxelBox whole{glm::ivec3(0), fields.grid().volumeSize};
+    const std::vector<std::uint32_t> met =
+        core::bricksMeeting(edit.box.value_or(whole), fields.grid());
+    if (edit.how != core::LabelThreshold::How::Subtract)
+        return met;
+    // Only where something may be held can it be lost.
+    const std::vector<std::uint32_t> labelled = fields.labelledBricks();
+    const std::vector<std::uint32_t> seeded = fields.seedWords(edit.target.plane).heldBricks();
+    std::vector<std::uint32_t> held;
+    std::set_union(
+        labelled.begin(), labelled.end(), seeded.begin(), seeded.end(), std::back_inserter(held));
+    std::vector<std::uint32_t> both;
+    std::set_intersection(
+        met.begin(), met.end(), held.begin(), held.end(), std::back_inserter(both));
+    return both;
+}
+
+std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelThreshold& edit,
+    const std::vector<std::uint32_t>& bricks)
+{
+    Program& kernel = programs.following("THRESHOLD");
+    setCodes(kernel, edit.lowCode, edit.highCode);
+    const core::VoxelBox box =
+        edit.box.value_or(core::VoxelBox{glm::ivec3(0), fields.grid().volumeSize});
+    kernel.set("how", unsigned(edit.how))
+        .set("onlyVisible", edit.onlyVisible)
+        .set("boxFrom", box.minimum)
+        .set("boxTo", box.maximum);
+    return label(
+        kernel, fields, before, edit.target, bricks, [&fields](const std::vector<std::uint32_t>&) {
+            fields.codes().bindUnit(0);
+            fields.radiation().bindUnit(2);
+            fields.codeRanges().bindUnit(3);
+        });
 }
 
 } // namespace gpu

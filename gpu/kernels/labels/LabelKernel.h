@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/sculpt/LabelThreshold.h"
 #include "core/sculpt/LayerWrites.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
@@ -34,5 +35,14 @@ private:
 /// Engine thread only.
 std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, core::LabelWrites::Pointer edit);
+
+/// The bricks in which a threshold may change something, ascending. Engine thread only.
+[[nodiscard]] std::vector<std::uint32_t> bricksConcerned(
+    VoxelFields& fields, const core::LabelThreshold& edit);
+/// Carries out a threshold in some bricks, as writeLabels() does its edits. Codes are read only
+/// where the macro-cells of a brick tell that it holds values inside and outside of the interval.
+std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelThreshold& edit,
+    const std::vector<std::uint32_t>& bricks);
 
 } // namespace gpu

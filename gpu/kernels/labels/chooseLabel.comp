@@ -1,6 +1,7 @@
 // Gives a label to chosen voxels of listed bricks, or takes it from them, by one of LabelWrites
-// (core/sculpt/LayerWrites.h, LabelOutlined.h). Tells what changes in each; writes only where it is
-// told to. One work-group a brick, each voxel written by one invocation.
+// (core/sculpt/LayerWrites.h, LabelOutlined.h) or by their values (LabelThreshold.h). Tells what
+// changes in each; writes only where it is told to. One work-group a brick, each voxel written by
+// one invocation.
 
 layout(local_size_x = 64) in;
 
@@ -10,13 +11,21 @@ layout(local_size_x = 64) in;
 #ifdef OUTLINED
 #define RELABELLED 1 // of some values only
 #endif
-#if defined(SEEN) || defined(OUTLINED)
+#if defined(SEEN) || defined(OUTLINED) || defined(THRESHOLD)
 layout(binding = 0) uniform usampler3D codes;
 uniform uint lowCode;
 uniform uint highCode;
 #endif
-#ifdef SEEN
+#if defined(SEEN) || defined(THRESHOLD)
 layout(binding = 2) uniform usampler3D radiation; // at voxel centres it says what coverage does
+#endif
+#ifdef THRESHOLD
+layout(binding = 3) uniform sampler3D codeRanges; // macro-cells: least and greatest code
+uniform uint how; // LabelThreshold::How
+uniform bool onlyVisible;
+uniform ivec3 boxFrom;
+uniform ivec3 boxTo; // one past the last voxel
+#elif defined(SEEN)
 layout(binding = 2, std430) readonly buffer Bounds { ivec4 bounds[]; };
 uniform uint boundCount;
 #elif defined(LISTED) || defined(RELABELLED)
@@ -44,7 +53,7 @@ uniform bool write;
 const uint changedLabel = 1u;
 const uint changedWord = 2u;
 
-#if defined(SEEN) || defined(OUTLINED)
+#if defined(SEEN) || defined(OUTLINED) || defined(THRESHOLD)
 bool hasValue(ivec3 voxel)
 {
     uint code = texelFetch(codes, voxel, 0).r;
@@ -52,7 +61,42 @@ bool hasValue(ivec3 voxel)
 }
 #endif
 
-#ifdef SEEN
+#ifdef THRESHOLD
+const uint replaces = 0u;
+const uint subtracts = 2u;
+
+// What the macro-cells tell of a brick: codes are read only where it holds some of either kind.
+bool holdsChosen = true;
+bool holdsOthers = true;
+
+void lookAtCells(ivec3 brick)
+{
+    uint least = 65535u;
+    uint greatest = 0u;
+    for (int i = 0; i < 8; ++i) {
+        ivec3 cell = 2 * brick + ivec3(i & 1, i >> 1 & 1, i >> 2);
+        if (any(greaterThanEqual(cell, textureSize(codeRanges, 0))))
+            continue;
+        uvec2 range = uvec2(texelFetch(codeRanges, cell, 0).rg * 65535.0 + 0.5);
+        least = min(least, range.r);
+        greatest = max(greatest, range.g);
+    }
+    holdsChosen = least <= highCode && greatest >= lowCode;
+    holdsOthers = least < lowCode || greatest > highCode;
+}
+
+bool isChosen(ivec3 voxel)
+{
+    return holdsChosen && (!holdsOthers || hasValue(voxel));
+}
+
+bool isInRange(ivec3 voxel)
+{
+    if (any(lessThan(voxel, boxFrom)) || any(greaterThanEqual(voxel, boxTo)))
+        return false;
+    return !onlyVisible || texelFetch(radiation, voxel, 0).r < 128u;
+}
+#elif defined(SEEN)
 bool isChosen(ivec3 voxel)
 {
     if (!hasValue(voxel) || texelFetch(radiation, voxel, 0).r >= 128u)
@@ -90,16 +134,20 @@ uint labelFor(ivec3 voxel, int offset, uint held)
 #elif defined(MAPPED)
     uint next = becomes[held];
     return next == held ? 0u : next == 0u ? held : next;
+#elif defined(THRESHOLD)
+    return (how == replaces || isChosen(voxel)) && isInRange(voxel) ? label : 0u;
 #else
     return isChosen(voxel) ? label : 0u;
 #endif
 }
 
 /// Whether that label is to go from here.
-bool isTaken(int offset, uint held)
+bool isTaken(ivec3 voxel, int offset, uint held)
 {
 #ifdef RELABELLED
     return askedFor(offset) == 2u;
+#elif defined(THRESHOLD)
+    return how == subtracts || (how == replaces && !isChosen(voxel));
 #elif defined(MAPPED)
     return becomes[held] == 0u;
 #else
@@ -112,6 +160,11 @@ void main()
     ivec3 brick = brickPosition(int(bricks[gl_WorkGroupID.x]), volumeBricks);
     uint entry = texelFetch(pageTable, brick, 0).r;
     uint found = 0u;
+#ifdef THRESHOLD
+    lookAtCells(brick);
+    if (!holdsChosen && how != replaces)
+        return;
+#endif
     for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
         ivec3 voxel = brick * brickSide + voxelInBrick(offset);
         if (!inside(voxel, volumeSize))
@@ -120,7 +173,7 @@ void main()
         uint wanted = labelFor(voxel, offset, held);
         if (wanted == 0u)
             continue;
-        bool taken = isTaken(offset, held);
+        bool taken = isTaken(voxel, offset, held);
         if (!taken && held != 0u && held != wanted
             && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
             continue;

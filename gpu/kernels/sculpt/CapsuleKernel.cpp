@@ -73,6 +73,20 @@ Program& CapsulePrograms::givingBarrier()
     return m_givingBarrier;
 }
 
+Program& CapsulePrograms::alike()
+{
+    if (!m_alike)
+        m_alike = program(m_library, "kernels/sculpt/capsuleAlike.comp");
+    return m_alike;
+}
+
+Program& CapsulePrograms::paintMembers()
+{
+    if (!m_paintMembers)
+        m_paintMembers = program(m_library, "kernels/sculpt/capsulePaint.comp", {{"MEMBERS", 1}});
+    return m_paintMembers;
+}
+
 CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
     const core::PaintLabel& paint)
     : m_programs(programs)
@@ -81,14 +95,23 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
     , m_edit(paint)
     , m_frame(paint.frame)
 {
-    setFrame(m_programs.paint);
+    Program& painting = paint.edges ? m_programs.paintMembers() : m_programs.paint;
+    setFrame(painting);
     const bool none = paint.lowCode > paint.highCode || paint.highCode < 0;
-    m_programs.paint.set("label", unsigned(paint.label))
+    painting.set("label", unsigned(paint.label))
         .set("overwritable", paint.overwritable)
         .set("erase", paint.erase)
         .set("seeds", paint.seeds)
         .set("lowCode", none ? 65536u : unsigned(std::max(paint.lowCode, 0)))
         .set("highCode", none ? 0u : unsigned(paint.highCode));
+    if (!paint.edges)
+        return;
+    m_edges.emplace(m_frame, m_fields.grid());
+    const glm::ivec2 codes = alikeCodes(paint);
+    setFrame(m_programs.alike());
+    m_programs.alike()
+        .set("lowCode", codes.x > codes.y ? 65536u : unsigned(codes.x))
+        .set("highCode", codes.x > codes.y ? 0u : unsigned(codes.y));
 }
 
 CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
@@ -126,7 +149,8 @@ void CapsuleKernel::setFrame(Program& each) const
         .set("perI", core::strokeStep(m_frame.perI))
         .set("perJ", core::strokeStep(m_frame.perJ))
         .set("perK", core::strokeStep(m_frame.perK))
-        .set("disc", m_frame.disc)
+        .set("isFlat", m_frame.isFlat)
+        .set("isSquare", m_frame.isSquare)
         .set("halfThickness", m_frame.halfThickness)
         .set("radius", m_frame.radius)
         .set("reach", m_frame.reach)
@@ -138,13 +162,17 @@ core::Result<void> CapsuleKernel::extend(const core::EngineExtension& extension)
     const auto* path = std::get_if<core::CapsulePath>(&extension);
     if (!path)
         return EditWork::extend(extension);
-    follow(path->capsules);
+    if (m_edges)
+        followEdges(*path);
+    else
+        follow(path->capsules);
     return {};
 }
 
 bool CapsuleKernel::join(core::EngineExtension& earlier, core::EngineExtension& next) const
 {
-    return joinPieces(earlier, next, &core::CapsulePath::capsules);
+    return joinPieces(earlier, next, &core::CapsulePath::capsules)
+        && joinPieces(earlier, next, &core::CapsulePath::under);
 }
 
 void CapsuleKernel::follow(const std::vector<core::Capsule>& capsules)
@@ -170,7 +198,8 @@ void CapsuleKernel::extendBy(const std::vector<core::Capsule>& capsules)
     }
     Candidates batch;
     for (auto& [brick, numbers] : near) {
-        if (nothingToTakeAway(brick))
+        // Voxels are joined through bricks that hold nothing, too.
+        if (!m_edges && nothingToTakeAway(brick))
             continue;
         batch.bricks.push_back(brick);
         batch.near.push_back(std::move(numbers));
@@ -244,7 +273,11 @@ std::vector<std::uint32_t> CapsuleKernel::run(
 void CapsuleKernel::write(const core::PaintLabel& paint, const Candidates& candidates,
     const std::vector<core::Capsule>& capsules)
 {
-    writeLabels(m_programs.paint, paint.plane, paint.seeds && !paint.erase, candidates, capsules);
+    if (m_edges)
+        findAlike(candidates, capsules);
+    else
+        writeLabels(
+            m_programs.paint, paint.plane, paint.seeds && !paint.erase, candidates, capsules);
 }
 
 void CapsuleKernel::write(const core::PaintBarrier& barrier, const Candidates& candidates,

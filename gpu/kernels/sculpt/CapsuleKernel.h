@@ -3,10 +3,13 @@
 
 #include "core/engine/LabelCommands.h"
 #include "core/engine/LayerCommands.h"
+#include "core/engine/StrokeExtensions.h"
+#include "core/sculpt/EdgeRegion.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
 #include "gpu/kernels/work/EditWork.h"
 
+#include <optional>
 #include <set>
 #include <variant>
 #include <vector>
@@ -25,16 +28,23 @@ struct CapsulePrograms {
     /// The kernel of barriers that also restores labels kept as overwritten; compiled when it is
     /// first needed.
     [[nodiscard]] Program& givingBarrier();
+    /// Of a brush that follows edges, also compiled when they are first needed: which voxels are
+    /// alike (capsuleAlike.comp), and the kernel that paints its members.
+    [[nodiscard]] Program& alike();
+    [[nodiscard]] Program& paintMembers();
 
 private:
     const ShaderLibrary& m_library;
     Program m_givingBarrier;
+    Program m_alike;
+    Program m_paintMembers;
 };
 
 /// One stroke of a brush while the pen is down: it paints a label (PaintLabel), closes voxels to
 /// growth (PaintBarrier) or carves (CapsuleCut). The rules are in core/sculpt/CapsuleSweep.h.
 /// extend() processes only the bricks near the new pieces of path, and in each brick only the
-/// pieces near it. Engine thread only.
+/// pieces near it. A brush that follows edges (core/sculpt/EdgeRegion.h) reads which voxels are
+/// alike, finds its new members on the processor and paints these. Engine thread only.
 class CapsuleKernel final : public EditWork {
 public:
     CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
@@ -59,6 +69,14 @@ private:
     };
     void follow(const std::vector<core::Capsule>& capsules);
     void extendBy(const std::vector<core::Capsule>& capsules);
+
+    // Of a brush that follows edges (CapsuleEdges.cpp).
+    void followEdges(const core::CapsulePath& path);
+    void findAlike(const Candidates& candidates, const std::vector<core::Capsule>& capsules);
+    void paintMembers(const core::PaintLabel& paint);
+    /// The codes that an alike voxel may have, first and last.
+    [[nodiscard]] glm::ivec2 alikeCodes(const core::PaintLabel& paint) const;
+
     /// For a stroke that erases or restores: whether the brick holds nothing that it could remove.
     [[nodiscard]] bool nothingToTakeAway(std::uint32_t brick) const;
     [[nodiscard]] bool nothingFor(const core::PaintLabel& paint, std::uint32_t brick) const;
@@ -86,6 +104,7 @@ private:
     BeforeImages& m_before;
     std::variant<core::PaintLabel, core::PaintBarrier, core::CapsuleCut> m_edit;
     core::CapsuleFrame m_frame;
+    std::optional<core::EdgeRegion> m_edges; ///< if it follows edges
     std::set<core::BrickKey> m_touched;
 };
 

@@ -20,7 +20,8 @@ uniform ivec3 volumeBricks;
 uniform ivec3 perI; // mm16
 uniform ivec3 perJ;
 uniform ivec3 perK;
-uniform bool disc;
+uniform bool isFlat;
+uniform bool isSquare;
 uniform int halfThickness;
 uniform int radius;
 uniform int reach;
@@ -35,7 +36,7 @@ ivec3 strokePosition(Candidate candidate, ivec3 local)
 
 bool inSlab(ivec3 position)
 {
-    return !disc || abs(position.z) <= halfThickness;
+    return !isFlat || abs(position.z) <= halfThickness;
 }
 
 int product(ivec3 a, ivec3 b)
@@ -48,16 +49,35 @@ int radiusOf(Capsule capsule)
     return max(radius - capsule.direction.w, 0);
 }
 
+// The least half side with which a square or cube on its way along u holds q, in units.
+uint squareDistance(ivec3 q, ivec3 u, int unitLength)
+{
+    ivec3 end = unitLength * u;
+    ivec3 fine = q * 16384;
+    ivec3 outside = max(max(fine - max(end, ivec3(0)), min(end, ivec3(0)) - fine), ivec3(0));
+    ivec3 along = (outside + 16383) >> 14;
+    // Beside the line, in each of the planes of two axes.
+    uvec3 beside = uvec3(abs(q.yzx * u.zxy - q.zxy * u.yzx));
+    uvec3 size = max(uvec3(abs(u.yzx) + abs(u.zxy)), uvec3(1u));
+    uvec3 across = (beside + size - 1u) / size;
+    uvec3 most = max(uvec3(along), across);
+    return max(most.x, max(most.y, most.z));
+}
+
 // The squared distance, in units; farAway if the piece has no distance to the position.
 uint squaredDistance(Capsule capsule, ivec3 position)
 {
     ivec3 a = position - capsule.from.xyz;
-    if (disc)
+    if (isFlat)
         a.z = 0;
     if (any(greaterThan(abs(a), ivec3(reach))))
         return farAway;
     ivec3 q = a >> shift;
     ivec3 u = capsule.direction.xyz;
+    if (isSquare) {
+        uint away = squareDistance(q, u, capsule.from.w >> shift);
+        return away * away;
+    }
     int h = clamp((product(q, u) + 8192) >> 14, 0, capsule.from.w >> shift);
     ivec3 e = q - ((h * u + 8192) >> 14);
     return uint(product(e, e));

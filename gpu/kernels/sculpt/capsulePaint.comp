@@ -1,5 +1,6 @@
 // Paints or erases a label in the candidate bricks of a brush (PaintLabel in
 // core/engine/LabelCommands.h). One work-group per brick; each voxel is written by one invocation.
+// With MEMBERS it does so where bits say so, those of the members of a brush that follows edges.
 
 layout(local_size_x = 64) in;
 
@@ -18,6 +19,10 @@ uniform bool erase;
 uniform bool seeds;
 uniform uint lowCode;
 uniform uint highCode;
+
+#ifdef MEMBERS
+layout(binding = 4, std430) readonly buffer Members { uint members[]; };
+#endif
 
 const uint changedLabel = 1u;
 const uint changedWord = 2u;
@@ -42,6 +47,16 @@ uint erasedWord(uint word)
     return bearsAny(word) && labelOf(word) == label ? unvisited : word;
 }
 
+bool isChosen(Candidate candidate, int offset)
+{
+#ifdef MEMBERS
+    uint word = members[gl_WorkGroupID.x * 128u + uint(offset >> 5)];
+    return (word >> uint(offset & 31) & 1u) != 0u;
+#else
+    return isWithin(candidate, voxelInBrick(offset));
+#endif
+}
+
 void main()
 {
     Candidate candidate = candidates[gl_WorkGroupID.x];
@@ -49,11 +64,8 @@ void main()
     uint entry = texelFetch(pageTable, origin >> 4, 0).r;
     uint found = 0u;
     for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
-        ivec3 local = voxelInBrick(offset);
-        ivec3 voxel = origin + local;
-        if (!inside(voxel, volumeSize))
-            continue;
-        if (!isWithin(candidate, local))
+        ivec3 voxel = origin + voxelInBrick(offset);
+        if (!inside(voxel, volumeSize) || !isChosen(candidate, offset))
             continue;
         uint code = texelFetch(codes, voxel, 0).r;
         if (code < lowCode || code > highCode)

@@ -4,6 +4,8 @@
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
@@ -21,6 +23,7 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QJsonArray>
@@ -171,8 +174,42 @@ private Q_SLOTS:
                 editFromJson(parse(qPrintable(QStringLiteral("{'edit':'reshapeSegment','segment':2,"
                                                              "'operation':'%1','mm':2}")
                                                   .arg(QLatin1String(operation))))));
-        for (const Edit& edit :
-            {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped, *grown, *shell})
+        const Result<Edit> between =
+            editFromJson(parse("{'edit':'fillBetweenSlices','segment':2}"));
+        const Result<Edit> across =
+            editFromJson(parse("{'edit':'fillBetweenSlices','segment':2,'axis':'j'}"));
+        QVERIFY(between && across);
+        QVERIFY(!between->get<FillBetweenSlices>().axis);
+        QVERIFY(across->get<FillBetweenSlices>().axis == SliceAxis::J);
+        const Result<Edit> flood = editFromJson(parse("{'edit':'floodFill','segment':2,"
+                                                      "'placeLps':[1,2,3],'tolerance':40}"));
+        const Result<Edit> away =
+            editFromJson(parse("{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'within':'k',"
+                               "'corners':true,'erase':true}"));
+        QVERIFY(flood && away);
+        QVERIFY(!flood->get<FloodFill>().within && !flood->get<FloodFill>().corners);
+        QCOMPARE(flood->get<FloodFill>().tolerance, 40.0);
+        QVERIFY(away->get<FloodFill>().within == SliceAxis::K);
+        QVERIFY(away->get<FloodFill>().corners && away->get<FloodFill>().erase);
+        const Result<Edit> threshold =
+            editFromJson(parse("{'edit':'thresholdSegment','segment':3,'lower':300.5,"
+                               "'mode':'subtract','box':[[1,2,3],[4.00001,5,6]],"
+                               "'onlyVisible':true,'overwriteUnlocked':true}"));
+        const Result<Edit> everything =
+            editFromJson(parse("{'edit':'thresholdSegment','segment':3}"));
+        QVERIFY(threshold && everything);
+        const auto& limited = threshold->get<ThresholdSegment>();
+        QVERIFY(limited.lower == 300.5 && !limited.upper && limited.segment == 3);
+        QVERIFY(limited.mode == ThresholdSegment::Mode::Subtract);
+        QVERIFY(limited.onlyVisible && limited.overwriteUnlocked);
+        QCOMPARE(
+            quantised(*threshold).get<ThresholdSegment>().box->toLps, (glm::dvec3{4.0, 5.0, 6.0}));
+        const auto& whole = everything->get<ThresholdSegment>();
+        QVERIFY(!whole.lower && !whole.upper && !whole.box && !whole.onlyVisible);
+        QVERIFY(whole.mode == ThresholdSegment::Mode::Replace && !whole.overwriteUnlocked);
+        QVERIFY(editFromJson(parse("{'edit':'thresholdSegment','segment':3,'mode':'add'}")));
+        for (const Edit& edit : {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped,
+                 *grown, *shell, *between, *across, *flood, *away, *threshold, *everything})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -194,6 +231,18 @@ private Q_SLOTS:
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':100.5}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'polish','mm':1}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'hollow','mm':1,'shell':'on'}",
+                "{'edit':'floodFill','segment':2,'placeLps':[1,2,3]}",
+                "{'edit':'floodFill','segment':2,'tolerance':1}",
+                "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'tolerance':-1}",
+                "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'erase':true,'tolerance':1}",
+                "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'tolerance':1,'within':'x'}",
+                "{'edit':'fillBetweenSlices'}",
+                "{'edit':'fillBetweenSlices','segment':2,'axis':'axial'}",
+                "{'edit':'fillBetweenSlices','segment':2,'axis':1}", "{'edit':'thresholdSegment'}",
+                "{'edit':'thresholdSegment','segment':0}",
+                "{'edit':'thresholdSegment','segment':2,'mode':'invert'}",
+                "{'edit':'thresholdSegment','segment':2,'box':[[1,2,3]]}",
+                "{'edit':'thresholdSegment','segment':2,'lower':'much'}",
                 "{'edit':'invertSegment'}", "{'edit':'invertSegment','segment':0}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }
@@ -321,6 +370,24 @@ private Q_SLOTS:
         QCOMPARE(*stroke.lower, -10.0);
         QVERIFY(!stroke.upper && !stroke.erase && !stroke.seeds && stroke.overwriteUnlocked);
         QCOMPARE(editToJson(*editFromJson(editToJson(*paint))), editToJson(*paint));
+        QVERIFY(!editToJson(*paint).contains(QLatin1String("sideLps")));
+        QVERIFY(!editToJson(*paint).contains(QLatin1String("edgeTolerance")));
+        QVERIFY(!stroke.edgeTolerance);
+        const Result<Edit> edgewise = editFromJson(parse(
+            "{'edit':'paint','segment':2,'radiusMm':6,'pointsLps':[[0,0,0]],'edgeTolerance':40}"));
+        QVERIFY(edgewise);
+        QCOMPARE(*edgewise->get<PaintStroke>().edgeTolerance, 40.0);
+        QCOMPARE(editToJson(*editFromJson(editToJson(*edgewise))), editToJson(*edgewise));
+        QVERIFY(!editFromJson(parse("{'edit':'paint','segment':2,'radiusMm':6,"
+                                    "'pointsLps':[[0,0,0]],'edgeTolerance':-1}")));
+
+        const Result<Edit> square = editFromJson(
+            parse("{'edit':'paint','segment':2,'radiusMm':6,'shape':'square','normalLps':[0,0,1],"
+                  "'sideLps':[1,0.5,0],'pointsLps':[[1,2.5,-3]]}"));
+        QVERIFY(square);
+        QVERIFY(square->get<PaintStroke>().path.shape == BrushPath::Shape::Square);
+        QCOMPARE(square->get<PaintStroke>().path.sideLps->y, 0.5);
+        QCOMPARE(editToJson(*editFromJson(editToJson(*square))), editToJson(*square));
 
         const Result<Edit> brush = editFromJson(
             parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'restore':true}"));
@@ -329,10 +396,10 @@ private Q_SLOTS:
         QVERIFY(brush->get<BrushStroke>().path.shape == BrushPath::Shape::Ball);
         QCOMPARE(brush->get<BrushStroke>().layer, 1);
 
-        const Result<Edit> cube = editFromJson(
-            parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'shape':'cube'}"));
-        QVERIFY(!cube);
-        QCOMPARE(cube.error().arguments.value(0), QStringLiteral("brush.shape"));
+        const Result<Edit> cone = editFromJson(
+            parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0]],'shape':'cone'}"));
+        QVERIFY(!cone);
+        QCOMPARE(cone.error().arguments.value(0), QStringLiteral("brush.shape"));
         const Result<Edit> lifted = editFromJson(
             parse("{'edit':'brush','radiusMm':4,'pointsLps':[[0,0,0],[9,0,0]],'lifts':[1]}"));
         QVERIFY(lifted);

@@ -65,6 +65,21 @@ private Q_SLOTS:
         const ReshapeSegment reshape{.segment = 2, .mm = 1.0};
         QVERIFY(effectsOf(reshape).fills.label == 2 && effectsOf(reshape).writesTo == 2);
         QVERIFY(!effectsOf(reshape).boundToStudy);
+        FloodFill flood{.segment = 5};
+        QVERIFY(effectsOf(flood).fills.label == 5 && effectsOf(flood).writesTo == 5);
+        QVERIFY(effectsOf(flood).boundToStudy); // it names a place
+        flood.erase = true;
+        QVERIFY(!effectsOf(flood).fills.label && effectsOf(flood).writesTo == 5);
+        const FillBetweenSlices between{.segment = 3};
+        QVERIFY(effectsOf(between).fills.label == 3 && effectsOf(between).writesTo == 3);
+        QVERIFY(!effectsOf(between).boundToStudy);
+        ThresholdSegment threshold{.segment = 5};
+        QVERIFY(effectsOf(threshold).fills.label == 5 && effectsOf(threshold).writesTo == 5);
+        QVERIFY(!effectsOf(threshold).boundToStudy && effectsOf(threshold).standsOpen);
+        threshold.mode = ThresholdSegment::Mode::Subtract;
+        threshold.box = GrowBox{};
+        QVERIFY(!effectsOf(threshold).fills.label && effectsOf(threshold).writesTo == 5);
+        QVERIFY(effectsOf(threshold).boundToStudy); // it names places
     }
 };
 

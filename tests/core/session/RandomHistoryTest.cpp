@@ -59,8 +59,8 @@ private Q_SLOTS:
                  "combineSegments merge", "combineSegments swap", "cleanSegment fill holes",
                  "cleanSegment keep largest", "cleanSegment remove small",
                  "cleanSegment keep clicked", "cleanSegment remove clicked",
-                 "cleanSegment give clicked", "fillOutline", "reshapeSegment", "undo", "redo",
-                 "goTo", "reopen", "given up"})
+                 "cleanSegment give clicked", "fillOutline", "reshapeSegment", "fillBetweenSlices",
+                 "floodFill", "thresholdSegment", "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done[QLatin1String(kind)] > 0, kind);
     }
 

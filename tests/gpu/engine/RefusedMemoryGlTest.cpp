@@ -176,15 +176,15 @@ std::vector<EngineCase> cases()
 {
     const int count = test::longRun() ? 12 : 1;
     std::vector<EngineCase> made;
-    for (auto more :
-        {test::growthCases(count), test::growLimitCases(count), test::seedGroupCases(count),
-            test::intervalCases(count), test::overwrittenCases(count), test::wideGrowthCases(count),
-            test::passageCases(count), test::drillCases(count), test::peelCases(count),
-            test::scissorsCases(count), test::laserCases(count), test::carveCases(count),
-            test::pickCases(count), test::eraseCases(count), test::layerCases(count),
-            test::capsuleCases(count), test::layerWriteCases(count), test::relabelCases(count),
-            test::outlineCases(count), test::mapCases(count), test::barrierCases(count),
-            test::protectedCases(count), test::spreadCases(count), test::toleranceCases(count)})
+    for (auto more : {test::growthCases(count), test::growLimitCases(count),
+             test::seedGroupCases(count), test::intervalCases(count), test::overwrittenCases(count),
+             test::wideGrowthCases(count), test::passageCases(count), test::drillCases(count),
+             test::peelCases(count), test::scissorsCases(count), test::laserCases(count),
+             test::carveCases(count), test::pickCases(count), test::eraseCases(count),
+             test::layerCases(count), test::capsuleCases(count), test::layerWriteCases(count),
+             test::relabelCases(count), test::outlineCases(count), test::thresholdCases(count),
+             test::mapCases(count), test::barrierCases(count), test::protectedCases(count),
+             test::spreadCases(count), test::toleranceCases(count)})
         made.insert(made.end(), more.begin(), more.end());
     if (test::longRun())
         return made;

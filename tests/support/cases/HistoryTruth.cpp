@@ -38,13 +38,16 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "core/edits/sculpt/SculptVisit.h"
 #include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
 #include "core/sessionfile/records/StateHash.h"
+#include "tests/reference/BetweenSlices.h"
 #include "tests/reference/ElementPlane.h"
+#include "tests/reference/FloodFill.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/IslandTruth.h"
 
@@ -119,7 +122,8 @@ bool changesLabels(const Edit& edit)
         || edit.is<BarrierStroke>() || edit.is<GrowFromSeeds>() || edit.is<PaintStroke>()
         || edit.is<RemoveSegment>() || edit.is<LayerToSegment>() || edit.is<SegmentSeen>()
         || edit.is<ImportMask>() || edit.is<InvertSegment>() || edit.is<CombineSegments>()
-        || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>();
+        || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>()
+        || edit.is<FillBetweenSlices>() || edit.is<FloodFill>() || edit.is<ThresholdSegment>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -206,13 +210,40 @@ std::vector<std::uint8_t> HistoryTruth::labelsOf(const Bricks& bricks) const
 HistoryTruth::Bricks HistoryTruth::cleaned(
     const Bricks& before, const CleanSegment& edit, const Document& document) const
 {
-    const glm::ivec3& size = m_study.volume.geometry.size;
     const std::vector<std::uint8_t> labels = labelsOf(before);
-    RelabelListed relabel{.target = relabelListed(edit, document, labels, {}).value().target};
     const bool gives = edit.rule == IslandRule::FillHoles || edit.rule == IslandRule::GiveClicked;
-    const std::vector<bool> meant = islandVoxels(edit, m_study.volume.geometry, labels);
+    return relabelled(before, relabelListed(edit, document, labels, {}).value().target,
+        islandVoxels(edit, m_study.volume.geometry, labels),
+        gives ? RelabelListed::give : RelabelListed::take);
+}
+
+HistoryTruth::Bricks HistoryTruth::filledBetween(
+    const Bricks& before, const FillBetweenSlices& edit, const Document& document) const
+{
+    const std::vector<std::uint8_t> labels = labelsOf(before);
+    return relabelled(before, relabelListed(edit, document, labels, {}).value().target,
+        reference::voxelsBetween(
+            labels, m_study.volume.geometry, std::uint8_t(edit.segment), edit.axis),
+        RelabelListed::give);
+}
+
+HistoryTruth::Bricks HistoryTruth::flooded(
+    const Bricks& before, const FloodFill& edit, const Document& document) const
+{
+    const LabelTarget target = labelTarget(
+        {.segment = edit.segment, .name = {}}, edit.overwriteUnlocked && !edit.erase, document)
+                                   .value();
+    return relabelled(before, target, reference::floodedVoxels(edit, m_study, labelsOf(before)),
+        edit.erase ? RelabelListed::take : RelabelListed::give);
+}
+
+HistoryTruth::Bricks HistoryTruth::relabelled(const Bricks& before, const LabelTarget& target,
+    const std::vector<bool>& meant, std::uint8_t asked) const
+{
+    const glm::ivec3& size = m_study.volume.geometry.size;
+    RelabelListed relabel{.target = target};
     const BrickGrid grid{size};
-    std::map<std::uint32_t, std::vector<std::uint8_t>> asked;
+    std::map<std::uint32_t, std::vector<std::uint8_t>> bricks;
     std::size_t at = 0;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {
@@ -220,14 +251,13 @@ HistoryTruth::Bricks HistoryTruth::cleaned(
                 if (!meant[at])
                     continue;
                 const glm::ivec3 voxel(x, y, z);
-                std::vector<std::uint8_t>& brick = asked[std::uint32_t(grid.brickOf(voxel))];
+                std::vector<std::uint8_t>& brick = bricks[std::uint32_t(grid.brickOf(voxel))];
                 brick.resize(BrickGrid::voxelsPerBrick, 0);
-                brick[std::size_t(BrickGrid::offsetInBrick(voxel))] =
-                    gives ? RelabelListed::give : RelabelListed::take;
+                brick[std::size_t(BrickGrid::offsetInBrick(voxel))] = asked;
             }
         }
     }
-    for (const auto& [brick, each] : asked)
+    for (const auto& [brick, each] : bricks)
         relabel.bricks.push_back({brick, each});
     return after(before, relabel, {}, nullptr);
 }
@@ -337,7 +367,7 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return withoutLabel(before, remove->segment);
     if (const auto* paint = edit.as<PaintStroke>())
         return after(before, *paintLabel(*paint, document),
-            {CapsulePath{capsules(paint->path, m_study.volume.geometry)}}, nullptr);
+            {paintPath(*paint, m_study.volume.geometry)}, nullptr);
     if (const auto* carved = edit.as<LayerToSegment>())
         return after(before, *labelCarved(*carved, document), {}, nullptr);
     if (const auto* seen = edit.as<SegmentSeen>())
@@ -350,8 +380,14 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return after(before, *mapLabels(*both, document), {}, nullptr);
     if (const auto* clean = edit.as<CleanSegment>())
         return cleaned(before, *clean, document);
+    if (const auto* between = edit.as<FillBetweenSlices>())
+        return filledBetween(before, *between, document);
+    if (const auto* flood = edit.as<FloodFill>())
+        return flooded(before, *flood, document);
     if (const auto* outline = edit.as<FillOutline>())
         return after(before, *labelOutlined(*outline, document), {}, nullptr);
+    if (const auto* threshold = edit.as<ThresholdSegment>())
+        return after(before, *labelThreshold(*threshold, document), {}, nullptr, &document);
     // What a ball does to a segment is another test's matter; here from which labels, and when.
     if (const auto* reshape = edit.as<ReshapeSegment>())
         return after(

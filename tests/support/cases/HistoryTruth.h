@@ -3,10 +3,13 @@
 
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
+#include "core/sculpt/LayerWrites.h"
 #include "core/volume/Volume.h"
 
 #include <QString>
@@ -79,6 +82,14 @@ private:
     [[nodiscard]] std::vector<std::uint8_t> labelsOf(const Bricks& bricks) const;
     [[nodiscard]] Bricks cleaned(
         const Bricks& before, const core::CleanSegment& edit, const core::Document& document) const;
+    [[nodiscard]] Bricks filledBetween(const Bricks& before, const core::FillBetweenSlices& edit,
+        const core::Document& document) const;
+    [[nodiscard]] Bricks flooded(
+        const Bricks& before, const core::FloodFill& edit, const core::Document& document) const;
+    /// Gives a label to voxels of the whole volume, or takes it from them.
+    /// @param asked RelabelListed::give or take
+    [[nodiscard]] Bricks relabelled(const Bricks& before, const core::LabelTarget& target,
+        const std::vector<bool>& meant, std::uint8_t asked) const;
 
     core::LoadedVolume m_study;
     std::map<core::RowId, core::HistoryRow> m_rows;

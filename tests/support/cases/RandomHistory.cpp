@@ -3,6 +3,8 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
@@ -45,8 +47,10 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
+#include "core/morphology/BetweenSlices.h"
 #include "core/session/EditSession.h"
 #include "tests/support/cases/HistoryTruth.h"
 #include "tests/support/cases/IslandTruth.h"
@@ -372,6 +376,14 @@ private:
             return randomOutline(any(document.segments).label);
         if (m_session->history().rows().size() % 8 == 5)
             return randomReshape(document);
+        if (m_session->history().rows().size() % 8 == 1) {
+            if (const std::optional<FillBetweenSlices> filling = randomBetween(document))
+                return *filling;
+        }
+        if (m_session->history().rows().size() % 8 == 7)
+            return randomFlood(document);
+        if (m_session->history().rows().size() % 16 == 2)
+            return randomThreshold(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
@@ -671,6 +683,11 @@ private:
             path.pressures.emplace(path.pointsLps.size(), 0.4);
             path.pressures->front() = 1.0;
         }
+        if (m_session->history().rows().size() % 5 == 2) {
+            path.shape = path.normalLps ? BrushPath::Shape::Square : BrushPath::Shape::Cube;
+            path.normalLps = glm::dvec3(0, 0, 1);
+            path.sideLps = glm::dvec3(1, 0.5, 0);
+        }
         return path;
     }
     /// In a slice along the grid or an oblique one, of a curve that may cross itself.
@@ -686,6 +703,73 @@ private:
         if (chance(30))
             outline.lower = between(-200, 300);
         return outline;
+    }
+    /// Of a segment that has empty slices between others, along any axis.
+    std::optional<FillBetweenSlices> randomBetween(const Document& document)
+    {
+        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
+        std::vector<FillBetweenSlices> possible;
+        for (const Segment& segment : document.segments) {
+            for (const DrawnSlices& drawn : drawnSlices(
+                     labels, document.volumes.front().geometry.size, std::uint8_t(segment.label))) {
+                if (drawn.emptySlices() > 0 && !segment.locked)
+                    possible.push_back({.segment = segment.label, .axis = drawn.axis});
+            }
+        }
+        if (possible.empty())
+            return std::nullopt;
+        FillBetweenSlices filling = any(possible);
+        if (chance(50))
+            filling.axis.reset();
+        return filling;
+    }
+    /// From any voxel; of one that a segment has, it may be taken away.
+    FloodFill randomFlood(const Document& document)
+    {
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
+        FloodFill flood{.segment = any(document.segments).label};
+        std::size_t voxel = std::size_t(between(0, int(labels.size()) - 1));
+        if (chance(40)) { // the next one of a segment
+            const auto next = std::find_if(labels.begin() + std::ptrdiff_t(voxel), labels.end(),
+                [](std::uint8_t label) { return label != 0; });
+            if (next != labels.end()) {
+                voxel = std::size_t(next - labels.begin());
+                flood.segment = *next;
+                flood.erase = true;
+            }
+        }
+        const auto columns = std::size_t(geometry.size.x);
+        const auto rows = std::size_t(geometry.size.y);
+        flood.placeLps = geometry.toWorld({double(voxel % columns), double(voxel / columns % rows),
+            double(voxel / columns / rows)});
+        if (chance(60))
+            flood.within = SliceAxis(between(0, 2));
+        flood.corners = chance(40);
+        if (!flood.erase) {
+            flood.tolerance = between(0, 300);
+            flood.overwriteUnlocked = chance(40);
+        }
+        return flood;
+    }
+    ThresholdSegment randomThreshold(const Document& document)
+    {
+        ThresholdSegment threshold{.segment = any(document.segments).label};
+        threshold.mode = ThresholdSegment::Mode(between(0, 2));
+        threshold.onlyVisible = chance(30);
+        threshold.overwriteUnlocked = chance(40);
+        const double lower = between(-200, 1000);
+        threshold.lower = lower;
+        // Without a box few values: what takes most of the volume leaves nothing to do.
+        if (chance(70)) {
+            const VolumeGeometry& geometry = document.volumes.front().geometry;
+            const glm::dvec3 from{between(0, 20), between(0, 20), between(0, 20)};
+            const glm::dvec3 sides{between(2, 14), between(2, 14), between(2, 14)};
+            threshold.box = GrowBox{geometry.toWorld(from), geometry.toWorld(from + sides)};
+        } else {
+            threshold.upper = lower + between(0, 60);
+        }
+        return threshold;
     }
     ReshapeSegment randomReshape(const Document& document)
     {
@@ -706,6 +790,9 @@ private:
         stroke.overwriteUnlocked = chance(40);
         if (chance(30))
             stroke.lower = between(-200, 300);
+        // Of the row's number, as in randomGrowth().
+        if (m_session->history().rows().size() % 4 == 1)
+            stroke.edgeTolerance = 120.0;
         return stroke;
     }
     BrushStroke randomBrush()

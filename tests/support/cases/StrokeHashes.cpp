@@ -12,6 +12,7 @@
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
 #include "tests/support/scenes/CutEdits.h"
 
@@ -143,6 +144,19 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         session.closeGrowth();
         session.poll();
         require(session.begin(edit), "begin again");
+        session.poll();
+    } else if (const auto* threshold = edit.as<core::ThresholdSegment>()) {
+        // As a bound is dragged: every move begins it anew.
+        core::ThresholdSegment first = *threshold;
+        first.lower.reset();
+        require(session.begin(first), "begin");
+        session.poll();
+        session.end(core::Ending::Rollback);
+        require(session.begin(edit), "begin again");
+        // Whatever else is done takes it back.
+        session.closeGrowth();
+        session.poll();
+        require(session.begin(edit), "begin once more");
         session.poll();
     } else if (edit.is<core::GrowSteps>()) {
         require(session.begin(edit), "begin");

@@ -15,19 +15,46 @@ QColor toolColour()
     return theme::accent;
 }
 
-void drawCursorRing(
-    QPainter& painter, const QPointF& cursor, double radius, const QColor& colour, bool dashed)
+namespace {
+
+/// Draws an outline that is visible on bone and on black alike: a dark rim under a bright line.
+template <class Draw>
+void drawOutline(QPainter& painter, const QColor& colour, bool dashed, Draw draw)
 {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    // A dark rim under the bright line keeps the outline visible on bone and on black alike.
     painter.setPen(QPen(QColor(0, 0, 0, 150), 3.5));
-    painter.drawEllipse(cursor, radius, radius);
+    draw();
     QPen line(colour, 1.6);
     if (dashed)
         line.setDashPattern({4.0, 3.0});
     painter.setPen(line);
-    painter.drawEllipse(cursor, radius, radius);
+    draw();
+}
+
+} // namespace
+
+void drawCursorRing(
+    QPainter& painter, const QPointF& cursor, double radius, const QColor& colour, bool dashed)
+{
+    drawOutline(painter, colour, dashed, [&] { painter.drawEllipse(cursor, radius, radius); });
+}
+
+void drawCursorSquare(
+    QPainter& painter, const QPointF& cursor, double radius, const QColor& colour, bool dashed)
+{
+    const QPointF corner(radius, radius);
+    drawOutline(painter, colour, dashed,
+        [&] { painter.drawRect(QRectF(cursor - corner, cursor + corner)); });
+}
+
+void drawCursorCross(QPainter& painter, const QPointF& cursor, const QColor& colour)
+{
+    constexpr double arm = 4.0;
+    drawOutline(painter, colour, false, [&] {
+        painter.drawLine(cursor - QPointF(arm, 0.0), cursor + QPointF(arm, 0.0));
+        painter.drawLine(cursor - QPointF(0.0, arm), cursor + QPointF(0.0, arm));
+    });
 }
 
 void drawCursorLabel(QPainter& painter, const QSizeF& view, const QPointF& cursor, double radius,

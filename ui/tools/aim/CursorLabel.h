@@ -13,11 +13,14 @@ namespace ui {
 /// The colour of outlines and words of tools at the cursor.
 [[nodiscard]] QColor toolColour();
 
-/// Draws text beside the cursor, connected by a short line to the rim of a mask and kept inside the
-/// view. The first line says what the tool will do and is emphasised.
-/// @param radius of the mask, logical pixels
+/// Draws the outline of a brush or mask around the cursor.
+/// @param radius logical pixels; of a square, half a side
 void drawCursorRing(
     QPainter& painter, const QPointF& cursor, double radius, const QColor& colour, bool dashed);
+void drawCursorSquare(
+    QPainter& painter, const QPointF& cursor, double radius, const QColor& colour, bool dashed);
+/// Marks the middle of a brush.
+void drawCursorCross(QPainter& painter, const QPointF& cursor, const QColor& colour);
 
 /// Words beside the cursor, led to by a short line from the rim of a mask; kept inside the view.
 /// The first line is what the tool will do and stands out.

@@ -3,18 +3,38 @@
 
 #include "ui/base/Theme.h"
 #include "ui/tools/common/BrushTool.h"
+#include "ui/tools/common/EdgeOptions.h"
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include <array>
+
 namespace ui {
+
+namespace {
+
+struct BrushShape {
+    const char* name;
+    bool disc;
+    bool square;
+};
+constexpr std::array<BrushShape, 4> brushShapes{{
+    {QT_TRANSLATE_NOOP("ui::BrushOptions", "ball"), false, false},
+    {QT_TRANSLATE_NOOP("ui::BrushOptions", "disc"), true, false},
+    {QT_TRANSLATE_NOOP("ui::BrushOptions", "square"), true, true},
+    {QT_TRANSLATE_NOOP("ui::BrushOptions", "cube"), false, true},
+}};
+
+} // namespace
 
 BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget* parent)
     : QWidget(parent)
@@ -33,10 +53,10 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
     m_radius->setSuffix(tr(" mm"));
     m_shape->setObjectName(QStringLiteral("brushShape"));
     m_shape->setFixedHeight(theme::controlHeight);
-    m_shape->addItem(tr("ball"), false);
-    m_shape->addItem(tr("this slice"), true);
-    m_shape->setToolTip(tr("On slices: a ball through all slices, or a disc in the shown one only. "
-                           "In 3D it is a ball."));
+    for (const BrushShape& shape : brushShapes)
+        m_shape->addItem(QCoreApplication::translate("ui::BrushOptions", shape.name));
+    m_shape->setToolTip(tr("On slices: a ball or a cube through all slices, or a disc or a square "
+                           "in the shown one only. In 3D it is a ball."));
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -47,8 +67,10 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
     layout->addWidget(m_radius);
     layout->addWidget(m_pressure);
     layout->addWidget(m_shape);
-    if (brush == Workspace::Brush::Paint)
+    if (brush == Workspace::Brush::Paint) {
+        layout->addWidget(new EdgeOptions(workspace, this));
         layout->addWidget(new PaintLimits(workspace, this));
+    }
 
     showSettings();
     connect(&m_workspace, &Workspace::brushSettingsChanged, this, &BrushOptions::showSettings);
@@ -62,7 +84,10 @@ void BrushOptions::showSettings()
     const Workspace::BrushSettings& settings = m_workspace.brushSettings(m_brush);
     const QSignalBlocker radius(m_radius);
     m_radius->setValue(settings.radiusMm);
-    m_shape->setCurrentIndex(m_shape->findData(settings.disc));
+    for (std::size_t i = 0; i < brushShapes.size(); ++i) {
+        if (brushShapes[i].disc == settings.disc && brushShapes[i].square == settings.square)
+            m_shape->setCurrentIndex(int(i));
+    }
     m_pressure->setChecked(settings.radiusByPressure);
 }
 
@@ -70,7 +95,9 @@ void BrushOptions::takeSettings()
 {
     Workspace::BrushSettings settings = m_workspace.brushSettings(m_brush);
     settings.radiusMm = m_radius->value();
-    settings.disc = m_shape->currentData().toBool();
+    const BrushShape& shape = brushShapes[std::size_t(m_shape->currentIndex())];
+    settings.disc = shape.disc;
+    settings.square = shape.square;
     settings.radiusByPressure = m_pressure->isChecked();
     m_workspace.setBrushSettings(m_brush, settings);
 }

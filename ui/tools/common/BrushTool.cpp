@@ -72,10 +72,18 @@ core::BrushPath BrushTool::pathIn(const ViewContext& view) const
     core::BrushPath path;
     path.radiusMm = settings().radiusMm;
     const auto* slice = std::get_if<gpu::SliceScene>(&view.scene);
-    if (slice && settings().disc) {
-        path.shape = core::BrushPath::Shape::Disc;
+    if (!slice)
+        return path;
+    using Shape = core::BrushPath::Shape;
+    const bool square = settings().square;
+    if (settings().disc)
+        path.shape = square ? Shape::Square : Shape::Disc;
+    else
+        path.shape = square ? Shape::Cube : Shape::Ball;
+    if (path.shape != Shape::Ball)
         path.normalLps = glm::normalize(glm::cross(slice->rightLps, slice->downLps));
-    }
+    if (square)
+        path.sideLps = glm::normalize(slice->rightLps);
     return path;
 }
 
@@ -256,18 +264,42 @@ void BrushTool::changeRadius(int steps)
     m_workspace.setBrushSettings(m_brush, changed);
 }
 
+QString BrushTool::shapeText(core::BrushPath::Shape shape)
+{
+    switch (shape) {
+    case core::BrushPath::Shape::Ball:
+        return tr(", a ball");
+    case core::BrushPath::Shape::Disc:
+        return tr(", this slice");
+    case core::BrushPath::Shape::Square:
+        return tr(", a square in this slice");
+    case core::BrushPath::Shape::Cube:
+        return tr(", a cube");
+    }
+    return {};
+}
+
 void BrushTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
     if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
         return;
     const double radius =
         m_pressure * (m_stroke ? m_stroke->path.radiusMm : settings().radiusMm) / view.mmPerPixel();
-    drawCursorRing(painter, m_cursor, radius, colour(), m_inverted);
+    // A stroke keeps the shape that it began with.
+    const core::BrushPath::Shape shape = m_stroke ? m_stroke->path.shape : pathIn(view).shape;
+    const auto draw = core::isSquare(shape) ? drawCursorSquare : drawCursorRing;
+    draw(painter, m_cursor, radius, colour(), m_inverted);
 
     QString size = tr("radius %1 mm").arg(QLocale().toString(settings().radiusMm, 'f', 1));
     if (view.isSlice())
-        size += settings().disc ? tr(", this slice") : tr(", a ball");
+        size += shapeText(shape);
     QStringList lines{action(m_inverted), size};
+    const QString followed = view.isSlice() ? edges() : QString();
+    if (!followed.isEmpty()) {
+        // What lies under it decides.
+        drawCursorCross(painter, m_cursor, colour());
+        lines += followed;
+    }
     if (const QString text = limits(); !text.isEmpty())
         lines += text;
     drawCursorLabel(painter, view.sizePixels, m_cursor, radius, lines);

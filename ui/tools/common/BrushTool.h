@@ -12,8 +12,9 @@
 
 namespace ui {
 
-/// Base of the brushes (paint, barrier, carve brush): a ball or disc follows the pen, on a slice
-/// along its plane, in the 3D view along the visible surface. Ctrl or the pen's eraser end inverts
+/// Base of the brushes (paint, barrier, carve brush): a ball, disc, square or cube follows the pen,
+/// on a slice along its plane and with sides as the view's, in the 3D view a ball along the visible
+/// surface. Ctrl or the pen's eraser end inverts
 /// it; its radius may follow the pressure of a pen. Each stroke is one edit; its effect is visible
 /// while the pen is down, and cancel() takes it back.
 class BrushTool : public Tool {
@@ -46,6 +47,8 @@ protected:
     [[nodiscard]] virtual QString action(bool inverted) const = 0;
     /// Which voxels may change, in words; empty if all may.
     [[nodiscard]] virtual QString limits() const { return {}; }
+    /// How it follows edges on slices, in words; empty if it does not.
+    [[nodiscard]] virtual QString edges() const { return {}; }
     [[nodiscard]] virtual QColor colour() const = 0;
     /// The edit of a stroke that begins now and follows a path.
     [[nodiscard]] virtual core::Result<core::Edit> strokeAlong(
@@ -61,6 +64,7 @@ private:
         double pressure = 1.0;
     };
 
+    [[nodiscard]] static QString shapeText(core::BrushPath::Shape shape);
     [[nodiscard]] core::BrushPath pathIn(const ViewContext& view) const;
     /// In a 3D view: asks what is seen along the way to this point, then continues the stroke
     /// there.

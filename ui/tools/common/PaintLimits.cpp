@@ -20,7 +20,7 @@ namespace ui {
 namespace {
 
 constexpr auto paintBrush = Workspace::Brush::Paint;
-constexpr int longestLimitsPixels = 96; ///< so that the bar fits into 1280 pixels
+constexpr int longestLimitsPixels = 72; ///< so that the bar fits into 1280 pixels
 
 QDoubleSpinBox* boundBox(QWidget* parent, const char* name)
 {

@@ -25,14 +25,35 @@ double distancePixels(const QPointF& one, const QPointF& other)
 
 void SliceOutline::begin(Shape shape, const QPointF& at, const ViewContext& view)
 {
-    const auto& scene = std::get<gpu::SliceScene>(view.scene);
     m_shape = shape;
-    m_originLps = scene.centreLps;
-    m_rightLps = scene.rightLps;
-    m_upLps = -scene.downLps;
+    lieIn(view);
     m_points = {inPlane(at, view)};
     if (shape == Shape::Rectangle || shape == Shape::Ellipse)
         m_points.push_back(m_points.front());
+}
+
+void SliceOutline::lay(
+    Shape shape, const std::vector<glm::dvec3>& cornersLps, const ViewContext& view)
+{
+    m_shape = shape;
+    lieIn(view);
+    setCorners(cornersLps);
+}
+
+void SliceOutline::setCorners(const std::vector<glm::dvec3>& cornersLps)
+{
+    m_points.clear();
+    m_points.reserve(cornersLps.size());
+    for (const glm::dvec3& corner : cornersLps)
+        m_points.push_back(inPlane(corner));
+}
+
+void SliceOutline::lieIn(const ViewContext& view)
+{
+    const auto& scene = std::get<gpu::SliceScene>(view.scene);
+    m_originLps = scene.centreLps;
+    m_rightLps = scene.rightLps;
+    m_upLps = -scene.downLps;
 }
 
 bool SliceOutline::liesIn(const ViewContext& view) const
@@ -82,7 +103,7 @@ bool SliceOutline::endsAt(const QPointF& at, const ViewContext& view) const
 
 std::vector<glm::dvec2> SliceOutline::polygonMm() const
 {
-    if (m_points.empty() || m_shape == Shape::Lasso || m_shape == Shape::Polygon)
+    if (m_points.empty() || (m_shape != Shape::Rectangle && m_shape != Shape::Ellipse))
         return m_points;
     const glm::dvec2 low = glm::min(m_points.front(), m_points.back());
     const glm::dvec2 high = glm::max(m_points.front(), m_points.back());
@@ -100,8 +121,8 @@ std::vector<glm::dvec2> SliceOutline::polygonMm() const
 
 bool SliceOutline::isMeant(const ViewContext& view) const
 {
-    // A polygon is clicked together on purpose.
-    if (m_shape == Shape::Polygon)
+    // A polygon is clicked together on purpose, and what was found in the picture was seen.
+    if (m_shape != Shape::Lasso && m_shape != Shape::Rectangle && m_shape != Shape::Ellipse)
         return m_points.size() >= 3;
     const QRectF box = pixels(view).boundingRect();
     return (m_shape != Shape::Lasso || m_points.size() >= 3) && box.width() >= leastBoxPixels
@@ -121,10 +142,15 @@ QPointF SliceOutline::firstPixel(const ViewContext& view) const
     return toPixel(m_points.front(), view);
 }
 
+glm::dvec2 SliceOutline::inPlane(const glm::dvec3& placeLps) const
+{
+    const glm::dvec3 from = placeLps - m_originLps;
+    return {glm::dot(from, m_rightLps), glm::dot(from, m_upLps)};
+}
+
 glm::dvec2 SliceOutline::inPlane(const QPointF& at, const ViewContext& view) const
 {
-    const glm::dvec3 from = view.toLps(at) - m_originLps;
-    return {glm::dot(from, m_rightLps), glm::dot(from, m_upLps)};
+    return inPlane(view.toLps(at));
 }
 
 QPointF SliceOutline::toPixel(const glm::dvec2& place, const ViewContext& view) const

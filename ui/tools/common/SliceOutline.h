@@ -20,10 +20,16 @@ public:
         Polygon, ///< corner by corner
         Rectangle, ///< of a drag from corner to corner
         Ellipse, ///< the one within that rectangle
+        Livewire, ///< along edges of the picture, from anchor to anchor
+        Level, ///< the contour of a value
     };
 
     /// @param view a slice
     void begin(Shape shape, const QPointF& at, const ViewContext& view);
+    /// One whose corners were found in the picture of a view.
+    void lay(Shape shape, const std::vector<glm::dvec3>& cornersLps, const ViewContext& view);
+    /// Other corners in the plane that it has.
+    void setCorners(const std::vector<glm::dvec3>& cornersLps);
     void drop() { m_points.clear(); }
     [[nodiscard]] bool drawing() const { return !m_points.empty(); }
     [[nodiscard]] Shape shape() const { return m_shape; }
@@ -32,7 +38,7 @@ public:
 
     /// The pen went on while it was down: a curve gets longer, the last corner moves.
     void extend(const QPointF& at, const ViewContext& view);
-    // Of a polygon.
+    // Of a polygon; a click ends a wire at the same places.
     void addCorner(const QPointF& at, const ViewContext& view);
     /// Takes the last corner back; without corners it is no longer drawn.
     void removeCorner() { m_points.pop_back(); }
@@ -54,6 +60,8 @@ public:
     [[nodiscard]] QPointF firstPixel(const ViewContext& view) const;
 
 private:
+    void lieIn(const ViewContext& view);
+    [[nodiscard]] glm::dvec2 inPlane(const glm::dvec3& placeLps) const;
     [[nodiscard]] glm::dvec2 inPlane(const QPointF& at, const ViewContext& view) const;
     [[nodiscard]] QPointF toPixel(const glm::dvec2& place, const ViewContext& view) const;
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/FillOutlineTool.h"
 
-#include "core/edits/kinds/segments/FillOutline.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/CursorLabel.h"
-#include "ui/tools/aim/DrillMask.h"
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/SeedOptions.h"
-#include "ui/workspace/SegmentActions.h"
+#include "ui/tools/growth/OutlineFilling.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QComboBox>
@@ -15,18 +14,22 @@
 #include <QPainter>
 #include <QSignalBlocker>
 
-#include <algorithm>
-
 namespace ui {
 
 FillOutlineTool::FillOutlineTool(Workspace& workspace, QObject* parent)
     : Tool(parent)
     , m_workspace(workspace)
+    , m_slice(workspace)
+    , m_wire(workspace, m_slice)
+    , m_level(workspace, m_slice)
 {
     connect(&workspace, &Workspace::brushSettingsChanged, this, &Tool::overlayChanged);
     connect(&workspace, &Workspace::activeSegmentChanged, this, &Tool::overlayChanged);
     // An outline ends with the session it was begun in.
+    connect(&workspace, &Workspace::sessionClosing, this, &FillOutlineTool::cancel);
     connect(&workspace, &Workspace::sessionChanged, this, &FillOutlineTool::cancel);
+    connect(&m_wire, &LiveWire::changed, this, &FillOutlineTool::showWire);
+    connect(&m_level, &LevelTrace::changed, this, &FillOutlineTool::showLevel);
 }
 
 QString FillOutlineTool::name() const
@@ -44,9 +47,14 @@ QString FillOutlineTool::hint() const
     return tr("Fill outline: draw around a region on a slice; Ctrl or the eraser end erases it");
 }
 
+QString FillOutlineTool::target() const
+{
+    return fillingText(m_workspace, m_erases);
+}
+
 QString FillOutlineTool::keys() const
 {
-    return tr("polygon: Enter closes, Backspace takes a corner back · Ctrl erases · Esc cancels");
+    return tr("Enter closes, Backspace takes a corner back · Ctrl erases · Esc cancels");
 }
 
 QWidget* FillOutlineTool::createOptions(QWidget* parent)
@@ -63,7 +71,11 @@ QWidget* FillOutlineTool::createOptions(QWidget* parent)
     shapes->addItem(tr("polygon"), int(Shape::Polygon));
     shapes->addItem(tr("rectangle"), int(Shape::Rectangle));
     shapes->addItem(tr("ellipse"), int(Shape::Ellipse));
-    shapes->setToolTip(tr("Draw a curve, click corner by corner, or drag from corner to corner"));
+    shapes->addItem(tr("livewire"), int(Shape::Livewire));
+    shapes->addItem(tr("level trace"), int(Shape::Level));
+    shapes->setToolTip(tr("Draw a curve, click corner by corner, or drag from corner to corner; "
+                          "livewire: click along an edge, and the outline follows it; level trace: "
+                          "point at a value, and a click fills its contour"));
     layout->addWidget(shapes);
     layout->addWidget(new PaintLimits(m_workspace, options));
     const auto show = [this, shapes] {
@@ -85,7 +97,7 @@ QJsonObject FillOutlineTool::settingsJson() const
 void FillOutlineTool::applySettings(const QJsonObject& settings)
 {
     const int shape = settings[QLatin1String("shape")].toInt(-1);
-    if (shape >= int(Shape::Lasso) && shape <= int(Shape::Ellipse))
+    if (shape >= int(Shape::Lasso) && shape <= int(Shape::Level))
         setShape(Shape(shape));
 }
 
@@ -104,17 +116,30 @@ bool FillOutlineTool::isInverse(const PointerSample& sample)
     return sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
 }
 
+bool FillOutlineTool::isClicked() const
+{
+    return m_shape == Shape::Polygon || m_shape == Shape::Livewire;
+}
+
 void FillOutlineTool::press(const PointerSample& sample, const ViewContext& view)
 {
-    if (!m_workspace.session() || !worksIn(view) || m_pressed)
+    if (!m_workspace.session() || !worksIn(view) || m_pressed || m_closes)
         return;
+    follow(sample, view);
+    if (m_shape == Shape::Livewire && m_slice.lattice().empty())
+        return m_workspace.say(howToDraw()); // the slice misses the volume
     if (m_outline.drawing()) {
         pressCorner(sample, view);
     } else {
-        m_outline.begin(m_shape, sample.position, view);
         m_erases = isInverse(sample);
         m_view = view;
         m_pressed = true;
+        if (m_shape != Shape::Level)
+            m_outline.begin(m_shape, sample.position, view);
+        if (m_shape == Shape::Livewire) {
+            m_wire.addAnchor(view.toLps(sample.position));
+            showWire();
+        }
         Q_EMIT stepsChanged();
     }
     showCursor(sample, view);
@@ -124,23 +149,47 @@ void FillOutlineTool::pressCorner(const PointerSample& sample, const ViewContext
 {
     if (!m_outline.liesIn(view))
         return m_workspace.say(
-            tr("The polygon lies in another slice: go back to it, or drop it with Esc"));
+            tr("The outline lies in another slice: go back to it, or drop it with Esc"));
     if (m_outline.endsAt(sample.position, view)) {
         // With fewer corners a double click has meant nothing yet.
-        if (m_outline.isMeant(view))
-            close(view);
+        m_view = view;
+        if (isMeant())
+            close();
         return;
     }
-    m_outline.addCorner(sample.position, view);
     m_view = view;
     m_pressed = true;
+    if (m_shape == Shape::Livewire) {
+        m_wire.addAnchor(view.toLps(sample.position));
+        showWire();
+    } else {
+        m_outline.addCorner(sample.position, view);
+    }
     Q_EMIT stepsChanged();
+}
+
+void FillOutlineTool::follow(const PointerSample& sample, const ViewContext& view)
+{
+    // What is closed is still to be filled where it was, and a wire stays in its slice.
+    if (m_closes || m_outline.drawing())
+        return;
+    if (m_shape != Shape::Livewire && m_shape != Shape::Level)
+        return;
+    m_slice.look(view);
+    if (m_shape != Shape::Level)
+        return;
+    m_levelView = view;
+    m_level.pointAt(view.toLps(sample.position));
 }
 
 void FillOutlineTool::drag(const PointerSample& sample, const ViewContext& view)
 {
-    if (m_pressed && view.view == m_view->view)
-        m_outline.extend(sample.position, *m_view);
+    if (m_pressed && view.view == m_view->view) {
+        if (m_shape == Shape::Level)
+            follow(sample, view);
+        else if (m_shape != Shape::Livewire) // an anchor stays where it was set
+            m_outline.extend(sample.position, *m_view);
+    }
     showCursor(sample, view);
 }
 
@@ -150,47 +199,95 @@ void FillOutlineTool::release(const PointerSample& sample, const ViewContext& vi
         return;
     drag(sample, view);
     m_pressed = false;
-    if (m_outline.shape() != Shape::Polygon)
-        close(*m_view);
+    if (!isClicked())
+        close();
     showCursor(sample, view);
 }
 
-void FillOutlineTool::close(const ViewContext& view)
+void FillOutlineTool::showWire()
 {
-    core::FillOutline edit{.segment = 0,
-        .originLps = m_outline.originLps(),
-        .rightLps = m_outline.rightLps(),
-        .upLps = m_outline.upLps(),
-        .polygonMm = m_outline.polygonMm(),
-        .erase = m_erases};
-    const bool meant = m_outline.isMeant(view);
-    const bool isPolygon = m_outline.shape() == Shape::Polygon;
-    if (!isPolygon)
-        drop();
-    if (!meant)
-        return m_workspace.say(isPolygon
-                ? tr("A polygon has three corners or more")
-                : tr("Draw around what is to be filled; the outline closes by itself"));
-    if (m_erases && m_workspace.session()->document().segments.empty())
-        return m_workspace.say(tr("There is no segment to erase"));
-    const core::Result<int> label = ensureActiveSegment(m_workspace);
-    if (!label)
-        return m_workspace.fail(label.error());
-    const Workspace::BrushSettings& limits = m_workspace.brushSettings(Workspace::Brush::Paint);
-    edit.segment = *label;
-    edit.overwriteUnlocked = limits.overwriteUnlocked && !edit.erase;
-    if (limits.onlyBetween) {
-        edit.lower = std::min(limits.lower, limits.upper);
-        edit.upper = std::max(limits.lower, limits.upper);
+    if (m_outline.drawing() && m_shape == Shape::Livewire)
+        m_outline.setCorners(m_wire.wireLps());
+    if (m_closes)
+        closeIfKnown();
+    Q_EMIT overlayChanged();
+}
+
+void FillOutlineTool::showLevel()
+{
+    if (m_level.contour())
+        m_levelOutline.lay(Shape::Level, m_level.contourLps(), *m_levelView);
+    else
+        m_levelOutline.drop();
+    if (m_closes)
+        closeIfKnown();
+    Q_EMIT overlayChanged();
+}
+
+bool FillOutlineTool::isMeant() const
+{
+    switch (m_shape) {
+    case Shape::Livewire:
+        // With two the outline would come back the way it went.
+        return m_wire.anchorCount() >= 3;
+    case Shape::Level:
+        return m_level.pointsAtPixel();
+    default:
+        return m_outline.isMeant(*m_view);
     }
-    if (const auto applied = m_workspace.session()->apply(edit); !applied)
-        return m_workspace.fail(applied.error());
-    drop();
+}
+
+QString FillOutlineTool::howToDraw() const
+{
+    switch (m_shape) {
+    case Shape::Polygon:
+        return tr("A polygon has three corners or more");
+    case Shape::Livewire:
+        return tr("Click at three places of the edge or more; the wire follows it between them");
+    case Shape::Level:
+        return tr("Point at the picture; the contour of the value there is filled");
+    default:
+        return tr("Draw around what is to be filled; the outline closes by itself");
+    }
+}
+
+void FillOutlineTool::close()
+{
+    if (!isMeant()) {
+        if (!isClicked())
+            drop();
+        return m_workspace.say(howToDraw());
+    }
+    m_closes = true;
+    closeIfKnown();
+}
+
+void FillOutlineTool::closeIfKnown()
+{
+    SliceOutline outline = m_outline;
+    if (m_shape == Shape::Livewire) {
+        if (!m_wire.isKnown())
+            return;
+        std::vector<glm::dvec3> corners = m_wire.wireLps();
+        const std::vector<glm::dvec3> closing = m_wire.closingLps();
+        corners.insert(corners.end(), closing.begin(), closing.end());
+        outline.setCorners(corners);
+    } else if (m_shape == Shape::Level) {
+        if (!m_level.isKnown())
+            return;
+        outline = m_levelOutline;
+    }
+    m_closes = false;
+    if (!isClicked())
+        drop();
+    if (fillOutline(m_workspace, outline, m_erases))
+        drop();
 }
 
 void FillOutlineTool::drop()
 {
     m_outline.drop();
+    m_wire.drop();
     Q_EMIT overlayChanged();
     Q_EMIT stepsChanged();
 }
@@ -198,12 +295,13 @@ void FillOutlineTool::drop()
 void FillOutlineTool::cancel()
 {
     m_pressed = false;
+    m_closes = false;
     drop();
 }
 
 bool FillOutlineTool::canTakeStepBack() const
 {
-    return m_outline.drawing() && m_outline.shape() == Shape::Polygon;
+    return m_outline.drawing() && isClicked();
 }
 
 void FillOutlineTool::takeStepBack()
@@ -212,7 +310,13 @@ void FillOutlineTool::takeStepBack()
         return;
     // The pen may still be down on that corner.
     m_pressed = false;
-    m_outline.removeCorner();
+    m_closes = false;
+    if (m_shape == Shape::Livewire) {
+        m_wire.removeAnchor();
+        showWire();
+    } else {
+        m_outline.removeCorner();
+    }
     Q_EMIT overlayChanged();
     Q_EMIT stepsChanged();
 }
@@ -224,7 +328,7 @@ bool FillOutlineTool::pressKey(int key)
     if (key == Qt::Key_Backspace)
         takeStepBack();
     else if (key == Qt::Key_Return || key == Qt::Key_Enter)
-        close(*m_view);
+        close();
     else
         return false;
     return true;
@@ -232,8 +336,9 @@ bool FillOutlineTool::pressKey(int key)
 
 void FillOutlineTool::hover(const PointerSample& sample, const ViewContext& view)
 {
-    if (!m_outline.drawing())
+    if (!m_outline.drawing() && !m_closes)
         m_erases = isInverse(sample);
+    follow(sample, view);
     showCursor(sample, view);
 }
 
@@ -250,26 +355,6 @@ void FillOutlineTool::showCursor(const PointerSample& sample, const ViewContext&
     Q_EMIT overlayChanged();
 }
 
-QString FillOutlineTool::action(bool erases) const
-{
-    const core::EditSession* session = m_workspace.session();
-    if (!session)
-        return {};
-    const core::Segment* segment = session->document().segment(m_workspace.activeSegment());
-    if (!segment)
-        return erases ? tr("no segment to erase") : tr("fills a new segment");
-    if (segment->locked)
-        return tr("%1 is locked").arg(segment->name);
-    return (erases ? tr("erases %1") : tr("fills %1")).arg(segment->name);
-}
-
-QColor FillOutlineTool::colour() const
-{
-    const core::Document& document = m_workspace.session()->document();
-    const core::Segment* segment = document.segment(m_workspace.activeSegment());
-    return segment ? QColor(segment->rgb) : QColor(nextSegmentColour(document));
-}
-
 void FillOutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
     if (!m_workspace.session() || !worksIn(view))
@@ -278,31 +363,43 @@ void FillOutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) c
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_outline.drawing() && m_outline.liesIn(view)) {
         QPolygonF shown = m_outline.pixels(view);
-        const bool isPolygon = m_outline.shape() == Shape::Polygon;
-        if (isPolygon && underPointer && !m_pressed)
+        if (underPointer && !m_pressed && m_shape == Shape::Polygon)
             shown << m_cursor; // the corner that a click would add
-        // What would be filled, as the edit counts it: whatever the outline winds around.
-        QColor tint = colour();
-        tint.setAlpha(70);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(m_erases ? QBrush(tint, Qt::BDiagPattern) : QBrush(tint));
-        painter.drawPolygon(shown, Qt::WindingFill);
-        painter.setBrush(Qt::NoBrush);
-        drawToolOutline(painter, shown, !isPolygon);
-        if (isPolygon) {
+        if (underPointer && m_shape == Shape::Livewire) {
+            for (const glm::dvec3& corner : m_wire.onwardsLps(view.toLps(m_cursor)))
+                shown << view.toPixel(corner);
+        }
+        paintFilling(painter, m_workspace, shown, m_erases, !isClicked());
+        if (isClicked()) {
             painter.setPen(QPen(toolColour(), 1.4));
             painter.drawEllipse(m_outline.firstPixel(view), 4.0, 4.0); // where a click closes it
         }
     }
+    const bool showsLevel = m_shape == Shape::Level && underPointer && m_levelOutline.drawing()
+        && m_levelOutline.liesIn(view);
+    if (showsLevel)
+        paintFilling(painter, m_workspace, m_levelOutline.pixels(view), m_erases, true);
     if (!underPointer)
         return;
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(m_cursor, 2.0, 2.0);
-    QStringList lines{action(m_erases)};
+    QStringList lines{target()};
+    if (showsLevel)
+        lines += levelText();
     if (const QString limits = intervalText(m_workspace); !limits.isEmpty())
         lines += limits;
     drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines);
+}
+
+/// What lies inside the contour: "from 120 HU".
+QString FillOutlineTool::levelText() const
+{
+    const core::Volume& volume = *m_workspace.volume();
+    const core::LevelContour& contour = *m_level.contour();
+    const QString value = valueText(
+        volume.encoding.value(contour.level), volume.unit, volume.maximum - volume.minimum);
+    return contour.brighter ? tr("from %1").arg(value) : tr("up to %1").arg(value);
 }
 
 } // namespace ui

@@ -3,8 +3,11 @@
 
 #include "ui/input/Tool.h"
 #include "ui/tools/common/SliceOutline.h"
+#include "ui/tools/growth/LevelTrace.h"
+#include "ui/tools/growth/LiveWire.h"
+#include "ui/tools/growth/ReadSlice.h"
 
-#include <QColor>
+#include <QString>
 
 #include <optional>
 
@@ -16,6 +19,10 @@ class Workspace;
 /// with Ctrl or the pen's eraser end it takes it away. Each outline is one step. Which voxels may
 /// change is set as for painting. The first outline of a session makes a segment, as a step of its
 /// own.
+///
+/// Two shapes follow the picture: the livewire and the contour of a level. What they need is worked
+/// out beside the window; one that is closed or clicked before that is filled as soon as it is
+/// known, at the place that was meant.
 class FillOutlineTool : public Tool {
     Q_OBJECT
 
@@ -27,7 +34,7 @@ public:
     [[nodiscard]] QString name() const override;
     [[nodiscard]] QString iconName() const override;
     [[nodiscard]] QString hint() const override;
-    [[nodiscard]] QString target() const override { return action(m_erases); }
+    [[nodiscard]] QString target() const override;
     [[nodiscard]] QString keys() const override;
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
     [[nodiscard]] QJsonObject settingsJson() const override;
@@ -38,7 +45,7 @@ public:
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
-    /// A corner of a polygon that is open.
+    /// A corner of a polygon that is open, or an anchor of a wire.
     [[nodiscard]] bool canTakeStepBack() const override;
     void takeStepBack() override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
@@ -55,14 +62,24 @@ Q_SIGNALS:
     void shapeChanged();
 
 private:
-    [[nodiscard]] QString action(bool erases) const;
-    [[nodiscard]] QColor colour() const;
     void drop();
+    /// Whether it is clicked together, and stays open after the button or pen is lifted.
+    [[nodiscard]] bool isClicked() const;
     void pressCorner(const PointerSample& sample, const ViewContext& view);
-    /// Fills what is drawn and ends the drawing. A polygon that cannot be filled stays open: it is
-    /// more work than another stroke.
-    void close(const ViewContext& view);
+    /// What follows the picture is told where the pointer is.
+    void follow(const PointerSample& sample, const ViewContext& view);
+    void showWire();
+    void showLevel();
+    /// Whether what is drawn can have been intended.
+    [[nodiscard]] bool isMeant() const;
+    [[nodiscard]] QString howToDraw() const;
+    /// Fills what is drawn and ends the drawing. What is clicked together and cannot be filled
+    /// stays open: it is more work than another stroke.
+    void close();
+    /// The same once the picture has been followed.
+    void closeIfKnown();
     void showCursor(const PointerSample& sample, const ViewContext& view);
+    [[nodiscard]] QString levelText() const;
     [[nodiscard]] static bool isInverse(const PointerSample& sample);
 
     Workspace& m_workspace;
@@ -70,9 +87,15 @@ private:
     SliceOutline m_outline;
     std::optional<ViewContext> m_view; ///< in which the open outline was pressed last
     bool m_pressed = false; ///< the button or pen that draws is down
+    bool m_closes = false; ///< it is filled as soon as the picture has been followed
     bool m_erases = false;
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;
+    ReadSlice m_slice; ///< in which the picture is followed
+    LiveWire m_wire;
+    LevelTrace m_level;
+    std::optional<ViewContext> m_levelView; ///< in which the level was pointed at
+    SliceOutline m_levelOutline; ///< the contour as it is shown
 };
 
 } // namespace ui

@@ -5,6 +5,7 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/past/SeedStrokes.h"
 #include "ui/tools/common/BrushOptions.h"
+#include "ui/tools/common/EdgeOptions.h"
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/workspace/SegmentActions.h"
 
@@ -60,6 +61,11 @@ QString PaintTool::limits() const
     return intervalText(workspace());
 }
 
+QString PaintTool::edges() const
+{
+    return edgesText(workspace());
+}
+
 QColor PaintTool::colour() const
 {
     const core::EditSession* session = workspace().session();
@@ -70,7 +76,7 @@ QColor PaintTool::colour() const
 }
 
 core::Result<core::Edit> PaintTool::strokeAlong(
-    const core::BrushPath& path, bool inverted, const ViewContext&)
+    const core::BrushPath& path, bool inverted, const ViewContext& view)
 {
     const core::Result<int> label = ensureActiveSegment(workspace());
     if (!label)
@@ -86,6 +92,8 @@ core::Result<core::Edit> PaintTool::strokeAlong(
         stroke.lower = std::min(now.lower, now.upper);
         stroke.upper = std::max(now.lower, now.upper);
     }
+    if (now.followsEdges && view.isSlice())
+        stroke.edgeTolerance = now.edgeTolerance;
     return core::Edit(stroke);
 }
 

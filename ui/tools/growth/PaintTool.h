@@ -8,7 +8,7 @@ namespace ui {
 
 /// Paints the active segment, on slices and on the visible surface of the 3D view; with Ctrl or the
 /// pen's eraser end it erases. The first stroke of a session makes a segment, as a step of its own.
-/// If the segment has seeds, painted voxels take part in its growth.
+/// If the segment has seeds, painted voxels take part in its growth. On slices it may follow edges.
 class PaintTool : public BrushTool {
     Q_OBJECT
 
@@ -24,6 +24,7 @@ public:
 protected:
     [[nodiscard]] QString action(bool inverted) const override;
     [[nodiscard]] QString limits() const override;
+    [[nodiscard]] QString edges() const override;
     [[nodiscard]] QColor colour() const override;
     [[nodiscard]] core::Result<core::Edit> strokeAlong(
         const core::BrushPath& path, bool inverted, const ViewContext& view) override;

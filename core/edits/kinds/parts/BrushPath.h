@@ -17,15 +17,31 @@ struct BrushPath {
     enum class Shape {
         Ball,
         Disc, ///< a circle in a plane, one voxel thick
+        Square, ///< in a plane, one voxel thick
+        Cube,
     };
-    double radiusMm = 4.0;
+    double radiusMm = 4.0; ///< of a square or cube: half of one side
     Shape shape = Shape::Ball;
-    std::optional<glm::dvec3> normalLps{}; ///< of a disc's plane, which contains the first point
+    /// Of a disc's or square's plane, which contains the first point; of a cube, along a side.
+    std::optional<glm::dvec3> normalLps{};
+    std::optional<glm::dvec3> sideLps{}; ///< of a square or cube, about across the normal
     std::vector<glm::dvec3> pointsLps{};
     /// Indices into pointsLps, ascending: the path does not lead to these points but begins anew
     /// there.
     std::vector<std::int64_t> lifts{};
     PenPressures pressures{};
 };
+
+/// Whether a brush of this shape lies in a plane.
+[[nodiscard]] constexpr bool isFlat(BrushPath::Shape shape)
+{
+    return shape == BrushPath::Shape::Disc || shape == BrushPath::Shape::Square;
+}
+
+/// Whether it has corners.
+[[nodiscard]] constexpr bool isSquare(BrushPath::Shape shape)
+{
+    return shape == BrushPath::Shape::Square || shape == BrushPath::Shape::Cube;
+}
 
 } // namespace core

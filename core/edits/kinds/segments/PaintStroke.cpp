@@ -7,9 +7,22 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 
+#include <algorithm>
+
 namespace core {
 
 using namespace rowWords;
+
+namespace {
+
+/// By how many codes values may differ; codes are evenly spaced (VoxelEncoding.h).
+int codesWithin(const VoxelEncoding& encoding, double tolerance)
+{
+    return std::clamp(
+        encoding.highestCodeAtMost(encoding.value(0) + tolerance), 0, VoxelEncoding::codeCount - 1);
+}
+
+} // namespace
 
 Result<void> check(const PaintStroke& edit, const Document& document)
 {
@@ -40,6 +53,9 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
     if (stroke.lower && stroke.upper && !(*stroke.lower <= *stroke.upper))
         return failure(ErrorCode::InvalidField, QStringLiteral("paint.upper"),
             QStringLiteral("%1 is below lower, %2").arg(*stroke.upper).arg(*stroke.lower));
+    if (stroke.edgeTolerance && !(*stroke.edgeTolerance >= 0.0))
+        return failure(ErrorCode::InvalidField, QStringLiteral("paint.edgeTolerance"),
+            QStringLiteral("%1 is below 0").arg(*stroke.edgeTolerance));
     const Volume& volume = document.volumes.front();
     Result<CapsuleFrame> frame =
         capsuleFrame(stroke.path, volume.geometry, QStringLiteral("paint"));
@@ -56,7 +72,18 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
     paint.frame = *frame;
     if (stroke.overwriteUnlocked)
         paint.overwritable = document.unlockedLabels(segment->plane);
+    if (stroke.edgeTolerance)
+        paint.edges = EdgeRule{.start = startVoxel(stroke.path, volume.geometry),
+            .tolerance = codesWithin(volume.encoding, *stroke.edgeTolerance)};
     return paint;
+}
+
+CapsulePath paintPath(const PaintStroke& stroke, const VolumeGeometry& geometry)
+{
+    CapsulePath path{capsules(stroke.path, geometry)};
+    if (stroke.edgeTolerance)
+        path.under = voxelsUnder(stroke.path, geometry);
+    return path;
 }
 
 Result<EngineEdit> engineEdit(const PaintStroke& edit, const Document& document)
@@ -70,7 +97,10 @@ RowTitle rowTitle(const PaintStroke& stroke, const RowFacts& row)
     const std::int64_t voxels = row.statistics.voxelsChanged;
     const std::int64_t seeds = row.facts.seedWordsChanged;
     const bool erases = stroke.erase;
-    return {.code = erases ? RowTitleCode::Erase : RowTitleCode::Paint,
+    const RowTitleCode code = stroke.edgeTolerance
+        ? (erases ? RowTitleCode::EraseAlongEdges : RowTitleCode::PaintAlongEdges)
+        : (erases ? RowTitleCode::Erase : RowTitleCode::Paint);
+    return {.code = code,
         .arguments = {segmentName(stroke.segment, row.document), inMm(stroke.path.radiusMm)},
         .then = {voxels > 0
                 ? figure(erases ? RowTitleCode::VoxelsLost : RowTitleCode::VoxelsGained, voxels)

@@ -8,7 +8,9 @@
 
 namespace core {
 
+struct CapsulePath;
 struct PaintLabel;
+struct VolumeGeometry;
 
 /// Paint a segment along a path, or erase it.
 struct PaintStroke {
@@ -19,6 +21,10 @@ struct PaintStroke {
     std::optional<double> upper{};
     bool overwriteUnlocked = false;
     bool seeds = false; ///< growth may continue from what is painted
+    /// It follows edges: of what is under the brush only voxels whose values differ from the one
+    /// where the stroke begins by at most this, and that are joined to where the pen was
+    /// (EdgeRegion.h). Modality units, at least 0; none: all that is under the brush.
+    std::optional<double> edgeTolerance{};
 };
 
 [[nodiscard]] Result<void> check(const PaintStroke& edit, const Document& document);
@@ -30,5 +36,7 @@ Result<bool> apply(const PaintStroke& edit, Document& document);
 
 /// The command without the path. Errors: UnknownSegment, SegmentLocked, InvalidField.
 [[nodiscard]] Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document);
+/// What an engine is told of the path. Expects a stroke that paintLabel() accepts.
+[[nodiscard]] CapsulePath paintPath(const PaintStroke& stroke, const VolumeGeometry& geometry);
 
 } // namespace core

@@ -206,6 +206,114 @@ private Q_SLOTS:
                 QVERIFY2(columns.count({x, y}) != 0, "a hole");
     }
 
+    void aSquareHoldsWhatItCovers_data()
+    {
+        QTest::addColumn<int>("number");
+        for (int number = 0; number < 40; ++number)
+            QTest::addRow("%d", number) << number;
+    }
+    /// Against distances in double precision along the sides, all voxels that are not on the edge.
+    void aSquareHoldsWhatItCovers()
+    {
+        QFETCH(int, number);
+        test::Random random(std::uint32_t(900 + number));
+        const glm::dmat3 perVoxel =
+            number % 3 == 0 ? straight : (number % 3 == 1 ? tilted : oblique);
+        const bool flat = number % 2 != 0;
+        Bench bench({28, 26, 14}, perVoxel);
+        PaintStroke stroke{.segment = 1, .path = test::randomPath(bench.document, random)};
+        BrushPath& path = stroke.path;
+        path.lifts.clear();
+        path.pressures.reset();
+        path.radiusMm = 0.5 + 9.0 * test::randomUnit(random);
+        path.shape = flat ? BrushPath::Shape::Square : BrushPath::Shape::Cube;
+        path.normalLps = flat ? glm::cross(perVoxel[0], perVoxel[1]) : glm::dvec3(0.3, -0.2, 1.0);
+        path.sideLps = glm::dvec3(1.0, 0.4, 0.2);
+        path.pointsLps.front() = bench.geometry().toWorld({14, 13, 7});
+        bench.paint(stroke);
+        const glm::dvec3 normal = glm::normalize(*path.normalLps);
+        const glm::dvec3 side =
+            glm::normalize(*path.sideLps - normal * glm::dot(normal, *path.sideLps));
+        const glm::dvec3 other = glm::cross(normal, side);
+        // Which half side reaches the voxel from a place of the path.
+        const auto half = [&](const glm::dvec3& way) {
+            const double inPlane =
+                std::max(std::abs(glm::dot(way, side)), std::abs(glm::dot(way, other)));
+            return flat ? inPlane : std::max(inPlane, std::abs(glm::dot(way, normal)));
+        };
+        // It has one least value along a straight way.
+        const auto least = [&](const glm::dvec3& place, const glm::dvec3& a, const glm::dvec3& b) {
+            double from = 0.0;
+            double to = 1.0;
+            for (int step = 0; step < 80; ++step) {
+                const double one = from + (to - from) / 3.0;
+                const double two = to - (to - from) / 3.0;
+                if (half(place - (a + one * (b - a))) <= half(place - (a + two * (b - a))))
+                    to = two;
+                else
+                    from = one;
+            }
+            return half(place - (a + from * (b - a)));
+        };
+        const std::vector<glm::ivec3> voxels = bench.voxels();
+        std::set<std::array<int, 3>> painted;
+        for (const glm::ivec3& voxel : voxels)
+            painted.insert({voxel.x, voxel.y, voxel.z});
+        const double edge = path.radiusMm / 1000.0 + 0.005;
+        std::size_t inside = 0;
+        for (int z = 0; z < 14; ++z) {
+            for (int y = 0; y < 26; ++y) {
+                for (int x = 0; x < 28; ++x) {
+                    if (flat && z != 7) {
+                        QVERIFY(!painted.count({x, y, z}));
+                        continue;
+                    }
+                    const glm::dvec3 place = bench.geometry().toWorld({x, y, z});
+                    double nearest = half(place - path.pointsLps.front());
+                    for (std::size_t i = 1; i < path.pointsLps.size(); ++i)
+                        nearest = std::min(
+                            nearest, least(place, path.pointsLps[i - 1], path.pointsLps[i]));
+                    if (std::abs(nearest - path.radiusMm) < edge)
+                        continue;
+                    QCOMPARE(painted.count({x, y, z}) > 0, nearest < path.radiusMm);
+                    inside += nearest < path.radiusMm ? 1 : 0;
+                }
+            }
+        }
+        QVERIFY(inside > 0);
+        // More than the circle or ball of its radius, which it holds; but for what is on the edge.
+        Bench round({28, 26, 14}, perVoxel);
+        path.radiusMm -= edge;
+        path.shape = flat ? BrushPath::Shape::Disc : BrushPath::Shape::Ball;
+        round.paint(stroke);
+        for (const glm::ivec3& voxel : round.voxels())
+            QVERIFY(painted.count({voxel.x, voxel.y, voxel.z}));
+        QVERIFY(round.voxels().size() <= painted.size());
+    }
+
+    void aSquareNeedsItsSides()
+    {
+        Bench bench({30, 30, 10}, straight);
+        for (const auto shape : {BrushPath::Shape::Square, BrushPath::Shape::Cube}) {
+            PaintStroke stroke{.segment = 1};
+            stroke.path.shape = shape;
+            stroke.path.pointsLps = {bench.geometry().toWorld({12, 15, 5})};
+            const auto lacks = [&] {
+                const auto refused = paintLabel(stroke, bench.document);
+                return refused ? QString() : refused.error().arguments.value(0);
+            };
+            QCOMPARE(lacks(), QStringLiteral("paint.normalLps"));
+            stroke.path.normalLps = glm::dvec3(0, 0, 2);
+            QCOMPARE(lacks(), QStringLiteral("paint.sideLps"));
+            stroke.path.sideLps = glm::dvec3(0.0);
+            QCOMPARE(lacks(), QStringLiteral("paint.sideLps"));
+            stroke.path.sideLps = glm::dvec3(0, 0, -1);
+            QCOMPARE(lacks(), QStringLiteral("paint.sideLps"));
+            stroke.path.sideLps = glm::dvec3(0, 1, 1);
+            QCOMPARE(lacks(), QString());
+        }
+    }
+
     /// The pen reports at some rate, and the path is told at once or point by point.
     void doesNotDependOnHowThePathIsTold()
     {

@@ -92,6 +92,7 @@ void appendPainted(
     stroke.erase = erase;
     stroke.lower.reset();
     stroke.upper.reset();
+    stroke.edgeTolerance.reset();
     if (const auto paint = core::paintLabel(stroke, document))
         appendWhole(made.steps, *paint,
             {core::CapsulePath{core::capsules(stroke.path, document.volumes.front().geometry)}});

@@ -33,6 +33,25 @@ glm::dvec3 randomPoint(const core::VolumeGeometry& geometry, Random& random, dou
     return geometry.toWorld(at);
 }
 
+/// Makes a square of a disc and a cube of a ball; a side runs along the row, column or stack of
+/// voxels that is most nearly across the normal.
+void makeSquare(BrushPath& path, const core::VolumeGeometry& geometry)
+{
+    const glm::dmat3 direction = geometry.direction();
+    path.shape = core::isFlat(path.shape) ? BrushPath::Shape::Square : BrushPath::Shape::Cube;
+    if (!path.normalLps)
+        path.normalLps = direction[1] + 0.4 * direction[2];
+    const auto slant = [&](int axis) {
+        return std::abs(glm::dot(glm::normalize(*path.normalLps), direction[axis]));
+    };
+    int across = 0;
+    for (int axis = 1; axis < 3; ++axis) {
+        if (slant(axis) < slant(across))
+            across = axis;
+    }
+    path.sideLps = direction[across];
+}
+
 template <class T> T valueOf(core::Result<T> result)
 {
     if (!result)
@@ -41,9 +60,13 @@ template <class T> T valueOf(core::Result<T> result)
     return *std::move(result);
 }
 
-std::vector<Capsule> capsulesOf(const BrushPath& path, const core::Document& document)
+CapsulePath capsulesOf(const BrushPath& path, const core::Document& document)
 {
-    return core::capsules(path, document.volumes.front().geometry);
+    return CapsulePath{core::capsules(path, document.volumes.front().geometry)};
+}
+CapsulePath pathOf(const PaintStroke& stroke, const core::Document& document)
+{
+    return core::paintPath(stroke, document.volumes.front().geometry);
 }
 
 template <class T> void shuffle(std::vector<T>& list, Random& random)
@@ -53,10 +76,14 @@ template <class T> void shuffle(std::vector<T>& list, Random& random)
 }
 
 /// In pieces of a few capsules, in any order, some of them twice; what is there so far is read in
-/// between.
+/// between. Voxels under the pen come a third of them at a time, whatever the capsules, and the
+/// rest at last.
 void append(std::vector<EngineStep>& steps, const core::EngineEdit& edit, const core::BrickKey& key,
-    std::vector<Capsule> path, Random& random, core::Ending ending = core::Ending::Commit)
+    const CapsulePath& whole, Random& random, core::Ending ending = core::Ending::Commit)
 {
+    std::vector<Capsule> path = whole.capsules;
+    std::vector<glm::ivec3> under(whole.under.rbegin(), whole.under.rend());
+    const std::size_t underAtOnce = under.size() / 3 + 1;
     steps.push_back(command(core::BeginEdit{edit}));
     if (random() % 2)
         shuffle(path, random);
@@ -65,12 +92,18 @@ void append(std::vector<EngineStep>& steps, const core::EngineEdit& edit, const 
     for (std::size_t first = 0; first < path.size();) {
         const auto count =
             std::min<std::size_t>(path.size() - first, std::size_t(randomInt(random, 1, 9)));
-        steps.push_back(command(core::ExtendEdit{CapsulePath{{path.begin() + std::ptrdiff_t(first),
-            path.begin() + std::ptrdiff_t(first + count)}}}));
+        CapsulePath further{
+            {path.begin() + std::ptrdiff_t(first), path.begin() + std::ptrdiff_t(first + count)}};
+        const auto told = std::ptrdiff_t(std::min(underAtOnce, under.size()));
+        further.under.assign(under.begin(), under.begin() + told);
+        under.erase(under.begin(), under.begin() + told);
+        steps.push_back(command(core::ExtendEdit{std::move(further)}));
         if (random() % 3 == 0)
             steps.push_back(command(core::ReadBricks{{key}}));
         first += count;
     }
+    if (!under.empty())
+        steps.push_back(command(core::ExtendEdit{CapsulePath{{}, std::move(under)}}));
     steps.push_back(command(core::EndEdit{ending}));
 }
 
@@ -93,7 +126,7 @@ struct Scene {
     {
         const PaintLabel paint = valueOf(core::paintLabel(stroke, document));
         test::append(made.steps, paint, {core::Field::Labels, paint.plane, 0},
-            capsulesOf(stroke.path, document), random, ending);
+            pathOf(stroke, document), random, ending);
     }
     void append(const core::BarrierStroke& stroke, core::Ending ending = core::Ending::Commit)
     {
@@ -177,7 +210,7 @@ EngineCase randomPainting(int number)
             paint.plane = random() % 6 ? 0 : 1;
             disturb(paint.frame, random);
             append(steps, paint, {core::Field::SeedWords, paint.plane, 0},
-                capsulesOf(stroke.path, scene.document), random, ending());
+                pathOf(stroke, scene.document), random, ending());
             break;
         }
         }
@@ -230,6 +263,10 @@ core::BrushPath randomPath(const core::Document& document, Random& random)
             path.pressures->push_back(least + (1.0 - least) * (turns - std::floor(turns)));
         }
     }
+    // Some have corners; it follows from the places too.
+    const double share = 0.71 * std::abs(path.pointsLps.front().y);
+    if (share - std::floor(share) < 0.4)
+        makeSquare(path, geometry);
     return path;
 }
 
@@ -245,6 +282,13 @@ core::PaintStroke randomPaint(const core::Document& document, Random& random)
         stroke.lower = randomInt(random, 0, tissueCode / 2);
     if (random() % 3 == 0)
         stroke.upper = randomInt(random, tissueCode / 2, tissueCode);
+    // Some follow edges, in noise that is about as thick as it takes to hold together; which of
+    // them follows from the places, as in randomPath().
+    const glm::dvec3& first = stroke.path.pointsLps.front();
+    const double share = 0.53 * std::abs(first.x) - std::floor(0.53 * std::abs(first.x));
+    const double width = 0.29 * std::abs(first.z) - std::floor(0.29 * std::abs(first.z));
+    if (share < 0.4)
+        stroke.edgeTolerance = std::floor((0.05 + 0.4 * width) * tissueCode);
     return stroke;
 }
 
@@ -275,9 +319,9 @@ std::vector<EngineCase> capsuleCases(int randomCount)
         }
         add(scene);
     }
-    for (const bool disc : {false, true}) {
-        Scene scene(disc ? "disc: a point, no way, far away" : "ball: a point, no way, far away",
-            22, size, true);
+    for (const char* name : {"ball", "disc", "square", "cube"}) {
+        const bool disc = name[0] == 'd' || name[0] == 's';
+        Scene scene(QByteArray(name) + ": a point, no way, far away", 22, size, true);
         const core::VolumeGeometry& geometry = scene.document.volumes.front().geometry;
         PaintStroke paint{.segment = 1};
         paint.path.radiusMm = 4.0;
@@ -285,6 +329,8 @@ std::vector<EngineCase> capsuleCases(int randomCount)
             paint.path.shape = BrushPath::Shape::Disc;
             paint.path.normalLps = glm::cross(geometry.direction()[0], geometry.direction()[1]);
         }
+        if (name[0] == 's' || name[0] == 'c')
+            makeSquare(paint.path, geometry);
         const glm::dvec3 middle = geometry.toWorld(glm::dvec3(size) / 2.0);
         const glm::dvec3 across = geometry.direction()[0];
         for (const auto& points :
@@ -351,6 +397,54 @@ std::vector<EngineCase> capsuleCases(int randomCount)
             scene.made.steps.push_back(Redo{});
         add(scene);
     }
+    for (const char* name : {"ball", "disc", "square", "cube"}) {
+        // Tissue with a wall, one voxel thick and bent, that has a hole; the brush is wider than
+        // the way to it, and then goes through the hole.
+        Scene scene(QByteArray("edges: ") + name, 26, size, name[0] == 'd');
+        scene.made.codes = constantVolume(size, 100);
+        for (int z = 0; z < size.z; ++z)
+            for (int y = 0; y < size.y; ++y)
+                if (y != 10 || z != 8)
+                    scene.made.codes.at({14 + y / 7, y, z}) = 400;
+        const core::VolumeGeometry& geometry = scene.document.volumes.front().geometry;
+        const auto at = [&](double x, double y) { return geometry.toWorld({x, y, 8.0}); };
+        PaintStroke paint{.segment = 1, .edgeTolerance = 50.0};
+        paint.path.radiusMm = 6.0 * geometry.spacingMm().x;
+        if (name[0] == 'd' || name[0] == 's') {
+            paint.path.shape = BrushPath::Shape::Disc;
+            paint.path.normalLps = glm::cross(geometry.direction()[0], geometry.direction()[1]);
+        }
+        if (name[0] == 's' || name[0] == 'c')
+            makeSquare(paint.path, geometry);
+        paint.path.pointsLps = {at(11.0, 4.0)};
+        scene.append(paint);
+        scene.made.steps.push_back(Undo{});
+        paint.path.pointsLps = {at(8.0, 4.0), at(12.0, 16.0)}; // along the wall
+        scene.append(paint);
+        paint.path.pointsLps = {at(9.0, 10.0), at(24.0, 10.0)}; // through the hole
+        scene.append(paint, core::Ending::Rollback);
+        paint.overwriteUnlocked = true;
+        paint.seeds = true;
+        scene.append(paint);
+        PaintStroke erase = paint;
+        erase.erase = true;
+        erase.path.pointsLps = {at(20.0, 3.0), at(4.0, 3.0)}; // across it, where there is none
+        scene.append(erase);
+        erase.path.pointsLps = {at(15.0, 10.0), at(15.0, 4.0)}; // begins in the hole
+        scene.append(erase);
+        paint.path.pointsLps = {at(15.0, 7.5), at(-40.0, 7.5)}; // begins in the wall, goes out
+        paint.lower = 90.0;
+        scene.append(paint);
+        if (paint.path.normalLps)
+            paint.path.normalLps = *paint.path.normalLps + 0.6 * geometry.direction()[0]
+                + 0.3 * geometry.direction()[2];
+        paint.path.pointsLps = {at(-3.0, 10.0), at(18.0, 12.0)}; // begins outside, oblique
+        scene.append(paint);
+        for (int i = 0; i < 3; ++i)
+            scene.made.steps.push_back(Undo{});
+        scene.made.steps.push_back(Redo{});
+        add(scene);
+    }
     {
         Scene scene("carve and restore beside a drill", 24, size);
         scene.made.codes = constantVolume(size, tissueCode);
@@ -374,7 +468,12 @@ std::vector<EngineCase> capsuleCases(int randomCount)
         Scene scene("brushes that are refused", 25, size);
         const PaintStroke stroke = randomPaint(scene.document, scene.random);
         PaintLabel paint = valueOf(core::paintLabel(stroke, scene.document));
-        const CapsulePath path{capsulesOf(stroke.path, scene.document)};
+        const CapsulePath path = capsulesOf(stroke.path, scene.document);
+        PaintLabel outside = paint;
+        outside.edges = core::EdgeRule{.start = size, .tolerance = 5};
+        appendWhole(scene.made.steps, outside, {path});
+        outside.edges = core::EdgeRule{.tolerance = -1};
+        appendWhole(scene.made.steps, outside, {path});
         PaintLabel zero = paint;
         zero.label = 0;
         appendWhole(scene.made.steps, zero, {path});

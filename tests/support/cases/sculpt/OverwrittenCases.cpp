@@ -172,7 +172,8 @@ private:
         core::PaintStroke stroke = randomPaint(m_document, m_random);
         stroke.segment = label();
         if (const auto paint = core::paintLabel(stroke, m_document))
-            appendWhole(m_made.steps, *paint, {pathOf(stroke.path)}, ending());
+            appendWhole(m_made.steps, *paint,
+                {core::paintPath(stroke, m_document.volumes.front().geometry)}, ending());
     }
 
     void spread()

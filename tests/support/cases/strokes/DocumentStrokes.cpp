@@ -23,6 +23,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
@@ -224,6 +225,37 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"growth after a margin", volume, {first, paint, less, seeds}, all});
     cases.push_back(
         {"undo only a margin", volume, {first, paint, margin, drill}, core::RevertRows{{3}}});
+    // Tissue is between 750 and 1000, noise below 250.
+    using core::ThresholdSegment;
+    const ThresholdSegment tissue{.segment = 1, .lower = 700.0};
+    const ThresholdSegment more{.segment = 1,
+        .lower = 100.0,
+        .upper = 900.0,
+        .mode = ThresholdSegment::Mode::Add,
+        .overwriteUnlocked = true};
+    const ThresholdSegment fewer{
+        .segment = 1, .upper = 900.0, .mode = ThresholdSegment::Mode::Subtract};
+    const ThresholdSegment within{.segment = 1,
+        .lower = 100.0,
+        .onlyVisible = true,
+        .box =
+            core::GrowBox{geometry.toWorld({8.0, 8.0, 4.0}), geometry.toWorld({30.0, 25.0, 15.0})}};
+    cases.push_back({"a threshold for an empty segment", volume, {first}, tissue});
+    cases.push_back({"a threshold in place of what has grown", volume,
+        {first, seeds, second, others, some, drill}, tissue});
+    cases.push_back({"add a threshold over another segment", volume,
+        {first, seeds, second, others, some}, more});
+    cases.push_back({"subtract a threshold", volume, {first, paint}, fewer});
+    cases.push_back(
+        {"a threshold of what is visible in a box", volume, {first, paint, drill}, within});
+    cases.push_back(
+        {"a threshold while another is locked", volume, {first, seeds, second, others, some, lock},
+            ThresholdSegment{.segment = 2, .lower = 0.0, .overwriteUnlocked = true}});
+    cases.push_back({"a threshold of no voxel", volume, {first},
+        ThresholdSegment{.segment = 1, .lower = 2000.0}});
+    cases.push_back({"growth after a threshold", volume, {first, paint, tissue, seeds}, all});
+    cases.push_back(
+        {"undo only a threshold", volume, {first, paint, more, drill}, core::RevertRows{{3}}});
     cases.push_back({"merge layers", volume, {layer, drill, other, brush}, merge});
     cases.push_back({"merge an empty layer", volume, {layer, other}, merge});
     cases.push_back({"delete a layer", volume, {layer, drill, other}, removeLayer});

@@ -63,6 +63,27 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     pressed = slice.get<core::PaintStroke>();
     pressed.path.pressures = std::vector<double>{1.0, 0.0, 0.8};
     cases.push_back({"paint on a slice as the pen is pressed", volume, {first, paint}, pressed});
+    pressed.path.shape = core::BrushPath::Shape::Square;
+    pressed.path.sideLps = geometry.direction()[0] + 0.5 * geometry.direction()[1];
+    cases.push_back({"paint a square on a slice", volume, {first, paint}, pressed});
+    auto cube = eraser.get<core::PaintStroke>();
+    cube.path.shape = core::BrushPath::Shape::Cube;
+    cube.path.normalLps = geometry.direction()[2];
+    cube.path.sideLps = geometry.direction()[0];
+    cases.push_back({"erase a cube", volume, {first, seeds, some, paint}, cube});
+    auto edgewise = paint.get<core::PaintStroke>();
+    edgewise.edgeTolerance = 250.0;
+    cases.push_back({"paint along edges", volume, {first, seeds}, edgewise});
+    auto noEdges = slice.get<core::PaintStroke>();
+    noEdges.edgeTolerance = 65535.0;
+    noEdges.path.pressures = std::vector<double>{1.0, 0.4, 0.8};
+    cases.push_back({"paint on a slice that has no edge", volume, {first}, noEdges});
+    cube.edgeTolerance = 180.0;
+    cases.push_back(
+        {"erase along edges what has grown", volume, {first, seeds, some, paint}, cube});
+    cases.push_back({"growth from paint along edges", volume, {first, edgewise}, all});
+    cases.push_back(
+        {"undo only paint along edges", volume, {first, edgewise, drill}, core::RevertRows{{2}}});
     auto dab = paint.get<core::PaintStroke>();
     dab.segment = 2;
     dab.path.radiusMm = 2.0;

@@ -63,6 +63,13 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"carve as the pen is pressed", volume, {drill}, pressed});
     cases.push_back({"revise a brush that was pressed", volume, {drill, pressed, drill},
         core::ReviseStroke{.row = 2, .radiusMm = 7.0}});
+    auto cube = pressed;
+    cube.path.shape = core::BrushPath::Shape::Cube;
+    cube.path.normalLps = glm::dvec3(0.2, 0.1, 1.0);
+    cube.path.sideLps = glm::dvec3(1.0, 0.0, 0.0);
+    cases.push_back({"carve a cube", volume, {drill}, cube});
+    cases.push_back({"revise a cube", volume, {drill, cube, drill},
+        core::ReviseStroke{.row = 2, .radiusMm = 7.0}});
     cases.push_back({"restore what is whole", volume, {}, back});
     cases.push_back({"drill after the brush", volume, {brush, back}, drill});
     cases.push_back({"revise a drill below the brush", volume, {drill, brush, back, drill},

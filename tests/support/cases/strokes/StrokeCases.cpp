@@ -18,6 +18,7 @@ std::vector<StrokeCase> strokeCases(int randomCount)
     addPaintStrokes(cases, scene);
     addCarvingStrokes(cases, scene);
     addDocumentStrokes(cases, scene);
+    addFillingStrokes(cases, scene);
     addChunkStrokes(cases, scene.volume,
         {scene.first, scene.seeds, scene.some, scene.second, scene.others, scene.some});
     addPieceStrokes(cases, scene);

@@ -17,6 +17,8 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene);
 void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene);
 /// The lists of segments and layers, conversions between them, imported masks.
 void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene);
+/// What fills a segment from what is drawn or clicked.
+void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene);
 /// @param grown edits that result in two adjacent segments
 void addChunkStrokes(std::vector<StrokeCase>& cases, const core::LoadedVolume& volume,
     const std::vector<core::Edit>& grown);

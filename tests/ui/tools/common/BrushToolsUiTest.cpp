@@ -178,6 +178,163 @@ private Q_SLOTS:
         QCOMPARE(recipe.session().stateHash(), fixture.session().stateHash());
     }
 
+    /// A square's sides are the view's; the eraser end takes it away as the mouse's Ctrl does.
+    void aSquareOnASliceHasTheSidesOfTheView()
+    {
+        BrushFixture fixture(Brush::Paint);
+        auto* shape = fixture.window.findChild<QComboBox*>(QStringLiteral("brushShape"));
+        QVERIFY(shape);
+        const int squareIndex = shape->findText(QStringLiteral("square"));
+        shape->setCurrentIndex(squareIndex);
+        Q_EMIT shape->activated(squareIndex);
+        QVERIFY(fixture.workspace.brushSettings(Brush::Paint).square);
+        QVERIFY(fixture.workspace.brushSettings(Brush::Paint).disc);
+        ui::Workspace::BrushSettings settings = fixture.workspace.brushSettings(Brush::Paint);
+        settings.radiusMm = 3.3; // no edge on the middle of a voxel
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+        const QPointF middle = BrushFixture::middleOf(fixture.slice);
+        {
+            test::Pen pen(fixture.slice);
+            pen.press(middle, 0.5, 70000);
+            pen.release(middle, 70100);
+        }
+        QVERIFY(fixture.session().settle());
+        const auto edit = fixture.lastEdit().get<core::PaintStroke>();
+        QVERIFY(edit.path.shape == BrushPath::Shape::Square);
+        const auto& scene = std::get<gpu::SliceScene>(fixture.slice.context().scene);
+        QVERIFY(glm::distance(*edit.path.sideLps, glm::normalize(scene.rightLps)) < 1e-3);
+        // Voxels of one slice, as many as lie within the half side along both axes of the view.
+        const auto voxels = fixture.painted();
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        std::set<std::array<int, 3>> expected;
+        const int z = (*voxels.begin())[2];
+        for (int y = 0; y < geometry.size.y; ++y) {
+            for (int x = 0; x < geometry.size.x; ++x) {
+                const glm::dvec3 way = geometry.toWorld({x, y, z}) - edit.path.pointsLps.front();
+                const double half =
+                    std::max(std::abs(glm::dot(way, glm::normalize(scene.rightLps))),
+                        std::abs(glm::dot(way, glm::normalize(scene.downLps))));
+                QVERIFY(std::abs(half - 3.3) > 1e-3); // there rounding would decide
+                if (half < 3.3)
+                    expected.insert({x, y, z});
+            }
+        }
+        QVERIFY(expected.size() > 8);
+        QCOMPARE(voxels, expected);
+
+        // Its corners are taken away by a square, not by a disc of that radius.
+        settings.square = false;
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+        QCOMPARE(shape->currentText(), QStringLiteral("disc"));
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, middle.toPoint());
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().erase);
+        QVERIFY(!fixture.painted().empty());
+        QVERIFY(fixture.painted().size() < voxels.size());
+        settings.square = true;
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+        test::Pen eraser(fixture.slice, test::Pen::End::Eraser);
+        eraser.press(middle, 0.5, 71000);
+        eraser.release(middle, 71100);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.painted().empty());
+        // A cube goes through more slices than one; in the 3D view all brushes are balls.
+        settings.disc = false;
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+        QCOMPARE(shape->currentText(), QStringLiteral("cube"));
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, {}, middle.toPoint());
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().path.shape == BrushPath::Shape::Cube);
+        QVERIFY(fixture.painted().size() > 2 * voxels.size());
+        test::Pen pen(fixture.view);
+        draw(fixture, fixture.view, pen);
+        lift(fixture, fixture.view, pen);
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().path.shape == BrushPath::Shape::Ball);
+    }
+
+    /// In the small head's ventricle (8 HU) the brush takes the ventricle, beside it the brain.
+    void theBrushFollowsEdgesOnSlices()
+    {
+        BrushFixture fixture(Brush::Paint);
+        auto* button = fixture.window.findChild<QToolButton*>(QStringLiteral("brushEdges"));
+        auto* follows = fixture.window.findChild<QCheckBox*>(QStringLiteral("brushFollowsEdges"));
+        auto* within =
+            fixture.window.findChild<QDoubleSpinBox*>(QStringLiteral("brushEdgeTolerance"));
+        QVERIFY(button && follows && within);
+        QVERIFY(!button->isChecked() && !within->isEnabled());
+        fixture.workspace.setWindowLevel({.centre = 40.0, .width = 300.0});
+        follows->click();
+        QVERIFY(button->isChecked() && within->isEnabled());
+        QCOMPARE(fixture.workspace.brushSettings(Brush::Paint).edgeTolerance, 30.0);
+        QVERIFY(within->suffix().endsWith(QStringLiteral("HU")));
+        within->setValue(10.0);
+        QVERIFY(button->toolTip().contains(QStringLiteral("±10 HU")));
+        ui::Workspace::BrushSettings settings = fixture.workspace.brushSettings(Brush::Paint);
+        QCOMPARE(settings.edgeTolerance, 10.0);
+        settings.radiusMm = 9.0;
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+
+        // From the ventricle into the brain: what is alike only lies in the ventricle.
+        const QPointF middle = BrushFixture::middleOf(fixture.slice);
+        const double perMm = 1.0 / fixture.slice.context().mmPerPixel();
+        test::Pen pen(fixture.slice);
+        pen.press(middle, 1.0, 70000);
+        fixture.session().poll();
+        pen.move(middle + QPointF(2.5 * perMm, 0.0), 1.0, 70010);
+        fixture.session().poll();
+        pen.move(middle + QPointF(8.0 * perMm, 0.0), 1.0, 70020);
+        pen.release(middle + QPointF(8.0 * perMm, 0.0), 70100);
+        QVERIFY(fixture.session().settle());
+        const auto edit = fixture.lastEdit().get<core::PaintStroke>();
+        QCOMPARE(edit.edgeTolerance.value_or(-1.0), 10.0);
+        const auto ventricle = fixture.painted();
+        QVERIFY(!ventricle.empty());
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        std::set<std::array<int, 3>> expected;
+        for (int y = 0; y < geometry.size.y; ++y) {
+            for (int x = 0; x < geometry.size.x; ++x) {
+                const int z = (*ventricle.begin())[2];
+                if (glm::length(geometry.toWorld({x, y, z})) < 5.0)
+                    expected.insert({x, y, z});
+            }
+        }
+        QCOMPARE(ventricle, expected);
+        // The oracle comes to the same from a recipe.
+        test::WorkspaceFixture recipe;
+        recipe.apply(fixture.session().history().row(1).edit);
+        recipe.apply(edit);
+        QCOMPARE(recipe.session().stateHash(), fixture.session().stateHash());
+
+        // The eraser end follows them, too: it begins in the brain and leaves the ventricle.
+        const core::RowId row = fixture.session().history().position();
+        const QPointF brain = middle + QPointF(8.0 * perMm, 0.0);
+        {
+            test::Pen eraser(fixture.slice, test::Pen::End::Eraser);
+            eraser.press(brain, 1.0, 71000);
+            eraser.release(brain, 71100);
+        }
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().position(), row);
+        // A mouse paints the brain around it; the cursor's label names the tolerance.
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, {}, brain.toPoint());
+        QVERIFY(fixture.session().settle());
+        const auto both = fixture.painted();
+        QVERIFY(both.size() > ventricle.size() + 50);
+        for (const auto& voxel : both) {
+            const double distance = glm::length(geometry.toWorld({voxel[0], voxel[1], voxel[2]}));
+            QVERIFY(distance < 13.0); // no bone
+        }
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, middle.toPoint());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.painted().size(), both.size() - ventricle.size());
+        // In the 3D view it is a plain brush.
+        test::Pen other(fixture.view);
+        draw(fixture, fixture.view, other);
+        lift(fixture, fixture.view, other);
+        QVERIFY(!fixture.lastEdit().get<core::PaintStroke>().edgeTolerance);
+        QVERIFY(fixture.window.minimumSizeHint().width() <= 1280);
+    }
+
     void theEraserEndAndControlErase()
     {
         BrushFixture fixture(Brush::Paint);

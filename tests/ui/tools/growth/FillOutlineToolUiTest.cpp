@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <set>
 
@@ -79,6 +80,13 @@ public:
         const bool up = type == QEvent::MouseButtonRelease;
         QMouseEvent event(type, at, view.mapToGlobal(at), move ? Qt::NoButton : Qt::LeftButton,
             up ? Qt::NoButton : Qt::LeftButton, modifiers);
+        QApplication::sendEvent(&view, &event);
+    }
+    /// Moves the mouse there with no button down.
+    static void hover(ui::ImageView& view, const QPointF& at)
+    {
+        QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+            Qt::NoModifier);
         QApplication::sendEvent(&view, &event);
     }
     static void click(ui::ImageView& view, const QPointF& at, Qt::KeyboardModifiers modifiers = {})
@@ -146,6 +154,49 @@ public:
                 views.axial(), {14.0 + 4.4 * std::cos(angle), 16.0 + 4.4 * std::sin(angle), 20.0}));
         }
         return way;
+    }
+
+    /// Whether something is so once what is worked out beside the window has come.
+    [[nodiscard]] bool comes(const std::function<bool()>& there)
+    {
+        constexpr int longestMs = 30000;
+        return QTest::qWaitFor(
+            [this, &there] {
+                session().poll();
+                return there();
+            },
+            longestMs);
+    }
+    [[nodiscard]] bool comesToRows(std::size_t count)
+    {
+        return comes([this, count] { return rows() == count; }) && session().settle();
+    }
+    /// Lets what is worked out beside the window come, if it is fast.
+    void pause()
+    {
+        for (int i = 0; i < 5; ++i) {
+            session().poll();
+            QTest::qWait(20);
+        }
+    }
+    /// The middles of the four outermost sides of the head in the axial slice, on corners of
+    /// pixels. All values of the small head are within the window then.
+    [[nodiscard]] std::vector<QPointF> headCorners()
+    {
+        workspace.setWindowLevel({.centre = -50.0, .width = 1900.0});
+        const ui::SliceView& view = views.axial();
+        return {pixel(view, {35.5, 20.5, 20.0}), pixel(view, {20.5, 4.5, 20.0}),
+            pixel(view, {4.5, 20.5, 20.0}), pixel(view, {20.5, 35.5, 20.0})};
+    }
+    /// Nearer than this to the middle in the axial slice.
+    [[nodiscard]] static Voxels within(int mm)
+    {
+        Voxels voxels;
+        for (int y = -mm; y <= mm; ++y)
+            for (int x = -mm; x <= mm; ++x)
+                if (x * x + y * y < mm * mm)
+                    voxels.insert({20 + x, 20 + y, 20});
+        return voxels;
     }
 
     ui::FillOutlineTool tool;
@@ -418,19 +469,277 @@ private Q_SLOTS:
         QVERIFY(inside > 120 && unclear < 30);
     }
 
+    void aWireFollowsTheEdge_data()
+    {
+        QTest::addColumn<QString>("closing");
+        QTest::addColumn<bool>("pen");
+        QTest::addColumn<bool>("slowly");
+        for (const bool slowly : {false, true}) {
+            for (const bool pen : {false, true}) {
+                for (const char* closing : {"Enter", "first anchor", "double click"})
+                    QTest::addRow(
+                        "%s, %s, %s", closing, pen ? "pen" : "mouse", slowly ? "slowly" : "at once")
+                        << QString::fromLatin1(closing) << pen << slowly;
+            }
+        }
+    }
+    /// From anchor to anchor on the border of the head: what it encloses is the head, however fast
+    /// it is clicked.
+    void aWireFollowsTheEdge()
+    {
+        QFETCH(const QString, closing);
+        QFETCH(const bool, pen);
+        QFETCH(const bool, slowly);
+        Fixture fixture;
+        fixture.tool.setShape(Shape::Livewire);
+        ui::SliceView& view = fixture.views.axial();
+        test::Pen stylus(view);
+        const auto click = [&](const QPointF& at) {
+            if (pen)
+                fixture.clickWithPen(at, stylus);
+            else
+                Fixture::click(view, at);
+            if (slowly)
+                fixture.pause();
+        };
+        const std::vector<QPointF> corners = fixture.headCorners();
+        for (const QPointF& corner : corners) {
+            click(corner + QPointF(1.0, -1.0));
+            QCOMPARE(fixture.rows(), std::size_t(0));
+            QVERIFY(fixture.tool.canTakeStepBack());
+        }
+        if (closing == QLatin1String("Enter")) {
+            QTest::keyClick(&view, Qt::Key_Return);
+        } else if (closing == QLatin1String("first anchor")) {
+            click(corners.front() + QPointF(2.0, -1.0));
+        } else if (pen) {
+            click(corners.back());
+        } else {
+            Fixture::mouse(view, QEvent::MouseButtonDblClick, corners.back());
+            Fixture::mouse(view, QEvent::MouseButtonRelease, corners.back());
+        }
+        QVERIFY(fixture.comesToRows(2)); // a segment for it, and the outline
+        QVERIFY(fixture.voxels() == Fixture::within(16));
+        QVERIFY(!fixture.lastEdit().erase);
+        QCOMPARE(fixture.session().history().rows().back().name.left(34),
+            QStringLiteral("Fill an outline with 'Segment 1', "));
+        // It is done with, and one step of undo.
+        QVERIFY(!fixture.tool.canTakeStepBack());
+        fixture.window.actionTable()[QStringLiteral("edit.undo")].trigger();
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.voxels().empty());
+    }
+
+    void aWireIsTakenBack_data()
+    {
+        QTest::addColumn<bool>("slowly");
+        QTest::newRow("at once") << false;
+        QTest::newRow("slowly") << true;
+    }
+    void aWireIsTakenBack()
+    {
+        QFETCH(const bool, slowly);
+        Fixture fixture;
+        int said = 0;
+        connect(&fixture.workspace, &ui::Workspace::said, this, [&said] { ++said; });
+        QAction& undo = fixture.window.actionTable()[QStringLiteral("edit.undo")];
+        fixture.tool.setShape(Shape::Livewire);
+        ui::SliceView& view = fixture.views.axial();
+        const auto click = [&](const QPointF& at) {
+            Fixture::click(view, at);
+            if (slowly)
+                fixture.pause();
+        };
+        const std::vector<QPointF> corners = fixture.headCorners();
+        click(corners[0]);
+        click(corners[1]);
+        // From two anchors it would come back the way it went.
+        Fixture::mouse(view, QEvent::MouseButtonDblClick, corners[1]);
+        Fixture::mouse(view, QEvent::MouseButtonRelease, corners[1]);
+        QVERIFY(fixture.tool.canTakeStepBack());
+        QTest::keyClick(&view, Qt::Key_Return);
+        QCOMPARE(said, 1);
+        QTest::keyClick(&view, Qt::Key_Backspace);
+        QVERIFY(fixture.tool.canTakeStepBack());
+        QTest::keyClick(&view, Qt::Key_Backspace);
+        QVERIFY(!fixture.tool.canTakeStepBack());
+        QTest::keyClick(&view, Qt::Key_Backspace); // one more than there are
+
+        for (const QPointF& corner : corners)
+            click(corner);
+        QTest::keyClick(&view, Qt::Key_Escape);
+        QVERIFY(!fixture.tool.canTakeStepBack());
+        QTest::keyClick(&view, Qt::Key_Return); // nothing is left to close
+        fixture.pause();
+        QCOMPARE(fixture.rows(), std::size_t(0));
+
+        // Another slice gets no anchors of it.
+        click(corners[0]);
+        fixture.workspace.setCrosshairLps(fixture.place({20.0, 20.0, 24.0}));
+        click(corners[1]);
+        QCOMPARE(said, 2);
+        fixture.workspace.setCrosshairLps(fixture.place({20.0, 20.0, 20.0}));
+        click(corners[1]);
+        click(fixture.pixel(view, {20.5, 20.5, 20.0})); // away from the edge
+        QCOMPARE(undo.text(), QStringLiteral("Undo: last corner"));
+        undo.trigger();
+        if (slowly)
+            fixture.pause();
+        click(corners[2]);
+        click(corners[3]);
+        QTest::keyClick(&view, Qt::Key_Enter);
+        QVERIFY(fixture.comesToRows(2));
+        QVERIFY(fixture.voxels() == Fixture::within(16));
+    }
+
+    /// A wire is worth more than a drag: it stays until it is filled.
+    void aWireThatCannotBeFilledStaysOpen()
+    {
+        Fixture fixture;
+        int failures = 0;
+        connect(&fixture.workspace, &ui::Workspace::failed, this, [&failures] { ++failures; });
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Liver"), 0x804020)));
+        QVERIFY(fixture.session().apply(test::lockSegment(1)));
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(1);
+        fixture.tool.setShape(Shape::Livewire);
+        ui::SliceView& view = fixture.views.axial();
+        for (const QPointF& corner : fixture.headCorners())
+            Fixture::click(view, corner);
+        QTest::keyClick(&view, Qt::Key_Return);
+        QVERIFY(fixture.comes([&failures] { return failures == 1; }));
+        QVERIFY(fixture.voxels().empty());
+        QVERIFY(fixture.tool.canTakeStepBack());
+        QVERIFY(fixture.session().apply(test::lockSegment(1, false)));
+        QVERIFY(fixture.session().settle());
+        QTest::keyClick(&view, Qt::Key_Return);
+        QVERIFY(fixture.comesToRows(4));
+        QCOMPARE(failures, 1);
+        QVERIFY(fixture.voxels() == Fixture::within(16));
+    }
+
+    void aLevelIsTraced_data()
+    {
+        QTest::addColumn<int>("column");
+        QTest::addColumn<int>("radius");
+        QTest::addColumn<bool>("pen");
+        for (const bool pen : {false, true}) {
+            QTest::addRow("ventricle, %s", pen ? "pen" : "mouse") << 22 << 5 << pen;
+            QTest::addRow("brain, %s", pen ? "pen" : "mouse") << 28 << 13 << pen;
+            QTest::addRow("bone, %s", pen ? "pen" : "mouse") << 34 << 16 << pen;
+        }
+    }
+    /// A click on a value of the small head fills what is enclosed by it.
+    void aLevelIsTraced()
+    {
+        QFETCH(const int, column);
+        QFETCH(const int, radius);
+        QFETCH(const bool, pen);
+        Fixture fixture;
+        fixture.tool.setShape(Shape::Level);
+        ui::SliceView& view = fixture.views.axial();
+        const QPointF at = fixture.pixel(view, {column + 0.2, 20.3, 20.0});
+        if (pen) {
+            test::Pen stylus(view);
+            fixture.clickWithPen(at, stylus);
+        } else {
+            // Over other values first.
+            Fixture::hover(view, fixture.pixel(view, {1.0, 1.0, 20.0}));
+            Fixture::hover(view, fixture.pixel(view, {20.0, 20.0, 20.0}));
+            Fixture::click(view, at);
+        }
+        // Where the pointer goes before the contour is known does not matter.
+        Fixture::hover(view, fixture.pixel(view, {34.0, 20.0, 20.0}));
+        QVERIFY(fixture.comesToRows(2));
+        QVERIFY(fixture.voxels() == Fixture::within(radius));
+        QVERIFY(!fixture.tool.canTakeStepBack());
+        fixture.window.actionTable()[QStringLiteral("edit.undo")].trigger();
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.voxels().empty());
+    }
+
+    void controlAndTheEraserEndEraseALevel()
+    {
+        Fixture fixture;
+        fixture.tool.setShape(Shape::Level);
+        ui::SliceView& view = fixture.views.axial();
+        Fixture::click(view, fixture.pixel(view, {34.0, 20.0, 20.0}));
+        QVERIFY(fixture.comesToRows(2));
+        Voxels expected = Fixture::within(16);
+        QVERIFY(fixture.voxels() == expected);
+
+        Fixture::click(view, fixture.pixel(view, {21.0, 20.0, 20.0}), Qt::ControlModifier);
+        QVERIFY(fixture.comesToRows(3));
+        for (const auto& voxel : Fixture::within(5))
+            expected.erase(voxel);
+        QVERIFY(fixture.voxels() == expected);
+        QVERIFY(fixture.lastEdit().erase);
+
+        test::Pen eraser(view, test::Pen::End::Eraser);
+        fixture.clickWithPen(fixture.pixel(view, {28.0, 20.0, 20.0}), eraser);
+        QVERIFY(fixture.comesToRows(4));
+        for (const auto& voxel : Fixture::within(13))
+            expected.erase(voxel);
+        QVERIFY(!expected.empty() && fixture.voxels() == expected);
+        QVERIFY(fixture.session().history().rows().back().name.startsWith(
+            QStringLiteral("Erase 'Segment 1' in an outline, ")));
+    }
+
+    /// Its pixels show the nearest voxels, so that the ventricle is found to within one of them.
+    void aLevelOnAnObliqueSlice()
+    {
+        Fixture fixture;
+        fixture.tool.setShape(Shape::Level);
+        fixture.workspace.plane().setPose(ui::CuttingPlane::poseFacing(
+            fixture.place({20.2, 19.7, 20.4}), glm::normalize(glm::dvec3(0.3, 0.5, 1.0))));
+        fixture.views.arrange(ui::ViewGrid::Layout::PenAndStage);
+        ui::PlaneView& view = fixture.views.plane();
+        QTRY_VERIFY(view.isVisible() && view.width() > 100 && view.height() > 100);
+        QCoreApplication::processEvents();
+        const ui::CuttingPlane::Pose pose = fixture.workspace.plane().pose();
+        const glm::dvec3 normal = pose.normalLps();
+        Fixture::click(view, view.context().toPixel(pose.centreLps + 0.5 * pose.rightLps));
+        QVERIFY(fixture.comesToRows(2));
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        double halfMm = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            halfMm = std::max(
+                halfMm, std::abs(glm::dot(normal, glm::dvec3(geometry.indexToWorld[axis]))) / 2.0);
+        // From a voxel to its foot in the plane, to the centre of the pixel, and to its voxel.
+        const double unsureMm = halfMm + std::sqrt(0.5) + std::sqrt(0.25 + 0.25 + 0.5625);
+        const Voxels filled = fixture.voxels();
+        int inside = 0;
+        for (int z = 0; z < geometry.size.z; ++z) {
+            for (int y = 0; y < geometry.size.y; ++y) {
+                for (int x = 0; x < geometry.size.x; ++x) {
+                    const glm::dvec3 place = geometry.toWorld(glm::dvec3(x, y, z));
+                    const double fromMiddle = glm::distance(place, fixture.place(glm::dvec3(20.0)));
+                    const double across = std::abs(glm::dot(place - pose.centreLps, normal));
+                    if (filled.count({x, y, z}) == 1) {
+                        QVERIFY(fromMiddle < 5.0 + unsureMm && across < halfMm + 0.005);
+                        ++inside;
+                    } else if (across < halfMm - 0.005) {
+                        QVERIFY(fromMiddle > 5.0 - unsureMm);
+                    }
+                }
+            }
+        }
+        QVERIFY(inside > 30);
+    }
+
     void optionsAreKept()
     {
         Fixture fixture;
         auto* shapes = fixture.window.findChild<QComboBox*>(QStringLiteral("outlineShape"));
         QVERIFY(shapes);
-        QCOMPARE(shapes->count(), 4);
+        QCOMPARE(shapes->count(), 6);
         shapes->setCurrentIndex(2);
         Q_EMIT shapes->activated(2);
         QVERIFY(fixture.tool.shape() == Shape::Rectangle);
         ui::FillOutlineTool other(fixture.workspace);
         other.applySettings(fixture.tool.settingsJson());
         QVERIFY(other.shape() == Shape::Rectangle);
-        other.applySettings({{QStringLiteral("shape"), 4}});
+        other.applySettings({{QStringLiteral("shape"), 6}});
         QVERIFY(other.shape() == Shape::Rectangle);
         // What may change is set as for painting.
         fixture.workspace.setBrushSettings(ui::Workspace::Brush::Paint,

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/ListedRuns.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/morphology/BetweenSlices.h"
+
+namespace core {
+
+using namespace rowWords;
+
+Result<void> check(const FillBetweenSlices& edit, const Document& document)
+{
+    return discardValue(labelTarget({.segment = edit.segment, .name = {}}, false, document));
+}
+
+Result<bool> apply(const FillBetweenSlices&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const FillBetweenSlices& edit)
+{
+    return {.task = EditTask::Islands,
+        .standsOpen = false,
+        .writesTo = edit.segment,
+        .fills = {.label = edit.segment}};
+}
+
+RowTitle rowTitle(const FillBetweenSlices& edit, const RowFacts& row)
+{
+    const Segment* segment = row.document.segment(edit.segment);
+    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    return {.code = RowTitleCode::FillBetweenSlices,
+        .arguments = {segmentName(edit.segment, row.document)},
+        .then = {flowTitle(flow.gained, flow.lost)}};
+}
+
+/// Every voxel of the plane may decide which slices are drawn.
+EditDependencies dependencies(const FillBetweenSlices& edit, const DependencyFacts& row)
+{
+    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+}
+
+Result<RelabelListed> relabelListed(const FillBetweenSlices& edit, const Document& document,
+    std::span<const std::uint8_t> labels, const Progress& progress)
+{
+    Result<LabelTarget> target =
+        labelTarget({.segment = edit.segment, .name = {}}, false, document);
+    if (!target)
+        return tl::unexpected(target.error());
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    ListedRuns listed(geometry.size);
+    const std::array<DrawnSlices, 3> drawn = drawnSlices(labels, geometry.size, target->label);
+    if (const std::optional<SliceAxis> axis = edit.axis ? edit.axis : drawnAxis(drawn)) {
+        const Result<VoxelRuns> between = voxelsBetween(
+            labels, geometry, target->label, drawn.at(std::size_t(alongOf(*axis))), progress);
+        if (!between)
+            return tl::unexpected(between.error());
+        listed.add(*between, RelabelListed::give);
+    }
+    return listed.relabel(*std::move(target));
+}
+
+} // namespace core

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/filling/FloodFill.h"
+
+#include "core/brick/BrickBits.h"
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+
+#include <algorithm>
+
+namespace core {
+
+using namespace rowWords;
+
+namespace {
+
+Result<LabelTarget> floodTarget(const FloodFill& edit, const Document& document)
+{
+    return labelTarget(
+        {.segment = edit.segment, .name = {}}, edit.overwriteUnlocked && !edit.erase, document);
+}
+
+} // namespace
+
+Result<void> check(const FloodFill& edit, const Document& document)
+{
+    if (!(edit.tolerance >= 0.0))
+        return failure(ErrorCode::InvalidField, QStringLiteral("floodFill.tolerance"),
+            QStringLiteral("is less than nothing"));
+    if (const auto first = firstVoxel(edit, document.volumes.front().geometry); !first)
+        return tl::unexpected(first.error());
+    return discardValue(floodTarget(edit, document));
+}
+
+Result<bool> apply(const FloodFill&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const FloodFill& edit)
+{
+    return {.task = EditTask::Islands,
+        .standsOpen = false,
+        .writesTo = edit.segment,
+        .fills = {.label = edit.erase ? std::nullopt : std::optional(edit.segment)},
+        .boundToStudy = true};
+}
+
+RowTitle rowTitle(const FloodFill& edit, const RowFacts& row)
+{
+    const Segment* segment = row.document.segment(edit.segment);
+    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    const bool slice = edit.within.has_value();
+    RowTitleCode code = slice ? RowTitleCode::FloodSlice : RowTitleCode::FloodVolume;
+    if (edit.erase)
+        code = slice ? RowTitleCode::FloodEraseSlice : RowTitleCode::FloodEraseVolume;
+    return {.code = code,
+        .arguments = {segmentName(edit.segment, row.document)},
+        .then = {flowTitle(flow.gained, flow.lost)}};
+}
+
+/// In a slice its bricks. In all directions nobody knows how far it would reach, had labels been
+/// others.
+EditDependencies dependencies(const FloodFill& edit, const DependencyFacts& row)
+{
+    const Result<glm::ivec3> first = firstVoxel(edit, row.geometry());
+    if (!edit.within || !first)
+        return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+    const BrickGrid grid = row.grid();
+    const int along = alongOf(*edit.within);
+    std::set<std::uint32_t> bricks;
+    for (int brick = 0; brick < grid.brickCount(); ++brick) {
+        const VoxelBox box = grid.boxOf(brick);
+        if (box.minimum[along] <= (*first)[along] && (*first)[along] < box.maximum[along])
+            bricks.insert(std::uint32_t(brick));
+    }
+    return row.labelled(bricks, row.planeOf(edit.segment));
+}
+
+Result<glm::ivec3> firstVoxel(const FloodFill& edit, const VolumeGeometry& geometry)
+{
+    const std::optional<glm::ivec3> voxel = voxelNearest(edit.placeLps, geometry);
+    if (!voxel)
+        return failure(ErrorCode::InvalidField, QStringLiteral("floodFill.placeLps"),
+            QStringLiteral("%1 lies outside the volume").arg(pointText(edit.placeLps)));
+    return *voxel;
+}
+
+CodeInterval floodInterval(const FloodFill& edit, const VoxelEncoding& encoding, int code)
+{
+    const double value = encoding.value(code);
+    // The place itself belongs to it, whatever becomes of the last digit.
+    return {.low = std::min(code, encoding.lowestCodeAtLeast(value - edit.tolerance)),
+        .high = std::max(code, encoding.highestCodeAtMost(value + edit.tolerance))};
+}
+
+Result<RelabelListed> relabelListed(const FloodFill& edit, const Document& document,
+    const std::map<std::uint32_t, BrickBits>& found)
+{
+    Result<LabelTarget> target = floodTarget(edit, document);
+    if (!target)
+        return tl::unexpected(target.error());
+    if (edit.erase && found.empty())
+        return failure(ErrorCode::NoIslandThere, document.segment(edit.segment)->name);
+    const std::uint8_t asked = edit.erase ? RelabelListed::take : RelabelListed::give;
+    RelabelListed relabel{.target = *std::move(target), .bricks = {}};
+    for (const auto& [brick, voxels] : found) {
+        std::vector<std::uint8_t> each(BrickGrid::voxelsPerBrick, 0);
+        voxels.forEach([&each, asked](std::size_t voxel) { each[voxel] = asked; });
+        relabel.bricks.push_back({brick, std::move(each)});
+    }
+    return relabel;
+}
+
+} // namespace core

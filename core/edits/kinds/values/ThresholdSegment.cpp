@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/values/ThresholdSegment.h"
+
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/GrowLimits.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/sculpt/LabelThreshold.h"
+
+namespace core {
+
+using namespace rowWords;
+
+namespace {
+
+LabelThreshold::How howOf(ThresholdSegment::Mode mode)
+{
+    switch (mode) {
+    case ThresholdSegment::Mode::Replace:
+        break;
+    case ThresholdSegment::Mode::Add:
+        return LabelThreshold::How::Add;
+    case ThresholdSegment::Mode::Subtract:
+        return LabelThreshold::How::Subtract;
+    }
+    return LabelThreshold::How::Replace;
+}
+
+RowTitleCode codeOf(ThresholdSegment::Mode mode)
+{
+    switch (mode) {
+    case ThresholdSegment::Mode::Replace:
+        break;
+    case ThresholdSegment::Mode::Add:
+        return RowTitleCode::ThresholdAdd;
+    case ThresholdSegment::Mode::Subtract:
+        return RowTitleCode::ThresholdSubtract;
+    }
+    return RowTitleCode::ThresholdReplace;
+}
+
+/// "300 … 3071 HU"; an end that is not given is the volume's.
+RowTitle rangeTitle(const ThresholdSegment& edit, const Volume& volume)
+{
+    RowTitle title{.code = RowTitleCode::Range,
+        .arguments = {TitleDigits{edit.lower.value_or(volume.minimum)},
+            TitleDigits{edit.upper.value_or(volume.maximum)}}};
+    if (!volume.unit.isEmpty()) {
+        title.code = RowTitleCode::RangeInUnit;
+        title.arguments.push_back(volume.unit);
+    }
+    return title;
+}
+
+} // namespace
+
+Result<void> check(const ThresholdSegment& edit, const Document& document)
+{
+    return discardValue(labelThreshold(edit, document));
+}
+
+Result<bool> apply(const ThresholdSegment&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const ThresholdSegment& edit)
+{
+    const bool gives = edit.mode != ThresholdSegment::Mode::Subtract;
+    return {.task = engineTask<ThresholdSegment>(),
+        .standsOpen = true,
+        .writesTo = edit.segment,
+        .fills = {.label = gives ? std::optional(edit.segment) : std::nullopt},
+        .boundToStudy = edit.box.has_value()};
+}
+
+Result<LabelThreshold> labelThreshold(const ThresholdSegment& edit, const Document& document)
+{
+    if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
+        return failure(ErrorCode::InvalidField, QStringLiteral("thresholdSegment.upper"),
+            QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
+    Result<LabelTarget> target =
+        labelTarget({.segment = edit.segment, .name = {}}, edit.overwriteUnlocked, document);
+    if (!target)
+        return tl::unexpected(target.error());
+    const Volume& volume = document.volumes.front();
+    LabelThreshold threshold{.target = *std::move(target), .how = howOf(edit.mode)};
+    if (edit.lower)
+        threshold.lowCode = volume.encoding.lowestCodeAtLeast(*edit.lower);
+    if (edit.upper)
+        threshold.highCode = volume.encoding.highestCodeAtMost(*edit.upper);
+    threshold.onlyVisible = edit.onlyVisible;
+    if (edit.box) {
+        const Result<VoxelSpan> span =
+            voxelsOf(*edit.box, volume.geometry, QStringLiteral("thresholdSegment.box"));
+        if (!span)
+            return tl::unexpected(span.error());
+        threshold.box = VoxelBox{span->from, span->to + 1};
+    }
+    return threshold;
+}
+
+Result<EngineEdit> engineEdit(const ThresholdSegment& edit, const Document& document)
+{
+    return engineEditFrom(labelThreshold(edit, document));
+}
+
+RowTitle rowTitle(const ThresholdSegment& edit, const RowFacts& row)
+{
+    const Segment* segment = row.document.segment(edit.segment);
+    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    RowTitle title{.code = codeOf(edit.mode),
+        .arguments = {segmentName(edit.segment, row.document),
+            asArgument(rangeTitle(edit, row.document.volumes.front()))},
+        .then = {flowTitle(flow.gained, flow.lost)}};
+    // What only takes seeds away changes no label.
+    if (row.statistics.voxelsChanged == 0)
+        title.then = {figure(RowTitleCode::SeedVoxelsLost, row.facts.seedWordsChanged)};
+    return title;
+}
+
+/// What other segments hold decides, too, and whose seeds lie where; and what is carved, where only
+/// what is visible counts.
+EditDependencies dependencies(const ThresholdSegment& edit, const DependencyFacts& row)
+{
+    if (!edit.onlyVisible)
+        return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+    dependsOn::Fields fields{.plane = row.planeOf(edit.segment), .layers = {}};
+    fields.layers.set();
+    return fields;
+}
+
+} // namespace core

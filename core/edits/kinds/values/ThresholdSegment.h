@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/growth/GrowBox.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace core {
+
+struct LabelThreshold;
+
+/// Give a segment every voxel whose value lies in an interval, or take it away there. It can stand
+/// open, so that one sees what becomes of the segment before it is a step; whatever else is done
+/// then takes it back.
+struct ThresholdSegment {
+    enum class Mode : std::uint8_t {
+        Replace, ///< the segment becomes these voxels
+        Add,
+        Subtract,
+    };
+    int segment = 0; ///< label
+    std::optional<double> lower{}; ///< modality units, inclusive; none: any
+    std::optional<double> upper{};
+    Mode mode = Mode::Replace;
+    /// What layers that are not muted carve stays as it is; else it counts as everything else.
+    bool onlyVisible = false;
+    std::optional<GrowBox> box{}; ///< what lies outside stays as it is; none: the whole volume
+    bool overwriteUnlocked = false;
+    bool operator==(const ThresholdSegment&) const = default;
+};
+
+[[nodiscard]] Result<void> check(const ThresholdSegment& edit, const Document& document);
+Result<bool> apply(const ThresholdSegment& edit, Document& document);
+[[nodiscard]] EditEffects effects(const ThresholdSegment& edit);
+[[nodiscard]] RowTitle rowTitle(const ThresholdSegment& edit, const RowFacts& row);
+[[nodiscard]] EditDependencies dependencies(
+    const ThresholdSegment& edit, const DependencyFacts& row);
+[[nodiscard]] Result<EngineEdit> engineEdit(const ThresholdSegment& edit, const Document& document);
+
+/// Errors: UnknownSegment, SegmentLocked, InvalidField (lower > upper, a box outside the volume).
+[[nodiscard]] Result<LabelThreshold> labelThreshold(
+    const ThresholdSegment& edit, const Document& document);
+
+} // namespace core

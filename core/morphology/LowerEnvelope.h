@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+/// The lower envelope of parabolas that are alike but for their lowest points: the least squared
+/// distance along a line to places of which each is already so far away across it (Felzenszwalb and
+/// Huttenlocher; Meijster, Roerdink and Hesselink). In whole numbers: where two of them meet is
+/// divided as integers and rounded up.
+class LowerEnvelope {
+public:
+    /// @param curvature squared length of one step along the line
+    LowerEnvelope(std::int64_t curvature, std::size_t most)
+        : m_curvature(curvature)
+    {
+        m_parabolas.reserve(most);
+    }
+
+    /// Begins anew; what is asked lies from @p begin to before @p end.
+    void clear(int begin, int end)
+    {
+        m_begin = begin;
+        m_end = end;
+        m_lowest = 0;
+        m_parabolas.clear();
+    }
+    /// Places ascending. @param least squared distance there
+    void add(int place, std::int64_t least)
+    {
+        std::int64_t from = m_begin;
+        while (!m_parabolas.empty()) {
+            const Parabola& last = m_parabolas.back();
+            const std::int64_t apart = place - last.place;
+            from = dividedUp(
+                least - last.least + m_curvature * apart * (std::int64_t(place) + last.place),
+                2 * m_curvature * apart);
+            if (from > last.from)
+                break;
+            m_parabolas.pop_back();
+            from = m_begin;
+        }
+        if (from < m_end)
+            m_parabolas.push_back({.place = place, .from = int(from), .least = least});
+    }
+    [[nodiscard]] bool empty() const { return m_parabolas.empty(); }
+    /// Places ascending, after all were added. @pre not empty()
+    [[nodiscard]] std::int64_t at(int place)
+    {
+        while (m_lowest + 1 < m_parabolas.size() && m_parabolas[m_lowest + 1].from <= place)
+            ++m_lowest;
+        const Parabola& parabola = m_parabolas[m_lowest];
+        const std::int64_t step = place - parabola.place;
+        return parabola.least + m_curvature * step * step;
+    }
+
+private:
+    struct Parabola {
+        int place = 0;
+        int from = 0; ///< the first place at which it is the lowest
+        std::int64_t least = 0;
+    };
+
+    /// @param divisor positive
+    [[nodiscard]] static std::int64_t dividedUp(std::int64_t number, std::int64_t divisor)
+    {
+        return number / divisor + (number % divisor > 0 ? 1 : 0);
+    }
+
+    std::int64_t m_curvature;
+    int m_begin = 0;
+    int m_end = 0;
+    std::size_t m_lowest = 0;
+    std::vector<Parabola> m_parabolas; ///< from left to right
+};
+
+} // namespace core

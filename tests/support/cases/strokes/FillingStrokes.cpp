@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "tests/support/cases/strokes/StrokeFamilies.h"
+
+namespace test {
+
+namespace {
+
+/// A disc of segment 1 on one of the acquired slices.
+core::Edit discAt(const core::VolumeGeometry& geometry, const glm::dvec3& voxel, double radiusMm)
+{
+    core::PaintStroke stroke{.segment = 1};
+    stroke.path.shape = core::BrushPath::Shape::Disc;
+    stroke.path.normalLps = geometry.direction()[2];
+    stroke.path.radiusMm = radiusMm;
+    stroke.path.pointsLps = {geometry.toWorld(voxel)};
+    return stroke;
+}
+
+} // namespace
+
+void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
+{
+    const core::LoadedVolume& volume = scene.volume;
+    const core::VolumeGeometry& geometry = volume.volume.geometry;
+    const core::Edit& first = scene.first;
+    const core::Edit& second = scene.second;
+    const core::Edit low = discAt(geometry, {14.0, 12.0, 4.0}, 6.0);
+    const core::Edit high = discAt(geometry, {18.0, 15.0, 9.0}, 3.0);
+    const core::Edit apart = discAt(geometry, {33.0, 26.0, 15.0}, 4.0);
+    const core::FillBetweenSlices between{.segment = 1};
+    const core::FillBetweenSlices acquired{.segment = 1, .axis = core::SliceAxis::K};
+    cases.push_back({"fill between slices", volume, {first, low, high}, between});
+    cases.push_back(
+        {"fill between slices that do not overlap", volume, {first, low, high, apart}, acquired});
+    cases.push_back({"fill between slices beside another", volume,
+        {first, second, scene.others, scene.some, low, high}, acquired});
+    cases.push_back({"fill between slices of a solid segment", volume, {first, low}, between});
+    cases.push_back({"fill between slices of an empty segment", volume, {first}, between});
+    cases.push_back({"growth after filling between slices", volume,
+        {first, low, high, between, scene.seeds}, scene.all});
+    cases.push_back({"undo only a fill between slices", volume,
+        {first, low, high, between, scene.drill}, core::RevertRows{{4}}});
+
+    core::FloodFill flood{.segment = 1,
+        .placeLps = geometry.toWorld({20.0, 16.0, 10.0}),
+        .within = core::SliceAxis::K,
+        .tolerance = 150.0};
+    cases.push_back({"flood fill in a slice", volume, {first}, flood});
+    flood.within = core::SliceAxis::I;
+    flood.corners = true;
+    cases.push_back({"flood fill across rows, over corners", volume, {first}, flood});
+    flood.within.reset();
+    cases.push_back({"flood fill in all directions", volume, {first, low}, flood});
+    core::FloodFill over = flood;
+    over.segment = 2;
+    over.overwriteUnlocked = true;
+    cases.push_back({"flood fill over another segment", volume, {first, second, flood}, over});
+    cases.push_back({"flood fill beside a locked segment", volume,
+        {first, second, scene.paint, scene.lock}, over});
+    const core::FloodFill away{
+        .segment = 1, .placeLps = geometry.toWorld({14.0, 12.0, 4.0}), .erase = true};
+    cases.push_back({"take a region away", volume, {first, low, high}, away});
+    cases.push_back(
+        {"take a region away after growth", volume, {first, scene.seeds, scene.some, low}, away});
+    cases.push_back({"growth after a flood fill", volume, {first, flood, scene.seeds}, scene.all});
+    cases.push_back({"undo only a flood fill", volume, {first, scene.paint, flood, scene.drill},
+        core::RevertRows{{3}}});
+}
+
+} // namespace test

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/ThresholdDialog.h"
+
+#include "core/session/EditSession.h"
+#include "ui/base/CountText.h"
+#include "ui/base/Theme.h"
+#include "ui/dialogs/IntervalSuggestions.h"
+#include "ui/dialogs/ThresholdTrial.h"
+#include "ui/menus/SegmentMenus.h"
+#include "ui/settings/GrowSettings.h"
+#include "ui/widgets/FittingLabel.h"
+#include "ui/widgets/HistogramRange.h"
+#include "ui/workspace/SegmentActions.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ui {
+
+namespace {
+
+QCheckBox* box(const char* name, const QString& text, const QString& tip, QWidget* parent)
+{
+    auto* made = new QCheckBox(text, parent);
+    made->setObjectName(QLatin1String(name));
+    made->setToolTip(tip);
+    return made;
+}
+
+} // namespace
+
+ThresholdDialog::ThresholdDialog(Workspace& workspace, QWidget* parent)
+    : QDialog(parent, Qt::Tool) // so that the window's keys, undo above all, work in it, too
+    , m_workspace(workspace)
+    , m_trial(new ThresholdTrial(workspace, this))
+{
+    setWindowTitle(tr("Threshold"));
+    build();
+    connect(m_range, &HistogramRange::rangeEdited, this, &ThresholdDialog::follow);
+    connect(m_range, &HistogramRange::rangeCancelled, this, &ThresholdDialog::follow);
+    for (const QCheckBox* each : {m_overwrite, m_onlyVisible, m_boxed, m_preview})
+        connect(each, &QCheckBox::toggled, this, &ThresholdDialog::follow);
+    connect(m_mode, &QComboBox::currentIndexChanged, this, &ThresholdDialog::follow);
+    connect(
+        m_suggestions, &IntervalSuggestions::suggested, this, [this](double lower, double upper) {
+            m_range->setRange(lower, upper);
+            m_range->showRange();
+            follow();
+        });
+    connect(m_apply, &QPushButton::clicked, this, &ThresholdDialog::carryOut);
+    connect(&workspace, &Workspace::documentChanged, this, &ThresholdDialog::showState);
+    connect(&workspace, &Workspace::clipChanged, this, [this] {
+        showState();
+        if (isVisible() && m_boxed->isChecked())
+            follow();
+    });
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_isFresh = true;
+        reject();
+    });
+}
+
+void ThresholdDialog::build()
+{
+    m_whose = new FittingLabel(Qt::AlignLeft, this);
+    m_whose->setObjectName(QStringLiteral("thresholdWhose"));
+    m_whose->setFont(theme::headingFont());
+    m_range = new HistogramRange(this);
+    m_range->setObjectName(QStringLiteral("thresholdInterval"));
+    m_range->setMinimumWidth(380);
+    m_suggestions = new IntervalSuggestions(m_workspace, this);
+    m_mode = new QComboBox(this);
+    m_mode->setObjectName(QStringLiteral("thresholdMode"));
+    m_mode->setAccessibleName(tr("What is done with these voxels"));
+    m_mode->addItem(tr("The segment becomes these voxels")); // as ThresholdSegment::Mode
+    m_mode->addItem(tr("Add these voxels to it"));
+    m_mode->addItem(tr("Take these voxels from it"));
+    m_overwrite = box("thresholdOverwrite", tr("overwrite"),
+        tr("Take voxels of other segments that are not locked"), this);
+    m_onlyVisible = box("thresholdOnlyVisible", tr("only what is not carved away"),
+        tr("What is carved away stays as it is"), this);
+    m_boxed = box("thresholdBoxed", tr("only in the clip box"),
+        tr("What lies outside of the clip box stays as it is"), this);
+    m_preview = box("thresholdPreview", tr("preview"),
+        tr("Show in all views what becomes of the segment"), this);
+    m_preview->setChecked(true);
+    m_now = new QLabel(this);
+    m_now->setObjectName(QStringLiteral("thresholdNow"));
+    m_now->setFont(theme::smallFont());
+    m_now->setProperty("role", QStringLiteral("secondary"));
+    m_apply = new QPushButton(tr("Apply"), this);
+    m_apply->setObjectName(QStringLiteral("applyThreshold"));
+    m_apply->setDefault(true);
+    auto* close = new QPushButton(tr("Close"), this);
+    close->setAutoDefault(false);
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+
+    auto* mode = new QHBoxLayout;
+    mode->setSpacing(theme::smallPadding);
+    mode->addWidget(m_mode, 1);
+    mode->addWidget(m_overwrite);
+    auto* limits = new QHBoxLayout;
+    limits->setSpacing(theme::smallPadding);
+    limits->addWidget(m_onlyVisible);
+    limits->addWidget(m_boxed);
+    limits->addStretch(1);
+    limits->addWidget(m_preview);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(theme::smallPadding);
+    buttons->addWidget(m_now, 1);
+    buttons->addWidget(m_apply);
+    buttons->addWidget(close);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(24, 20, 24, 16);
+    layout->setSpacing(theme::smallPadding);
+    layout->setSizeConstraint(QLayout::SetFixedSize);
+    layout->addWidget(m_whose);
+    layout->addWidget(m_range);
+    layout->addWidget(m_suggestions);
+    layout->addLayout(mode);
+    layout->addLayout(limits);
+    layout->addSpacing(theme::smallPadding);
+    layout->addLayout(buttons);
+}
+
+void ThresholdDialog::ask(int label)
+{
+    m_label = label;
+    const core::Volume* volume = m_workspace.volume();
+    if (m_isFresh && volume) {
+        m_range->setHistogram(volume->histogram, volume->unit);
+        const auto [lower, upper] = m_suggestions->first();
+        m_range->setRange(lower, upper);
+        m_isFresh = false;
+    }
+    showState();
+    show();
+    raise();
+    activateWindow();
+    follow();
+}
+
+void ThresholdDialog::setVisible(bool visible)
+{
+    if (!visible) {
+        m_suggestions->stopPicking();
+        m_trial->drop();
+    }
+    QDialog::setVisible(visible);
+}
+
+void ThresholdDialog::showState()
+{
+    const core::EditSession* session = m_workspace.session();
+    const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
+    m_whose->setText(segment ? segment->name : QString());
+    if (segment) {
+        const glm::dvec3 spacing = m_workspace.volume()->geometry.spacingMm();
+        constexpr double mm3PerMl = 1000.0;
+        const double ml = double(segment->voxels) * spacing.x * spacing.y * spacing.z / mm3PerMl;
+        m_now->setText(tr("Now: %1 voxels, %2").arg(countText(segment->voxels), volumeText(ml)));
+    } else {
+        m_now->clear();
+    }
+    const QString why = whyUnchangeable(segment);
+    m_apply->setEnabled(why.isEmpty());
+    m_apply->setToolTip(why);
+    m_boxed->setEnabled(m_boxed->isChecked() || m_workspace.clip().box.on);
+}
+
+core::ThresholdSegment ThresholdDialog::chosen() const
+{
+    core::ThresholdSegment edit{.segment = m_label,
+        .lower = m_range->lower(),
+        .upper = m_range->upper(),
+        .mode = core::ThresholdSegment::Mode(m_mode->currentIndex()),
+        .onlyVisible = m_onlyVisible->isChecked(),
+        .overwriteUnlocked = m_overwrite->isChecked()};
+    const core::ClipRegion::Box& clip = m_workspace.clip().box;
+    if (m_boxed->isChecked() && clip.on)
+        edit.box = growBoxFrom(clip, m_workspace.volume()->geometry);
+    return edit;
+}
+
+void ThresholdDialog::follow()
+{
+    if (isVisible() && m_preview->isChecked() && m_workspace.session())
+        m_trial->show(chosen());
+    else
+        m_trial->drop();
+}
+
+void ThresholdDialog::carryOut()
+{
+    if (m_workspace.session())
+        m_trial->take(chosen());
+}
+
+} // namespace ui
