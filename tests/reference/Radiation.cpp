@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/Radiation.h"
 
-#include "core/sculpt/Radiation.h"
+#include "core/sculpt/radiation/Radiation.h"
 
 #include <algorithm>
 

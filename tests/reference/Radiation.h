@@ -5,7 +5,7 @@
 
 namespace reference {
 
-/// Radiation of a whole field of coverage, as core/sculpt/Radiation.h defines it.
+/// Radiation of a whole field of coverage, as core/sculpt/radiation/Radiation.h defines it.
 [[nodiscard]] DenseArray<std::uint8_t> radiation(const DenseArray<std::uint8_t>& coverage);
 
 } // namespace reference

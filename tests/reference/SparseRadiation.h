@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/sculpt/SparseRadiation.h"
+#include "core/sculpt/radiation/SparseRadiation.h"
 #include "tests/reference/DenseFields.h"
 
 #include <span>

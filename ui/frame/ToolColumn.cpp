@@ -11,8 +11,13 @@ namespace ui {
 
 namespace {
 
-constexpr int namedHeight = 48;
-constexpr int iconHeight = 30;
+/// Of the buttons, and what lies between them.
+struct Sizes {
+    int height;
+    int spacing;
+};
+constexpr Sizes namedSizes{.height = 48, .spacing = 3};
+constexpr Sizes iconSizes{.height = 28, .spacing = 2}; // all tools go into 700 pixels
 
 } // namespace
 
@@ -23,7 +28,7 @@ ToolColumn::ToolColumn(QWidget* parent)
     setProperty("role", QStringLiteral("panel"));
     setObjectName(QStringLiteral("toolColumn"));
     m_layout->setContentsMargins(1, theme::smallPadding, 1, theme::smallPadding);
-    m_layout->setSpacing(3);
+    m_layout->setSpacing(namedSizes.spacing);
     m_layout->addStretch(1);
     // The buttons follow the column's height, not the other way round.
     m_layout->setSizeConstraint(QLayout::SetNoConstraint);
@@ -41,7 +46,7 @@ void ToolColumn::addTool(QAction& action, const QString& label)
     button->setIconSize(QSize(theme::iconSize, theme::iconSize));
     button->setFont(theme::smallFont());
     button->setStyleSheet(QStringLiteral("padding: 3px 0"));
-    button->setFixedSize(56, namedHeight);
+    button->setFixedSize(56, namedSizes.height);
     button->setFocusPolicy(Qt::NoFocus);
     const QString keys = action.shortcut().toString(QKeySequence::NativeText);
     button->setToolTip(
@@ -58,26 +63,28 @@ void ToolColumn::addGroupLine()
     m_layout->insertWidget(m_layout->count() - 1, line);
 }
 
-int ToolColumn::heightWith(int buttonHeight) const
+int ToolColumn::heightWith(int buttonHeight, int spacing) const
 {
     const int others = m_layout->count() - 1 - int(m_buttons.size()); // lines, without the stretch
     const QMargins margins = m_layout->contentsMargins();
-    return int(m_buttons.size()) * buttonHeight + others
-        + (m_layout->count() - 1) * m_layout->spacing() + margins.top() + margins.bottom();
+    return int(m_buttons.size()) * buttonHeight + others + (m_layout->count() - 1) * spacing
+        + margins.top() + margins.bottom();
 }
 
 QSize ToolColumn::minimumSizeHint() const
 {
-    return {58, heightWith(iconHeight)};
+    return {58, heightWith(iconSizes.height, iconSizes.spacing)};
 }
 
 void ToolColumn::resizeEvent(QResizeEvent* event)
 {
     QFrame::resizeEvent(event);
-    const bool named = height() >= heightWith(namedHeight);
+    const bool named = height() >= heightWith(namedSizes.height, namedSizes.spacing);
+    const Sizes& sizes = named ? namedSizes : iconSizes;
+    m_layout->setSpacing(sizes.spacing);
     for (QToolButton* button : m_buttons) {
         button->setToolButtonStyle(named ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
-        button->setFixedHeight(named ? namedHeight : iconHeight);
+        button->setFixedHeight(sizes.height);
     }
 }
 

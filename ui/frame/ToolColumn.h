@@ -30,7 +30,7 @@ protected:
 
 private:
     /// Height of the whole column with buttons of this height.
-    [[nodiscard]] int heightWith(int buttonHeight) const;
+    [[nodiscard]] int heightWith(int buttonHeight, int spacing) const;
 
     QVBoxLayout* m_layout;
     std::vector<QToolButton*> m_buttons;

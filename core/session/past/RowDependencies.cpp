@@ -2,7 +2,7 @@
 #include "core/session/past/RowDependencies.h"
 
 #include "core/edits/EditRows.h"
-#include "core/sculpt/Radiation.h"
+#include "core/sculpt/radiation/Radiation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,7 @@ namespace gpu {
 
 /// Computes radiation (the smoothed cut surface) from coverage, and the segmentation map from
 /// labels, brick by brick: the exact integer Gaussian with the rule for thin parts
-/// (core/sculpt/Radiation.h; radiation*.comp).
+/// (core/sculpt/radiation/Radiation.h; radiation*.comp).
 ///
 /// Cost: about 40 000 fetches and additions for a whole brick, less for a part of one, and little
 /// for parts that are uniform with their surroundings. Engine thread only.

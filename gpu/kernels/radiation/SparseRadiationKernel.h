@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/sculpt/SparseRadiation.h"
+#include "core/sculpt/radiation/SparseRadiation.h"
 #include "gpu/gl/Buffer.h"
 #include "gpu/gl/Program.h"
 #include "gpu/gl/Texture3D.h"
@@ -12,8 +12,8 @@
 namespace gpu {
 
 /// Radiation of sparse points, such as seeds: adds up the integer Gaussians of
-/// core/sculpt/SparseRadiation.h in each voxel, tile by tile (sparseRadiation*.comp), and finds the
-/// point with the greatest share.
+/// core/sculpt/radiation/SparseRadiation.h in each voxel, tile by tile (sparseRadiation*.comp), and
+/// finds the point with the greatest share.
 ///
 /// Cost: one atomic addition per voxel of each footprint. Memory for 64 tiles, however many there
 /// are. Engine thread only.

@@ -1,4 +1,4 @@
-// Applies one axis of the integer Gaussian (core/sculpt/Radiation.h). AXIS 0: 24³ → 18·24·24, 1: →
+// Applies one axis of the integer Gaussian (core/sculpt/radiation/Radiation.h). AXIS 0: 24³ → 18·24·24, 1: →
 // 18·18·24, 2: → 18³ and rounding to a byte. Sums stay below 2³², so nothing is rounded in between.
 
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
 // Last stage of radiation: makes sure that no voxel is hidden or invented, and keeps thin parts
-// visible (core/sculpt/Radiation.h). Writes the dense radiation texture.
+// visible (core/sculpt/radiation/Radiation.h). Writes the dense radiation texture.
 
 layout(local_size_x = 64) in;
 

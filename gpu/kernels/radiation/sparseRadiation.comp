@@ -1,4 +1,4 @@
-// Adds the footprints of sparse points to the sums of their tiles (core/sculpt/SparseRadiation.h).
+// Adds the footprints of sparse points to the sums of their tiles (core/sculpt/radiation/SparseRadiation.h).
 // One work-group per footprint: its invocations divide the x-y plane, where the product of two
 // weights is the same for the whole row along z.
 

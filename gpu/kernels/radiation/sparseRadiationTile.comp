@@ -1,4 +1,4 @@
-// Converts the sums of sparse points to bytes: radiation and label (core/sculpt/SparseRadiation.h).
+// Converts the sums of sparse points to bytes: radiation and label (core/sculpt/radiation/SparseRadiation.h).
 
 layout(local_size_x = 64) in;
 

@@ -43,8 +43,13 @@ void CapsuleKernel::findAlike(
     m_fields.codes().bindUnit(0);
     static_cast<void>(run(m_programs.alike(), candidates, capsules));
     buffer.read(std::span<MemberBits>(alike));
-    for (std::size_t i = 0; i < alike.size(); ++i)
-        m_edges->addAlike(candidates.bricks[i], alike[i]);
+    const auto isAny = [](const MemberBits& bits) {
+        return std::any_of(bits.begin(), bits.end(), [](const auto word) { return word != 0; });
+    };
+    for (std::size_t i = 0; i < alike.size(); ++i) {
+        if (isAny(alike[i]))
+            m_edges->addAlike(candidates.bricks[i], alike[i]);
+    }
 }
 
 void CapsuleKernel::paintMembers(const core::PaintLabel& paint)

@@ -1,4 +1,4 @@
-// Seeds that wait for a growth: small bodies where their radiation (core/sculpt/SparseRadiation.h)
+// Seeds that wait for a growth: small bodies where their radiation (core/sculpt/radiation/SparseRadiation.h)
 // is at least one half, in the colours of their segments. Seeds behind tissue shine through.
 
 /* Textures */

@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTimer>
 #include <QtTest>
 
 namespace betweenSlicesDialogUiTest {
@@ -30,6 +31,12 @@ struct Fixture : test::WindowFixture {
         draw(8, 6.0);
         draw(16, 3.0);
         workspace.setActiveSegment(1);
+        // As the engine's thread wakes the window in the program.
+        QObject::connect(&wakeUp, &QTimer::timeout, [this] {
+            if (core::EditSession* open = workspace.session())
+                open->poll();
+        });
+        wakeUp.start(10);
     }
     [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     void apply(const core::Edit& edit)
@@ -56,6 +63,8 @@ struct Fixture : test::WindowFixture {
         window.actionTable()[QStringLiteral("segments.fillBetween")].trigger();
         return *window.findChild<ui::BetweenSlicesDialog*>();
     }
+
+    QTimer wakeUp;
 };
 
 QString textOf(const QWidget& dialog, const char* name)

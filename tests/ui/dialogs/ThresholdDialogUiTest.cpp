@@ -20,6 +20,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTimer>
 #include <QToolButton>
 #include <QtTest>
 
@@ -53,6 +54,12 @@ struct Fixture : test::WindowFixture {
     Fixture()
         : WindowFixture(studyWithHistogram())
     {
+        // As the engine's thread wakes the window in the program.
+        QObject::connect(&wakeUp, &QTimer::timeout, [this] {
+            if (core::EditSession* open = workspace.session())
+                open->poll();
+        });
+        wakeUp.start(10);
     }
     /// With a segment that has nothing yet, and one that has grown.
     void addSegments()
@@ -93,6 +100,8 @@ struct Fixture : test::WindowFixture {
         session().poll();
         return *label;
     }
+
+    QTimer wakeUp;
 };
 
 ui::HistogramRange& rangeOf(const QWidget& dialog)

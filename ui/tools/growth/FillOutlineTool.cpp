@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/FillOutlineTool.h"
 
+#include "core/sculpt/LabelOutlined.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/CursorLabel.h"
@@ -23,13 +24,20 @@ FillOutlineTool::FillOutlineTool(Workspace& workspace, QObject* parent)
     , m_wire(workspace, m_slice)
     , m_level(workspace, m_slice)
 {
-    connect(&workspace, &Workspace::brushSettingsChanged, this, &Tool::overlayChanged);
-    connect(&workspace, &Workspace::activeSegmentChanged, this, &Tool::overlayChanged);
+    connect(&workspace, &Workspace::brushSettingsChanged, this, &FillOutlineTool::stopClosing);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &FillOutlineTool::stopClosing);
     // An outline ends with the session it was begun in.
     connect(&workspace, &Workspace::sessionClosing, this, &FillOutlineTool::cancel);
     connect(&workspace, &Workspace::sessionChanged, this, &FillOutlineTool::cancel);
     connect(&m_wire, &LiveWire::changed, this, &FillOutlineTool::showWire);
+    connect(&m_wire, &LiveWire::failed, this, &FillOutlineTool::stopClosing);
     connect(&m_level, &LevelTrace::changed, this, &FillOutlineTool::showLevel);
+    connect(&m_level, &LevelTrace::failed, this, &FillOutlineTool::stopClosing);
+    // Its slice is looked at before anything is drawn: while it is, the slice could not be read.
+    connect(&m_slice, &ReadSlice::dropped, this, [this] {
+        if (m_closes || (m_outline.drawing() && m_shape == Shape::Livewire))
+            cancel();
+    });
 }
 
 QString FillOutlineTool::name() const
@@ -150,7 +158,9 @@ void FillOutlineTool::pressCorner(const PointerSample& sample, const ViewContext
     if (!m_outline.liesIn(view))
         return m_workspace.say(
             tr("The outline lies in another slice: go back to it, or drop it with Esc"));
-    if (m_outline.endsAt(sample.position, view)) {
+    const bool ends = m_outline.endsAt(sample.position, view)
+        || (m_shape == Shape::Livewire && m_wire.endsAt(view.toLps(sample.position)));
+    if (ends) {
         // With fewer corners a double click has meant nothing yet.
         m_view = view;
         if (isMeant())
@@ -215,7 +225,7 @@ void FillOutlineTool::showWire()
 
 void FillOutlineTool::showLevel()
 {
-    if (m_level.contour())
+    if (m_level.contour() && !isRagged())
         m_levelOutline.lay(Shape::Level, m_level.contourLps(), *m_levelView);
     else
         m_levelOutline.drop();
@@ -275,6 +285,11 @@ void FillOutlineTool::closeIfKnown()
     } else if (m_shape == Shape::Level) {
         if (!m_level.isKnown())
             return;
+        if (isRagged()) {
+            stopClosing();
+            return m_workspace.say(
+                tr("This contour is too ragged to be filled: point at another value"));
+        }
         outline = m_levelOutline;
     }
     m_closes = false;
@@ -282,6 +297,20 @@ void FillOutlineTool::closeIfKnown()
         drop();
     if (fillOutline(m_workspace, outline, m_erases))
         drop();
+}
+
+void FillOutlineTool::stopClosing()
+{
+    if (m_closes && !isClicked())
+        m_outline.drop();
+    m_closes = false;
+    Q_EMIT overlayChanged();
+}
+
+bool FillOutlineTool::isRagged() const
+{
+    return m_level.contour()
+        && m_level.contour()->corners.size() > core::LabelOutlined::mostCorners;
 }
 
 void FillOutlineTool::drop()
@@ -387,6 +416,8 @@ void FillOutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) c
     QStringList lines{target()};
     if (showsLevel)
         lines += levelText();
+    else if (m_shape == Shape::Level && isRagged())
+        lines += tr("too ragged to be filled");
     if (const QString limits = intervalText(m_workspace); !limits.isEmpty())
         lines += limits;
     drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines);

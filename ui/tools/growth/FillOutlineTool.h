@@ -78,6 +78,10 @@ private:
     void close();
     /// The same once the picture has been followed.
     void closeIfKnown();
+    /// What was closed is not filled any more: it would be another's, or under other limits.
+    void stopClosing();
+    /// Whether the contour of the level has more corners than an edit takes. It is not drawn then.
+    [[nodiscard]] bool isRagged() const;
     void showCursor(const PointerSample& sample, const ViewContext& view);
     [[nodiscard]] QString levelText() const;
     [[nodiscard]] static bool isInverse(const PointerSample& sample);

@@ -44,8 +44,11 @@ void LevelTrace::proceed()
     };
     m_background.start(
         this, trace, [this, pixel = *m_pixel](core::Result<core::LevelContour> contour) {
-            if (!contour)
-                return m_workspace.fail(contour.error());
+            if (!contour) {
+                m_workspace.fail(contour.error());
+                Q_EMIT failed();
+                return;
+            }
             m_tracedPixel = pixel;
             m_contour = *std::move(contour);
             proceed();

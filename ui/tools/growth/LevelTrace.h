@@ -40,6 +40,7 @@ public:
 
 Q_SIGNALS:
     void changed();
+    void failed(); ///< it could not be traced, as the workspace says
 
 private:
     void proceed();

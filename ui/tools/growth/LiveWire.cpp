@@ -5,6 +5,7 @@
 #include "ui/tools/growth/ReadSlice.h"
 #include "ui/workspace/Workspace.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ui {
@@ -16,7 +17,6 @@ LiveWire::LiveWire(Workspace& workspace, ReadSlice& slice, QObject* parent)
 {
     connect(&slice, &ReadSlice::dropped, this, &LiveWire::drop);
     connect(&slice, &ReadSlice::arrived, this, &LiveWire::proceed);
-    connect(&workspace, &Workspace::windowLevelChanged, this, &LiveWire::followWindow);
 }
 
 void LiveWire::drop()
@@ -30,6 +30,11 @@ void LiveWire::drop()
 
 void LiveWire::addAnchor(const glm::dvec3& placeLps)
 {
+    if (m_anchors.empty() && m_window != m_workspace.windowLevel()) {
+        m_background.cancel();
+        m_costs.reset();
+        m_window = m_workspace.windowLevel();
+    }
     m_anchors.push_back(m_slice.lattice().cornerAt(placeLps));
     proceed();
 }
@@ -51,16 +56,18 @@ void LiveWire::removeAnchor()
     proceed();
 }
 
-/// Ways that are known were seen, and stay as they are.
-void LiveWire::followWindow()
+std::size_t LiveWire::anchorCount() const
 {
-    if (!m_costs && m_anchors.empty())
-        return;
-    m_background.cancel();
-    m_costs.reset();
-    m_onwards.reset();
-    proceed();
-    Q_EMIT changed();
+    std::size_t count = 0;
+    for (auto anchor = m_anchors.begin(); anchor != m_anchors.end(); ++anchor)
+        count += std::find(m_anchors.begin(), anchor, *anchor) == anchor ? 1 : 0;
+    return count;
+}
+
+bool LiveWire::endsAt(const glm::dvec3& placeLps) const
+{
+    const glm::ivec2 corner = m_slice.lattice().cornerAt(placeLps);
+    return !m_anchors.empty() && (corner == m_anchors.front() || corner == m_anchors.back());
 }
 
 /// Does what is to be done next.
@@ -82,16 +89,18 @@ void LiveWire::proceed()
 void LiveWire::findCosts()
 {
     const core::VoxelEncoding& encoding = m_workspace.volume()->encoding;
-    const core::WindowLevel window = m_workspace.windowLevel();
-    const int low = encoding.lowestCodeAtLeast(window.centre - window.width / 2.0);
-    const int high = encoding.highestCodeAtMost(window.centre + window.width / 2.0);
+    const int low = encoding.lowestCodeAtLeast(m_window.centre - m_window.width / 2.0);
+    const int high = encoding.highestCodeAtMost(m_window.centre + m_window.width / 2.0);
     using Costs = std::shared_ptr<const core::SideCosts>;
     const auto find = [pixels = m_slice.pixels(), low, high]() -> Costs {
         return std::make_shared<const core::SideCosts>(core::sideCosts(*pixels, low, high));
     };
     m_background.start(this, find, [this](core::Result<Costs> costs) {
-        if (!costs)
-            return m_workspace.fail(costs.error());
+        if (!costs) {
+            m_workspace.fail(costs.error());
+            Q_EMIT failed();
+            return;
+        }
         m_costs = *std::move(costs);
         proceed();
     });
@@ -104,8 +113,11 @@ void LiveWire::findWays()
         return std::make_shared<const core::CheapestWays>(costs, anchor);
     };
     m_background.start(this, find, [this](core::Result<Ways> ways) {
-        if (!ways)
-            return m_workspace.fail(ways.error());
+        if (!ways) {
+            m_workspace.fail(ways.error());
+            Q_EMIT failed();
+            return;
+        }
         m_onwards = *std::move(ways);
         proceed();
         Q_EMIT changed();

@@ -3,6 +3,7 @@
 
 #include "core/base/Background.h"
 #include "core/outline/CheapestWays.h"
+#include "core/volume/Volume.h"
 
 #include <QObject>
 
@@ -18,9 +19,9 @@ class ReadSlice;
 class Workspace;
 
 /// A wire that follows edges of a slice from anchor to anchor (core/outline/CheapestWays.h). Costs
-/// and ways are worked out on another thread, in the window of values in which the slice is shown;
-/// until a way is known the wire runs straight there. Anchors may be set meanwhile: what becomes of
-/// them does not depend on how fast that goes.
+/// and ways are worked out on another thread, in the window of values in which the slice is shown
+/// when the first anchor is set; until a way is known the wire runs straight there. Anchors may be
+/// set meanwhile: what becomes of them does not depend on how fast that goes.
 class LiveWire : public QObject {
     Q_OBJECT
 
@@ -34,7 +35,10 @@ public:
     void addAnchor(const glm::dvec3& placeLps);
     /// The last one. @pre there is one
     void removeAnchor();
-    [[nodiscard]] std::size_t anchorCount() const { return m_anchors.size(); }
+    /// How many places are anchors.
+    [[nodiscard]] std::size_t anchorCount() const;
+    /// Whether a click there would set the first or the last anchor again.
+    [[nodiscard]] bool endsAt(const glm::dvec3& placeLps) const;
 
     /// Whether the ways between anchors are known, and those from the last one onwards.
     [[nodiscard]] bool isKnown() const;
@@ -47,13 +51,13 @@ public:
     [[nodiscard]] std::vector<glm::dvec3> closingLps() const;
 
 Q_SIGNALS:
-    void changed(); ///< a way became known, or has to be found again
+    void changed(); ///< a way became known
+    void failed(); ///< one could not be found, as the workspace says
 
 private:
     void proceed();
     void findCosts();
     void findWays();
-    void followWindow();
     [[nodiscard]] std::vector<glm::ivec2> onwards(const glm::ivec2& corner) const;
     [[nodiscard]] std::vector<glm::dvec3> placesOf(std::vector<glm::ivec2>::const_iterator from,
         std::vector<glm::ivec2>::const_iterator to) const;
@@ -63,6 +67,7 @@ private:
     std::vector<glm::ivec2> m_anchors;
     /// The known ones, from anchor to anchor: one less than anchors if all are.
     std::vector<std::vector<glm::ivec2>> m_ways;
+    core::WindowLevel m_window; ///< of the costs
     std::shared_ptr<const core::SideCosts> m_costs; ///< null: not known
     /// From the anchor at the end of the known ways; null: not known.
     std::shared_ptr<const core::CheapestWays> m_onwards;

@@ -41,10 +41,7 @@ bool fillOutline(Workspace& workspace, const SliceOutline& outline, bool erases)
         .polygonMm = outline.polygonMm(),
         .erase = erases};
     if (edit.polygonMm.size() > core::LabelOutlined::mostCorners) {
-        workspace.say(outline.shape() == SliceOutline::Shape::Level
-                ? OutlineFilling::tr(
-                    "This contour is too ragged to be filled: point at another value")
-                : OutlineFilling::tr("This outline has too many corners: take some back"));
+        workspace.say(OutlineFilling::tr("This outline has too many corners: take some back"));
         return false;
     }
     if (erases && workspace.session()->document().segments.empty()) {

@@ -18,10 +18,10 @@ constexpr std::size_t voxelsAtOnce = 1 << 16; ///< so that frames come between
 
 } // namespace
 
-/// What came of an oblique slice so far.
+/// The voxels of an oblique slice, and what is known of them so far.
 struct ReadSlice::Portions {
+    std::vector<std::vector<glm::ivec3>> voxels;
     std::vector<std::vector<core::ProbedVoxel>> answers;
-    std::size_t asked = 0;
 };
 
 ReadSlice::ReadSlice(Workspace& workspace, QObject* parent)
@@ -66,7 +66,7 @@ void ReadSlice::readBox()
             if (!self || self->m_asked != asked)
                 return;
             if (!codes)
-                return self->m_workspace.fail(codes.error());
+                return self->fail(codes.error());
             self->take(std::make_shared<const core::SlicePixels>(
                 core::SlicePixels{.size = self->m_lattice.size, .codes = *std::move(codes)}));
         });
@@ -87,39 +87,36 @@ void ReadSlice::chooseVoxels()
     };
     m_background.start(this, choose, [this](core::Result<Chosen> portions) {
         if (portions)
-            readVoxels(*std::move(portions));
+            readOn(std::make_shared<Portions>(Portions{.voxels = *std::move(portions)}));
         else
-            m_workspace.fail(portions.error());
+            fail(portions.error());
     });
 }
 
-void ReadSlice::readVoxels(std::vector<std::vector<glm::ivec3>> portions)
+void ReadSlice::readOn(const std::shared_ptr<Portions>& portions)
 {
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    auto read = std::make_shared<Portions>();
-    read->asked = portions.size();
-    for (std::vector<glm::ivec3>& portion : portions) {
-        session->questions().probe(std::move(portion),
-            [self = QPointer(this), asked = m_asked, read](
-                core::Result<std::vector<core::ProbedVoxel>> probes) {
-                if (!self || self->m_asked != asked)
-                    return;
-                if (!probes) {
-                    ++self->m_asked; // the other portions are of no use
-                    return self->m_workspace.fail(probes.error());
-                }
-                read->answers.push_back(*std::move(probes));
-                if (read->answers.size() == read->asked)
-                    self->putInOrder(read);
-            });
-    }
+    std::vector<glm::ivec3> voxels = std::move(portions->voxels[portions->answers.size()]);
+    session->questions().probe(std::move(voxels),
+        [self = QPointer(this), asked = m_asked, portions](
+            core::Result<std::vector<core::ProbedVoxel>> probes) {
+            if (!self || self->m_asked != asked)
+                return;
+            if (!probes)
+                return self->fail(probes.error());
+            portions->answers.push_back(*std::move(probes));
+            if (portions->answers.size() < portions->voxels.size())
+                self->readOn(portions);
+            else
+                self->putInOrder(portions);
+        });
 }
 
-void ReadSlice::putInOrder(std::shared_ptr<Portions> portions)
+void ReadSlice::putInOrder(const std::shared_ptr<Portions>& portions)
 {
-    const auto order = [portions = std::move(portions), size = m_lattice.size] {
+    const auto order = [portions, size = m_lattice.size] {
         auto pixels = std::make_shared<core::SlicePixels>(core::SlicePixels{.size = size});
         pixels->codes.reserve(std::size_t(size.x) * std::size_t(size.y));
         for (const std::vector<core::ProbedVoxel>& portion : portions->answers) {
@@ -133,7 +130,7 @@ void ReadSlice::putInOrder(std::shared_ptr<Portions> portions)
         if (pixels)
             take(*std::move(pixels));
         else
-            m_workspace.fail(pixels.error());
+            fail(pixels.error());
     });
 }
 
@@ -141,6 +138,12 @@ void ReadSlice::take(std::shared_ptr<const core::SlicePixels> pixels)
 {
     m_pixels = std::move(pixels);
     Q_EMIT arrived();
+}
+
+void ReadSlice::fail(const core::Error& error)
+{
+    drop();
+    m_workspace.fail(error);
 }
 
 } // namespace ui

@@ -48,9 +48,12 @@ private:
     struct Portions;
     void readBox();
     void chooseVoxels();
-    void readVoxels(std::vector<std::vector<glm::ivec3>> portions);
-    void putInOrder(std::shared_ptr<Portions> portions);
+    /// The next portion. No more than one waits in the engine for a slice that may be left by then.
+    void readOn(const std::shared_ptr<Portions>& portions);
+    void putInOrder(const std::shared_ptr<Portions>& portions);
     void take(std::shared_ptr<const core::SlicePixels> pixels);
+    /// Drops the slice, so that it is read again when it is looked at next.
+    void fail(const core::Error& error);
 
     Workspace& m_workspace;
     core::SliceLattice m_lattice;

@@ -18,8 +18,10 @@ namespace {
 /// By how many codes values may differ; codes are evenly spaced (VoxelEncoding.h).
 int codesWithin(const VoxelEncoding& encoding, double tolerance)
 {
-    return std::clamp(
-        encoding.highestCodeAtMost(encoding.value(0) + tolerance), 0, VoxelEncoding::codeCount - 1);
+    // A tolerance of whole steps must hold them all, however their values were rounded.
+    const double grain = 1e-6 * (encoding.value(1) - encoding.value(0));
+    return std::clamp(encoding.highestCodeAtMost(encoding.value(0) + tolerance + grain), 0,
+        VoxelEncoding::codeCount - 1);
 }
 
 } // namespace

@@ -81,7 +81,7 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cube.edgeTolerance = 180.0;
     cases.push_back(
         {"erase along edges what has grown", volume, {first, seeds, some, paint}, cube});
-    cases.push_back({"growth from paint along edges", volume, {first, edgewise}, all});
+    cases.push_back({"growth from paint along edges", volume, {first, noEdges}, all});
     cases.push_back(
         {"undo only paint along edges", volume, {first, edgewise, drill}, core::RevertRows{{2}}});
     auto dab = paint.get<core::PaintStroke>();

@@ -201,7 +201,7 @@ private Q_SLOTS:
         QVERIFY(fixture.session().settle());
         const auto edit = fixture.lastEdit().get<core::PaintStroke>();
         QVERIFY(edit.path.shape == BrushPath::Shape::Square);
-        const auto& scene = std::get<gpu::SliceScene>(fixture.slice.context().scene);
+        const auto scene = std::get<gpu::SliceScene>(fixture.slice.context().scene);
         QVERIFY(glm::distance(*edit.path.sideLps, glm::normalize(scene.rightLps)) < 1e-3);
         // Voxels of one slice, as many as lie within the half side along both axes of the view.
         const auto voxels = fixture.painted();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sculpt/Radiation.h"
+#include "core/sculpt/radiation/Radiation.h"
 #include "tests/reference/Radiation.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sculpt/SparseRadiation.h"
-#include "core/sculpt/Radiation.h"
+#include "core/sculpt/radiation/SparseRadiation.h"
+#include "core/sculpt/radiation/Radiation.h"
 #include "tests/reference/SparseRadiation.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"

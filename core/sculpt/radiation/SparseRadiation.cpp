@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sculpt/SparseRadiation.h"
+#include "core/sculpt/radiation/SparseRadiation.h"
 
 #include <algorithm>
 #include <cmath>
