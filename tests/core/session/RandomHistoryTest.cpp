@@ -25,13 +25,13 @@ private Q_SLOTS:
         QTest::addColumn<uint>("seed");
         const bool isLong = qEnvironmentVariableIsSet("BURIN_LONG");
         // Those of a daily run are chosen: the rarest commands occur in one seed of twenty.
-        std::vector<uint> seeds{1, 3, 9, 11, 18, 28};
+        std::vector<uint> seeds{1, 3, 4, 9, 11, 23};
         if (isLong) {
-            seeds.resize(40);
+            seeds.resize(32);
             std::iota(seeds.begin(), seeds.end(), 1u);
         }
         for (const uint seed : seeds)
-            QTest::addRow("seed %u", seed) << (340) << seed;
+            QTest::addRow("seed %u", seed) << (isLong ? 500 : 340) << seed;
     }
     void equalsTheTruthAfterEveryStep()
     {
@@ -41,11 +41,8 @@ private Q_SLOTS:
         const test::RandomHistory history = test::runRandomHistory(engine, commands, seed);
         QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
         QCOMPARE(history.hashes.size(), std::size_t(commands));
-        for (const auto& [kind, count] : history.done) {
+        for (const auto& [kind, count] : history.done)
             m_done[kind] += count;
-            if (count > 0)
-                qInfo("SEED %u %s", seed, qPrintable(kind));
-        }
     }
     void cleanupTestCase()
     {
