@@ -160,9 +160,9 @@ void ThresholdDialog::showState()
     const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
     m_whose->setText(segment ? segment->name : QString());
     if (segment) {
-        const glm::dvec3 spacing = m_workspace.volume()->geometry.spacingMm();
         constexpr double mm3PerMl = 1000.0;
-        const double ml = double(segment->voxels) * spacing.x * spacing.y * spacing.z / mm3PerMl;
+        const double ml =
+            double(segment->voxels) * m_workspace.volume()->geometry.voxelVolumeMm3() / mm3PerMl;
         m_now->setText(tr("Now: %1 voxels, %2").arg(countText(segment->voxels), volumeText(ml)));
     } else {
         m_now->clear();

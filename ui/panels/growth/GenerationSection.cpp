@@ -124,7 +124,9 @@ void GenerationSection::goTo(int generation)
 
 void GenerationSection::end(bool kept)
 {
-    if (core::EditSession* session = m_workspace.session(); session && session->transactionOpen())
+    // What is open may be a threshold by now, which its dialog shows.
+    if (core::EditSession* session = m_workspace.session();
+        session && session->transactionOpen() && !session->thresholdOpen())
         session->end(kept ? core::Ending::Commit : core::Ending::Rollback);
     m_countLater.start();
     Q_EMIT scrubMoved();
