@@ -86,7 +86,7 @@ private Q_SLOTS:
             QTest::mousePress(&where, Qt::LeftButton, Qt::NoModifier, at);
             for (int x = 0; x <= end.x(); x += 10)
                 QTest::mouseMove(&where, at + QPoint(x, 0));
-            return wait([&] { return tool->preview().upToDate(); });
+            return wait([&] { return tool->previewIsWhole(); });
         };
         QVERIFY(sketch());
         const std::int64_t voxels = tool->preview().voxels().value_or(0);

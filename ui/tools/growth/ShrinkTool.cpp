@@ -89,6 +89,11 @@ void ShrinkTool::sketchGrew(const std::vector<glm::dvec2>& pixels)
     m_rest.start();
 }
 
+bool ShrinkTool::previewIsWhole() const
+{
+    return m_sketched->isComplete() && m_preview->upToDate();
+}
+
 /// The pen rests: unless it takes nothing at all, it goes back from here.
 void ShrinkTool::rest()
 {

@@ -33,6 +33,9 @@ public:
     [[nodiscard]] QString keys() const override;
 
     [[nodiscard]] const ShrinkPreview& preview() const { return *m_preview; }
+    /// Whether the preview is that of the whole sketch so far: in the 3D view, what is seen under it
+    /// is learnt piece by piece.
+    [[nodiscard]] bool previewIsWhole() const;
     [[nodiscard]] const HeldShrink& held() const { return *m_held; }
     /// How long the pen rests before the growth goes back; 700 at first.
     void setRest(int milliseconds) { m_rest.setInterval(milliseconds); }

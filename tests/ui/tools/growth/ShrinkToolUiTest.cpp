@@ -233,7 +233,7 @@ private Q_SLOTS:
         const QPoint at =
             fixture.slice.context().toPixel(fixture.placeOf(phantom().seed)).toPoint();
         QTest::mousePress(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
-        QTRY_VERIFY((fixture.session().poll(), fixture.tool.preview().upToDate()));
+        QTRY_VERIFY((fixture.session().poll(), fixture.tool.previewIsWhole()));
         QCOMPARE(fixture.tool.preview().words(),
             QStringLiteral("takes nothing: there are seeds under the sketch"));
         QTest::mouseRelease(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
@@ -273,7 +273,7 @@ private Q_SLOTS:
             QTest::mouseMove(&where, at + QPoint(6, 2));
             const auto answered = [&] {
                 fixture.session().poll();
-                return preview.upToDate();
+                return fixture.tool.previewIsWhole();
             };
             return QTest::qWaitFor(answered, 60000);
         };
@@ -452,7 +452,7 @@ private Q_SLOTS:
         fixture.workspace.setCrosshairLps(fixture.placeOf({2, 93, 2}));
         const QPoint at = fixture.slice.context().toPixel(fixture.placeOf({2, 93, 2})).toPoint();
         QTest::mousePress(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
-        QTRY_VERIFY((fixture.session().poll(), fixture.tool.preview().upToDate()));
+        QTRY_VERIFY((fixture.session().poll(), fixture.tool.previewIsWhole()));
         QCOMPARE(fixture.tool.preview().words(), QStringLiteral("nothing grown here"));
         QTest::keyClick(&fixture.slice, Qt::Key_Escape);
         QTest::mouseRelease(&fixture.slice, Qt::LeftButton, Qt::NoModifier, at);
