@@ -175,6 +175,16 @@ void putGroup(DcmItem* measurements, const SrContent& content, const SegFile& se
     value(group.minimum, code("SCT", "255605001", "Minimum"));
     value(group.maximum, code("SCT", "56851009", "Maximum"));
     value(group.median, code("SCT", "373099004", "Median"));
+    if (const auto& since = group.sinceImport) {
+        const CodedConcept cm3 = code("UCUM", "cm3", "cubic centimeter");
+        tree.number(item, code("99BURIN", "IMPORT-ADDED", "Volume added since import"),
+            since->addedMl, cm3);
+        tree.number(item, code("99BURIN", "IMPORT-TAKEN", "Volume taken since import"),
+            since->takenMl, cm3);
+        tree.number(item,
+            code("99BURIN", "IMPORT-DICE", "Dice coefficient with the imported segment"),
+            since->dice, code("UCUM", "1", "no units"));
+    }
 }
 
 void putTree(DcmDataset& set, const SrContent& content, const SegFile& seg, const QString& series,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/objects/SrReader.h"
 #include "core/export/common/CheckExport.h"
 #include "core/export/common/SegmentStatistics.h"
 #include "core/study/StudyLoader.h"
@@ -105,6 +106,7 @@ private Q_SLOTS:
     void surfaceOfBalls();
     void othersReadTheSame();
     void whatWasChangedSinceTheImport();
+    void theReportTellsOfTheImport();
     void report();
     void aReportAndItsSegComeAndGoTogether();
     void aNumberThatIsWrongIsFound();
@@ -269,6 +271,60 @@ void ExportStatisticsTest::whatWasChangedSinceTheImport()
     const auto checked = checkStatisticsExport(request.file, expected, {});
     QVERIFY(!checked);
     QCOMPARE(checked.error().code, ErrorCode::ExportMismatch);
+}
+
+/// Of three voxels the import had, two remain, and two others are new. The report holds the numbers
+/// with their concepts, for the imported segment alone, and the check finds a wrong one.
+void ExportStatisticsTest::theReportTellsOfTheImport()
+{
+    Measured on(ramp());
+    on.at(1, 1, 1) = on.at(2, 1, 1) = on.at(3, 1, 1) = on.at(4, 1, 1) = 1;
+    on.at(0, 0, 0) = 2;
+    const glm::ivec3 size = on.study.volume.geometry.size;
+    VoxelRuns network;
+    network.append(std::uint64_t((size.y + 1) * size.x + 3), 3);
+    ExportRequest request = on.request(ExportFormat::Sr, "a.dcm");
+    request.imported = {{.label = 1, .voxels = network}};
+    const auto made = exportMask(on.study.volume, request, {});
+    QVERIFY2(made, qPrintable(made ? QString() : messageOf(made.error())));
+
+    const auto read = readSr(on.file("a.dcm"));
+    QVERIFY(read.has_value());
+    QCOMPARE(read->groups.size(), std::size_t(2));
+    const auto& numbers = read->groups[0].numbers;
+    for (const char* code : {"IMPORT-ADDED", "IMPORT-TAKEN", "IMPORT-DICE"}) {
+        QVERIFY2(numbers.contains(QLatin1String(code)), code);
+        QVERIFY2(!read->groups[1].numbers.contains(QLatin1String(code)), code);
+    }
+    const double voxelMl = 0.75 * 1.25 * 2.5 / 1000.0;
+    QVERIFY(std::abs(numbers.at(QStringLiteral("IMPORT-ADDED")) - 2 * voxelMl) < 1e-12);
+    QVERIFY(std::abs(numbers.at(QStringLiteral("IMPORT-TAKEN")) - voxelMl) < 1e-12);
+    QVERIFY(std::abs(numbers.at(QStringLiteral("IMPORT-DICE")) - 4.0 / 7.0) < 1e-8);
+
+    const auto valid = test::runProgram(QStringLiteral("dciodvfy"), {on.file("a.dcm")});
+    QVERIFY2(valid.exitCode == 0 && !valid.output.contains("Error"), valid.output.constData());
+    const auto dumped = test::runProgram(QStringLiteral("dsrdump"), {on.file("a.dcm")});
+    QVERIFY2(dumped.exitCode == 0, dumped.output.constData());
+    QCOMPARE(dumped.output.count("Volume added since import"), qsizetype(1));
+    QCOMPARE(dumped.output.count("Dice coefficient with the imported segment"), qsizetype(1));
+
+    // Another import is not what the report tells of, and one of which it does not tell is missed.
+    ExportExpectation expected{.volume = on.study.volume,
+        .segments = request.segments,
+        .planes = request.planes,
+        .format = request.format,
+        .codes = request.codes,
+        .imported = request.imported};
+    QVERIFY(checkStatisticsExport(request.file, expected, {}));
+    network.append(std::uint64_t((size.y + 1) * size.x + 7), 1);
+    const std::vector<ImportedVoxels> other{{.label = 1, .voxels = network}};
+    expected.imported = other;
+    const auto checked = checkStatisticsExport(request.file, expected, {});
+    QVERIFY(!checked);
+    QCOMPARE(checked.error().code, ErrorCode::ExportMismatch);
+    const std::vector<ImportedVoxels> second{{.label = 2, .voxels = network}};
+    expected.imported = second;
+    QVERIFY(!checkStatisticsExport(request.file, expected, {}));
 }
 
 void ExportStatisticsTest::report()
