@@ -42,6 +42,8 @@ Result<void> writeReport(const QString& path, const Volume& volume, const Export
         content.groups.push_back({.segment = each.segment,
             .volumeMl = each.millilitres,
             .surfaceMm2 = each.surfaceMm2,
+            .sphericity = each.sphericity,
+            .longestMm = each.longestMm,
             .minimum = each.minimum,
             .maximum = each.maximum,
             .mean = each.mean,

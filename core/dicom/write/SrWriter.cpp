@@ -166,6 +166,10 @@ void putGroup(DcmItem* measurements, const SrContent& content, const SegFile& se
         code("UCUM", "cm3", "cubic centimeter"));
     tree.number(item, code("IBSI", "C0JK", "Surface Area of Mesh"), group.surfaceMm2,
         code("UCUM", "mm2", "square millimeter"));
+    tree.number(
+        item, code("IBSI", "QCFX", "Sphericity"), group.sphericity, code("UCUM", "1", "no units"));
+    tree.number(item, code("IBSI", "L0JK", "Maximum 3D Diameter of a Mesh"), group.longestMm,
+        code("UCUM", "mm", "millimeter"));
     const auto value = [&](double number, const CodedConcept& derivation) {
         DcmItem* measured = tree.number(item, quantityOf(content), number, unitCode(content.unit));
         tree.coded(measured, "HAS CONCEPT MOD", dcm("121401", "Derivation"), derivation);

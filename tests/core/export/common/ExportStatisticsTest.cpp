@@ -104,6 +104,7 @@ private Q_SLOTS:
     void aBlockByHand();
     void unevenSlicesCountByTheirRoom();
     void surfaceOfBalls();
+    void aRodIsLongAndNoBall();
     void othersReadTheSame();
     void whatWasChangedSinceTheImport();
     void theReportTellsOfTheImport();
@@ -176,7 +177,33 @@ void ExportStatisticsTest::surfaceOfBalls()
         const double right = 4.0 * std::numbers::pi * radius * radius;
         qInfo("ball of %g mm: %.1f mm2 of %.1f", radius, ball.surfaceMm2, right);
         QVERIFY(std::abs(ball.surfaceMm2 - right) < 0.04 * right);
+        QVERIFY(ball.sphericity > 0.95 && ball.sphericity < 1.0);
+        QVERIFY(std::abs(ball.longestMm - 2.0 * radius) < 1.0);
+        // Around the ball: more surface, and as long as the whole volume's diagonal.
+        const SegmentStatistics rest = on.statistics().back();
+        QVERIFY(rest.sphericity > 0.0 && rest.sphericity < ball.sphericity);
+        QVERIFY(std::abs(rest.longestMm - 48.0 * std::sqrt(3.0)) < 1.8);
     }
+}
+
+/// In millimetres, though slices are farther apart than voxels of a row are.
+void ExportStatisticsTest::aRodIsLongAndNoBall()
+{
+    test::SyntheticSeries series = ramp();
+    series.size = {20, 20, 20};
+    series.spacing = {1.0, 1.0};
+    series.step = {0, 0, 3.0};
+    Measured on(series);
+    for (int i = 2; i < 18; ++i)
+        on.at(3, 3, i) = on.at(i, 10, 10) = 1;
+    // Two rods of one segment: one of 16 slices, one of 16 columns, far apart.
+    on.at(0, 0, 0) = 2;
+    const SegmentStatistics rods = on.statistics().front();
+    // From an end of the rod along z (3, 3, 1.5 … 17.5) to the far end of the other's (17.5, 10,
+    // 10) is 14.5, 7 and 25.5 mm or less; the rod along z itself is 48 mm long.
+    QVERIFY(std::abs(rods.longestMm - 48.0) < 3.0);
+    QVERIFY2(rods.sphericity > 0.2 && rods.sphericity < 0.4,
+        qPrintable(QString::number(rods.sphericity)));
 }
 
 void ExportStatisticsTest::othersReadTheSame()
@@ -211,7 +238,7 @@ void ExportStatisticsTest::othersReadTheSame()
             QCOMPARE(rows[i][field.key()].toString().toDouble(), field->toDouble());
             ++numbers;
         }
-        QCOMPARE(numbers, 30);
+        QCOMPARE(numbers, 32);
     }
 }
 
@@ -337,6 +364,15 @@ void ExportStatisticsTest::report()
     QVERIFY(QFile::exists(on.file("a-seg.dcm")));
     const auto valid = test::runProgram(QStringLiteral("dciodvfy"), {on.file("a.dcm")});
     QVERIFY2(valid.exitCode == 0 && !valid.output.contains("Error"), valid.output.constData());
+    const auto read = readSr(on.file("a.dcm"));
+    QVERIFY(read.has_value());
+    const std::vector<SegmentStatistics> all = on.statistics();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto& numbers = read->groups.at(i).numbers;
+        QVERIFY(std::abs(numbers.at(QStringLiteral("QCFX")) - all[i].sphericity) < 1e-8);
+        QVERIFY(std::abs(numbers.at(QStringLiteral("L0JK")) - all[i].longestMm) < 1e-6);
+        QVERIFY(numbers.at(QStringLiteral("L0JK")) > 0.0);
+    }
     // DCMTK's reader of reports knows the rules of their trees.
     const auto dumped = test::runProgram(QStringLiteral("dsrdump"), {on.file("a.dcm")});
     QVERIFY2(dumped.exitCode == 0, dumped.output.constData());
@@ -344,7 +380,8 @@ void ExportStatisticsTest::report()
     for (const QByteArray& text :
         {QByteArray("Imaging Measurement Report"), QByteArray("Referenced Segment"),
             QByteArray("Liver"), QByteArray("\"Leber, \\\"rechts\\\"\""),
-            QByteArray::number(first.mean, 'g', 12).left(6), QByteArray("Hounsfield unit")})
+            QByteArray::number(first.mean, 'g', 12).left(6), QByteArray("Hounsfield unit"),
+            QByteArray("Sphericity"), QByteArray("Maximum 3D Diameter of a Mesh")})
         QVERIFY2(dumped.output.contains(text) || text.startsWith("\"Leber"),
             (text + " in\n" + dumped.output).constData());
 }
