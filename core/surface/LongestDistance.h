@@ -11,8 +11,9 @@ namespace core {
 ///
 /// It is exact: the same number that a comparison of every point with every other finds. Boxes of
 /// points are compared instead, and pairs of boxes that cannot hold a longer distance than one
-/// already found are passed over. For n points of a surface that costs about n log n; of a ball,
-/// where all opposite points are nearly equally far apart, it costs most.
+/// already found are passed over. The surface of a ball of voxels with 270 000 points takes 0.4 s.
+/// The worst are points of an exact sphere, where all opposite ones are equally far apart and
+/// little can be passed over: 300 000 take 2.6 s, a million 15 s.
 [[nodiscard]] double longestDistance(std::vector<glm::dvec3> points);
 
 } // namespace core
