@@ -38,15 +38,21 @@ Result<void> writeReport(const QString& path, const Volume& volume, const Export
         .groups = {},
         .unit = volume.unit,
         .deidentifier = request.deidentifier};
-    for (const SegmentStatistics& each : all)
+    for (const SegmentStatistics& each : all) {
         content.groups.push_back({.segment = each.segment,
             .volumeMl = each.millilitres,
             .surfaceMm2 = each.surfaceMm2,
+            .sphericity = each.sphericity,
+            .longestMm = each.longestMm,
             .minimum = each.minimum,
             .maximum = each.maximum,
             .mean = each.mean,
             .deviation = each.deviation,
             .median = each.median});
+        if (const auto& since = each.sinceImport)
+            content.groups.back().sinceImport = SrSinceImport{
+                .addedMl = since->addedMl, .takenMl = since->takenMl, .dice = since->dice};
+    }
     const auto notes = writeSr(path, content, progress);
     if (!notes)
         return tl::unexpected(notes.error());

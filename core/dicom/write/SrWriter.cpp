@@ -166,6 +166,10 @@ void putGroup(DcmItem* measurements, const SrContent& content, const SegFile& se
         code("UCUM", "cm3", "cubic centimeter"));
     tree.number(item, code("IBSI", "C0JK", "Surface Area of Mesh"), group.surfaceMm2,
         code("UCUM", "mm2", "square millimeter"));
+    tree.number(
+        item, code("IBSI", "QCFX", "Sphericity"), group.sphericity, code("UCUM", "1", "no units"));
+    tree.number(item, code("IBSI", "L0JK", "Maximum 3D Diameter of a Mesh"), group.longestMm,
+        code("UCUM", "mm", "millimeter"));
     const auto value = [&](double number, const CodedConcept& derivation) {
         DcmItem* measured = tree.number(item, quantityOf(content), number, unitCode(content.unit));
         tree.coded(measured, "HAS CONCEPT MOD", dcm("121401", "Derivation"), derivation);
@@ -175,6 +179,16 @@ void putGroup(DcmItem* measurements, const SrContent& content, const SegFile& se
     value(group.minimum, code("SCT", "255605001", "Minimum"));
     value(group.maximum, code("SCT", "56851009", "Maximum"));
     value(group.median, code("SCT", "373099004", "Median"));
+    if (const auto& since = group.sinceImport) {
+        const CodedConcept cm3 = code("UCUM", "cm3", "cubic centimeter");
+        tree.number(item, code("99BURIN", "IMPORT-ADDED", "Volume added since import"),
+            since->addedMl, cm3);
+        tree.number(item, code("99BURIN", "IMPORT-TAKEN", "Volume taken since import"),
+            since->takenMl, cm3);
+        tree.number(item,
+            code("99BURIN", "IMPORT-DICE", "Dice coefficient with the imported segment"),
+            since->dice, code("UCUM", "1", "no units"));
+    }
 }
 
 void putTree(DcmDataset& set, const SrContent& content, const SegFile& seg, const QString& series,

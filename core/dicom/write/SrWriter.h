@@ -8,22 +8,33 @@
 #include "core/volume/Volume.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace core {
 
 class Deidentifier;
 
+/// What became of a segment since it was imported.
+struct SrSinceImport {
+    double addedMl = 0.0;
+    double takenMl = 0.0;
+    double dice = 1.0;
+};
+
 /// The measurements of one segment in a report.
 struct SrGroup {
     Segment segment;
     double volumeMl = 0.0;
     double surfaceMm2 = 0.0;
+    double sphericity = 0.0;
+    double longestMm = 0.0;
     double minimum = 0.0;
     double maximum = 0.0;
     double mean = 0.0;
     double deviation = 0.0;
     double median = 0.0;
+    std::optional<SrSinceImport> sinceImport{}; ///< none: it was not imported
 };
 
 struct SrContent {
@@ -40,8 +51,10 @@ struct SrContent {
 
 /// Writes a DICOM SR measurement report (PS3.16 TID 1500, groups of TID 1411) to @p path as an
 /// Enhanced SR: one group per segment with tracking, finding, the segment of the SEG, its source
-/// series, volume (cm3), surface (mm2), and values with their derivation. It uses plain dcmdata,
-/// since DCMTK's own templates accept only ASCII.
+/// series, volume (cm3), surface (mm2), sphericity, longest diameter (mm), and values with their
+/// derivation. What was changed since an import has concepts of Burin's own (scheme 99BURIN), since
+/// DICOM has no code for the Dice coefficient or for volumes added and taken. It uses plain
+/// dcmdata, since DCMTK's own templates accept only ASCII.
 ///
 /// @returns sentences on what was normalised or left out of the source's header
 /// Errors: as for writeSeg(), and those of reading the SEG.

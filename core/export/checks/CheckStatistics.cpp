@@ -230,7 +230,10 @@ Result<std::vector<SegmentNumbers>> saidInReport(
             {QStringLiteral("386136009"), QStringLiteral("standardDeviation")},
             {QStringLiteral("255605001"), QStringLiteral("minimum")},
             {QStringLiteral("56851009"), QStringLiteral("maximum")},
-            {QStringLiteral("373099004"), QStringLiteral("median")}};
+            {QStringLiteral("373099004"), QStringLiteral("median")},
+            {QStringLiteral("IMPORT-ADDED"), QStringLiteral("importAddedMl")},
+            {QStringLiteral("IMPORT-TAKEN"), QStringLiteral("importTakenMl")},
+            {QStringLiteral("IMPORT-DICE"), QStringLiteral("importDice")}};
         for (const auto& [code, number] : group.numbers) {
             const auto name = names.find(code);
             if (name != names.end())
@@ -281,7 +284,9 @@ Result<ReportLines> checkStatisticsExport(
             std::erase_if(right, [](const auto& each) {
                 static const QStringList kept{QStringLiteral("volumeMl"), QStringLiteral("mean"),
                     QStringLiteral("standardDeviation"), QStringLiteral("minimum"),
-                    QStringLiteral("maximum"), QStringLiteral("median")};
+                    QStringLiteral("maximum"), QStringLiteral("median"),
+                    QStringLiteral("importAddedMl"), QStringLiteral("importTakenMl"),
+                    QStringLiteral("importDice")};
                 return !kept.contains(each.first);
             });
         }

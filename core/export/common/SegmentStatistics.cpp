@@ -4,11 +4,13 @@
 #include "core/brick/LabelRuns.h"
 #include "core/brick/VoxelRunSets.h"
 #include "core/export/common/CheckSources.h"
+#include "core/surface/LongestDistance.h"
 #include "core/surface/SegmentSurface.h"
 #include "core/volume/UnevenSlices.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace core {
 
@@ -161,17 +163,29 @@ std::optional<ChangeSinceImport> sinceImport(const ExportRequest& request, const
             / double(own.voxelCount() + its->voxels.voxelCount())};
 }
 
-double areaMm2(const SegmentSurface& surface, const VolumeGeometry& geometry)
+void measureSurface(
+    SegmentStatistics& found, const SegmentSurface& surface, const VolumeGeometry& geometry)
 {
+    std::vector<glm::dvec3> places;
+    places.reserve(surface.vertices.size());
+    for (const glm::vec3& vertex : surface.vertices)
+        places.push_back(worldBetweenSlices(geometry, glm::dvec3(vertex)));
     double twice = 0.0;
+    double sixfold = 0.0;
     for (const glm::uvec3& triangle : surface.triangles) {
-        const auto at = [&](unsigned corner) {
-            return worldBetweenSlices(geometry, glm::dvec3(surface.vertices[corner]));
-        };
-        const glm::dvec3 a = at(triangle.x);
-        twice += glm::length(glm::cross(at(triangle.y) - a, at(triangle.z) - a));
+        // Volumes are counted from a point nearby; far away, rounding would take their last digits.
+        const glm::dvec3 a = places[triangle.x];
+        const glm::dvec3 normal = glm::cross(places[triangle.y] - a, places[triangle.z] - a);
+        twice += glm::length(normal);
+        sixfold += glm::dot(a - places.front(), normal);
     }
-    return twice / 2.0;
+    found.surfaceMm2 = twice / 2.0;
+    // Negative where the index axes are left-handed.
+    const double enclosedMm3 = std::abs(sixfold) / 6.0;
+    if (found.surfaceMm2 > 0.0)
+        found.sphericity =
+            std::cbrt(36.0 * std::numbers::pi * enclosedMm3 * enclosedMm3) / found.surfaceMm2;
+    found.longestMm = longestDistance(std::move(places));
 }
 
 } // namespace
@@ -191,8 +205,8 @@ Result<std::vector<SegmentStatistics>> segmentStatistics(const Volume& volume,
         found.voxels = counts.voxels;
         measureValues(found, counts, volume.encoding);
         measurePlace(found, counts, volume.geometry);
-        found.surfaceMm2 =
-            areaMm2(segmentSurface(labels, segment.label, volume.geometry.size), volume.geometry);
+        measureSurface(
+            found, segmentSurface(labels, segment.label, volume.geometry.size), volume.geometry);
         found.sinceImport = sinceImport(request, segment, labels, volume.geometry);
         all.push_back(found);
     }

@@ -32,6 +32,11 @@ struct SegmentStatistics {
     glm::dvec3 highestLps{0.0};
     glm::dvec3 centroidLps{0.0}; ///< mm, of the voxels' centres
     double surfaceMm2 = 0.0; ///< of the smoothed surface (SegmentSurface.h)
+    /// The surface of a ball of the volume that the smoothed surface encloses, divided by that
+    /// surface: 1 of a ball, less of everything else. Voxels make surfaces rougher: of a ball of
+    /// them it is about 0.97.
+    double sphericity = 0.0;
+    double longestMm = 0.0; ///< the greatest distance between two points of the smoothed surface
     double minimum = 0.0;
     double maximum = 0.0;
     double mean = 0.0;

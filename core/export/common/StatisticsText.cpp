@@ -36,7 +36,8 @@ std::vector<StatisticsNumber> numbersOf(const SegmentStatistics& s)
         "percentile75", "percentile90", "percentile95"};
     static_assert(percentileNames.size() == statisticsPercentiles.size());
     std::vector<StatisticsNumber> numbers{{"voxels", double(s.voxels)}, {"volumeMl", s.millilitres},
-        {"surfaceMm2", s.surfaceMm2}, {"firstColumn", double(s.first.x)},
+        {"surfaceMm2", s.surfaceMm2}, {"sphericity", s.sphericity},
+        {"longestDiameterMm", s.longestMm}, {"firstColumn", double(s.first.x)},
         {"firstRow", double(s.first.y)}, {"firstSlice", double(s.first.z)},
         {"lastColumn", double(s.last.x)}, {"lastRow", double(s.last.y)},
         {"lastSlice", double(s.last.z)}, {"lowestLeftMm", s.lowestLps.x},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/objects/SrReader.h"
 #include "core/export/common/CheckExport.h"
 #include "core/export/common/SegmentStatistics.h"
 #include "core/study/StudyLoader.h"
@@ -103,8 +104,10 @@ private Q_SLOTS:
     void aBlockByHand();
     void unevenSlicesCountByTheirRoom();
     void surfaceOfBalls();
+    void aRodIsLongAndNoBall();
     void othersReadTheSame();
     void whatWasChangedSinceTheImport();
+    void theReportTellsOfTheImport();
     void report();
     void aReportAndItsSegComeAndGoTogether();
     void aNumberThatIsWrongIsFound();
@@ -174,7 +177,33 @@ void ExportStatisticsTest::surfaceOfBalls()
         const double right = 4.0 * std::numbers::pi * radius * radius;
         qInfo("ball of %g mm: %.1f mm2 of %.1f", radius, ball.surfaceMm2, right);
         QVERIFY(std::abs(ball.surfaceMm2 - right) < 0.04 * right);
+        QVERIFY(ball.sphericity > 0.95 && ball.sphericity < 1.0);
+        QVERIFY(std::abs(ball.longestMm - 2.0 * radius) < 1.0);
+        // Around the ball: more surface, and as long as the whole volume's diagonal.
+        const SegmentStatistics rest = on.statistics().back();
+        QVERIFY(rest.sphericity > 0.0 && rest.sphericity < ball.sphericity);
+        QVERIFY(std::abs(rest.longestMm - 48.0 * std::sqrt(3.0)) < 1.8);
     }
+}
+
+/// In millimetres, though slices are farther apart than voxels of a row are.
+void ExportStatisticsTest::aRodIsLongAndNoBall()
+{
+    test::SyntheticSeries series = ramp();
+    series.size = {20, 20, 20};
+    series.spacing = {1.0, 1.0};
+    series.step = {0, 0, 3.0};
+    Measured on(series);
+    for (int i = 2; i < 18; ++i)
+        on.at(3, 3, i) = on.at(i, 10, 10) = 1;
+    // Two rods of one segment: one of 16 slices, one of 16 columns, far apart.
+    on.at(0, 0, 0) = 2;
+    const SegmentStatistics rods = on.statistics().front();
+    // From an end of the rod along z (3, 3, 1.5 … 17.5) to the far end of the other's (17.5, 10,
+    // 10) is 14.5, 7 and 25.5 mm or less; the rod along z itself is 48 mm long.
+    QVERIFY(std::abs(rods.longestMm - 48.0) < 3.0);
+    QVERIFY2(rods.sphericity > 0.2 && rods.sphericity < 0.4,
+        qPrintable(QString::number(rods.sphericity)));
 }
 
 void ExportStatisticsTest::othersReadTheSame()
@@ -209,7 +238,7 @@ void ExportStatisticsTest::othersReadTheSame()
             QCOMPARE(rows[i][field.key()].toString().toDouble(), field->toDouble());
             ++numbers;
         }
-        QCOMPARE(numbers, 30);
+        QCOMPARE(numbers, 32);
     }
 }
 
@@ -271,6 +300,60 @@ void ExportStatisticsTest::whatWasChangedSinceTheImport()
     QCOMPARE(checked.error().code, ErrorCode::ExportMismatch);
 }
 
+/// Of three voxels the import had, two remain, and two others are new. The report holds the numbers
+/// with their concepts, for the imported segment alone, and the check finds a wrong one.
+void ExportStatisticsTest::theReportTellsOfTheImport()
+{
+    Measured on(ramp());
+    on.at(1, 1, 1) = on.at(2, 1, 1) = on.at(3, 1, 1) = on.at(4, 1, 1) = 1;
+    on.at(0, 0, 0) = 2;
+    const glm::ivec3 size = on.study.volume.geometry.size;
+    VoxelRuns network;
+    network.append(std::uint64_t((size.y + 1) * size.x + 3), 3);
+    ExportRequest request = on.request(ExportFormat::Sr, "a.dcm");
+    request.imported = {{.label = 1, .voxels = network}};
+    const auto made = exportMask(on.study.volume, request, {});
+    QVERIFY2(made, qPrintable(made ? QString() : messageOf(made.error())));
+
+    const auto read = readSr(on.file("a.dcm"));
+    QVERIFY(read.has_value());
+    QCOMPARE(read->groups.size(), std::size_t(2));
+    const auto& numbers = read->groups[0].numbers;
+    for (const char* code : {"IMPORT-ADDED", "IMPORT-TAKEN", "IMPORT-DICE"}) {
+        QVERIFY2(numbers.contains(QLatin1String(code)), code);
+        QVERIFY2(!read->groups[1].numbers.contains(QLatin1String(code)), code);
+    }
+    const double voxelMl = 0.75 * 1.25 * 2.5 / 1000.0;
+    QVERIFY(std::abs(numbers.at(QStringLiteral("IMPORT-ADDED")) - 2 * voxelMl) < 1e-12);
+    QVERIFY(std::abs(numbers.at(QStringLiteral("IMPORT-TAKEN")) - voxelMl) < 1e-12);
+    QVERIFY(std::abs(numbers.at(QStringLiteral("IMPORT-DICE")) - 4.0 / 7.0) < 1e-8);
+
+    const auto valid = test::runProgram(QStringLiteral("dciodvfy"), {on.file("a.dcm")});
+    QVERIFY2(valid.exitCode == 0 && !valid.output.contains("Error"), valid.output.constData());
+    const auto dumped = test::runProgram(QStringLiteral("dsrdump"), {on.file("a.dcm")});
+    QVERIFY2(dumped.exitCode == 0, dumped.output.constData());
+    QCOMPARE(dumped.output.count("Volume added since import"), qsizetype(1));
+    QCOMPARE(dumped.output.count("Dice coefficient with the imported segment"), qsizetype(1));
+
+    // Another import is not what the report tells of, and one of which it does not tell is missed.
+    ExportExpectation expected{.volume = on.study.volume,
+        .segments = request.segments,
+        .planes = request.planes,
+        .format = request.format,
+        .codes = request.codes,
+        .imported = request.imported};
+    QVERIFY(checkStatisticsExport(request.file, expected, {}));
+    network.append(std::uint64_t((size.y + 1) * size.x + 7), 1);
+    const std::vector<ImportedVoxels> other{{.label = 1, .voxels = network}};
+    expected.imported = other;
+    const auto checked = checkStatisticsExport(request.file, expected, {});
+    QVERIFY(!checked);
+    QCOMPARE(checked.error().code, ErrorCode::ExportMismatch);
+    const std::vector<ImportedVoxels> second{{.label = 2, .voxels = network}};
+    expected.imported = second;
+    QVERIFY(!checkStatisticsExport(request.file, expected, {}));
+}
+
 void ExportStatisticsTest::report()
 {
     Measured on(ramp());
@@ -281,6 +364,15 @@ void ExportStatisticsTest::report()
     QVERIFY(QFile::exists(on.file("a-seg.dcm")));
     const auto valid = test::runProgram(QStringLiteral("dciodvfy"), {on.file("a.dcm")});
     QVERIFY2(valid.exitCode == 0 && !valid.output.contains("Error"), valid.output.constData());
+    const auto read = readSr(on.file("a.dcm"));
+    QVERIFY(read.has_value());
+    const std::vector<SegmentStatistics> all = on.statistics();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto& numbers = read->groups.at(i).numbers;
+        QVERIFY(std::abs(numbers.at(QStringLiteral("QCFX")) - all[i].sphericity) < 1e-8);
+        QVERIFY(std::abs(numbers.at(QStringLiteral("L0JK")) - all[i].longestMm) < 1e-6);
+        QVERIFY(numbers.at(QStringLiteral("L0JK")) > 0.0);
+    }
     // DCMTK's reader of reports knows the rules of their trees.
     const auto dumped = test::runProgram(QStringLiteral("dsrdump"), {on.file("a.dcm")});
     QVERIFY2(dumped.exitCode == 0, dumped.output.constData());
@@ -288,7 +380,8 @@ void ExportStatisticsTest::report()
     for (const QByteArray& text :
         {QByteArray("Imaging Measurement Report"), QByteArray("Referenced Segment"),
             QByteArray("Liver"), QByteArray("\"Leber, \\\"rechts\\\"\""),
-            QByteArray::number(first.mean, 'g', 12).left(6), QByteArray("Hounsfield unit")})
+            QByteArray::number(first.mean, 'g', 12).left(6), QByteArray("Hounsfield unit"),
+            QByteArray("Sphericity"), QByteArray("Maximum 3D Diameter of a Mesh")})
         QVERIFY2(dumped.output.contains(text) || text.startsWith("\"Leber"),
             (text + " in\n" + dumped.output).constData());
 }
