@@ -50,6 +50,16 @@ void setPieces(Program& program, const std::vector<const PieceTextures::Entry*>&
         .set("pieceShift", std::span<const glm::vec4>(shift));
 }
 
+/// @param perMm index per mm along the slice's normal
+void setSlab(Program& program, const SceneSlab& slab, const glm::dvec3& perMm)
+{
+    const double first = slab.offsetMm - slab.reach * slab.stepMm;
+    program.set("slabFirst", glm::vec3(perMm * first))
+        .set("slabStep", glm::vec3(perMm * slab.stepMm))
+        .set("slabCount", 2 * slab.reach + 1)
+        .set("slabMode", int(slab.mode));
+}
+
 } // namespace
 
 SlicePass::SlicePass(const ShaderLibrary& library)
@@ -70,7 +80,8 @@ Program& SlicePass::programFor(unsigned form, unsigned variant)
                     {"AT_TOLERANCE", has(atTolerance)}, {"CUT_PREVIEW", has(cutPreview)},
                     {"CHUNKS", has(chunked)}, {"PIECES", has(pieces)},
                     {"CUBIC", (form & Cubic) != 0 ? 1 : 0},
-                    {"PLANE", (form & OnPlane) != 0 ? 1 : 0}}});
+                    {"PLANE", (form & OnPlane) != 0 ? 1 : 0},
+                    {"SLAB", (form & Slab) != 0 ? 1 : 0}}});
     return known;
 }
 
@@ -85,9 +96,15 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
     const glm::dvec2 middle = glm::dvec2(target.frameSize) * 0.5;
     const glm::dvec3 base = glm::dvec3(worldToIndex * glm::dvec4(scene.centreLps, 1.0))
         - perX * middle.x - perY * middle.y;
+    const bool slab = scene.slab.mode != SlabMode::Off;
     const bool cubic = scene.cubic && scene.interpolated && target.cubic;
-    prepareForm(cubic ? Cubic : Plain, volume, scene, segments, palette, target, chunks)
-        .set("base", glm::vec3(base))
+    Program& program = prepareForm(slab ? Slab
+            : cubic                     ? Cubic
+                                        : Plain,
+        volume, scene, segments, palette, target, chunks);
+    if (slab)
+        setSlab(program, scene.slab, directions * glm::cross(scene.rightLps, scene.downLps));
+    program.set("base", glm::vec3(base))
         .set("perX", glm::vec3(perX))
         .set("perY", glm::vec3(perY))
         .use();

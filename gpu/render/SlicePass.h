@@ -18,7 +18,8 @@ class VolumeTextures;
 /// place, stripes where growth is barred, a warning colour for members of late generations,
 /// hatching over what a cut would remove, and chunks in their colours. A segment is shown as it
 /// would be at a tolerance if the scene asks for it and the field is valid. Outside the volume the
-/// picture is black. Interpolation is cubic if both scene and target say so.
+/// picture is black. Interpolation is cubic if both scene and target say so. The grey values may be
+/// those of a slab (SceneSlab).
 class SlicePass {
 public:
     /// Throws ShaderError. @param library outlives the pass
@@ -41,8 +42,8 @@ public:
 private:
     static constexpr unsigned variants = 256;
     /// Where the plane is drawn, and how it is interpolated.
-    enum Form : unsigned { Plain = 0, Cubic = 1, OnPlane = 2, CubicOnPlane = 3 };
-    static constexpr unsigned forms = 4;
+    enum Form : unsigned { Plain = 0, Cubic = 1, OnPlane = 2, CubicOnPlane = 3, Slab = 4 };
+    static constexpr unsigned forms = 5;
 
     [[nodiscard]] Program& prepareForm(unsigned form, VolumeTextures& volume,
         const SliceScene& scene, const SegmentDisplay& segments, const Palette& palette,

@@ -1,6 +1,7 @@
 // Draws one pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, CUT_PREVIEW, CHUNKS, PIECES:
 // whether there is anything of this kind to draw. AT_TOLERANCE: one segment is drawn as it would be at a
 // tolerance. CUBIC: cubic interpolation. PLANE: draws the cutting plane in the 3D view.
+// SLAB: the grey values are those of a slab about the slice.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
@@ -67,6 +68,13 @@ uniform uint maskLabel; // the segment that is being refined; 0: none
 const vec3 maskColour = vec3(0.90, 0.24, 0.18);
 #endif
 
+#if SLAB
+uniform vec3 slabFirst; // index: from the slice to the first sample
+uniform vec3 slabStep;  // index: from a sample to the next
+uniform int slabCount;
+uniform int slabMode; // SlabMode: 1 the greatest value, 2 the least, 3 the mean
+#endif
+
 #if PLANE
 #include "render/planePixel.glsl"
 #else
@@ -130,6 +138,38 @@ float footprintAt(int piece, vec3 index)
 }
 #endif
 
+#if SLAB
+/// The slab's value (code / 65535) about a position in the slice; negative where no sample counts.
+float slabAt(vec3 index)
+{
+    const vec3 size = vec3(textureSize(intensity, 0));
+    float greatest = -1.0;
+    float least = 2.0;
+    float sum = 0.0;
+    int count = 0;
+    for (int k = 0; k < slabCount; ++k) {
+        const vec3 there = index + slabFirst + slabStep * float(k);
+        bool counts
+            = all(greaterThanEqual(there, vec3(-0.5))) && all(lessThan(there, size - 0.5));
+#if CARVED
+        const float covered = textureLod(radiation, (there + 0.5) / size, 0.0).r;
+        counts = counts && !(carvedAsHole && covered >= 0.5);
+#endif
+        if (!counts)
+            continue;
+        const vec3 place = interpolated ? there : floor(there + 0.5);
+        const float value = textureLod(intensity, (place + 0.5) / size, 0.0).r;
+        greatest = max(greatest, value);
+        least = min(least, value);
+        sum += value;
+        ++count;
+    }
+    if (count == 0)
+        return -1.0;
+    return slabMode == 1 ? greatest : slabMode == 2 ? least : sum / float(count);
+}
+#endif
+
 vec2 around(int i)
 {
     const float angle = 0.785398163 * float(i);
@@ -144,7 +184,9 @@ void main()
     const bool isInside = all(greaterThanEqual(index, vec3(-0.5))) && all(lessThan(index, size - 0.5));
     const ivec3 voxel = nearestVoxel(index);
     const vec3 place = interpolated ? index : vec3(voxel);
-#if CUBIC
+#if SLAB
+    const float value = slabAt(index);
+#elif CUBIC
     const float value = cubicAt(intensity, place);
 #else
     const float value = texture(intensity, (place + 0.5) / size).r;
@@ -153,7 +195,11 @@ void main()
     vec3 result = vec3(inverted ? 1.0 - grey : grey);
 #if CARVED
     const float covered = texture(radiation, (index + 0.5) / size).r;
-    // Segments are drawn in full over it.
+#endif
+    // Segments are drawn in full over the hole.
+#if SLAB
+    result *= value < 0.0 ? 0.0 : 1.0;
+#elif CARVED
     result *= carvedAsHole && covered >= 0.5 ? 0.0 : 1.0;
 #endif
 

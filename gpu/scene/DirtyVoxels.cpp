@@ -9,7 +9,9 @@ namespace {
 
 /// @param plane a slice or a cutting plane, without its borders
 /// @param cornerAt of the eight of a box, LPS
-template <class Plane, class CornerAt> bool cutsPlane(const Plane& plane, CornerAt cornerAt)
+/// @param below, above mm along the normal: how far what counts as the plane reaches
+template <class Plane, class CornerAt>
+bool cutsPlane(const Plane& plane, CornerAt cornerAt, double below = 0.0, double above = 0.0)
 {
     const glm::dvec3 normal = glm::cross(plane.rightLps, plane.downLps);
     double lowest = 1e300;
@@ -20,16 +22,27 @@ template <class Plane, class CornerAt> bool cutsPlane(const Plane& plane, Corner
         lowest = std::min(lowest, height);
         highest = std::max(highest, height);
     }
-    return lowest <= 0.0 && highest >= 0.0;
+    return lowest <= above && highest >= below;
 }
 
 template <class Plane>
-bool cutsVoxels(
-    const Plane& plane, const core::VolumeGeometry& geometry, const core::VoxelBox& voxels)
+bool cutsVoxels(const Plane& plane, const core::VolumeGeometry& geometry,
+    const core::VoxelBox& voxels, double below = 0.0, double above = 0.0)
 {
-    return !voxels.empty() && cutsPlane(plane, [&](const glm::bvec3& upper) {
+    const auto cornerAt = [&](const glm::bvec3& upper) {
         return geometry.toWorld(glm::dvec3(glm::mix(voxels.minimum - 1, voxels.maximum, upper)));
-    });
+    };
+    return !voxels.empty() && cutsPlane(plane, cornerAt, below, above);
+}
+
+/// Whether carving there changes the grey values of a slab.
+bool slabLosesVoxels(
+    const SliceScene& slice, const core::VolumeGeometry& geometry, const core::VoxelBox& carved)
+{
+    const SceneSlab& slab = slice.slab;
+    const double half = slab.reach * slab.stepMm;
+    return slab.mode != SlabMode::Off && slice.carvedAsHole
+        && cutsVoxels(slice, geometry, carved, slab.offsetMm - half, slab.offsetMm + half);
 }
 
 template <class Plane> bool cutsBox(const Plane& plane, const WorldBox& box)
@@ -53,7 +66,8 @@ bool showsChange(const Scene& scene, const core::VolumeGeometry& geometry, const
                                     .united(dirty.cutPreview)
                                     .united(dirty.pieces);
     if (const auto* slice = std::get_if<SliceScene>(&scene))
-        return cutsVoxels(*slice, geometry, flat);
+        return cutsVoxels(*slice, geometry, flat)
+            || slabLosesVoxels(*slice, geometry, dirty.radiation);
     const auto& volume = std::get<VolumeScene>(scene);
     return !dirty.radiation.empty() || !dirty.segmentation.empty() || !dirty.barrierBricks.empty()
         || !dirty.cutPreview.empty() || (!dirty.pieces.empty() && !volume.pieces.empty())
@@ -64,7 +78,7 @@ bool showsChange(const Scene& scene, const core::VolumeGeometry& geometry, const
 bool wantsCubics(const Scene& scene)
 {
     if (const auto* slice = std::get_if<SliceScene>(&scene))
-        return slice->cubic && slice->interpolated;
+        return slice->cubic && slice->interpolated && slice->slab.mode == SlabMode::Off;
     const auto& plane = std::get<VolumeScene>(scene).plane;
     return plane && plane->opacity > 0.0f;
 }

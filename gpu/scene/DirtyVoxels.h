@@ -21,7 +21,7 @@ struct DirtyVoxels {
 };
 
 /// Whether a scene shows anything of what changed. A slice does if its plane passes through the
-/// changed voxels or their neighbours.
+/// changed voxels or their neighbours, or its slab through what was carved, where that is a hole.
 [[nodiscard]] bool showsChange(
     const Scene& scene, const core::VolumeGeometry& geometry, const DirtyVoxels& dirty);
 /// Whether a scene asks for cubic interpolation of anything.

@@ -79,6 +79,19 @@ struct SceneChunks {
     float opacity = 0.3f;
 };
 
+/// Which of the values across a slab is shown.
+enum class SlabMode { Off, Maximum, Minimum, Mean };
+
+/// A slab about a slice, sampled in even steps along the slice's normal (right × down). Samples
+/// outside the volume do not count; nor do carved ones where carving is a hole.
+struct SceneSlab {
+    SlabMode mode = SlabMode::Off;
+    int reach = 0; ///< how many samples lie on either side of the middle one
+    double stepMm = 1.0;
+    double offsetMm = 0.0; ///< from the slice to the middle sample, along the normal
+    bool operator==(const SceneSlab&) const = default;
+};
+
 /// One plane through the volume, seen orthographically.
 struct SliceScene {
     glm::dvec3 centreLps{0.0}; ///< at the middle of the frame, LPS mm
@@ -93,6 +106,8 @@ struct SliceScene {
     bool showCarved = true; ///< carved voxels as a tinted outline
     bool carvedAsHole = false; ///< carved voxels black; with or without the outline
     std::optional<SceneContour> contour{}; ///< none: not drawn
+    /// Of the grey values, which are then never cubic; all else is that of the slice.
+    SceneSlab slab{};
     /// Drawn under the segments, their rims over them; null: none. Changed chunks must be a new
     /// pointer.
     std::shared_ptr<const SceneChunks> chunks;

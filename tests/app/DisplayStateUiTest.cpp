@@ -124,7 +124,9 @@ private:
             .showCarved = false,
             .carvedAsHole = true,
             .showBarriers = false,
-            .inverted = true});
+            .inverted = true,
+            .slabMode = gpu::SlabMode::Minimum,
+            .slabMm = 12.25});
         ui::Workspace::VolumeDisplay volume = workspace.volumeDisplay();
         volume.mode = gpu::RenderMode::Dvr;
         volume.surfaceThreshold = 444.0;

@@ -32,6 +32,7 @@ const Binding bindings[] = {
     {"Right click", "menu of the island there", "the same, where one is seen"},
     {"Wheel", "slices; Shift: five at a time", "zoom"},
     {"Ctrl + wheel", "zoom", "zoom"},
+    {"Ctrl + Shift + wheel", "thickness of the slab", ""},
     {"Ctrl held, with a brush", "paint erases, carve restores", "paint erases, carve restores"},
     {"Pen's eraser end, with a brush", "the same as Ctrl", "the same as Ctrl"},
     {"Shift + wheel, with a tool", "radius", "radius"},

@@ -88,6 +88,8 @@ void WindowHeader::fillViewMenu(
         grey->addAction(&actions[QStringLiteral("window.preset%1").arg(number)]);
     grey->addSeparator();
     grey->addAction(&actions[QStringLiteral("view.inverted")]);
+    actions.fill(*view->addMenu(QStringLiteral("Slab")),
+        ids({"view.slabOff", "view.slabMip", "view.slabMinip", "view.slabMean"}));
     QMenu* volume = view->addMenu(QStringLiteral("3D"));
     actions.fill(*volume,
         ids({"view.surface", "view.dvr", "view.mip", "view.xray", "", "view.contextOpaque",

@@ -29,6 +29,8 @@ namespace {
 constexpr double fitMarginPixels = 26.0; // room for the letters at the edges
 constexpr double leastMmPerPixel = 1e-3;
 constexpr double greatestMmPerPixel = 100.0;
+constexpr int greatestSlabReach = 100; // slices on either side
+constexpr Qt::KeyboardModifiers slabKeys = Qt::ControlModifier | Qt::ShiftModifier;
 
 QColor colourOf(SliceOrientation orientation)
 {
@@ -63,6 +65,24 @@ QColor colourAcross(const glm::dvec3& directionLps)
     return along.z > along.x && along.z > along.y ? theme::axial
         : along.x > along.y                       ? theme::sagittal
                                                   : theme::coronal;
+}
+
+/// Mode and thickness of a slab, and what tools work on; empty if there is none.
+QString slabText(const gpu::SceneSlab& slab)
+{
+    const QString thickness = QStringLiteral("%1 mm slab · tools work on the middle slice")
+                                  .arg((2 * slab.reach + 1) * slab.stepMm, 0, 'f', 1);
+    switch (slab.mode) {
+    case gpu::SlabMode::Maximum:
+        return QStringLiteral("MIP ") + thickness;
+    case gpu::SlabMode::Minimum:
+        return QStringLiteral("MinIP ") + thickness;
+    case gpu::SlabMode::Mean:
+        return QStringLiteral("mean ") + thickness;
+    case gpu::SlabMode::Off:
+        break;
+    }
+    return {};
 }
 
 } // namespace
@@ -206,10 +226,48 @@ gpu::Scene SliceView::scene() const
     scene.showCarved = workspace().viewOptions().showCarved;
     scene.carvedAsHole = workspace().viewOptions().carvedAsHole;
     if (!early()) {
+        scene.slab = slab();
         scene.contour = workspace().refinement().contour();
         scene.chunks = workspace().chunks().areas();
     }
     return scene;
+}
+
+gpu::SceneSlab SliceView::slab() const
+{
+    const Workspace::ViewOptions& options = workspace().viewOptions();
+    if (options.slabMode == gpu::SlabMode::Off)
+        return {};
+    const double beside = 0.5 * (options.slabMm / m_stack.stepMm - 1.0);
+    const glm::dvec3 here = throughLps();
+    const glm::dvec3 onSlice = m_stack.movedTo(here, m_stack.numberAt(here));
+    return {.mode = options.slabMode,
+        .reach = int(std::clamp(std::round(beside), 1.0, double(greatestSlabReach))),
+        .stepMm = m_stack.stepMm,
+        .offsetMm = glm::dot(onSlice - here, m_axes.normalLps)};
+}
+
+void SliceView::thickenSlab(double steps)
+{
+    // Touchpads turn in fractions of a step.
+    m_slabRest += steps;
+    const int whole = int(m_slabRest);
+    m_slabRest -= whole;
+    if (whole == 0 || early())
+        return;
+    Workspace::ViewOptions options = workspace().viewOptions();
+    if (options.slabMode == gpu::SlabMode::Off) {
+        options.slabMode = gpu::SlabMode::Maximum;
+    } else {
+        const int reach = std::clamp(slab().reach + whole, 1, greatestSlabReach);
+        options.slabMm = (2 * reach + 1) * m_stack.stepMm;
+    }
+    workspace().setViewOptions(options);
+}
+
+bool SliceView::ownsWheel(Qt::KeyboardModifiers modifiers) const
+{
+    return (modifiers & slabKeys) == slabKeys;
 }
 
 ImageView::Gesture SliceView::gestureFor(Qt::MouseButton button, bool toolWorksHere) const
@@ -280,6 +338,10 @@ void SliceView::hovered(const PointerSample& sample)
 
 void SliceView::wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers)
 {
+    if ((modifiers & slabKeys) == slabKeys) {
+        thickenSlab(steps);
+        return;
+    }
     if (modifiers & Qt::ControlModifier) {
         zoomBy(std::pow(1.15, steps), at);
         return;
@@ -372,6 +434,8 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         texts.topLeft = patientLines(volume.identity);
     texts.topRight = {studyText(volume.identity), seriesText(volume.identity), timeText(volume)};
     texts.bottomLeft = {QStringLiteral("zoom %1").arg(zoom, 0, 'f', 1), windowText()};
+    if (slice.slab.mode != gpu::SlabMode::Off)
+        texts.bottomLeft.append(slabText(slice.slab));
     if (const QString caution = workspace().refinement().caution(); !early() && !caution.isEmpty())
         texts.bottomLeft.append(caution);
     texts.bottomRight = {QStringLiteral("%1 / %2 · %3 %4 mm")

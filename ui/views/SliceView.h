@@ -56,6 +56,7 @@ protected:
     void menuAsked(const QPointF& at) override;
     void hovered(const PointerSample& sample) override;
     void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) override;
+    [[nodiscard]] bool ownsWheel(Qt::KeyboardModifiers modifiers) const override;
     void paintAnnotations(QPainter& painter, const ViewContext& shown) override;
     [[nodiscard]] QImage earlyPictureOf(
         const gpu::Scene& scene, const QSize& pixels) const override;
@@ -66,6 +67,10 @@ protected:
 private:
     void openVolume();
     void zoomBy(double factor, const QPointF& at);
+    /// The slab that the user wants, its samples on the slices of the stack.
+    [[nodiscard]] gpu::SceneSlab slab() const;
+    /// Turns the slab on, or makes it thicker by a slice on either side.
+    void thickenSlab(double steps);
     /// Of the workspace, or of the early slice.
     [[nodiscard]] core::WindowLevel windowLevel() const;
     [[nodiscard]] double fittingMmPerPixel() const;
@@ -79,6 +84,7 @@ private:
     double m_mmPerPixel = 1.0;
     bool m_fitted = true; ///< fits the window until the user zooms or pans
     double m_wheelRest = 0.0;
+    double m_slabRest = 0.0;
 };
 
 } // namespace ui

@@ -196,7 +196,9 @@ void ViewPointer::turnWheel(QWheelEvent& event)
         return;
     const int whole = steps > 0.0 ? std::max(1, int(steps)) : std::min(-1, int(steps));
     const Qt::KeyboardModifiers both = Qt::ShiftModifier | Qt::AltModifier;
-    if (toolWorksHere() && (event.modifiers() & both) == both)
+    if (m_view.ownsWheel(event.modifiers()))
+        m_view.wheelTurned(steps, event.position(), event.modifiers());
+    else if (toolWorksHere() && (event.modifiers() & both) == both)
         m_tool->turn(whole);
     else if (toolWorksHere() && (event.modifiers() & Qt::ShiftModifier))
         m_tool->changeRadius(whole);

@@ -35,6 +35,8 @@ public:
     /// The pointer has moved with no button down.
     virtual void hovered(const PointerSample&) { }
     virtual void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) = 0;
+    /// Whether the wheel is the view's with these keys, whatever the tool makes of them.
+    [[nodiscard]] virtual bool ownsWheel(Qt::KeyboardModifiers) const { return false; }
     /// What the view shows may have changed.
     virtual void refresh() = 0;
 

@@ -33,6 +33,8 @@ constexpr std::array<const char*, 2> faceNames{"material", "grey"}; ///< gpu::Cu
 constexpr std::array<const char*, 4> contextNames{
     "opaque", "translucent", "cutAway", "hidden"}; ///< gpu::Context
 
+constexpr std::array<const char*, 4> slabNames{"off", "mip", "minip", "mean"}; ///< gpu::SlabMode
+
 // --- Plain values. Reading leaves the target alone where there is nothing sensible. --------------
 
 QJsonArray toJson(const glm::dvec3& point)
@@ -104,6 +106,15 @@ std::optional<gpu::Context> contextNamed(const QString& name)
             return gpu::Context(i);
     }
     return std::nullopt;
+}
+
+gpu::SlabMode slabNamed(const QString& name)
+{
+    for (std::size_t i = 0; i < slabNames.size(); ++i) {
+        if (name == QLatin1String(slabNames[i]))
+            return gpu::SlabMode(i);
+    }
+    return gpu::SlabMode::Off;
 }
 
 QJsonObject toJson(const Workspace::VolumeDisplay& display)
@@ -410,6 +421,12 @@ QJsonObject DisplayState::composedViews() const
     QJsonObject object{{QStringLiteral("volume"), toJson(m_views.volume())}};
     if (m_views.arrangement() == ViewGrid::Layout::PenAndStage)
         object[QStringLiteral("layout")] = QStringLiteral("penAndStage");
+    // Only where there is one, so that states without are as they always were.
+    const Workspace::ViewOptions& options = m_workspace.viewOptions();
+    if (options.slabMode != gpu::SlabMode::Off)
+        object[QStringLiteral("slab")] = QJsonObject{
+            {QStringLiteral("mode"), QLatin1String(slabNames[std::size_t(options.slabMode)])},
+            {QStringLiteral("mm"), options.slabMm}};
     for (const auto& [name, view] : namedViews(m_views)) {
         if (view == m_views.maximised())
             object[QStringLiteral("alone")] = QLatin1String(name);
@@ -439,6 +456,9 @@ void DisplayState::apply(const QJsonObject& state)
     read(state[QLatin1String("showCarved")], options.showCarved);
     read(state[QLatin1String("carvedAsHole")], options.carvedAsHole);
     read(state[QLatin1String("showBarriers")], options.showBarriers);
+    const QJsonValue slab = state[QLatin1String("views")][QLatin1String("slab")];
+    options.slabMode = slabNamed(slab[QLatin1String("mode")].toString());
+    read(slab[QLatin1String("mm")], options.slabMm, 0.001, 1000.0);
     m_workspace.setViewOptions(options);
     Workspace::VolumeDisplay volume = m_workspace.volumeDisplay();
     read(state[QLatin1String("volume")], volume);

@@ -299,6 +299,20 @@ void addMode(
         .checked = [&workspace, mode] { return workspace.volumeDisplay().mode == mode; }});
 }
 
+void addSlab(MainWindow& window, const char* id, const char* text, gpu::SlabMode mode)
+{
+    Workspace& workspace = window.workspace();
+    window.actionTable().add({.id = QLatin1String(id),
+        .text = QLatin1String(text),
+        .run =
+            [&workspace, mode] {
+                Workspace::ViewOptions options = workspace.viewOptions();
+                options.slabMode = mode;
+                workspace.setViewOptions(options);
+            },
+        .checked = [&workspace, mode] { return workspace.viewOptions().slabMode == mode; }});
+}
+
 void addViewActions(MainWindow& window)
 {
     Actions& actions = window.actionTable();
@@ -345,6 +359,10 @@ void addViewActions(MainWindow& window)
         window, "view.barriers", "Barriers of growth", "", &Workspace::ViewOptions::showBarriers);
     addToggle(window, "view.hole", "Carving as a hole in slices", "",
         &Workspace::ViewOptions::carvedAsHole);
+    addSlab(window, "view.slabOff", "Slices: no slab", gpu::SlabMode::Off);
+    addSlab(window, "view.slabMip", "Slices: slab, greatest value (MIP)", gpu::SlabMode::Maximum);
+    addSlab(window, "view.slabMinip", "Slices: slab, least value (MinIP)", gpu::SlabMode::Minimum);
+    addSlab(window, "view.slabMean", "Slices: slab, mean", gpu::SlabMode::Mean);
     actions.add({.id = QStringLiteral("view.panels"),
         .text = QStringLiteral("Show panels"),
         .keys = {QKeySequence(QStringLiteral("F9"))},

@@ -108,6 +108,8 @@ public:
         bool carvedAsHole = false; ///< in slices: what is carved away is black
         bool showBarriers = true; ///< barriers, in slices and in the 3D view
         bool inverted = false; ///< inverts the grey scale of slices
+        gpu::SlabMode slabMode = gpu::SlabMode::Off; ///< of all slices
+        double slabMm = 10.0; ///< thickness; each view rounds it to an odd number of its slices
         bool operator==(const ViewOptions&) const = default;
     };
 

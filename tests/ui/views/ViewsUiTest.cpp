@@ -94,6 +94,7 @@ private Q_SLOTS:
     void lettersFollowTheDirection_data();
     void lettersFollowTheDirection();
     void wheelWalksThroughSlices();
+    void aSlabHoldsWholeSlices();
     void thePointerPointsIntoTheSliceThatIsShown();
     void keysWalkThroughSlices();
     void leftDragWithoutToolIsWindowLevel();
@@ -221,6 +222,53 @@ void ViewsUiTest::wheelWalksThroughSlices()
     wheel(axial, 100);
     QCOMPARE(axial.sliceNumber(), 0);
     QCOMPARE(fixture.window.views().sagittal().sliceNumber(), 31);
+}
+
+void ViewsUiTest::aSlabHoldsWholeSlices()
+{
+    constexpr Qt::KeyboardModifiers both = Qt::ControlModifier | Qt::ShiftModifier;
+    test::WindowFixture fixture(test::headFirstSupine());
+    SliceView& axial = fixture.window.views().axial();
+    const SliceView& coronal = fixture.window.views().coronal();
+    QVERIFY(sliceScene(fixture, axial).slab == gpu::SceneSlab());
+    // 10 mm, of slices of 3 mm.
+    fixture.window.actionTable()[QStringLiteral("view.slabMean")].trigger();
+    gpu::SceneSlab slab = sliceScene(fixture, axial).slab;
+    QVERIFY(slab.mode == gpu::SlabMode::Mean);
+    QCOMPARE(slab.reach, 1);
+    QCOMPARE(slab.stepMm, 3.0);
+    QVERIFY(std::abs(slab.offsetMm) < 1e-9);
+    wheel(axial, 1, both);
+    QCOMPARE(sliceScene(fixture, axial).slab.reach, 2);
+    QCOMPARE(fixture.workspace.viewOptions().slabMm, 15.0);
+    QCOMPARE(axial.sliceNumber(), 20);
+    slab = sliceScene(fixture, coronal).slab;
+    QVERIFY(slab.mode == gpu::SlabMode::Mean);
+    QVERIFY(std::abs((2 * slab.reach + 1) * slab.stepMm - 15.0) <= slab.stepMm + 1e-9);
+    wheel(axial, -9, both);
+    QCOMPARE(sliceScene(fixture, axial).slab.reach, 1);
+
+    // With a tool, too, whose radius has Shift alone.
+    NotingTool tool;
+    fixture.workspace.setActiveTool(&tool);
+    wheel(axial, 2, both);
+    QCOMPARE(sliceScene(fixture, axial).slab.reach, 3);
+    QCOMPARE(tool.radius, 0);
+    wheel(axial, 1, Qt::ShiftModifier);
+    QCOMPARE(tool.radius, 1);
+    QCOMPARE(sliceScene(fixture, axial).slab.reach, 3);
+    fixture.workspace.setActiveTool(nullptr);
+
+    // Between slices it stays on them.
+    fixture.workspace.setCrosshairLps(fixture.workspace.crosshairLps() + glm::dvec3(0.0, 0.0, 1.0));
+    QVERIFY(std::abs(sliceScene(fixture, axial).slab.offsetMm + 1.0) < 1e-9);
+
+    fixture.window.actionTable()[QStringLiteral("view.slabOff")].trigger();
+    QVERIFY(sliceScene(fixture, axial).slab == gpu::SceneSlab());
+    // The wheel turns it on as it was.
+    wheel(axial, 1, both);
+    QVERIFY(sliceScene(fixture, axial).slab.mode == gpu::SlabMode::Maximum);
+    QCOMPARE(sliceScene(fixture, axial).slab.reach, 3);
 }
 
 void ViewsUiTest::keysWalkThroughSlices()
