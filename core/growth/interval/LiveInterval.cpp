@@ -51,7 +51,7 @@ OpenedInterval LiveInterval::open(int lowCode, int highCode)
     m_low = lowCode;
     m_high = highCode;
     withdraw(excluded());
-    OpenedInterval opened{.withdrawn = m_left.size()};
+    OpenedInterval opened{.label = std::uint8_t(m_label), .withdrawn = m_left.size()};
     opened.kept = std::uint32_t(m_perGeneration.size() - 1);
     while (opened.kept > 0 && m_perGeneration[opened.kept] == 0)
         --opened.kept;

@@ -13,6 +13,7 @@ namespace core {
 
 /// A growth as it is when a burst with another interval has opened, before its first step.
 struct OpenedInterval {
+    std::uint8_t label = 0; ///< the one that grows
     std::uint32_t kept = 0; ///< the greatest generation of a member that stayed
     /// Seeds that were admitted; they are of generation kept + 1.
     std::vector<LeakGuard::Voxel> admitted{};

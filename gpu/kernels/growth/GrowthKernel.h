@@ -18,6 +18,11 @@
 #include <utility>
 #include <vector>
 
+namespace core {
+class LiveInterval;
+struct OpenedInterval;
+} // namespace core
+
 namespace gpu {
 
 /// The variant for which growth kernels are compiled.
@@ -80,6 +85,14 @@ private:
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::SeedPlacement& placement);
 
+/// Whether a burst opens fastest by what its interval changes: with a driver that computes on the
+/// processor, to which a few voxels matter and no transfer.
+[[nodiscard]] bool opensByChange(const core::GrowBurst& burst);
+/// Reads the growth of a plane, for GrowthKernel::open(LiveInterval&).
+/// @return null where it is too large, or more than one label grows
+[[nodiscard]] std::unique_ptr<core::LiveInterval> prepareInterval(
+    VoxelFields& fields, const core::GrowBurst& burst);
+
 /// One burst of breadth-first growth while it is open (seed A §5.3; GrowBurst in GrowthCommands.h).
 ///
 /// Generations run in batches of up to sixteen without a readback in between: within sixteen steps
@@ -94,8 +107,11 @@ public:
         const core::GrowBurst& burst);
 
     /// Takes back what the changed criterion excludes, admits pending seeds and finds the front.
-    /// Call it once, before anything else.
+    /// Call one of the two once, before anything else.
     void open();
+    /// The same, at the cost of what the interval changes.
+    /// @param live prepared from the fields as they are now; it serves the burst
+    void open(core::LiveInterval& live);
     /// Runs up to @p rings (at most ringsPerBatch) generations. Returns how many of them added
     /// voxels; fewer than requested means closure or a leak alarm. A growth with leak guard runs
     /// one generation at a time, and every front is read back.
@@ -141,6 +157,8 @@ private:
     void narrow(const std::vector<std::uint32_t>& held);
     void floodBack();
     void restart();
+    void setOpenGeneration();
+    void takeFront(const core::OpenedInterval& opened);
     /// Runs a kernel over the listed bricks.
     State runOver(Program& program, const std::vector<std::uint32_t>& bricks);
 
