@@ -10,7 +10,7 @@ namespace gpu {
 void BeforeImages::capture(
     core::Field field, std::uint8_t plane, std::span<const std::uint32_t> bricks)
 {
-    Batch batch{.field = field, .bricks = {}, .packed = {}};
+    Batch batch{.field = field, .plane = plane, .bricks = {}, .packed = {}};
     std::map<core::BrickKey, Place> places;
     for (const std::uint32_t brick : bricks) {
         const core::BrickKey key{.field = field, .plane = plane, .brick = brick};
@@ -83,7 +83,36 @@ std::vector<core::BrickImage> BeforeImages::saved(std::vector<core::BrickKey> ke
 
 void BeforeImages::restore(std::vector<core::BrickKey> keys)
 {
+    std::vector<std::vector<std::uint32_t>> asked(m_batches.size());
+    for (const core::BrickKey& key : keys) {
+        const std::size_t batch = m_places.at(key).batch;
+        if (batch != wasEmpty)
+            asked[batch].push_back(key.brick);
+    }
+    // Coverage wants to know where it changes, and a few bricks are not worth all of a batch.
+    const auto goesBackWhole = [this, &asked](std::size_t batch) {
+        return batch != wasEmpty && m_batches[batch].field != core::Field::Coverage
+            && 4 * asked[batch].size() >= m_batches[batch].bricks.size();
+    };
+    std::erase_if(keys, [this, &goesBackWhole](const core::BrickKey& key) {
+        return goesBackWhole(m_places.at(key).batch);
+    });
     writeImages(m_fields, saved(std::move(keys)));
+    for (std::size_t batch = 0; batch < m_batches.size(); ++batch) {
+        if (!asked[batch].empty() && goesBackWhole(batch))
+            restoreWhole(m_batches[batch], asked[batch]);
+    }
+}
+
+/// Those of its bricks that nobody wrote are written too, as they are; nothing of it passes through
+/// memory.
+void BeforeImages::restoreWhole(const Batch& batch, std::span<const std::uint32_t> asked)
+{
+    if (BrickField* paged = m_fields.paged(batch.field, batch.plane))
+        paged->ensure(batch.bricks, BrickField::NewPages::AnyContent);
+    m_fields.copier().write(
+        m_fields.textures(batch.field, batch.plane), batch.bricks, batch.packed);
+    m_fields.noteChanged(batch.field, asked);
 }
 
 void BeforeImages::restoreAll()

@@ -4,6 +4,7 @@
 #include "gpu/fields/VoxelFields.h"
 
 #include <map>
+#include <span>
 #include <vector>
 
 namespace gpu {
@@ -32,6 +33,7 @@ public:
 private:
     struct Batch {
         core::Field field = core::Field::Coverage;
+        std::uint8_t plane = 0;
         std::vector<std::uint32_t> bricks;
         Buffer packed;
     };
@@ -40,6 +42,7 @@ private:
         std::size_t batch = wasEmpty;
         std::size_t slot = 0;
     };
+    void restoreWhole(const Batch& batch, std::span<const std::uint32_t> asked);
     [[nodiscard]] std::vector<core::BrickKey> keys() const;
     [[nodiscard]] std::vector<core::BrickImage> saved(std::vector<core::BrickKey> keys) const;
     /// The saved image of each key; no key may occur twice.

@@ -127,47 +127,24 @@ void GrowthBricks::write(Voxel voxel, const State& state)
 void GrowthBricks::keep()
 {
     for (const Former& former : m_log)
-        m_keptPlaces.push_back(former.voxel >> 12);
-    std::sort(m_keptPlaces.begin(), m_keptPlaces.end());
-    m_keptPlaces.erase(std::unique(m_keptPlaces.begin(), m_keptPlaces.end()), m_keptPlaces.end());
+        m_kept.push_back(former.voxel);
     m_log.clear();
 }
 
-std::vector<std::uint32_t> GrowthBricks::writtenBricks() const
+std::vector<GrowthChange> GrowthBricks::changes() const
 {
-    std::vector<bool> written(brickCount(), false);
-    for (const std::uint32_t place : m_keptPlaces)
-        written[place] = true;
+    std::vector<GrowthChange> changes;
+    changes.reserve(m_kept.size() + m_log.size());
+    const auto add = [this, &changes](Voxel voxel) {
+        changes.push_back({.voxel = m_words.brickOf(voxel) << 12 | (voxel & 4095u),
+            .word = m_words[voxel],
+            .labels = m_labels[voxel] | std::uint32_t(m_overwritten[voxel]) << 8});
+    };
+    for (const Voxel voxel : m_kept)
+        add(voxel);
     for (const Former& former : m_log)
-        written[former.voxel >> 12] = true;
-    std::vector<std::uint32_t> bricks;
-    for (std::size_t place = 0; place < written.size(); ++place) {
-        if (written[place])
-            bricks.push_back(m_words.brickOf(Voxel(place << 12)));
-    }
-    std::sort(bricks.begin(), bricks.end());
-    return bricks;
-}
-
-BrickImage GrowthBricks::image(const BrickKey& key) const
-{
-    const VoxelBox box = m_words.grid().boxOf(int(key.brick));
-    const Voxel first = m_words.find(box.minimum);
-    if (key.field != Field::SeedWords) {
-        const auto& bytes = key.field == Field::Labels ? m_labels : m_overwritten;
-        const auto start = bytes.begin() + std::ptrdiff_t(first);
-        return {.key = key,
-            .bytes = std::vector<std::uint8_t>(start, start + std::ptrdiff_t(perBrick))};
-    }
-    std::vector<std::uint8_t> bytes(perBrick * 4, 0xFF);
-    for (std::size_t offset = 0; offset < perBrick; ++offset) {
-        if (isOutside(placeInBrick(offset), box))
-            continue;
-        const std::uint32_t word = m_words[first + Voxel(offset)];
-        for (std::size_t byte = 0; byte < 4; ++byte)
-            bytes[4 * offset + byte] = std::uint8_t(word >> (8 * byte));
-    }
-    return {.key = key, .bytes = std::move(bytes)};
+        add(former.voxel);
+    return changes;
 }
 
 } // namespace core

@@ -19,6 +19,13 @@ struct GrowthBrick {
     std::vector<std::uint16_t> codes{}; ///< 4096; whatever lies outside the volume is not read
 };
 
+/// A voxel that was changed, as kernels read it (growChange.comp).
+struct GrowthChange {
+    std::uint32_t voxel = 0; ///< brick << 12 | offset in the brick
+    std::uint32_t word = 0;
+    std::uint32_t labels = 0; ///< that of the plane | the overwritten one << 8
+};
+
 /// Reads bricks, in the order in which they are listed.
 using ReadGrowthBricks =
     std::function<std::vector<GrowthBrick>(std::span<const std::uint32_t> bricks)>;
@@ -66,10 +73,9 @@ public:
         m_log.clear();
     }
 
-    /// The bricks that were written since they were read and not reverted, ascending.
-    [[nodiscard]] std::vector<std::uint32_t> writtenBricks() const;
-    /// The bytes of one of them; outside the volume they are empty.
-    [[nodiscard]] BrickImage image(const BrickKey& key) const;
+    /// What was written since it was read and not reverted, as it is now. A voxel that was written
+    /// twice may be told twice.
+    [[nodiscard]] std::vector<GrowthChange> changes() const;
 
 private:
     void add(std::span<const std::uint32_t> bricks, const ReadGrowthBricks& read);
@@ -86,7 +92,7 @@ private:
         State state;
     };
     std::vector<Former> m_log; ///< since keep()
-    std::vector<std::uint32_t> m_keptPlaces; ///< places of bricks that were written before keep()
+    std::vector<Voxel> m_kept; ///< written before keep()
 };
 
 } // namespace core

@@ -51,7 +51,7 @@ public:
     [[nodiscard]] OpenedInterval open(int lowCode, int highCode);
 
     [[nodiscard]] const SuspendedSeeds& suspended() const { return m_suspended; }
-    /// Bricks and images of what open() has made of them.
+    /// The growth as open() has made it.
     [[nodiscard]] const GrowthBricks& bricks() const { return m_bricks; }
 
 private:

@@ -88,19 +88,7 @@ std::unique_ptr<core::LiveInterval> prepareInterval(
 void GrowthKernel::open(core::LiveInterval& live)
 {
     const core::OpenedInterval opened = live.open(m_burst.lowCode, m_burst.highCode);
-    const std::vector<std::uint32_t> written = live.bricks().writtenBricks();
-    capture(written);
-    std::vector<core::BrickImage> images;
-    for (const core::Field field :
-        {core::Field::Labels, core::Field::SeedWords, core::Field::Overwritten}) {
-        if (field == core::Field::Overwritten && !m_kind.overwritten)
-            continue;
-        for (const core::BrickKey& key : keysIn(field, m_burst.plane, written))
-            images.push_back(live.bricks().image(key));
-    }
-    writeImages(m_fields, std::move(images));
-    m_allTouched.insert(written.begin(), written.end());
-
+    writeChanges(live.bricks().changes());
     m_generation = opened.kept;
     setOpenGeneration();
     if (!opened.admitted.empty()) {
@@ -110,6 +98,30 @@ void GrowthKernel::open(core::LiveInterval& live)
         watch(opened.admitted);
     }
     takeFront(opened);
+}
+
+void GrowthKernel::writeChanges(const std::vector<core::GrowthChange>& changes)
+{
+    if (changes.empty())
+        return;
+    std::vector<bool> isWritten(std::size_t(m_fields.grid().brickCount()), false);
+    for (const core::GrowthChange& change : changes)
+        isWritten[change.voxel >> 12] = true;
+    std::vector<std::uint32_t> written;
+    for (std::uint32_t brick = 0; brick < isWritten.size(); ++brick) {
+        if (isWritten[brick])
+            written.push_back(brick);
+    }
+    capture(written);
+    const std::shared_ptr<Program> program = m_programs.change(m_kind.overwritten);
+    setUniforms(*program);
+    program->set("changeCount", unsigned(changes.size()));
+    start({});
+    const Buffer list = bufferOf("growth changes", changes);
+    list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
+    program->dispatch({unsigned(std::min<std::size_t>((changes.size() + 63) / 64, 4096)), 1, 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    (void)takeBatch();
 }
 
 /// As findFront() would find it.

@@ -20,6 +20,7 @@
 
 namespace core {
 class LiveInterval;
+struct GrowthChange;
 struct OpenedInterval;
 } // namespace core
 
@@ -65,6 +66,8 @@ struct GrowthPrograms {
     [[nodiscard]] std::shared_ptr<Narrowing> narrowing(const GrowthKind& kind);
 
     [[nodiscard]] std::shared_ptr<FrontBitsPrograms> frontBits(const GrowthKind& kind);
+    /// Writes what an interval changes (GrowthKernel::open(LiveInterval&)).
+    [[nodiscard]] std::shared_ptr<Program> change(bool overwritten);
 
     Program placeSeeds;
     SeedStatisticsPrograms seedStatistics;
@@ -78,6 +81,7 @@ private:
     RecentPrograms<Kind, Rings> m_rings;
     RecentPrograms<Kind, Narrowing> m_narrowings;
     RecentPrograms<Kind, FrontBitsPrograms> m_frontBits;
+    RecentPrograms<bool, Program> m_changes;
 };
 
 /// Writes pending seeds into the seed words, after capturing their bricks. Returns the bricks that
@@ -158,6 +162,7 @@ private:
     void floodBack();
     void restart();
     void setOpenGeneration();
+    void writeChanges(const std::vector<core::GrowthChange>& changes);
     void takeFront(const core::OpenedInterval& opened);
     /// Runs a kernel over the listed bricks.
     State runOver(Program& program, const std::vector<std::uint32_t>& bricks);

@@ -22,8 +22,6 @@ using test::randomInt;
 
 namespace {
 
-constexpr std::array<Field, 3> fieldsOfGrowth{Field::Labels, Field::SeedWords, Field::Overwritten};
-
 /// A study with a growth, as an engine would hold it.
 struct Scene {
     Codes codes;
@@ -204,7 +202,7 @@ private Q_SLOTS:
         QCOMPARE(wider.withdrawn, std::size_t(0));
         QCOMPARE(wider.kept, 30u);
         QCOMPARE(wider.front, std::vector<LeakGuard::Voxel>{named(scene.grid(), {29, 0, 0})});
-        QVERIFY(live->bricks().writtenBricks().empty());
+        QVERIFY(live->bricks().changes().empty());
     }
 
     void othersAreOpenedAsBefore()
@@ -317,11 +315,11 @@ private:
             const std::uint32_t generation = expected.grow(burst, 0);
             QCOMPARE(opened.kept + (opened.admitted.empty() ? 0u : 1u), generation);
             Scene found = scene;
-            for (const std::uint32_t brick : live->bricks().writtenBricks()) {
-                for (const Field field : fieldsOfGrowth) {
-                    const BrickImage image = live->bricks().image({field, 0, brick});
-                    found.fields.writeBrick(image.key, image.bytes.read());
-                }
+            for (const GrowthChange& change : live->bricks().changes()) {
+                const glm::ivec3 voxel = voxelOf(scene.grid(), change.voxel);
+                found.fields.seedWords(0).at(voxel) = change.word;
+                found.fields.labels(0).at(voxel) = std::uint8_t(change.labels);
+                found.fields.overwritten(0).at(voxel) = std::uint8_t(change.labels >> 8);
             }
             QCOMPARE(found.fields.seedWords(0).values, expected.fields.seedWords(0).values);
             QCOMPARE(found.fields.labels(0).values, expected.fields.labels(0).values);
