@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opening a burst by what an interval changes (core::LiveInterval) instead of by asking every
+// Opening a burst by what an interval changes (core::IntervalOpener) instead of by asking every
 // voxel that has grown.
-#include "core/growth/interval/LiveInterval.h"
+#include "core/growth/interval/IntervalOpener.h"
 #include "gpu/fields/BrickImages.h"
 #include "gpu/gl/Gl.h"
 #include "gpu/kernels/growth/GrowthKernel.h"
@@ -65,7 +65,7 @@ std::vector<core::GrowthBrick> bricksOf(
 
 bool opensByChange(const core::GrowBurst& burst)
 {
-    if (!core::LiveInterval::suits(burst))
+    if (!core::IntervalOpener::suits(burst))
         return false;
     const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     const std::string_view renderer = name ? name : "";
@@ -73,22 +73,21 @@ bool opensByChange(const core::GrowBurst& burst)
         || renderer.find("softpipe") != std::string_view::npos;
 }
 
-std::unique_ptr<core::LiveInterval> prepareInterval(
-    VoxelFields& fields, const core::GrowBurst& burst)
+std::unique_ptr<core::IntervalOpener> readGrowth(VoxelFields& fields, const core::GrowBurst& burst)
 {
     const std::vector<std::uint32_t> held = fields.seedWords(burst.plane).heldBricks();
     if (held.size() > mostBricks)
         return nullptr;
-    return core::LiveInterval::prepare(
+    return core::IntervalOpener::prepare(
         burst, fields.grid(), held, [&](std::span<const std::uint32_t> bricks) {
             return bricksOf(fields, burst.plane, bricks);
         });
 }
 
-void GrowthKernel::open(core::LiveInterval& live)
+void GrowthKernel::open(core::IntervalOpener& opener)
 {
-    const core::OpenedInterval opened = live.open(m_burst.lowCode, m_burst.highCode);
-    writeChanges(live.bricks().changes());
+    const core::OpenedInterval opened = opener.open(m_burst.lowCode, m_burst.highCode);
+    writeChanges(opener.bricks().changes());
     m_generation = opened.kept;
     setOpenGeneration();
     if (!opened.admitted.empty()) {

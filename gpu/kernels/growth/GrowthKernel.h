@@ -19,7 +19,7 @@
 #include <vector>
 
 namespace core {
-class LiveInterval;
+class IntervalOpener;
 struct GrowthChange;
 struct OpenedInterval;
 } // namespace core
@@ -66,7 +66,7 @@ struct GrowthPrograms {
     [[nodiscard]] std::shared_ptr<Narrowing> narrowing(const GrowthKind& kind);
 
     [[nodiscard]] std::shared_ptr<FrontBitsPrograms> frontBits(const GrowthKind& kind);
-    /// Writes what an interval changes (GrowthKernel::open(LiveInterval&)).
+    /// Writes what an interval changes (GrowthKernel::open(IntervalOpener&)).
     [[nodiscard]] std::shared_ptr<Program> change(bool overwritten);
 
     Program placeSeeds;
@@ -92,9 +92,9 @@ std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fie
 /// Whether a burst opens fastest by what its interval changes: with a driver that computes on the
 /// processor, to which a few voxels matter and no transfer.
 [[nodiscard]] bool opensByChange(const core::GrowBurst& burst);
-/// Reads the growth of a plane, for GrowthKernel::open(LiveInterval&).
+/// Reads the growth of a plane, for GrowthKernel::open(IntervalOpener&).
 /// @return null where it is too large, or more than one label grows
-[[nodiscard]] std::unique_ptr<core::LiveInterval> prepareInterval(
+[[nodiscard]] std::unique_ptr<core::IntervalOpener> readGrowth(
     VoxelFields& fields, const core::GrowBurst& burst);
 
 /// One burst of breadth-first growth while it is open (seed A §5.3; GrowBurst in GrowthCommands.h).
@@ -114,8 +114,8 @@ public:
     /// Call one of the two once, before anything else.
     void open();
     /// The same, at the cost of what the interval changes.
-    /// @param live prepared from the fields as they are now; it serves the burst
-    void open(core::LiveInterval& live);
+    /// @param opener prepared from the fields as they are now; it serves the burst
+    void open(core::IntervalOpener& opener);
     /// Runs up to @p rings (at most ringsPerBatch) generations. Returns how many of them added
     /// voxels; fewer than requested means closure or a leak alarm. A growth with leak guard runs
     /// one generation at a time, and every front is read back.

@@ -1,4 +1,4 @@
-// Writes voxels that an interval changes, one by one (core::LiveInterval): word, label and, where
+// Writes voxels that an interval changes, one by one (core::IntervalOpener): word, label and, where
 // labels that were overwritten are kept, that one.
 
 layout(local_size_x = 64) in;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/growth/interval/LiveInterval.h"
+#include "core/growth/interval/IntervalOpener.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace core {
 
-bool LiveInterval::suits(const GrowBurst& burst)
+bool IntervalOpener::suits(const GrowBurst& burst)
 {
     GrowLimits boxAlone;
     boxAlone.boxed = burst.limits.boxed;
@@ -15,37 +15,37 @@ bool LiveInterval::suits(const GrowBurst& burst)
     return burst.opening == GrowOpening::Narrow && burst.limits == boxAlone;
 }
 
-std::unique_ptr<LiveInterval> LiveInterval::prepare(const GrowBurst& burst, const BrickGrid& grid,
-    std::span<const std::uint32_t> held, const ReadGrowthBricks& read)
+std::unique_ptr<IntervalOpener> IntervalOpener::prepare(const GrowBurst& burst,
+    const BrickGrid& grid, std::span<const std::uint32_t> held, const ReadGrowthBricks& read)
 {
-    std::unique_ptr<LiveInterval> live(new LiveInterval(burst, grid, held, read));
-    if (!live->findLabel())
+    std::unique_ptr<IntervalOpener> opener(new IntervalOpener(burst, grid, held, read));
+    if (!opener->findLabel())
         return nullptr;
-    live->dropUnsupported();
-    live->listSuspended();
-    live->measureBricks();
-    live->m_bricks.keep();
-    return live;
+    opener->dropUnsupported();
+    opener->listSuspended();
+    opener->measureBricks();
+    opener->m_bricks.keep();
+    return opener;
 }
 
-LiveInterval::LiveInterval(const GrowBurst& burst, const BrickGrid& grid,
+IntervalOpener::IntervalOpener(const GrowBurst& burst, const BrickGrid& grid,
     std::span<const std::uint32_t> held, const ReadGrowthBricks& read)
     : m_burst(burst)
     , m_bricks(grid, held, read)
     , m_neighbours(std::uint32_t(burst.connectivity))
-    , m_perGeneration(std::size_t(burst.generation) + 2, 0)
+    , m_perGeneration(1, 0)
 {
 }
 
-bool LiveInterval::serves(const GrowBurst& burst) const
+bool IntervalOpener::serves(const GrowBurst& burst) const
 {
     return suits(burst) && burst.plane == m_burst.plane
         && burst.connectivity == m_burst.connectivity && burst.limits == m_burst.limits
-        && burst.generation == m_burst.generation && burst.overwritable == m_burst.overwritable
-        && burst.lockedLabels == m_burst.lockedLabels && burst.tellsHeld == m_burst.tellsHeld;
+        && burst.overwritable == m_burst.overwritable && burst.lockedLabels == m_burst.lockedLabels
+        && burst.tellsHeld == m_burst.tellsHeld;
 }
 
-OpenedInterval LiveInterval::open(int lowCode, int highCode)
+OpenedInterval IntervalOpener::open(int lowCode, int highCode)
 {
     revert();
     m_low = lowCode;
@@ -64,7 +64,7 @@ OpenedInterval LiveInterval::open(int lowCode, int highCode)
 }
 
 /// @return whether exactly one label grows
-bool LiveInterval::findLabel()
+bool IntervalOpener::findLabel()
 {
     const WordBricks& words = m_bricks.words();
     for (std::size_t i = 0; i < words.count(); ++i) {
@@ -86,7 +86,7 @@ bool LiveInterval::findLabel()
 
 /// What does not qualify whatever the interval is does not qualify under any. So it leaves once,
 /// and then others are asked only where something changes.
-void LiveInterval::dropUnsupported()
+void IntervalOpener::dropUnsupported()
 {
     const WordBricks& words = m_bricks.words();
     std::vector<Voxel> leaving;
@@ -110,7 +110,7 @@ void LiveInterval::dropUnsupported()
     withdraw(std::move(leaving));
 }
 
-void LiveInterval::listSuspended()
+void IntervalOpener::listSuspended()
 {
     const WordBricks& words = m_bricks.words();
     std::vector<bool> listed(words.count(), false);
@@ -133,7 +133,7 @@ void LiveInterval::listSuspended()
     m_suspended = SuspendedSeeds(voxels, codes);
 }
 
-void LiveInterval::measureBricks()
+void IntervalOpener::measureBricks()
 {
     const WordBricks& words = m_bricks.words();
     m_ranges.resize(m_bricks.brickCount());
@@ -146,7 +146,7 @@ void LiveInterval::measureBricks()
     }
 }
 
-std::vector<LiveInterval::Voxel> LiveInterval::excluded() const
+std::vector<IntervalOpener::Voxel> IntervalOpener::excluded() const
 {
     std::vector<Voxel> voxels;
     for (std::size_t place = 0; place < m_ranges.size(); ++place) {
@@ -162,7 +162,7 @@ std::vector<LiveInterval::Voxel> LiveInterval::excluded() const
     return voxels;
 }
 
-void LiveInterval::withdraw(std::vector<Voxel> leaving)
+void IntervalOpener::withdraw(std::vector<Voxel> leaving)
 {
     const WordBricks& words = m_bricks.words();
     m_left.clear();
@@ -197,7 +197,7 @@ void LiveInterval::withdraw(std::vector<Voxel> leaving)
     }
 }
 
-void LiveInterval::leave(Voxel voxel)
+void IntervalOpener::leave(Voxel voxel)
 {
     GrowthBricks::State state = m_bricks.at(voxel);
     if (!seedWord::wasHeld(state.word) && state.label == m_label) {
@@ -211,7 +211,7 @@ void LiveInterval::leave(Voxel voxel)
 }
 
 /// Seeds that have just become pending are outside the interval.
-std::vector<LiveInterval::Voxel> LiveInterval::admitSeeds(std::uint32_t generation)
+std::vector<IntervalOpener::Voxel> IntervalOpener::admitSeeds(std::uint32_t generation)
 {
     std::vector<Voxel> admitted;
     for (const Voxel voxel : m_pending) {
@@ -232,7 +232,7 @@ std::vector<LiveInterval::Voxel> LiveInterval::admitSeeds(std::uint32_t generati
     return admitted;
 }
 
-std::vector<LiveInterval::Voxel> LiveInterval::frontFrom(std::span<const Voxel> admitted) const
+std::vector<IntervalOpener::Voxel> IntervalOpener::frontFrom(std::span<const Voxel> admitted) const
 {
     const WordBricks& words = m_bricks.words();
     std::vector<Voxel> front;
@@ -263,14 +263,14 @@ std::vector<LiveInterval::Voxel> LiveInterval::frontFrom(std::span<const Voxel> 
     return front;
 }
 
-void LiveInterval::write(Voxel voxel, const GrowthBricks::State& state)
+void IntervalOpener::write(Voxel voxel, const GrowthBricks::State& state)
 {
     countMember(m_bricks.words()[voxel], -1);
     countMember(state.word, 1);
     m_bricks.write(voxel, state);
 }
 
-void LiveInterval::countMember(std::uint32_t word, int change)
+void IntervalOpener::countMember(std::uint32_t word, int change)
 {
     if (!seedWord::isMember(word))
         return;
@@ -280,7 +280,7 @@ void LiveInterval::countMember(std::uint32_t word, int change)
     m_perGeneration[generation] += std::uint32_t(change);
 }
 
-void LiveInterval::revert()
+void IntervalOpener::revert()
 {
     m_bricks.revert([this](std::uint32_t now, std::uint32_t before) {
         countMember(now, -1);
@@ -288,12 +288,12 @@ void LiveInterval::revert()
     });
 }
 
-bool LiveInterval::mayHold(std::uint8_t label) const
+bool IntervalOpener::mayHold(std::uint8_t label) const
 {
     return label == 0 || label == m_label || m_burst.overwritable.test(label);
 }
 
-bool LiveInterval::isInBox(Voxel voxel) const
+bool IntervalOpener::isInBox(Voxel voxel) const
 {
     if (!m_burst.limits.boxed)
         return true;
@@ -302,31 +302,31 @@ bool LiveInterval::isInBox(Voxel voxel) const
         && glm::all(glm::lessThanEqual(at, m_burst.limits.boxTo));
 }
 
-bool LiveInterval::grows(std::uint32_t word) const
+bool IntervalOpener::grows(std::uint32_t word) const
 {
     return seedWord::isMember(word) && seedWord::label(word) == m_label;
 }
 
-bool LiveInterval::mayLeave(std::uint32_t word) const
+bool IntervalOpener::mayLeave(std::uint32_t word) const
 {
     return grows(word) && seedWord::generation(word) > 0;
 }
 
-bool LiveInterval::isOpen(Voxel voxel) const
+bool IntervalOpener::isOpen(Voxel voxel) const
 {
     const std::uint32_t word = m_bricks.words()[voxel];
     return !seedWord::isMember(word) && word != seedWord::barrier && mayHold(m_bricks.label(voxel))
         && isInBox(voxel);
 }
 
-bool LiveInterval::qualifies(Voxel member) const
+bool IntervalOpener::qualifies(Voxel member) const
 {
     const GrowthBricks::State state = m_bricks.at(member);
     const bool hasAdded = !seedWord::wasHeld(state.word) && state.label == m_label;
     return mayHold(hasAdded ? state.overwritten : state.label) && isInBox(member);
 }
 
-std::uint32_t LiveInterval::parentDirection(Voxel voxel) const
+std::uint32_t IntervalOpener::parentDirection(Voxel voxel) const
 {
     const std::uint32_t generation = seedWord::generation(m_bricks.words()[voxel]);
     std::uint32_t lowest = noParent;
@@ -338,7 +338,7 @@ std::uint32_t LiveInterval::parentDirection(Voxel voxel) const
     return lowest;
 }
 
-std::vector<LeakGuard::Voxel> LiveInterval::inVolume(std::span<const Voxel> voxels) const
+std::vector<LeakGuard::Voxel> IntervalOpener::inVolume(std::span<const Voxel> voxels) const
 {
     std::vector<LeakGuard::Voxel> named;
     named.reserve(voxels.size());

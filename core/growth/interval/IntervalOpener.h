@@ -32,7 +32,7 @@ struct OpenedInterval {
 ///   voxels lie in a list by value (SuspendedSeeds).
 ///
 /// It serves growths of a single label whose criterion at a voxel is that voxel's code alone.
-class LiveInterval {
+class IntervalOpener {
 public:
     using Voxel = GrowthBricks::Voxel;
 
@@ -43,10 +43,11 @@ public:
     /// that grows with all that has grown.
     /// @param held all bricks of the plane with seed words
     /// @return null where more than one label grows, or none
-    [[nodiscard]] static std::unique_ptr<LiveInterval> prepare(const GrowBurst& burst,
+    [[nodiscard]] static std::unique_ptr<IntervalOpener> prepare(const GrowBurst& burst,
         const BrickGrid& grid, std::span<const std::uint32_t> held, const ReadGrowthBricks& read);
 
-    /// Whether a burst differs from that of prepare() at most in its interval and leak guard.
+    /// Whether a burst of the same growth differs from that of prepare() at most in its interval
+    /// and leak guard.
     [[nodiscard]] bool serves(const GrowBurst& burst) const;
     [[nodiscard]] OpenedInterval open(int lowCode, int highCode);
 
@@ -55,8 +56,8 @@ public:
     [[nodiscard]] const GrowthBricks& bricks() const { return m_bricks; }
 
 private:
-    LiveInterval(const GrowBurst& burst, const BrickGrid& grid, std::span<const std::uint32_t> held,
-        const ReadGrowthBricks& read);
+    IntervalOpener(const GrowBurst& burst, const BrickGrid& grid,
+        std::span<const std::uint32_t> held, const ReadGrowthBricks& read);
 
     [[nodiscard]] bool findLabel();
     void dropUnsupported();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/growth/interval/LiveInterval.h"
+#include "core/growth/interval/IntervalOpener.h"
 #include "tests/reference/Growth.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace liveIntervalTest {
+namespace intervalOpenerTest {
 
 using namespace core;
 using reference::DenseFields;
@@ -56,9 +56,9 @@ struct Scene {
         }
         return contents;
     }
-    [[nodiscard]] std::unique_ptr<LiveInterval> prepared(const GrowBurst& burst) const
+    [[nodiscard]] std::unique_ptr<IntervalOpener> prepared(const GrowBurst& burst) const
     {
-        return LiveInterval::prepare(burst, grid(), heldBricks(),
+        return IntervalOpener::prepare(burst, grid(), heldBricks(),
             [this](std::span<const std::uint32_t> bricks) { return read(bricks); });
     }
     /// Opens a burst as the rules say and takes so many steps. @return the generation after opening
@@ -159,7 +159,7 @@ void disturb(Scene& scene, Random& random)
 
 /// An interval that moves over a finished growth becomes what opening a burst with that interval
 /// makes of it, word for word; the oracle asks every voxel each time.
-class LiveIntervalTest : public QObject {
+class IntervalOpenerTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -188,31 +188,31 @@ private Q_SLOTS:
         QCOMPARE(scene.generation, 30u);
         burst.opening = GrowOpening::Narrow;
         burst.generation = scene.generation;
-        const auto live = scene.prepared(burst);
-        QVERIFY(live);
-        QCOMPARE(live->suspended().count(), std::size_t(1));
-        QCOMPARE(live->suspended().within(10, 10).size(), std::size_t(1));
-        QVERIFY(live->suspended().within(11, 200).empty());
+        const auto opener = scene.prepared(burst);
+        QVERIFY(opener);
+        QCOMPARE(opener->suspended().count(), std::size_t(1));
+        QCOMPARE(opener->suspended().within(10, 10).size(), std::size_t(1));
+        QVERIFY(opener->suspended().within(11, 200).empty());
 
-        const OpenedInterval narrower = live->open(51, 200);
+        const OpenedInterval narrower = opener->open(51, 200);
         QCOMPARE(narrower.withdrawn, std::size_t(10));
         QCOMPARE(narrower.kept, 20u);
         QVERIFY(narrower.front.empty());
-        const OpenedInterval wider = live->open(10, 200);
+        const OpenedInterval wider = opener->open(10, 200);
         QCOMPARE(wider.withdrawn, std::size_t(0));
         QCOMPARE(wider.kept, 30u);
         QCOMPARE(wider.front, std::vector<LeakGuard::Voxel>{named(scene.grid(), {29, 0, 0})});
-        QVERIFY(live->bricks().changes().empty());
+        QVERIFY(opener->bricks().changes().empty());
     }
 
     void othersAreOpenedAsBefore()
     {
         GrowBurst burst{.lowCode = 0, .highCode = 9};
-        QVERIFY(!LiveInterval::suits(burst)); // it goes on
+        QVERIFY(!IntervalOpener::suits(burst)); // it goes on
         burst.opening = GrowOpening::Restart;
-        QVERIFY(!LiveInterval::suits(burst));
+        QVERIFY(!IntervalOpener::suits(burst));
         burst.opening = GrowOpening::Narrow;
-        QVERIFY(LiveInterval::suits(burst));
+        QVERIFY(IntervalOpener::suits(burst));
         for (const int kind : {0, 1, 2, 3}) {
             GrowBurst other = burst;
             if (kind == 0)
@@ -223,21 +223,21 @@ private Q_SLOTS:
                 other.limits.majority = 14;
             if (kind == 3)
                 other.limits.onlyVisible = true;
-            QVERIFY(!LiveInterval::suits(other));
+            QVERIFY(!IntervalOpener::suits(other));
         }
 
         Scene two{.codes = test::constantVolume({9, 9, 9}, 5), .fields = DenseFields({9, 9, 9})};
         QVERIFY(!two.prepared(burst)); // no label at all
         reference::placeSeeds(two.fields, {.label = 1, .voxels = {{0, 0, 0}}});
-        const auto live = two.prepared(burst);
-        QVERIFY(live);
+        const auto opener = two.prepared(burst);
+        QVERIFY(opener);
         GrowBurst guarded = burst;
         guarded.lowCode = 3;
         guarded.guard.emplace();
-        QVERIFY(live->serves(guarded));
+        QVERIFY(opener->serves(guarded));
         GrowBurst wider = burst;
         wider.connectivity = 26;
-        QVERIFY(!live->serves(wider));
+        QVERIFY(!opener->serves(wider));
         reference::placeSeeds(two.fields, {.label = 2, .voxels = {{8, 8, 8}}});
         QVERIFY(!two.prepared(burst)); // two that compete
         burst.lockedLabels[2] = true;
@@ -295,27 +295,27 @@ private:
             disturb(scene, random);
         burst.generation = scene.generation;
 
-        const auto live = scene.prepared(burst);
+        const auto opener = scene.prepared(burst);
         const std::vector<std::uint32_t>& words = scene.fields.seedWords(0).values;
         const bool isThere = std::any_of(words.begin(), words.end(), [](std::uint32_t word) {
             return (seedWord::isMember(word) || seedWord::isPendingSeed(word))
                 && seedWord::label(word) == 1;
         });
-        QCOMPARE(bool(live), isThere);
-        if (!live)
+        QCOMPARE(bool(opener), isThere);
+        if (!opener)
             return;
         for (int move = 0; move < 8; ++move) {
             randomInterval(burst);
             if (move == 5)
                 burst.highCode = burst.lowCode - 1; // nothing stays but what was painted
-            QVERIFY(live->serves(burst));
-            const OpenedInterval opened = live->open(burst.lowCode, burst.highCode);
+            QVERIFY(opener->serves(burst));
+            const OpenedInterval opened = opener->open(burst.lowCode, burst.highCode);
 
             Scene expected = scene;
             const std::uint32_t generation = expected.grow(burst, 0);
             QCOMPARE(opened.kept + (opened.admitted.empty() ? 0u : 1u), generation);
             Scene found = scene;
-            for (const GrowthChange& change : live->bricks().changes()) {
+            for (const GrowthChange& change : opener->bricks().changes()) {
                 const glm::ivec3 voxel = voxelOf(scene.grid(), change.voxel);
                 found.fields.seedWords(0).at(voxel) = change.word;
                 found.fields.labels(0).at(voxel) = std::uint8_t(change.labels);
@@ -352,8 +352,8 @@ private:
     std::size_t m_admitted = 0;
 };
 
-BURIN_PLAIN_TEST(LiveIntervalTest)
+BURIN_PLAIN_TEST(IntervalOpenerTest)
 
-} // namespace liveIntervalTest
+} // namespace intervalOpenerTest
 
-#include "LiveIntervalTest.moc"
+#include "IntervalOpenerTest.moc"
