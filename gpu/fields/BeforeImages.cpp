@@ -83,36 +83,35 @@ std::vector<core::BrickImage> BeforeImages::saved(std::vector<core::BrickKey> ke
 
 void BeforeImages::restore(std::vector<core::BrickKey> keys)
 {
-    std::vector<std::vector<std::uint32_t>> asked(m_batches.size());
-    for (const core::BrickKey& key : keys) {
-        const std::size_t batch = m_places.at(key).batch;
-        if (batch != wasEmpty)
-            asked[batch].push_back(key.brick);
-    }
-    // Coverage wants to know where it changes, and a few bricks are not worth all of a batch.
-    const auto goesBackWhole = [this, &asked](std::size_t batch) {
-        return batch != wasEmpty && m_batches[batch].field != core::Field::Coverage
-            && 4 * asked[batch].size() >= m_batches[batch].bricks.size();
+    // Coverage wants to know where it changes, and bricks that were empty lose their pages again.
+    // All others need not pass through memory.
+    std::vector<std::vector<std::uint32_t>> asked(m_batches.size()); // by slot
+    const auto goesBackOnGpu = [this, &asked](const core::BrickKey& key) {
+        const Place& place = m_places.at(key);
+        if (place.batch == wasEmpty || key.field == core::Field::Coverage)
+            return false;
+        std::vector<std::uint32_t>& bricks = asked[place.batch];
+        bricks.resize(m_batches[place.batch].bricks.size(), BrickCopier::skipped);
+        bricks[place.slot] = key.brick;
+        return true;
     };
-    std::erase_if(keys, [this, &goesBackWhole](const core::BrickKey& key) {
-        return goesBackWhole(m_places.at(key).batch);
-    });
+    std::erase_if(keys, goesBackOnGpu);
     writeImages(m_fields, saved(std::move(keys)));
     for (std::size_t batch = 0; batch < m_batches.size(); ++batch) {
-        if (!asked[batch].empty() && goesBackWhole(batch))
-            restoreWhole(m_batches[batch], asked[batch]);
+        if (!asked[batch].empty())
+            restoreOnGpu(m_batches[batch], asked[batch]);
     }
 }
 
-/// Those of its bricks that nobody wrote are written too, as they are; nothing of it passes through
-/// memory.
-void BeforeImages::restoreWhole(const Batch& batch, std::span<const std::uint32_t> asked)
+/// @param asked the bricks of the batch that are restored, each in its slot
+void BeforeImages::restoreOnGpu(const Batch& batch, const std::vector<std::uint32_t>& asked)
 {
+    std::vector<std::uint32_t> bricks = asked;
+    std::erase(bricks, BrickCopier::skipped);
     if (BrickField* paged = m_fields.paged(batch.field, batch.plane))
-        paged->ensure(batch.bricks, BrickField::NewPages::AnyContent);
-    m_fields.copier().write(
-        m_fields.textures(batch.field, batch.plane), batch.bricks, batch.packed);
-    m_fields.noteChanged(batch.field, asked);
+        paged->ensure(bricks, BrickField::NewPages::AnyContent);
+    m_fields.copier().write(m_fields.textures(batch.field, batch.plane), asked, batch.packed);
+    m_fields.noteChanged(batch.field, bricks);
 }
 
 void BeforeImages::restoreAll()

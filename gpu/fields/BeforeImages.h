@@ -4,7 +4,6 @@
 #include "gpu/fields/VoxelFields.h"
 
 #include <map>
-#include <span>
 #include <vector>
 
 namespace gpu {
@@ -42,7 +41,7 @@ private:
         std::size_t batch = wasEmpty;
         std::size_t slot = 0;
     };
-    void restoreWhole(const Batch& batch, std::span<const std::uint32_t> asked);
+    void restoreOnGpu(const Batch& batch, const std::vector<std::uint32_t>& asked);
     [[nodiscard]] std::vector<core::BrickKey> keys() const;
     [[nodiscard]] std::vector<core::BrickImage> saved(std::vector<core::BrickKey> keys) const;
     /// The saved image of each key; no key may occur twice.

@@ -43,6 +43,10 @@ GrowthBricks::GrowthBricks(
     const BrickGrid& grid, std::span<const std::uint32_t> held, const ReadGrowthBricks& read)
     : m_words(grid, held.size() + held.size() / 2)
 {
+    const std::size_t voxels = (held.size() + held.size() / 2) * perBrick;
+    m_codes.reserve(voxels);
+    m_labels.reserve(voxels);
+    m_overwritten.reserve(voxels);
     add(held, read);
     add(touchedBricks(), read);
     m_words.link();
