@@ -45,7 +45,7 @@ std::vector<std::uint16_t> codesOf(const VoxelFields& fields, std::uint32_t bric
     return codes;
 }
 
-std::vector<core::GrowthBrick> bricksOf(
+std::vector<core::GrowthBrick> contentsOf(
     VoxelFields& fields, std::uint8_t plane, std::span<const std::uint32_t> bricks)
 {
     auto words = readImages(fields, keysIn(core::Field::SeedWords, plane, bricks));
@@ -80,7 +80,7 @@ std::unique_ptr<core::IntervalOpener> readGrowth(VoxelFields& fields, const core
         return nullptr;
     return core::IntervalOpener::prepare(
         burst, fields.grid(), held, [&](std::span<const std::uint32_t> bricks) {
-            return bricksOf(fields, burst.plane, bricks);
+            return contentsOf(fields, burst.plane, bricks);
         });
 }
 

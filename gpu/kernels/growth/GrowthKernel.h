@@ -89,8 +89,8 @@ private:
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::SeedPlacement& placement);
 
-/// Whether a burst opens fastest by what its interval changes: with a driver that computes on the
-/// processor, to which a few voxels matter and no transfer.
+/// Whether a burst opens faster by what its interval changes: with a driver that computes on the
+/// processor. A GPU asks all that has grown sooner than the processor could read it.
 [[nodiscard]] bool opensByChange(const core::GrowBurst& burst);
 /// Reads the growth of a plane, for GrowthKernel::open(IntervalOpener&).
 /// @return null where it is too large, or more than one label grows
