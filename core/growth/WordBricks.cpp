@@ -15,9 +15,12 @@ void WordBricks::add(std::uint32_t brick, std::span<const std::uint8_t> bytes)
 {
     m_places[brick] = std::uint32_t(m_bricks.size());
     m_bricks.push_back(brick);
-    for (std::size_t i = 0; i < std::size_t(BrickGrid::voxelsPerBrick) * 4; i += 4)
-        m_words.push_back(std::uint32_t(bytes[i]) | std::uint32_t(bytes[i + 1]) << 8
-            | std::uint32_t(bytes[i + 2]) << 16 | std::uint32_t(bytes[i + 3]) << 24);
+    const std::size_t first = m_words.size();
+    m_words.resize(first + BrickGrid::voxelsPerBrick);
+    const std::uint8_t* byte = bytes.data();
+    std::uint32_t* const words = m_words.data() + first;
+    for (std::size_t i = 0; i < BrickGrid::voxelsPerBrick; ++i, byte += 4)
+        words[i] = seedWord::wordAt(byte);
 }
 
 void WordBricks::link()

@@ -33,6 +33,7 @@ public:
     [[nodiscard]] Voxel find(const glm::ivec3& position) const;
     [[nodiscard]] glm::ivec3 positionOf(Voxel voxel) const;
     [[nodiscard]] std::uint32_t operator[](Voxel voxel) const { return m_words[voxel]; }
+    void put(Voxel voxel, std::uint32_t word) { m_words[voxel] = word; }
 
     /// Calls @p visit(neighbour, word, direction) for the neighbours in directions @p first …
     /// @p last − 1 of seedWord::offsets that lie in a brick that was added.

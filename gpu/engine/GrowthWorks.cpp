@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/growth/interval/IntervalOpener.h"
 #include "gpu/engine/BeginWork.h"
 #include "gpu/engine/EditTransaction.h"
 #include "gpu/kernels/growth/GrowthKernel.h"
@@ -95,8 +96,25 @@ private:
     {
         m_plane = burst.plane;
         m_openedAt = burst.generation;
+        core::IntervalOpener* const opener = openerFor(burst);
         m_kernel.emplace(m_context.programs.growth, m_context.fields, m_context.before, burst);
-        m_kernel->open();
+        if (opener)
+            m_kernel->open(*opener);
+        else
+            m_kernel->open();
+    }
+    /// What opens the burst by what its interval changes; null where it opens by asking all. Every
+    /// opening finds the fields as they were before the edit, so one reading of them serves all.
+    core::IntervalOpener* openerFor(const core::GrowBurst& burst)
+    {
+        if (m_asksAll || !opensByChange(burst))
+            return nullptr;
+        if (!m_opener || !m_opener->serves(burst)) {
+            m_opener.reset();
+            m_opener = readGrowth(m_context.fields, burst);
+            m_asksAll = !m_opener;
+        }
+        return m_opener.get();
     }
     core::Result<void> take(const core::GrowAdvance& steps)
     {
@@ -134,6 +152,8 @@ private:
     std::uint8_t m_plane = 0;
     std::uint32_t m_openedAt = 0; ///< generation
     std::optional<GrowthKernel> m_kernel;
+    std::unique_ptr<core::IntervalOpener> m_opener;
+    bool m_asksAll = false; ///< no such thing serves this growth
     int m_stepsLeft = 0; ///< negative: to closure
     double m_generationsPerSecond = 0.0;
 };

@@ -10,7 +10,7 @@ namespace gpu {
 void BeforeImages::capture(
     core::Field field, std::uint8_t plane, std::span<const std::uint32_t> bricks)
 {
-    Batch batch{.field = field, .bricks = {}, .packed = {}};
+    Batch batch{.field = field, .plane = plane, .bricks = {}, .packed = {}};
     std::map<core::BrickKey, Place> places;
     for (const std::uint32_t brick : bricks) {
         const core::BrickKey key{.field = field, .plane = plane, .brick = brick};
@@ -83,7 +83,35 @@ std::vector<core::BrickImage> BeforeImages::saved(std::vector<core::BrickKey> ke
 
 void BeforeImages::restore(std::vector<core::BrickKey> keys)
 {
+    // Coverage wants to know where it changes, and bricks that were empty lose their pages again.
+    // All others need not pass through memory.
+    std::vector<std::vector<std::uint32_t>> asked(m_batches.size()); // by slot
+    const auto goesBackOnGpu = [this, &asked](const core::BrickKey& key) {
+        const Place& place = m_places.at(key);
+        if (place.batch == wasEmpty || key.field == core::Field::Coverage)
+            return false;
+        std::vector<std::uint32_t>& bricks = asked[place.batch];
+        bricks.resize(m_batches[place.batch].bricks.size(), BrickCopier::skipped);
+        bricks[place.slot] = key.brick;
+        return true;
+    };
+    std::erase_if(keys, goesBackOnGpu);
     writeImages(m_fields, saved(std::move(keys)));
+    for (std::size_t batch = 0; batch < m_batches.size(); ++batch) {
+        if (!asked[batch].empty())
+            restoreOnGpu(m_batches[batch], asked[batch]);
+    }
+}
+
+/// @param asked the bricks of the batch that are restored, each in its slot
+void BeforeImages::restoreOnGpu(const Batch& batch, const std::vector<std::uint32_t>& asked)
+{
+    std::vector<std::uint32_t> bricks = asked;
+    std::erase(bricks, BrickCopier::skipped);
+    if (BrickField* paged = m_fields.paged(batch.field, batch.plane))
+        paged->ensure(bricks, BrickField::NewPages::AnyContent);
+    m_fields.copier().write(m_fields.textures(batch.field, batch.plane), asked, batch.packed);
+    m_fields.noteChanged(batch.field, bricks);
 }
 
 void BeforeImages::restoreAll()

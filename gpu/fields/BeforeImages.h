@@ -32,6 +32,7 @@ public:
 private:
     struct Batch {
         core::Field field = core::Field::Coverage;
+        std::uint8_t plane = 0;
         std::vector<std::uint32_t> bricks;
         Buffer packed;
     };
@@ -40,6 +41,7 @@ private:
         std::size_t batch = wasEmpty;
         std::size_t slot = 0;
     };
+    void restoreOnGpu(const Batch& batch, const std::vector<std::uint32_t>& asked);
     [[nodiscard]] std::vector<core::BrickKey> keys() const;
     [[nodiscard]] std::vector<core::BrickImage> saved(std::vector<core::BrickKey> keys) const;
     /// The saved image of each key; no key may occur twice.

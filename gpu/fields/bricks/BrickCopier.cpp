@@ -92,13 +92,17 @@ void BrickCopier::write(const FieldTextures& target, std::span<const std::uint32
     for (std::size_t first = 0; first < bricks.size(); first += bricksPerReadback) {
         const auto piece =
             bricks.subspan(first, std::min(bricksPerReadback, bricks.size() - first));
-        std::vector<std::uint8_t> staging(piece.size() * bytes, core::emptyByte(target.field));
+        const std::size_t size = piece.size() * bytes;
+        const auto staging = std::make_unique_for_overwrite<std::uint8_t[]>(size);
         for (std::size_t i = 0; i < piece.size(); ++i) {
-            if (!images[first + i]->empty())
-                std::memcpy(&staging[i * bytes], images[first + i]->data(), bytes);
+            const std::vector<std::uint8_t>& image = *images[first + i];
+            if (image.empty())
+                std::memset(staging.get() + i * bytes, core::emptyByte(target.field), bytes);
+            else
+                std::memcpy(staging.get() + i * bytes, image.data(), bytes);
         }
-        Buffer packed({.label = "bricks to write", .bytes = staging.size()});
-        packed.write(std::span<const std::uint8_t>(staging));
+        Buffer packed({.label = "bricks to write", .bytes = size});
+        packed.write(std::span<const std::uint8_t>(staging.get(), size));
         write(target, piece, packed);
     }
 }

@@ -40,6 +40,8 @@ public:
     /// Writes images into bricks that have pages. An image without bytes makes all voxels empty.
     void write(const FieldTextures& target, std::span<const std::uint32_t> bricks,
         std::span<const std::vector<std::uint8_t>* const> images) const;
+    /// In a list of bricks that write() takes with a buffer: this one is left as it is.
+    static constexpr std::uint32_t skipped = 0xFFFFFFFFu;
     /// Writes a buffer that packed() has made.
     void write(const FieldTextures& target, std::span<const std::uint32_t> bricks,
         const Buffer& packed) const;

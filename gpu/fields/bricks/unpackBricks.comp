@@ -16,8 +16,12 @@ layout(binding = 1, std430) readonly buffer Packed { uint packedVoxels[]; };
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
 
+const uint skipped = 0xFFFFFFFFu; // BrickCopier::skipped
+
 void main()
 {
+    if (bricks[gl_WorkGroupID.x] == skipped)
+        return;
     ivec3 brick = brickPosition(int(bricks[gl_WorkGroupID.x]), volumeBricks);
 #ifdef FIELD_DENSE
     ivec3 origin = brick * brickSide;

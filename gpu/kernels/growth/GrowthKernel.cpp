@@ -154,13 +154,18 @@ void GrowthKernel::open()
         narrow(held);
     else if (m_burst.opening == core::GrowOpening::Restart)
         restart();
+    setOpenGeneration();
+    if (m_generation < core::seedWord::maxGeneration)
+        admitSeeds(held);
+    findFront(m_fields.seedWords(m_burst.plane).heldBricks());
+}
+
+void GrowthKernel::setOpenGeneration()
+{
     m_openGeneration = m_generation;
     for (Program* each :
         {&m_rings->admit, &m_rings->front, &m_rings->ring, &m_rings->severalRings, &m_rings->label})
         each->set("openGeneration", m_openGeneration);
-    if (m_generation < core::seedWord::maxGeneration)
-        admitSeeds(held);
-    findFront(m_fields.seedWords(m_burst.plane).heldBricks());
 }
 
 void GrowthKernel::admitSeeds(const std::vector<std::uint32_t>& held)

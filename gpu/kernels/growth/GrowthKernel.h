@@ -18,6 +18,12 @@
 #include <utility>
 #include <vector>
 
+namespace core {
+class IntervalOpener;
+struct GrowthChange;
+struct OpenedInterval;
+} // namespace core
+
 namespace gpu {
 
 /// The variant for which growth kernels are compiled.
@@ -60,6 +66,8 @@ struct GrowthPrograms {
     [[nodiscard]] std::shared_ptr<Narrowing> narrowing(const GrowthKind& kind);
 
     [[nodiscard]] std::shared_ptr<FrontBitsPrograms> frontBits(const GrowthKind& kind);
+    /// Writes what an interval changes (GrowthKernel::open(IntervalOpener&)).
+    [[nodiscard]] std::shared_ptr<Program> change(bool overwritten);
 
     Program placeSeeds;
     SeedStatisticsPrograms seedStatistics;
@@ -73,12 +81,21 @@ private:
     RecentPrograms<Kind, Rings> m_rings;
     RecentPrograms<Kind, Narrowing> m_narrowings;
     RecentPrograms<Kind, FrontBitsPrograms> m_frontBits;
+    RecentPrograms<bool, Program> m_changes;
 };
 
 /// Writes pending seeds into the seed words, after capturing their bricks. Returns the bricks that
 /// were written.
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::SeedPlacement& placement);
+
+/// Whether a burst opens faster by what its interval changes: with a driver that computes on the
+/// processor. A GPU asks all that has grown sooner than the processor could read it.
+[[nodiscard]] bool opensByChange(const core::GrowBurst& burst);
+/// Reads the growth of a plane, for GrowthKernel::open(IntervalOpener&).
+/// @return null where it is too large, or more than one label grows
+[[nodiscard]] std::unique_ptr<core::IntervalOpener> readGrowth(
+    VoxelFields& fields, const core::GrowBurst& burst);
 
 /// One burst of breadth-first growth while it is open (seed A §5.3; GrowBurst in GrowthCommands.h).
 ///
@@ -94,8 +111,11 @@ public:
         const core::GrowBurst& burst);
 
     /// Takes back what the changed criterion excludes, admits pending seeds and finds the front.
-    /// Call it once, before anything else.
+    /// Call one of the two once, before anything else.
     void open();
+    /// The same, at the cost of what the interval changes.
+    /// @param opener prepared from the fields as they are now; it serves the burst
+    void open(core::IntervalOpener& opener);
     /// Runs up to @p rings (at most ringsPerBatch) generations. Returns how many of them added
     /// voxels; fewer than requested means closure or a leak alarm. A growth with leak guard runs
     /// one generation at a time, and every front is read back.
@@ -141,6 +161,9 @@ private:
     void narrow(const std::vector<std::uint32_t>& held);
     void floodBack();
     void restart();
+    void setOpenGeneration();
+    void writeChanges(const std::vector<core::GrowthChange>& changes);
+    void takeFront(const core::OpenedInterval& opened);
     /// Runs a kernel over the listed bricks.
     State runOver(Program& program, const std::vector<std::uint32_t>& bricks);
 

@@ -81,4 +81,12 @@ std::shared_ptr<FrontBitsPrograms> GrowthPrograms::frontBits(const GrowthKind& k
     });
 }
 
+std::shared_ptr<Program> GrowthPrograms::change(bool overwritten)
+{
+    return m_changes.of(overwritten, [&] {
+        return std::make_shared<Program>(program(m_shaders, "kernels/growth/growChange.comp",
+            GrowthKind{.overwritten = overwritten}.defines()));
+    });
+}
+
 } // namespace gpu

@@ -87,6 +87,55 @@ EngineCase randomMoves(int number)
     return made;
 }
 
+/// An interval that is dragged over a growth of one label: bursts that begin anew and differ in the
+/// interval alone, some of them guarded.
+EngineCase randomDrags(int number)
+{
+    Random random(std::uint32_t(28000 + number));
+    const glm::ivec3 size{
+        randomInt(random, 8, 40), randomInt(random, 8, 40), randomInt(random, 8, 40)};
+    const int greatest = number % 2 ? 30 : tissueCode;
+    EngineCase made{"an interval that is dragged " + QByteArray::number(number),
+        number % 3 ? noiseVolume(size, greatest, random) : balls(size, 6, random), {}};
+    if (random() % 2)
+        made.steps.push_back(command(
+            core::SwapBricks{bricksOf(labelBoxes(size, 5, random), core::Field::Labels, 0)}));
+    core::SeedPlacement seeds{.label = 1};
+    appendSeeds(made.steps, seeds, randomInt(random, 1, 3), size, random);
+    GrowBurst burst{.connectivity = std::array<int, 3>{6, 18, 26}[random() % 3]};
+    burst.overwritable[2] = random() % 2;
+    burst.overwritable[4] = random() % 2;
+    burst.lockedLabels[3] = true;
+    const auto move = [&] {
+        burst.lowCode = randomInt(random, 0, greatest / 2);
+        burst.highCode = randomInt(random, greatest / 2, greatest);
+        burst.guard.reset();
+        if (random() % 4 == 0)
+            burst.guard = core::GuardRule{.excess = 4, .window = 5};
+    };
+    for (int drag = 0; drag < 6; ++drag) {
+        move();
+        made.steps.push_back(BeginGrowth{burst});
+        burst.opening = GrowOpening::Narrow; // from the second on
+        for (int event = randomInt(random, 0, 8); event >= 0; --event) {
+            made.steps.push_back(command(core::ExtendEdit{
+                GrowAdvance{random() % 4 ? GrowAdvance::toClosure : randomInt(random, 0, 5)}}));
+            move();
+            if (event > 0)
+                made.steps.push_back(command(core::ExtendEdit{GrowAnew{burst}}));
+        }
+        made.steps.push_back(
+            command(core::EndEdit{random() % 5 ? core::Ending::Commit : core::Ending::Rollback}));
+        if (random() % 4 == 0)
+            made.steps.push_back(Undo{});
+        if (random() % 4 == 0)
+            made.steps.push_back(Redo{});
+        if (random() % 3 == 0)
+            appendSeeds(made.steps, seeds, 1, size, random);
+    }
+    return made;
+}
+
 } // namespace
 
 std::vector<EngineCase> intervalCases(int randomCount)
@@ -128,6 +177,8 @@ std::vector<EngineCase> intervalCases(int randomCount)
     cases.push_back(refused);
     for (int number = 0; number < randomCount; ++number)
         cases.push_back(randomMoves(number));
+    for (int number = 0; number < randomCount; ++number)
+        cases.push_back(randomDrags(number));
     return cases;
 }
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/growth/WordBricks.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace core {
+
+/// The voxels of one brick as an engine hands them over. No bytes mean that all voxels are empty.
+struct GrowthBrick {
+    std::vector<std::uint8_t> words{}; ///< 4096 seed words, little-endian
+    std::vector<std::uint8_t> labels{};
+    std::vector<std::uint8_t> overwritten{}; ///< Field::Overwritten
+    std::vector<std::uint16_t> codes{}; ///< 4096; whatever lies outside the volume is not read
+};
+
+/// A voxel that was changed, as kernels read it (growChange.comp).
+struct GrowthChange {
+    std::uint32_t voxel = 0; ///< brick << 12 | offset in the brick
+    std::uint32_t word = 0;
+    std::uint32_t labels = 0; ///< that of the plane | the overwritten one << 8
+};
+
+/// Reads bricks, in the order in which they are listed.
+using ReadGrowthBricks =
+    std::function<std::vector<GrowthBrick>(std::span<const std::uint32_t> bricks)>;
+
+/// A growth in memory, brick by brick: words, labels and codes of all bricks that hold members or
+/// seeds, and of those that such voxels touch. What is written can be taken back at once, at the
+/// cost of what was written.
+///
+/// In words(), voxels outside the volume are barriers, so nobody need ask where the volume ends.
+class GrowthBricks {
+public:
+    using Voxel = WordBricks::Voxel;
+
+    /// What an edit changes at one voxel.
+    struct State {
+        std::uint32_t word = seedWord::unvisited;
+        std::uint8_t label = 0; ///< that the label plane holds
+        std::uint8_t overwritten = 0;
+        bool operator==(const State&) const = default;
+    };
+
+    /// @param held all bricks with seed words, each once
+    GrowthBricks(
+        const BrickGrid& grid, std::span<const std::uint32_t> held, const ReadGrowthBricks& read);
+
+    [[nodiscard]] const WordBricks& words() const { return m_words; }
+    [[nodiscard]] std::size_t brickCount() const { return m_words.count() >> 12; }
+    [[nodiscard]] int code(Voxel voxel) const { return m_codes[voxel]; }
+    [[nodiscard]] std::uint8_t label(Voxel voxel) const { return m_labels[voxel]; }
+    [[nodiscard]] State at(Voxel voxel) const
+    {
+        return {m_words[voxel], m_labels[voxel], m_overwritten[voxel]};
+    }
+
+    void write(Voxel voxel, const State& state);
+    /// The present state becomes the one to which revert() returns.
+    void keep();
+    /// @param onWord called with the word that is there and the one that returns
+    template <class OnWord> void revert(const OnWord& onWord)
+    {
+        for (auto former = m_log.rbegin(); former != m_log.rend(); ++former) {
+            onWord(m_words[former->voxel], former->state.word);
+            put(former->voxel, former->state);
+        }
+        m_log.clear();
+    }
+
+    /// What was written since it was read and not reverted, as it is now. A voxel that was written
+    /// twice may be told twice.
+    [[nodiscard]] std::vector<GrowthChange> changes() const;
+
+private:
+    void add(std::span<const std::uint32_t> bricks, const ReadGrowthBricks& read);
+    /// Bricks that were not added and that members or seeds touch.
+    [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const;
+    void put(Voxel voxel, const State& state);
+
+    WordBricks m_words;
+    std::vector<std::uint16_t> m_codes;
+    std::vector<std::uint8_t> m_labels;
+    std::vector<std::uint8_t> m_overwritten;
+    struct Former {
+        Voxel voxel = 0;
+        State state;
+    };
+    std::vector<Former> m_log; ///< since keep()
+    std::vector<Voxel> m_kept; ///< written before keep()
+};
+
+} // namespace core
