@@ -15,6 +15,7 @@ struct AddBookmark;
 struct AddLayer;
 struct AddMeasurement;
 struct AddSegment;
+struct Annotate;
 struct ApplyTemplate;
 struct AttractSurface;
 struct BarrierStroke;
@@ -87,7 +88,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
     SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
-    FillBetweenSlices, FloodFill, ThresholdSegment>;
+    FillBetweenSlices, FloodFill, ThresholdSegment, Annotate>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

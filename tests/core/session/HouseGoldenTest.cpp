@@ -62,6 +62,7 @@ private Q_SLOTS:
             }
         }
         // What came later than the recordings is held by tests of its own.
+        kinds.insert(editPlace<Annotate>);
         kinds.insert(editPlace<CleanSegment>);
         kinds.insert(editPlace<CombineSegments>);
         kinds.insert(editPlace<FillBetweenSlices>);

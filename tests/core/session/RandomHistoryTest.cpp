@@ -54,7 +54,7 @@ private Q_SLOTS:
                  "grow", "interval", "resume", "shrink", "shrinkAt", "plug", "barrier",
                  "growFromSeeds", "drill", "paint", "brush", "peel", "scissors", "laser",
                  "cutPiece", "pastePiece", "changePiece", "sendPiecesHome", "removePiece", "revert",
-                 "reviseStroke", "addMeasurement", "removeMeasurement", "removeLayer",
+                 "reviseStroke", "addMeasurement", "annotate", "removeMeasurement", "removeLayer",
                  "mergeLayers", "layerToSegment", "segmentToLayer", "segmentSeen", "invertSegment",
                  "combineSegments merge", "combineSegments swap", "cleanSegment fill holes",
                  "cleanSegment keep largest", "cleanSegment remove small",

@@ -464,7 +464,29 @@ private:
         }
         return std::nullopt;
     }
-    /// Views and distances that are kept.
+    /// Something else than a distance at its places; no die is cast, so that which is drawn next
+    /// does not depend on it.
+    static Edit annotated(const AddMeasurement& measured, Measurement::Kind kind)
+    {
+        using Kind = Measurement::Kind;
+        const glm::dvec3 from = measured.fromLps;
+        Annotate edit{.kind = kind, .pointsLps = {from}, .piece = measured.piece};
+        if (kind == Kind::Angle)
+            edit.pointsLps = {measured.toLps, from, from + glm::dvec3(1.0, 2.0, 3.0)};
+        else if (kind == Kind::Ellipse || kind == Kind::Rectangle)
+            edit.pointsLps = {from, from + glm::dvec3(7.0, 0.0, 0.0), from + glm::dvec3(0, 3, 1)};
+        else if (kind == Kind::Outline)
+            edit.pointsLps = {from, from + glm::dvec3(9.0, 0.0, 0.0), from + glm::dvec3(9, 5, 0),
+                from + glm::dvec3(2.0, 8.0, 0.0)};
+        else if (kind == Kind::Ball || kind == Kind::Arrow)
+            edit.pointsLps = {from, measured.toLps};
+        if (kind == Kind::Text || (kind == Kind::Arrow && from.x > 0.0))
+            edit.text = QStringLiteral("here");
+        if (kind == Kind::Angle && from.y > 0.0)
+            edit.projected = true;
+        return edit;
+    }
+    /// Views, distances and notes that are kept.
     Edit randomBookmark(const Document& document)
     {
         if (!document.bookmarks.empty() && chance(50))
@@ -476,7 +498,10 @@ private:
                 .toLps = glm::dvec3(between(-20, 20), 0.5, 120.0)};
             if (!document.pieces.empty() && chance(50))
                 measured.piece = any(document.pieces).id;
-            return measured;
+            const int given = document.lastMeasurementGiven();
+            if (given % 2 == 0)
+                return measured;
+            return annotated(measured, Measurement::Kind(1 + given / 2 % 8));
         }
         return AddBookmark{.name = randomName(),
             .view = randomDrill().view,

@@ -6,10 +6,138 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/measure/MeasuredSize.h"
+#include "core/measure/PlaneShape.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace core {
+
+namespace {
+
+/// How many points a kind has.
+struct PointCount {
+    std::size_t least = 0;
+    std::size_t most = 0;
+};
+
+PointCount pointsOf(Measurement::Kind kind)
+{
+    using Kind = Measurement::Kind;
+    switch (kind) {
+    case Kind::Probe:
+    case Kind::Text:
+        return {1, 1};
+    case Kind::Distance:
+    case Kind::Ball:
+    case Kind::Arrow:
+        return {2, 2};
+    case Kind::Angle:
+    case Kind::Ellipse:
+    case Kind::Rectangle:
+        return {3, 3};
+    case Kind::Outline:
+        return {3, Annotate::mostCorners};
+    }
+    return {};
+}
+
+tl::unexpected<Error> unfit(const char* field, const QString& reason)
+{
+    return failure(
+        ErrorCode::InvalidField, QStringLiteral("annotate.") + QLatin1String(field), reason);
+}
+
+Result<void> checkPoints(const Measurement& measurement)
+{
+    using Kind = Measurement::Kind;
+    const std::vector<glm::dvec3>& points = measurement.pointsLps;
+    const PointCount count = pointsOf(measurement.kind);
+    if (points.size() < count.least || points.size() > count.most)
+        return unfit("pointsLps",
+            count.least == count.most
+                ? QStringLiteral("must be %1").arg(count.least)
+                : QStringLiteral("must be %1 to %2").arg(count.least).arg(count.most));
+    if (points.size() == 2 && points[0] == points[1])
+        return unfit("pointsLps", QStringLiteral("are the same point"));
+    if (measurement.kind == Kind::Angle && (points[0] == points[1] || points[2] == points[1]))
+        return unfit("pointsLps", QStringLiteral("have an end at the vertex"));
+    if (!measurement.isPlaneRegion())
+        return {};
+    const std::optional<PlaneShape> shape = planeShape(measurement);
+    if (!shape)
+        return unfit("pointsLps", QStringLiteral("lie on one line"));
+    if (shape->offPlaneMm(measurement) > PlaneShape::mostOffPlaneMm)
+        return unfit("pointsLps", QStringLiteral("do not lie in one plane"));
+    return {};
+}
+
+TitleDecimal oneDecimal(double value)
+{
+    return {.value = value, .decimals = 1};
+}
+
+/// "120.4 mm²"; in voxels where the source does not say how large they are.
+TitleArgument areaTitle(const MeasuredSize& size)
+{
+    return asArgument(
+        {.code = size.inVoxels ? RowTitleCode::SquareVoxels : RowTitleCode::SquareMillimetres,
+            .arguments = {oneDecimal(size.area.value_or(0.0))}});
+}
+
+TitleArgument volumeTitle(const MeasuredSize& size)
+{
+    constexpr double mm3PerMl = 1000.0;
+    if (size.inVoxels)
+        return asArgument(
+            {.code = RowTitleCode::OfVoxels, .arguments = {oneDecimal(size.volume.value_or(0.0))}});
+    return asArgument({.code = RowTitleCode::Millilitres,
+        .arguments = {TitleDecimal{.value = size.volume.value_or(0.0) / mm3PerMl, .decimals = 2}}});
+}
+
+/// What it is and comes to: "ellipse 120.4 mm²".
+RowTitle whatItIs(const Measurement& measurement, const Document& document)
+{
+    using Kind = Measurement::Kind;
+    const MeasuredSize size =
+        measuredSize(measurement, document.volumes.empty() ? Volume() : document.volumes.front());
+    switch (measurement.kind) {
+    case Kind::Distance:
+        return {.code = RowTitleCode::Millimetres, .arguments = {inMm(measurement.lengthMm())}};
+    case Kind::Angle:
+        return {.code = RowTitleCode::AngleOf,
+            .arguments = {oneDecimal(size.angleDegrees.value_or(0.0))}};
+    case Kind::Ellipse:
+        return {.code = RowTitleCode::EllipseOf, .arguments = {areaTitle(size)}};
+    case Kind::Rectangle:
+        return {.code = RowTitleCode::RectangleOf, .arguments = {areaTitle(size)}};
+    case Kind::Outline:
+        return {.code = RowTitleCode::OutlineOf, .arguments = {areaTitle(size)}};
+    case Kind::Ball:
+        return {.code = RowTitleCode::BallOf, .arguments = {volumeTitle(size)}};
+    case Kind::Probe:
+        return {.code = RowTitleCode::Probe};
+    case Kind::Arrow:
+        if (measurement.text.isEmpty())
+            return {.code = RowTitleCode::Arrow};
+        return {.code = RowTitleCode::ArrowTo, .arguments = {measurement.text}};
+    case Kind::Text:
+        return {.code = RowTitleCode::TextThat, .arguments = {measurement.text}};
+    }
+    return {};
+}
+
+Measurement measurementOf(const Annotate& edit)
+{
+    return {.kind = edit.kind,
+        .pointsLps = edit.pointsLps,
+        .piece = edit.piece.value_or(0),
+        .text = edit.text.value_or(QString()),
+        .projected = edit.projected.value_or(false)};
+}
+
+} // namespace
 
 Result<void> check(const AddMeasurement& edit, const Document& document)
 {
@@ -24,9 +152,10 @@ Result<bool> apply(const AddMeasurement& edit, Document& document)
     if (edit.piece && !document.piece(*edit.piece))
         return unknownPiece("addMeasurement.piece", *edit.piece);
     document.measurements.push_back({.id = document.lastMeasurementGiven() + 1,
-        .fromLps = edit.fromLps,
-        .toLps = edit.toLps,
-        .piece = edit.piece.value_or(0)});
+        .kind = Measurement::Kind::Distance,
+        .pointsLps = {edit.fromLps, edit.toLps},
+        .piece = edit.piece.value_or(0),
+        .projected = edit.projected.value_or(false)});
     return true;
 }
 
@@ -42,6 +171,47 @@ RowTitle rowTitle(const AddMeasurement& edit, const RowFacts&)
 }
 
 EditDependencies dependencies(const AddMeasurement&, const DependencyFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+Result<void> check(const Annotate& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const Annotate& edit, Document& document)
+{
+    using Kind = Measurement::Kind;
+    if (edit.kind == Kind::Distance)
+        return unfit("kind", QStringLiteral("is kept by addMeasurement"));
+    if (edit.text && edit.kind != Kind::Arrow && edit.kind != Kind::Text)
+        return unfit("text", QStringLiteral("belongs to arrows and texts"));
+    if (!edit.text && edit.kind == Kind::Text)
+        return unfit("text", QStringLiteral("is missing"));
+    if (edit.piece && !document.piece(*edit.piece))
+        return unknownPiece("annotate.piece", *edit.piece);
+    Measurement made = measurementOf(edit);
+    if (const Result<void> sound = checkPoints(made); !sound)
+        return tl::unexpected(sound.error());
+    made.id = document.lastMeasurementGiven() + 1;
+    document.measurements.push_back(std::move(made));
+    return true;
+}
+
+EditEffects effects(const Annotate&)
+{
+    return documentEffects(DocumentChange::What::Measurements, true);
+}
+
+RowTitle rowTitle(const Annotate& edit, const RowFacts& row)
+{
+    const bool note = edit.kind == Measurement::Kind::Arrow || edit.kind == Measurement::Kind::Text;
+    return {.code = note ? RowTitleCode::AddNote : RowTitleCode::MeasureThat,
+        .arguments = {asArgument(whatItIs(measurementOf(edit), row.document))}};
+}
+
+EditDependencies dependencies(const Annotate&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }
@@ -75,6 +245,9 @@ RowTitle rowTitle(const RemoveMeasurement& edit, const RowFacts& row)
     if (!measurement)
         return {.code = RowTitleCode::RemoveUnknownMeasurement,
             .arguments = {TitleNumber{edit.measurement}}};
+    if (measurement->kind != Measurement::Kind::Distance)
+        return {.code = RowTitleCode::RemoveNote,
+            .arguments = {asArgument(whatItIs(*measurement, row.document))}};
     return {.code = RowTitleCode::RemoveMeasurement, .arguments = {inMm(measurement->lengthMm())}};
 }
 
