@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/edits/kinds/sculpt/ToolMask.h"
+#include "core/measure/MeasuredSize.h"
+#include "core/measure/region/RegionStatistics.h"
 #include "core/session/EditSession.h"
 #include "gpu/frame/FrameSource.h"
 #include "ui/geometry/ToolMaskOutline.h"
@@ -13,6 +15,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -149,6 +152,17 @@ public:
     [[nodiscard]] Refinement& refinement() const { return *m_refinement; }
     [[nodiscard]] CuttingPlane& plane() const { return *m_plane; }
     [[nodiscard]] Chunks& chunks() const { return *m_chunks; }
+    /// What a measurement comes to, as far as it is worked out (tasks/MeasuredRegions.h).
+    struct Measured {
+        /// Of which it is true: after undo another one may have its number.
+        core::Measurement measurement;
+        core::MeasuredSize size{};
+        /// None: no voxel of the volume lies there, or it is no region.
+        std::optional<core::RegionStatistics> values{};
+    };
+    /// Null: not yet.
+    [[nodiscard]] const Measured* measured(const core::Measurement& measurement) const;
+    void setMeasured(const Measured& measured);
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
@@ -225,6 +239,7 @@ Q_SIGNALS:
     void viewOptionsChanged(); ///< or the warning of setWarnAfter()
     void cautionAcceptedChanged();
     void pointedLpsChanged();
+    void measuredChanged();
     void activeToolChanged();
     void said(const QString& sentence);
     void failed(const core::Error& error);
@@ -253,6 +268,7 @@ private:
     CuttingPlane* m_plane = nullptr;
     Chunks* m_chunks = nullptr;
     LayerLooks* m_layerLooks = nullptr;
+    std::map<int, Measured> m_measured; ///< by number; they stand until the session closes
     DrillSettings m_drill;
     BrushSettings m_paint{.disc = true};
     BrushSettings m_carve;

@@ -13,7 +13,7 @@ namespace core {
 namespace {
 
 /// Points are rounded to 1/1024 mm, so those of one slice lie in it only about so well.
-constexpr double inSliceVoxels = 0.05;
+constexpr double offSliceVoxels = 0.05;
 
 /// The axis across the slice along the grid in which all points lie.
 std::optional<int> axisAcross(const std::vector<glm::dvec3>& points)
@@ -21,7 +21,7 @@ std::optional<int> axisAcross(const std::vector<glm::dvec3>& points)
     for (int axis = 2; axis >= 0; --axis) {
         const double first = points.front()[axis];
         if (std::all_of(points.begin(), points.end(), [&](const glm::dvec3& point) {
-                return std::abs(point[axis] - first) <= inSliceVoxels;
+                return std::abs(point[axis] - first) <= offSliceVoxels;
             }))
             return axis;
     }
@@ -112,7 +112,7 @@ void RegionVoxels::takeSlice(int axis, double place)
         high = glm::max(high, index);
     }
     // The corners of an ellipse lie on it; between them it reaches a little farther.
-    const glm::dvec3 more = (high - low) * 0.01 + inSliceVoxels;
+    const glm::dvec3 more = (high - low) * 0.01 + offSliceVoxels;
     VoxelBox box = boxBetween(low - more, high + more, m_geometry.size);
     box.minimum[axis] = slice;
     box.maximum[axis] = slice + 1;
