@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace core {
@@ -48,6 +49,26 @@ struct Measurement {
     [[nodiscard]] bool isRegion() const { return isPlaneRegion() || kind == Kind::Ball; }
     bool operator==(const Measurement&) const = default;
 };
+
+/// How many points a kind has; an outline may have more.
+[[nodiscard]] constexpr std::size_t pointsOf(Measurement::Kind kind)
+{
+    switch (kind) {
+    case Measurement::Kind::Probe:
+    case Measurement::Kind::Text:
+        return 1;
+    case Measurement::Kind::Distance:
+    case Measurement::Kind::Ball:
+    case Measurement::Kind::Arrow:
+        return 2;
+    case Measurement::Kind::Angle:
+    case Measurement::Kind::Ellipse:
+    case Measurement::Kind::Rectangle:
+    case Measurement::Kind::Outline:
+        break;
+    }
+    return 3;
+}
 
 /// The kinds, in their order, as edits and hashed states name them.
 inline constexpr std::array<const char*, 9> measurementWords{

@@ -135,6 +135,8 @@ MeasuredSize measuredSize(const Measurement& measurement, const Volume& volume)
     const VolumeGeometry& geometry = volume.geometry;
     const UnknownSpacing unknown = unknownSpacing(volume);
     MeasuredSize size;
+    if (measurement.pointsLps.size() < pointsOf(measurement.kind))
+        return size;
     size.inVoxels = unknown == UnknownSpacing::Everything
         || (unknown == UnknownSpacing::BetweenSlices && !liesInOneSlice(measurement, geometry));
     Measurement placed = measurement;

@@ -240,7 +240,7 @@ QStringList measurementLines(const core::Measurement& measurement, const Workspa
     const core::Volume* volume = workspace.volume();
     if (!volume)
         return {};
-    const Workspace::Measured* known = workspace.measured(measurement);
+    const core::Measured* known = workspace.measured(measurement);
     QStringList lines =
         sizeLines(measurement, known ? known->size : core::measuredSize(measurement, *volume));
     const bool hasValues = measurement.isRegion() || measurement.kind == Kind::Probe;

@@ -121,7 +121,7 @@ void MeasuredRegions::readOn(const std::shared_ptr<Job>& job)
             });
     } else {
         // A few additions by code; the voxels are counted.
-        const Workspace::Measured found{.measurement = job->measurement,
+        const core::Measured found{.measurement = job->measurement,
             .size = job->size,
             .values = job->tally.statistics(m_workspace.volume()->encoding)};
         m_job.reset();

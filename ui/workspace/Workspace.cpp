@@ -105,14 +105,14 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     }
 }
 
-const Workspace::Measured* Workspace::measured(const core::Measurement& measurement) const
+const core::Measured* Workspace::measured(const core::Measurement& measurement) const
 {
     const auto found = m_measured.find(measurement.id);
     return found != m_measured.end() && found->second.measurement == measurement ? &found->second
                                                                                  : nullptr;
 }
 
-void Workspace::setMeasured(const Measured& measured)
+void Workspace::setMeasured(const core::Measured& measured)
 {
     m_measured[measured.measurement.id] = measured;
     Q_EMIT measuredChanged();

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/sculpt/ToolMask.h"
-#include "core/measure/MeasuredSize.h"
-#include "core/measure/region/RegionStatistics.h"
+#include "core/measure/region/Measured.h"
 #include "core/session/EditSession.h"
 #include "gpu/frame/FrameSource.h"
 #include "ui/geometry/ToolMaskOutline.h"
@@ -152,17 +151,10 @@ public:
     [[nodiscard]] Refinement& refinement() const { return *m_refinement; }
     [[nodiscard]] CuttingPlane& plane() const { return *m_plane; }
     [[nodiscard]] Chunks& chunks() const { return *m_chunks; }
-    /// What a measurement comes to, as far as it is worked out (tasks/MeasuredRegions.h).
-    struct Measured {
-        /// Of which it is true: after undo another one may have its number.
-        core::Measurement measurement;
-        core::MeasuredSize size{};
-        /// None: no voxel of the volume lies there, or it is no region.
-        std::optional<core::RegionStatistics> values{};
-    };
-    /// Null: not yet.
-    [[nodiscard]] const Measured* measured(const core::Measurement& measurement) const;
-    void setMeasured(const Measured& measured);
+    /// What a measurement comes to (tasks/MeasuredRegions.h); null: it is not worked out yet. After
+    /// undo another one may have its number, but never what this one came to.
+    [[nodiscard]] const core::Measured* measured(const core::Measurement& measurement) const;
+    void setMeasured(const core::Measured& measured);
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
@@ -268,7 +260,7 @@ private:
     CuttingPlane* m_plane = nullptr;
     Chunks* m_chunks = nullptr;
     LayerLooks* m_layerLooks = nullptr;
-    std::map<int, Measured> m_measured; ///< by number; they stand until the session closes
+    std::map<int, core::Measured> m_measured; ///< by number; they stand until the session closes
     DrillSettings m_drill;
     BrushSettings m_paint{.disc = true};
     BrushSettings m_carve;

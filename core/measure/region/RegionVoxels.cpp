@@ -46,7 +46,7 @@ VoxelBox boxBetween(const glm::dvec3& low, const glm::dvec3& high, const glm::iv
 RegionVoxels::RegionVoxels(const Measurement& measurement, const VolumeGeometry& geometry)
     : m_geometry(geometry)
 {
-    if (geometry.voxelCount() == 0)
+    if (geometry.voxelCount() == 0 || measurement.pointsLps.size() < pointsOf(measurement.kind))
         return;
     std::vector<glm::dvec3> indices;
     for (const glm::dvec3& point : measurement.pointsLps)

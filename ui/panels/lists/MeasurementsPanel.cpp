@@ -2,11 +2,13 @@
 #include "ui/panels/lists/MeasurementsPanel.h"
 
 #include "core/edits/kinds/views/Measurements.h"
+#include "core/export/MeasurementsCsv.h"
 #include "ui/base/MeasureTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/overlays/MeasurementLines.h"
 #include "ui/workspace/Workspace.h"
 
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QPushButton>
@@ -15,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace ui {
@@ -43,6 +46,7 @@ MeasurementsPanel::MeasurementsPanel(Workspace& workspace, QWidget* parent)
     : Panel(parent)
     , m_workspace(workspace)
     , m_list(new QListWidget(this))
+    , m_save(new QPushButton(tr("Save as CSV …"), this))
     , m_remove(new QPushButton(tr("Remove"), this))
 {
     m_list->setObjectName(QStringLiteral("measurementList"));
@@ -53,12 +57,14 @@ MeasurementsPanel::MeasurementsPanel(Workspace& workspace, QWidget* parent)
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setToolTip(tr("A click leads the crosshair there; Del removes what is selected"));
     m_remove->setObjectName(QStringLiteral("removeMeasurements"));
+    m_save->setObjectName(QStringLiteral("saveMeasurements"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, theme::smallPadding);
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(m_list);
     auto* buttons = new QHBoxLayout;
     buttons->setContentsMargins(theme::padding, 0, theme::padding, 0);
+    buttons->addWidget(m_save);
     buttons->addStretch();
     buttons->addWidget(m_remove);
     layout->addLayout(buttons);
@@ -67,6 +73,7 @@ MeasurementsPanel::MeasurementsPanel(Workspace& workspace, QWidget* parent)
     connect(m_list, &QListWidget::itemActivated, this, &MeasurementsPanel::lead);
     connect(m_list, &QListWidget::itemSelectionChanged, this,
         [this] { m_remove->setEnabled(!m_list->selectedItems().isEmpty()); });
+    connect(m_save, &QPushButton::clicked, this, &MeasurementsPanel::save);
     connect(m_remove, &QPushButton::clicked, this, &MeasurementsPanel::removeSelected);
     auto* del = new QShortcut(QKeySequence(Qt::Key_Delete), m_list);
     del->setContext(Qt::WidgetShortcut);
@@ -124,6 +131,11 @@ void MeasurementsPanel::refresh()
         height += std::max(m_list->sizeHintForRow(row), theme::controlHeight);
     m_list->setFixedHeight(height);
     m_remove->setEnabled(!m_list->selectedItems().isEmpty());
+    const bool known = std::all_of(all.begin(), all.end(),
+        [this](const core::Measurement& each) { return m_workspace.measured(each) != nullptr; });
+    m_save->setEnabled(count > 0 && known);
+    m_save->setToolTip(known ? tr("All measurements as a table, with their values")
+                             : tr("Some values are still being worked out"));
     Q_EMIT summaryChanged(summary());
     if (hasSomething() != m_hadSomething) {
         m_hadSomething = hasSomething();
@@ -154,6 +166,38 @@ void MeasurementsPanel::removeSelected()
         if (const auto removed = session->apply(edit); !removed)
             return m_workspace.fail(removed.error());
     }
+}
+
+void MeasurementsPanel::save()
+{
+    const QString file = QFileDialog::getSaveFileName(
+        this, tr("Save measurements"), QStringLiteral("measurements.csv"), tr("Tables (*.csv)"));
+    if (!file.isEmpty())
+        saveAs(file);
+}
+
+void MeasurementsPanel::saveAs(const QString& file)
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || !m_workspace.volume())
+        return;
+    std::vector<core::Measured> all;
+    for (const core::Measurement& each : session->document().measurements) {
+        if (const core::Measured* known = m_workspace.measured(each))
+            all.push_back(*known);
+    }
+    // The dialog has asked whether a file of that name is to be replaced.
+    m_background.start(
+        this,
+        [all = std::move(all), volume = *m_workspace.volume(), file] {
+            return core::exportMeasurements(all, volume, file, true);
+        },
+        [this, file](const core::Result<void>& saved) {
+            if (!saved)
+                m_workspace.fail(saved.error());
+            else
+                m_workspace.say(tr("Measurements saved and checked: %1").arg(file));
+        });
 }
 
 } // namespace ui

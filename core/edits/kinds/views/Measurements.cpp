@@ -16,33 +16,6 @@ namespace core {
 
 namespace {
 
-/// How many points a kind has.
-struct PointCount {
-    std::size_t least = 0;
-    std::size_t most = 0;
-};
-
-PointCount pointsOf(Measurement::Kind kind)
-{
-    using Kind = Measurement::Kind;
-    switch (kind) {
-    case Kind::Probe:
-    case Kind::Text:
-        return {1, 1};
-    case Kind::Distance:
-    case Kind::Ball:
-    case Kind::Arrow:
-        return {2, 2};
-    case Kind::Angle:
-    case Kind::Ellipse:
-    case Kind::Rectangle:
-        return {3, 3};
-    case Kind::Outline:
-        return {3, Annotate::mostCorners};
-    }
-    return {};
-}
-
 tl::unexpected<Error> unfit(const char* field, const QString& reason)
 {
     return failure(
@@ -53,12 +26,12 @@ Result<void> checkPoints(const Measurement& measurement)
 {
     using Kind = Measurement::Kind;
     const std::vector<glm::dvec3>& points = measurement.pointsLps;
-    const PointCount count = pointsOf(measurement.kind);
-    if (points.size() < count.least || points.size() > count.most)
+    const std::size_t least = pointsOf(measurement.kind);
+    const bool isOutline = measurement.kind == Kind::Outline;
+    if (points.size() < least || points.size() > (isOutline ? Annotate::mostCorners : least))
         return unfit("pointsLps",
-            count.least == count.most
-                ? QStringLiteral("must be %1").arg(count.least)
-                : QStringLiteral("must be %1 to %2").arg(count.least).arg(count.most));
+            isOutline ? QStringLiteral("must be %1 to %2").arg(least).arg(Annotate::mostCorners)
+                      : QStringLiteral("must be %1").arg(least));
     if (points.size() == 2 && points[0] == points[1])
         return unfit("pointsLps", QStringLiteral("are the same point"));
     if (measurement.kind == Kind::Angle && (points[0] == points[1] || points[2] == points[1]))

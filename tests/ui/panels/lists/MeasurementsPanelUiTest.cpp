@@ -10,6 +10,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QtTest>
 
 namespace measurementsPanelUiTest {
@@ -119,6 +120,28 @@ private Q_SLOTS:
         }));
         QCOMPARE(fixture.workspace.measured(place)->values->mean, 6.0);
         QVERIFY(!regions.busy());
+    }
+
+    void theyAreSaved()
+    {
+        Fixture fixture;
+        const ui::MeasuredRegions regions(fixture.workspace);
+        auto* save = fixture.panel->findChild<QPushButton*>(QStringLiteral("saveMeasurements"));
+        QVERIFY(save && !save->isEnabled());
+        fixture.apply(core::AddMeasurement{.fromLps = {0, 0, 0}, .toLps = {3, 4, 0}, .piece = {}});
+        QVERIFY(!save->isEnabled()); // still being worked out
+        QVERIFY(QTest::qWaitFor([&] {
+            fixture.session().poll();
+            return save->isEnabled();
+        }));
+        const QTemporaryDir folder;
+        const QString name = folder.filePath(QStringLiteral("a.csv"));
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.panel->saveAs(name);
+        QTRY_COMPARE(said.size(), 1);
+        QFile file(name);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("1,distance,\"\",no,mm,\"HU\",5,,"));
     }
 
     void theyAreTakenAway()
