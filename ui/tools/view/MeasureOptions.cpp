@@ -17,6 +17,12 @@
 
 namespace ui {
 
+namespace {
+
+constexpr int axesItem = -1; ///< behind the kinds
+
+} // namespace
+
 MeasureOptions::MeasureOptions(Workspace& workspace, MeasureTool& tool, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
@@ -34,6 +40,7 @@ MeasureOptions::MeasureOptions(Workspace& workspace, MeasureTool& tool, QWidget*
     for (const Kind kind : {Kind::Distance, Kind::Angle, Kind::Ellipse, Kind::Rectangle,
              Kind::Outline, Kind::Ball, Kind::Probe, Kind::Arrow, Kind::Text})
         m_kinds->addItem(kindText(kind), int(kind));
+    m_kinds->addItem(tr("axes of a segment"), axesItem);
     m_kinds->setToolTip(tr("What is measured or noted; regions show how large they are, and mean, "
                            "deviation and range of the values in them"));
     m_text->setObjectName(QStringLiteral("measureText"));
@@ -48,8 +55,13 @@ MeasureOptions::MeasureOptions(Workspace& workspace, MeasureTool& tool, QWidget*
     layout->addWidget(m_kinds);
     layout->addWidget(m_text);
     layout->addWidget(m_list);
-    connect(m_kinds, &QComboBox::activated, this,
-        [this] { m_tool.setKind(Kind(m_kinds->currentData().toInt())); });
+    connect(m_kinds, &QComboBox::activated, this, [this] {
+        const int item = m_kinds->currentData().toInt();
+        if (item == axesItem)
+            m_tool.suggestAxes();
+        else
+            m_tool.setKind(MeasureTool::Kind(item));
+    });
     connect(m_text, &QLineEdit::textChanged, &tool, &MeasureTool::setText);
     connect(&tool, &MeasureTool::kindChanged, this, &MeasureOptions::showTool);
     connect(&tool, &MeasureTool::textChanged, this, &MeasureOptions::showTool);
@@ -67,7 +79,8 @@ MeasureOptions::MeasureOptions(Workspace& workspace, MeasureTool& tool, QWidget*
 void MeasureOptions::showTool()
 {
     const QSignalBlocker kinds(m_kinds);
-    m_kinds->setCurrentIndex(m_kinds->findData(int(m_tool.kind())));
+    m_kinds->setCurrentIndex(
+        m_kinds->findData(m_tool.suggestsAxes() ? axesItem : int(m_tool.kind())));
     m_text->setVisible(
         m_tool.kind() == MeasureTool::Kind::Arrow || m_tool.kind() == MeasureTool::Kind::Text);
     if (m_text->text() != m_tool.text()) {

@@ -26,6 +26,7 @@ using Kind = core::Measurement::Kind;
 /// A click is no measurement.
 constexpr double leastPixels = 3.0;
 constexpr double samePlaneMm = 0.01;
+constexpr const char* axesWord = "axes"; ///< in settings
 
 double apart(const QPointF& a, const QPointF& b)
 {
@@ -55,6 +56,7 @@ std::vector<glm::dvec3> thinned(const std::vector<glm::dvec3>& curve)
 MeasureTool::MeasureTool(Workspace& workspace, QObject* parent)
     : Tool(parent)
     , m_workspace(workspace)
+    , m_axes(workspace)
 {
     connect(&workspace, &Workspace::sessionChanged, this, &MeasureTool::cancel);
 }
@@ -71,7 +73,8 @@ QString MeasureTool::iconName() const
 
 QString MeasureTool::hint() const
 {
-    return tr("Measure (%1): %2").arg(kindText(m_kind), howToDraw());
+    return tr("Measure (%1): %2")
+        .arg(m_suggestsAxes ? tr("axes of a segment") : kindText(m_kind), howToDraw());
 }
 
 QString MeasureTool::keys() const
@@ -81,6 +84,9 @@ QString MeasureTool::keys() const
 
 QString MeasureTool::howToDraw() const
 {
+    if (m_suggestsAxes)
+        return tr("click on a segment in a slice; its longest axis there and the longest one "
+                  "across it are measured");
     switch (m_kind) {
     case Kind::Distance:
         return tr("drag from one place to the other");
@@ -110,12 +116,15 @@ QWidget* MeasureTool::createOptions(QWidget* parent)
 
 QJsonObject MeasureTool::settingsJson() const
 {
-    return {{QStringLiteral("kind"), QLatin1String(core::measurementWords[std::size_t(m_kind)])}};
+    const char* word = m_suggestsAxes ? axesWord : core::measurementWords[std::size_t(m_kind)];
+    return {{QStringLiteral("kind"), QLatin1String(word)}};
 }
 
 void MeasureTool::applySettings(const QJsonObject& settings)
 {
     const QString word = settings[QLatin1String("kind")].toString();
+    if (word == QLatin1String(axesWord))
+        return suggestAxes();
     for (std::size_t kind = 0; kind < core::measurementWords.size(); ++kind) {
         if (word == QLatin1String(core::measurementWords[kind]))
             setKind(Kind(kind));
@@ -124,12 +133,20 @@ void MeasureTool::applySettings(const QJsonObject& settings)
 
 void MeasureTool::setKind(Kind kind)
 {
-    if (kind == m_kind)
+    if (kind == m_kind && !m_suggestsAxes)
         return;
     cancel();
     m_kind = kind;
+    m_suggestsAxes = false;
     Q_EMIT kindChanged();
     Q_EMIT overlayChanged();
+}
+
+void MeasureTool::suggestAxes()
+{
+    setKind(Kind::Distance);
+    m_suggestsAxes = true;
+    Q_EMIT kindChanged();
 }
 
 void MeasureTool::setText(const QString& text)
@@ -145,7 +162,7 @@ bool MeasureTool::worksIn(const ViewContext& view) const
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
     if (!scene)
         return true;
-    const bool needsPlane = m_kind == Kind::Ellipse || m_kind == Kind::Rectangle
+    const bool needsPlane = m_suggestsAxes || m_kind == Kind::Ellipse || m_kind == Kind::Rectangle
         || m_kind == Kind::Outline || m_kind == Kind::Ball;
     return scene->orthographic && !needsPlane;
 }
@@ -280,6 +297,8 @@ void MeasureTool::finish()
     const core::Measurement measured = drawn();
     const ViewContext view = *m_view;
     cancel();
+    if (m_suggestsAxes)
+        return m_axes.suggest(view, measured.pointsLps.front());
     if (m_kind == Kind::Text && measured.text.isEmpty())
         return m_workspace.say(tr("Nothing was noted: %1").arg(howToDraw()));
     if (view.isSlice())
@@ -379,7 +398,7 @@ void MeasureTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
     if (!m_workspace.volume() || !worksIn(view))
         return;
-    if (m_view && m_view->view == view.view && isSameView(view)) {
+    if (!m_suggestsAxes && m_view && m_view->view == view.view && isSameView(view)) {
         core::Measurement measured = drawn();
         const bool halfAngle = m_kind == Kind::Angle && m_points.size() < 3;
         if (halfAngle && !m_pressed)

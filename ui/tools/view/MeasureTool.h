@@ -3,6 +3,7 @@
 
 #include "core/document/Measurement.h"
 #include "ui/input/Tool.h"
+#include "ui/tasks/AxesOfSegment.h"
 
 #include <optional>
 #include <vector>
@@ -17,7 +18,8 @@ class Workspace;
 /// Each is one AddMeasurement or Annotate, drawn in every view (overlays/MeasurementLines.h).
 ///
 /// All are one drag; an angle is a drag along its first side, then a click or drag at the end of
-/// the other one; a probe or a text is a click.
+/// the other one; a probe or a text is a click, and so is the suggestion of a segment's axes, which
+/// are two distances (tasks/AxesOfSegment.h).
 class MeasureTool : public Tool {
     Q_OBJECT
 
@@ -38,6 +40,9 @@ public:
 
     [[nodiscard]] Kind kind() const { return m_kind; }
     void setKind(Kind kind);
+    /// Whether a click suggests the axes of the segment there, whatever the kind.
+    [[nodiscard]] bool suggestsAxes() const { return m_suggestsAxes; }
+    void suggestAxes();
     /// What the next arrow or text says.
     [[nodiscard]] const QString& text() const { return m_text; }
     void setText(const QString& text);
@@ -58,7 +63,10 @@ Q_SIGNALS:
     void textChanged();
 
 private:
-    [[nodiscard]] bool isClicked() const { return m_kind == Kind::Probe || m_kind == Kind::Text; }
+    [[nodiscard]] bool isClicked() const
+    {
+        return m_suggestsAxes || m_kind == Kind::Probe || m_kind == Kind::Text;
+    }
     [[nodiscard]] bool isNote() const { return m_kind == Kind::Arrow || m_kind == Kind::Text; }
     /// Whether the view still shows what it showed at the first press.
     [[nodiscard]] bool isSameView(const ViewContext& view) const;
@@ -73,6 +81,8 @@ private:
 
     Workspace& m_workspace;
     Kind m_kind = Kind::Distance;
+    bool m_suggestsAxes = false; ///< the kind is then a distance
+    AxesOfSegment m_axes;
     QString m_text;
     std::optional<ViewContext> m_view; ///< that of the first press, until it is finished
     bool m_pressed = false;

@@ -4,6 +4,8 @@
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
 #include "core/edits/kinds/pieces/RemovePiece.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "core/measure/MeasuredSize.h"
 #include "tests/support/faults/FailingLog.h"
@@ -21,6 +23,7 @@
 #include <QJsonObject>
 #include <QLineEdit>
 #include <QMenu>
+#include <QSignalSpy>
 #include <QToolButton>
 #include <QtTest>
 
@@ -331,6 +334,55 @@ private Q_SLOTS:
         QVERIFY(fixture.measurements()[1].projected);
         QCOMPARE(ui::measurementLines(fixture.measurements()[1], fixture.workspace).back(),
             QStringLiteral("projected"));
+    }
+
+    /// A segment's outline in the middle slice, 12 × 6 mm, has these axes from corner to corner.
+    void axesOfASegmentAreSuggested()
+    {
+        Fixture fixture;
+        fixture.apply(core::AddSegment{.name = QStringLiteral("Lesion"), .rgb = 0x40C080});
+        ui::SliceView& view = fixture.window.views().axial();
+        const auto& slice = std::get<gpu::SliceScene>(view.context().scene);
+        core::FillOutline fill{.segment = 1,
+            .originLps = slice.centreLps,
+            .rightLps = slice.rightLps,
+            .upLps = -slice.downLps,
+            .polygonMm = {{-6.25, -3.25}, {6.25, -3.25}, {6.25, 3.25}, {-6.25, 3.25}}};
+        fixture.apply(fill);
+        fixture.tool.suggestAxes();
+        QVERIFY(!fixture.tool.worksIn(fixture.window.views().volume().context()));
+        const QPointF at = view.context().toPixel(slice.centreLps);
+        fixture.drag(view, at, at);
+        QVERIFY(QTest::qWaitFor([&] {
+            fixture.session().poll();
+            return fixture.measurements().size() == 2;
+        }));
+        const core::Measurement& longer = fixture.measurements()[0];
+        const core::Measurement& shorter = fixture.measurements()[1];
+        const glm::dvec3 spacing = fixture.workspace.volume()->geometry.spacingMm();
+        const double pixel = std::max({spacing.x, spacing.y, spacing.z});
+        QVERIFY2(std::abs(longer.lengthMm() - std::hypot(12.5, 6.5)) < 2.0 * pixel,
+            qPrintable(QString::number(longer.lengthMm())));
+        QVERIFY(shorter.lengthMm() < longer.lengthMm());
+        const glm::dvec3 along = longer.pointsLps[1] - longer.pointsLps[0];
+        const glm::dvec3 across = shorter.pointsLps[1] - shorter.pointsLps[0];
+        QVERIFY(
+            std::abs(glm::dot(along, across)) < 0.01 * glm::length(along) * glm::length(across));
+        // Beside the segment there is nothing to be suggested.
+        const QPointF beside = view.context().toPixel(slice.centreLps + 11.0 * slice.rightLps);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.drag(view, beside, beside);
+        QVERIFY(QTest::qWaitFor([&] {
+            fixture.session().poll();
+            return said.size() > 0;
+        }));
+        QCOMPARE(fixture.measurements().size(), std::size_t(2));
+        // It is kept as a setting, and a shape ends it.
+        const QJsonObject kept = fixture.tool.settingsJson();
+        fixture.tool.setKind(Kind::Distance);
+        QVERIFY(!fixture.tool.suggestsAxes());
+        fixture.tool.applySettings(kept);
+        QVERIFY(fixture.tool.suggestsAxes());
     }
 
     void theShapeIsKept()
