@@ -2,8 +2,8 @@
 #include "ui/overlays/MeasurementLines.h"
 
 #include "core/measure/PlaneShape.h"
-#include "ui/base/MeasureTexts.h"
 #include "ui/base/Theme.h"
+#include "ui/measure/MeasureTexts.h"
 #include "ui/workspace/Pieces.h"
 #include "ui/workspace/Workspace.h"
 

@@ -151,8 +151,8 @@ public:
     [[nodiscard]] Refinement& refinement() const { return *m_refinement; }
     [[nodiscard]] CuttingPlane& plane() const { return *m_plane; }
     [[nodiscard]] Chunks& chunks() const { return *m_chunks; }
-    /// What a measurement comes to (tasks/MeasuredRegions.h); null: it is not worked out yet. After
-    /// undo another one may have its number, but never what this one came to.
+    /// What a measurement comes to (measure/MeasuredRegions.h); null: it is not worked out yet.
+    /// After undo another one may have its number, but never what this one came to.
     [[nodiscard]] const core::Measured* measured(const core::Measurement& measurement) const;
     void setMeasured(const core::Measured& measured);
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }

@@ -3,8 +3,8 @@
 
 #include "core/edits/kinds/views/Measurements.h"
 #include "core/export/MeasurementsCsv.h"
-#include "ui/base/MeasureTexts.h"
 #include "ui/base/Theme.h"
+#include "ui/measure/MeasureTexts.h"
 #include "ui/overlays/MeasurementLines.h"
 #include "ui/workspace/Workspace.h"
 

@@ -2,8 +2,8 @@
 #include "ui/tools/view/MeasureOptions.h"
 
 #include "core/edits/kinds/views/Measurements.h"
-#include "ui/base/MeasureTexts.h"
 #include "ui/base/Theme.h"
+#include "ui/measure/MeasureTexts.h"
 #include "ui/overlays/MeasurementLines.h"
 #include "ui/tools/view/MeasureTool.h"
 #include "ui/workspace/Workspace.h"

@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/views/Measurements.h"
 #include "core/measure/MeasuredSize.h"
-#include "ui/base/MeasureTexts.h"
+#include "ui/measure/MeasureTexts.h"
 #include "ui/overlays/MeasurementLines.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/SeenVoxels.h"

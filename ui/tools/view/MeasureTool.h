@@ -3,7 +3,7 @@
 
 #include "core/document/Measurement.h"
 #include "ui/input/Tool.h"
-#include "ui/tasks/AxesOfSegment.h"
+#include "ui/measure/AxesOfSegment.h"
 
 #include <optional>
 #include <vector>
@@ -19,7 +19,7 @@ class Workspace;
 ///
 /// All are one drag; an angle is a drag along its first side, then a click or drag at the end of
 /// the other one; a probe or a text is a click, and so is the suggestion of a segment's axes, which
-/// are two distances (tasks/AxesOfSegment.h).
+/// are two distances (measure/AxesOfSegment.h).
 class MeasureTool : public Tool {
     Q_OBJECT
 

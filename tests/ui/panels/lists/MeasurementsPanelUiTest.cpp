@@ -5,7 +5,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/tasks/MeasuredRegions.h"
+#include "ui/measure/MeasuredRegions.h"
 
 #include <QListWidget>
 #include <QPushButton>

@@ -14,8 +14,8 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/measure/MeasuredRegions.h"
 #include "ui/overlays/MeasurementLines.h"
-#include "ui/tasks/MeasuredRegions.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/Pieces.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/base/MeasureTexts.h"
+#include "ui/measure/MeasureTexts.h"
 
 #include "ui/base/StudyTexts.h"
 

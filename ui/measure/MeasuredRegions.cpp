@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tasks/MeasuredRegions.h"
+#include "ui/measure/MeasuredRegions.h"
 
 #include "core/measure/region/RegionVoxels.h"
 #include "core/session/EditSession.h"

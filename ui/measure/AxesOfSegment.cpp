@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tasks/AxesOfSegment.h"
+#include "ui/measure/AxesOfSegment.h"
 
 #include "core/edits/kinds/views/Measurements.h"
 #include "core/outline/SegmentAxes.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "ui/base/MeasureTexts.h"
+#include "ui/measure/MeasureTexts.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
