@@ -170,7 +170,10 @@ private:
                 edit = std::move(other);
         }
         const std::size_t rows = m_session->history().rows().size();
-        return note(kindOf(edit), m_session->apply(edit), rows);
+        const QString kind = note(kindOf(edit), m_session->apply(edit), rows);
+        if (edit.is<Annotate>() && m_session->history().rows().size() > rows)
+            ++m_result.done[editName(edit)];
+        return kind;
     }
 
     /// Under which name it is counted.
@@ -183,6 +186,9 @@ private:
         if (const auto* both = edit.as<CombineSegments>())
             return editName(edit)
                 + QLatin1String(both->how == CombineSegments::How::Swap ? " swap" : " merge");
+        // What stands in its place does not change what comes to be drawn next.
+        if (edit.is<Annotate>())
+            return editName(AddMeasurement());
         return editName(edit);
     }
 
