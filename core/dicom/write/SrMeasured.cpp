@@ -66,8 +66,8 @@ void putSizes(DcmItem* group, const Measured& measured, const SrMeasuredSource& 
     const SrTree& tree, const Graphic& graphic)
 {
     const bool voxels = measured.size.inVoxels;
-    const CodedConcept inVoxels = codeOf("UCUM", "{voxels}", "voxels");
-    const CodedConcept length = voxels ? inVoxels : codeOf("UCUM", "mm", "millimeter");
+    const CodedConcept inVoxels = schemeCode("UCUM", "{voxels}", "voxels");
+    const CodedConcept length = voxels ? inVoxels : schemeCode("UCUM", "mm", "millimeter");
     // Of a line or an angle the places belong to the number.
     const auto number = [&](const std::optional<double>& value, const CodedConcept& name,
                             const CodedConcept& unit) {
@@ -79,21 +79,22 @@ void putSizes(DcmItem* group, const Measured& measured, const SrMeasuredSource& 
                 graphic.type, graphic.places, source.frameOfReferenceUid);
     };
     const MeasuredSize& size = measured.size;
-    number(size.length, codeOf("SCT", "410668003", "Length"), length);
-    number(size.angleDegrees, codeOf("SCT", "1483009", "Angle"), codeOf("UCUM", "deg", "degree"));
-    number(size.area, codeOf("SCT", "42798000", "Area"),
-        voxels ? inVoxels : codeOf("UCUM", "mm2", "square millimeter"));
+    number(size.length, schemeCode("SCT", "410668003", "Length"), length);
+    number(size.angleDegrees, schemeCode("SCT", "1483009", "Angle"),
+        schemeCode("UCUM", "deg", "degree"));
+    number(size.area, schemeCode("SCT", "42798000", "Area"),
+        voxels ? inVoxels : schemeCode("UCUM", "mm2", "square millimeter"));
     constexpr double mm3PerMl = 1000.0;
     std::optional<double> volume = size.volume;
     if (volume && !voxels)
         *volume /= mm3PerMl;
-    number(volume, codeOf("SCT", "118565006", "Volume"),
-        voxels ? inVoxels : codeOf("UCUM", "cm3", "cubic centimeter"));
+    number(volume, schemeCode("SCT", "118565006", "Volume"),
+        voxels ? inVoxels : schemeCode("UCUM", "cm3", "cubic centimeter"));
     if (size.shortAxis) {
-        number(size.longAxis, codeOf("SCT", "103339001", "Long Axis"), length);
-        number(size.shortAxis, codeOf("SCT", "103340004", "Short Axis"), length);
+        number(size.longAxis, schemeCode("SCT", "103339001", "Long Axis"), length);
+        number(size.shortAxis, schemeCode("SCT", "103340004", "Short Axis"), length);
     } else {
-        number(size.longAxis, codeOf("SCT", "81827009", "Diameter"), length);
+        number(size.longAxis, schemeCode("SCT", "81827009", "Diameter"), length);
     }
 }
 
@@ -133,13 +134,14 @@ void putMeasured(DcmItem* measurements, const Measured& measured, const SrMeasur
                 graphic.type, graphic.places, source.frameOfReferenceUid);
         return;
     }
-    tree.derived(group, quantity, measured.values->mean, unit, codeOf("SCT", "373098007", "Mean"));
+    tree.derived(
+        group, quantity, measured.values->mean, unit, schemeCode("SCT", "373098007", "Mean"));
     tree.derived(group, quantity, measured.values->deviation, unit,
-        codeOf("SCT", "386136009", "Standard Deviation"));
+        schemeCode("SCT", "386136009", "Standard Deviation"));
     tree.derived(
-        group, quantity, measured.values->minimum, unit, codeOf("SCT", "255605001", "Minimum"));
+        group, quantity, measured.values->minimum, unit, schemeCode("SCT", "255605001", "Minimum"));
     tree.derived(
-        group, quantity, measured.values->maximum, unit, codeOf("SCT", "56851009", "Maximum"));
+        group, quantity, measured.values->maximum, unit, schemeCode("SCT", "56851009", "Maximum"));
 }
 
 } // namespace core

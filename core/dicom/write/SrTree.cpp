@@ -6,7 +6,7 @@
 
 namespace core {
 
-CodedConcept codeOf(const char* scheme, const char* value, const char* meaning)
+CodedConcept schemeCode(const char* scheme, const char* value, const char* meaning)
 {
     return {.scheme = QLatin1String(scheme),
         .value = QLatin1String(value),
@@ -15,18 +15,18 @@ CodedConcept codeOf(const char* scheme, const char* value, const char* meaning)
 
 CodedConcept dicomCode(const char* value, const char* meaning)
 {
-    return codeOf("DCM", value, meaning);
+    return schemeCode("DCM", value, meaning);
 }
 
 CodedConcept unitCode(const QString& unit)
 {
     if (unit == QLatin1String("HU"))
-        return codeOf("UCUM", "[hnsf'U]", "Hounsfield unit");
+        return schemeCode("UCUM", "[hnsf'U]", "Hounsfield unit");
     if (unit.startsWith(QLatin1String("SUV")) || unit == QLatin1String("g/mL"))
-        return codeOf("UCUM", "g/ml{SUVbw}", "Standardized Uptake Value body weight");
+        return schemeCode("UCUM", "g/ml{SUVbw}", "Standardized Uptake Value body weight");
     if (unit == QLatin1String("Bq/mL") || unit == QLatin1String("BQML"))
-        return codeOf("UCUM", "Bq/ml", "Becquerels/milliliter");
-    return codeOf("UCUM", "1", "no units");
+        return schemeCode("UCUM", "Bq/ml", "Becquerels/milliliter");
+    return schemeCode("UCUM", "1", "no units");
 }
 
 CodedConcept quantityOf(const QString& unit, const QString& modality)
@@ -37,7 +37,7 @@ CodedConcept quantityOf(const QString& unit, const QString& modality)
         return dicomCode("126400", "Standardized Uptake Value");
     if (modality == QLatin1String("MR"))
         return dicomCode("110852", "MR signal intensity");
-    return codeOf("99BURIN", "VALUE", "Value of the source images");
+    return schemeCode("99BURIN", "VALUE", "Value of the source images");
 }
 
 DcmItem* SrTree::container(DcmItem* parent, const CodedConcept& name) const

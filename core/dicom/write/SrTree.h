@@ -15,7 +15,7 @@ class DcmItem;
 
 namespace core {
 
-[[nodiscard]] CodedConcept codeOf(const char* scheme, const char* value, const char* meaning);
+[[nodiscard]] CodedConcept schemeCode(const char* scheme, const char* value, const char* meaning);
 /// One of DICOM's own (PS3.16 annex D).
 [[nodiscard]] CodedConcept dicomCode(const char* value, const char* meaning);
 /// UCUM of the values' unit; where the source does not say, that there is none.

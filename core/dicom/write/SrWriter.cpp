@@ -70,19 +70,19 @@ void putGroup(DcmItem* measurements, const SrContent& content, const SegFile& se
     tree.image(item, dicomCode("121191", "Referenced Segment"), "CONTAINS", UID_SegmentationStorage,
         seg.sopInstanceUid, int(index) + 1);
     tree.uid(item, "CONTAINS", dicomCode("121232", "Source series for segmentation"), series);
-    tree.number(item, codeOf("SCT", "118565006", "Volume"), group.volumeMl,
-        codeOf("UCUM", "cm3", "cubic centimeter"));
-    tree.number(item, codeOf("IBSI", "C0JK", "Surface Area of Mesh"), group.surfaceMm2,
-        codeOf("UCUM", "mm2", "square millimeter"));
+    tree.number(item, schemeCode("SCT", "118565006", "Volume"), group.volumeMl,
+        schemeCode("UCUM", "cm3", "cubic centimeter"));
+    tree.number(item, schemeCode("IBSI", "C0JK", "Surface Area of Mesh"), group.surfaceMm2,
+        schemeCode("UCUM", "mm2", "square millimeter"));
     const CodedConcept quantity = quantityOf(content.unit, content.identity.modality);
     const auto value = [&](double number, const CodedConcept& derivation) {
         tree.derived(item, quantity, number, unitCode(content.unit), derivation);
     };
-    value(group.mean, codeOf("SCT", "373098007", "Mean"));
-    value(group.deviation, codeOf("SCT", "386136009", "Standard Deviation"));
-    value(group.minimum, codeOf("SCT", "255605001", "Minimum"));
-    value(group.maximum, codeOf("SCT", "56851009", "Maximum"));
-    value(group.median, codeOf("SCT", "373099004", "Median"));
+    value(group.mean, schemeCode("SCT", "373098007", "Mean"));
+    value(group.deviation, schemeCode("SCT", "386136009", "Standard Deviation"));
+    value(group.minimum, schemeCode("SCT", "255605001", "Minimum"));
+    value(group.maximum, schemeCode("SCT", "56851009", "Maximum"));
+    value(group.median, schemeCode("SCT", "373099004", "Median"));
 }
 
 void putTree(DcmDataset& set, const SrContent& content, const SegFile& seg, const QString& series,
@@ -98,9 +98,9 @@ void putTree(DcmDataset& set, const SrContent& content, const SegFile& seg, cons
     items.put(used, DCM_TemplateIdentifier, "1500");
     DcmItem* language = tree.coded(&set, "HAS CONCEPT MOD",
         dicomCode("121049", "Language of Content Item and Descendants"),
-        codeOf("RFC5646", "en", "English"));
+        schemeCode("RFC5646", "en", "English"));
     tree.coded(language, "HAS CONCEPT MOD", dicomCode("121046", "Country of Language"),
-        codeOf("ISO3166_1", "GB", "United Kingdom"));
+        schemeCode("ISO3166_1", "GB", "United Kingdom"));
     tree.coded(&set, "HAS OBS CONTEXT", dicomCode("121005", "Observer Type"),
         dicomCode("121007", "Device"));
     // What a program is has no UID of its own; this one names Burin, whichever its version.
@@ -108,7 +108,7 @@ void putTree(DcmDataset& set, const SrContent& content, const SegFile& seg, cons
         QStringLiteral("2.25.289176443096518024741958201837465102938"));
     tree.text(&set, dicomCode("121013", "Device Observer Name"), QStringLiteral("Burin"));
     tree.coded(&set, "HAS CONCEPT MOD", dicomCode("121058", "Procedure reported"),
-        codeOf("SCT", "363679005", "Imaging procedure"));
+        schemeCode("SCT", "363679005", "Imaging procedure"));
     DcmItem* library = tree.container(&set, dicomCode("111028", "Image Library"));
     static_cast<void>(library);
     DcmItem* measurements = tree.container(&set, dicomCode("126010", "Imaging Measurements"));
