@@ -417,7 +417,9 @@ void MeasureTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         paintMeasurement(painter, view, drawingOf(measured, view), words);
     } else if (m_cursorView == view.view) {
         drawCursorLabel(painter, view.sizePixels, m_cursor, 4.0,
-            {isNote() ? tr("notes here") : tr("measures from here")});
+            {m_suggestsAxes    ? tr("suggests axes")
+                    : isNote() ? tr("notes here")
+                               : tr("measures from here")});
     }
 }
 

@@ -73,8 +73,9 @@ TitleArgument volumeTitle(const MeasuredSize& size)
 RowTitle whatItIs(const Measurement& measurement, const Document& document)
 {
     using Kind = Measurement::Kind;
-    const MeasuredSize size =
-        measuredSize(measurement, document.volumes.empty() ? Volume() : document.volumes.front());
+    const MeasuredSize size = document.volumes.empty()
+        ? MeasuredSize()
+        : measuredSize(measurement, document.volumes.front());
     switch (measurement.kind) {
     case Kind::Distance:
         return {.code = RowTitleCode::Millimetres, .arguments = {inMm(measurement.lengthMm())}};
