@@ -380,6 +380,12 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Add %1");
     case RowTitleCode::RemoveNote:
         return tr("Remove %1");
+    case RowTitleCode::MoveNote:
+        return tr("Move %1");
+    case RowTitleCode::MoveUnknownMeasurement:
+        return tr("Move measurement %1");
+    case RowTitleCode::DistanceOf:
+        return tr("distance %1 mm");
     case RowTitleCode::AngleOf:
         return tr("angle %1°");
     case RowTitleCode::EllipseOf:

@@ -78,6 +78,19 @@ template <class Visitor> void visitFields(Visitor& visit, Annotate& edit)
     visitProjected(visit, edit.projected);
 }
 
+template <> inline constexpr const char* editName<MoveMeasurement> = "moveMeasurement";
+template <>
+inline constexpr const char* editMeaning<MoveMeasurement> =
+    "Gives what was measured or noted other points; it keeps its number.";
+template <class Visitor> void visitFields(Visitor& visit, MoveMeasurement& edit)
+{
+    visit.field("measurement", Presence::Required, edit.measurement, measurementNumber,
+        "which measurement");
+    visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
+        "as its kind has them; of a distance both ends; at their true places, patient coordinates "
+        "(LPS)");
+}
+
 template <> inline constexpr const char* editName<RemoveMeasurement> = "removeMeasurement";
 template <>
 inline constexpr const char* editMeaning<RemoveMeasurement> = "Forgets what was measured or noted.";

@@ -800,6 +800,9 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
         takeValue(made.text, noted->text);
         takeValue(made.projected, noted->projected);
         document.measurements.push_back(made);
+    } else if (const auto* dragged = edit.as<MoveMeasurement>()) {
+        with(document.measurements, &Measurement::id, dragged->measurement)->pointsLps =
+            dragged->pointsLps;
     } else if (const auto* length = edit.as<RemoveMeasurement>()) {
         document.measurements.erase(
             with(document.measurements, &Measurement::id, length->measurement));

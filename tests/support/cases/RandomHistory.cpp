@@ -171,7 +171,8 @@ private:
         }
         const std::size_t rows = m_session->history().rows().size();
         const QString kind = note(kindOf(edit), m_session->apply(edit), rows);
-        if (edit.is<Annotate>() && m_session->history().rows().size() > rows)
+        const bool counted = edit.is<Annotate>() || edit.is<MoveMeasurement>();
+        if (counted && m_session->history().rows().size() > rows)
             ++m_result.done[editName(edit)];
         return kind;
     }
@@ -187,7 +188,7 @@ private:
             return editName(edit)
                 + QLatin1String(both->how == CombineSegments::How::Swap ? " swap" : " merge");
         // What stands in its place does not change what comes to be drawn next.
-        if (edit.is<Annotate>())
+        if (edit.is<Annotate>() || edit.is<MoveMeasurement>())
             return editName(AddMeasurement());
         return editName(edit);
     }
@@ -492,6 +493,13 @@ private:
             edit.projected = true;
         return edit;
     }
+    static Edit moved(const Measurement& measurement)
+    {
+        MoveMeasurement move{.measurement = measurement.id, .pointsLps = measurement.pointsLps};
+        for (glm::dvec3& point : move.pointsLps)
+            point += glm::dvec3(0.5, -1.0, 2.0);
+        return move;
+    }
     /// Views, distances and notes that are kept.
     Edit randomBookmark(const Document& document)
     {
@@ -504,6 +512,10 @@ private:
                 .toLps = glm::dvec3(between(-20, 20), 0.5, 120.0)};
             if (!document.pieces.empty() && chance(50))
                 measured.piece = any(document.pieces).id;
+            // Of many one is moved instead; so many are never all removed again, so that what is
+            // drawn next stays the same.
+            if (document.measurements.size() >= 4 && int(measured.toLps.x) % 2 == 0)
+                return moved(document.measurements[1]);
             const int given = document.lastMeasurementGiven();
             if (given % 2 == 0)
                 return measured;

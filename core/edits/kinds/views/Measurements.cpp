@@ -16,33 +16,33 @@ namespace core {
 
 namespace {
 
+/// @param field with its edit: "annotate.text"
 tl::unexpected<Error> unfit(const char* field, const QString& reason)
 {
-    return failure(
-        ErrorCode::InvalidField, QStringLiteral("annotate.") + QLatin1String(field), reason);
+    return failure(ErrorCode::InvalidField, QLatin1String(field), reason);
 }
 
-Result<void> checkPoints(const Measurement& measurement)
+Result<void> checkPoints(const Measurement& measurement, const char* field)
 {
     using Kind = Measurement::Kind;
     const std::vector<glm::dvec3>& points = measurement.pointsLps;
     const std::size_t least = pointsOf(measurement.kind);
     const bool isOutline = measurement.kind == Kind::Outline;
     if (points.size() < least || points.size() > (isOutline ? Annotate::mostCorners : least))
-        return unfit("pointsLps",
+        return unfit(field,
             isOutline ? QStringLiteral("must be %1 to %2").arg(least).arg(Annotate::mostCorners)
                       : QStringLiteral("must be %1").arg(least));
     if (points.size() == 2 && points[0] == points[1])
-        return unfit("pointsLps", QStringLiteral("are the same point"));
+        return unfit(field, QStringLiteral("are the same point"));
     if (measurement.kind == Kind::Angle && (points[0] == points[1] || points[2] == points[1]))
-        return unfit("pointsLps", QStringLiteral("have an end at the vertex"));
+        return unfit(field, QStringLiteral("have an end at the vertex"));
     if (!measurement.isPlaneRegion())
         return {};
     const std::optional<PlaneShape> shape = planeShape(measurement);
     if (!shape)
-        return unfit("pointsLps", QStringLiteral("lie on one line"));
+        return unfit(field, QStringLiteral("lie on one line"));
     if (shape->offPlaneMm(measurement) > PlaneShape::mostOffPlaneMm)
-        return unfit("pointsLps", QStringLiteral("do not lie in one plane"));
+        return unfit(field, QStringLiteral("do not lie in one plane"));
     return {};
 }
 
@@ -78,7 +78,7 @@ RowTitle whatItIs(const Measurement& measurement, const Document& document)
         : measuredSize(measurement, document.volumes.front());
     switch (measurement.kind) {
     case Kind::Distance:
-        return {.code = RowTitleCode::Millimetres, .arguments = {inMm(measurement.lengthMm())}};
+        return {.code = RowTitleCode::DistanceOf, .arguments = {inMm(measurement.lengthMm())}};
     case Kind::Angle:
         return {.code = RowTitleCode::AngleOf,
             .arguments = {oneDecimal(size.angleDegrees.value_or(0.0))}};
@@ -158,15 +158,15 @@ Result<bool> apply(const Annotate& edit, Document& document)
 {
     using Kind = Measurement::Kind;
     if (edit.kind == Kind::Distance)
-        return unfit("kind", QStringLiteral("is kept by addMeasurement"));
+        return unfit("annotate.kind", QStringLiteral("is kept by addMeasurement"));
     if (edit.text && edit.kind != Kind::Arrow && edit.kind != Kind::Text)
-        return unfit("text", QStringLiteral("belongs to arrows and texts"));
+        return unfit("annotate.text", QStringLiteral("belongs to arrows and texts"));
     if (!edit.text && edit.kind == Kind::Text)
-        return unfit("text", QStringLiteral("is missing"));
+        return unfit("annotate.text", QStringLiteral("is missing"));
     if (edit.piece && !document.piece(*edit.piece))
         return unknownPiece("annotate.piece", *edit.piece);
     Measurement made = measurementOf(edit);
-    if (const Result<void> sound = checkPoints(made); !sound)
+    if (const Result<void> sound = checkPoints(made, "annotate.pointsLps"); !sound)
         return tl::unexpected(sound.error());
     made.id = document.lastMeasurementGiven() + 1;
     document.measurements.push_back(std::move(made));
@@ -186,6 +186,50 @@ RowTitle rowTitle(const Annotate& edit, const RowFacts& row)
 }
 
 EditDependencies dependencies(const Annotate&, const DependencyFacts& row)
+{
+    return row.whatWasWritten();
+}
+
+Result<void> check(const MoveMeasurement& edit, const Document& document)
+{
+    return checkApplied(edit, document);
+}
+
+Result<bool> apply(const MoveMeasurement& edit, Document& document)
+{
+    const auto known = std::find_if(document.measurements.begin(), document.measurements.end(),
+        [&edit](const Measurement& each) { return each.id == edit.measurement; });
+    if (known == document.measurements.end())
+        return failure(ErrorCode::InvalidField, QStringLiteral("moveMeasurement.measurement"),
+            QStringLiteral("there is no measurement %1").arg(edit.measurement));
+    Measurement moved = *known;
+    moved.pointsLps = edit.pointsLps;
+    if (const Result<void> sound = checkPoints(moved, "moveMeasurement.pointsLps"); !sound)
+        return tl::unexpected(sound.error());
+    if (moved == *known)
+        return false;
+    *known = std::move(moved);
+    return true;
+}
+
+EditEffects effects(const MoveMeasurement&)
+{
+    return documentEffects(DocumentChange::What::Measurements, true);
+}
+
+RowTitle rowTitle(const MoveMeasurement& edit, const RowFacts& row)
+{
+    const Measurement* known = row.document.measurement(edit.measurement);
+    Measurement moved = known ? *known : Measurement();
+    moved.pointsLps = edit.pointsLps;
+    if (!known || moved.pointsLps.size() < pointsOf(moved.kind))
+        return {.code = RowTitleCode::MoveUnknownMeasurement,
+            .arguments = {TitleNumber{edit.measurement}}};
+    return {
+        .code = RowTitleCode::MoveNote, .arguments = {asArgument(whatItIs(moved, row.document))}};
+}
+
+EditDependencies dependencies(const MoveMeasurement&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
 }

@@ -33,6 +33,12 @@ struct Annotate {
     std::optional<bool> projected{}; ///< none: no
 };
 
+/// Give a measurement other points; it keeps its number and all else.
+struct MoveMeasurement {
+    int measurement = 0; ///< id
+    std::vector<glm::dvec3> pointsLps{}; ///< as its kind has them, at their true places
+};
+
 struct RemoveMeasurement {
     int measurement = 0; ///< id
 };
@@ -48,6 +54,13 @@ Result<bool> apply(const Annotate& edit, Document& document);
 [[nodiscard]] EditEffects effects(const Annotate& edit);
 [[nodiscard]] RowTitle rowTitle(const Annotate& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const Annotate& edit, const DependencyFacts& row);
+
+[[nodiscard]] Result<void> check(const MoveMeasurement& edit, const Document& document);
+Result<bool> apply(const MoveMeasurement& edit, Document& document);
+[[nodiscard]] EditEffects effects(const MoveMeasurement& edit);
+[[nodiscard]] RowTitle rowTitle(const MoveMeasurement& edit, const RowFacts& row);
+[[nodiscard]] EditDependencies dependencies(
+    const MoveMeasurement& edit, const DependencyFacts& row);
 
 [[nodiscard]] Result<void> check(const RemoveMeasurement& edit, const Document& document);
 Result<bool> apply(const RemoveMeasurement& edit, Document& document);

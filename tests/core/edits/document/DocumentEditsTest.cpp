@@ -161,6 +161,9 @@ private Q_SLOTS:
             "removePiece.piece");
         row("measurement", RemoveMeasurement{.measurement = 3}, ErrorCode::InvalidField,
             "removeMeasurement.measurement");
+        row("measurement to move",
+            MoveMeasurement{.measurement = 3, .pointsLps = {{1, 2, 3}, {4, 5, 6}}},
+            ErrorCode::InvalidField, "moveMeasurement.measurement");
         const glm::dvec3 place(1, 2, 3);
         row("no distance", AddMeasurement{.fromLps = place, .toLps = place},
             ErrorCode::InvalidField, "addMeasurement.toLps");
@@ -254,6 +257,15 @@ private Q_SLOTS:
             document));
         QVERIFY(stateOf(document).contains(
             R"({"id":2,"kind":"arrow","pointsLps":[[1,2,3],[4,6,3]],"projected":true,"text":"Here"})"));
+        // Moved, it stays what it is.
+        const MoveMeasurement move{.measurement = 2, .pointsLps = {{7, 2, 3}, {4, 6, 3}}};
+        QVERIFY(*applyToDocument(move, document));
+        QVERIFY(!*applyToDocument(move, document));
+        QVERIFY(stateOf(document).contains(R"("pointsLps":[[7,2,3],[4,6,3]],"projected":true)"));
+        QVERIFY(!applyToDocument(
+            MoveMeasurement{.measurement = 2, .pointsLps = {{7, 2, 3}}}, document));
+        QVERIFY(!applyToDocument(
+            MoveMeasurement{.measurement = 1, .pointsLps = {{7, 2, 3}, {7, 2, 3}}}, document));
         QVERIFY(applyToDocument(RemoveMeasurement{.measurement = 2}, document));
         QVERIFY(stateOf(document) != alone); // its number is never used again
         QVERIFY(stateOf(document).contains(R"("lastMeasurement":2)"));

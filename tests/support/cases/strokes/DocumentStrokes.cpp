@@ -340,6 +340,10 @@ void addPieceStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"probe", volume, {}, core::Annotate{.kind = Kind::Probe, .pointsLps = {at}}});
     cases.push_back(
         {"arrow", volume, {}, core::Annotate{.kind = Kind::Arrow, .pointsLps = {at, right}}});
+    cases.push_back({"move a distance", volume, {length},
+        core::MoveMeasurement{.measurement = 1, .pointsLps = {at, down}}});
+    cases.push_back({"move an ellipse", volume, {length, ellipse},
+        core::MoveMeasurement{.measurement = 2, .pointsLps = {down, right, at}}});
     const core::Annotate text{
         .kind = Kind::Text, .pointsLps = {at}, .text = QStringLiteral("Fissure")};
     cases.push_back({"text", volume, {}, text});
