@@ -129,12 +129,8 @@ std::optional<core::Measurement> shownIn(const ViewContext& view, core::Measurem
     const core::Document& document, const Workspace& workspace)
 {
     const core::VolumeGeometry& geometry = workspace.volume()->geometry;
-    if (const auto* slice = std::get_if<gpu::SliceScene>(&view.scene)) {
-        const bool inside = measured.kind == Kind::Ball
-            || std::all_of(
-                measured.pointsLps.begin(), measured.pointsLps.end(), [&](const glm::dvec3& point) {
-                    return liesIn(*slice, point, geometry.spacingMm());
-                });
+    if (view.isSlice()) {
+        const bool inside = measured.kind == Kind::Ball || isShown(measured, view, workspace);
         return inside ? std::optional(measured) : std::nullopt;
     }
     const core::Piece* piece = document.piece(measured.piece);
@@ -233,6 +229,17 @@ void paintMeasurement(QPainter& painter, const ViewContext& view, const Measurem
     if (!words.isEmpty())
         paintWords(painter, view, drawing, words);
     painter.restore();
+}
+
+bool isShown(
+    const core::Measurement& measurement, const ViewContext& view, const Workspace& workspace)
+{
+    const auto* slice = std::get_if<gpu::SliceScene>(&view.scene);
+    return !slice || !workspace.volume()
+        || std::all_of(measurement.pointsLps.begin(), measurement.pointsLps.end(),
+            [&](const glm::dvec3& point) {
+                return liesIn(*slice, point, workspace.volume()->geometry.spacingMm());
+            });
 }
 
 QStringList measurementLines(const core::Measurement& measurement, const Workspace& workspace)

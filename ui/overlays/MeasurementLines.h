@@ -31,6 +31,11 @@ struct MeasurementDrawing {
 void paintMeasurement(QPainter& painter, const ViewContext& view, const MeasurementDrawing& drawing,
     const QStringList& words);
 
+/// Whether a view shows a measurement of the document with all its points: a slice, if they lie in
+/// it.
+[[nodiscard]] bool isShown(
+    const core::Measurement& measurement, const ViewContext& view, const Workspace& workspace);
+
 /// What a measurement of the document comes to, in lines; its values as far as they are known.
 [[nodiscard]] QStringList measurementLines(
     const core::Measurement& measurement, const Workspace& workspace);

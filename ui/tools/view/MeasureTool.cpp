@@ -2,6 +2,7 @@
 #include "ui/tools/view/MeasureTool.h"
 
 #include "core/edits/kinds/views/Measurements.h"
+#include "core/measure/MeasureHandles.h"
 #include "core/measure/MeasuredSize.h"
 #include "ui/measure/MeasureTexts.h"
 #include "ui/overlays/MeasurementLines.h"
@@ -25,6 +26,8 @@ using Kind = core::Measurement::Kind;
 
 /// A click is no measurement.
 constexpr double leastPixels = 3.0;
+/// So near to a point of a measurement a press takes hold of it.
+constexpr double handlePixels = 6.0;
 constexpr double samePlaneMm = 0.01;
 constexpr const char* axesWord = "axes"; ///< in settings
 
@@ -196,7 +199,11 @@ void MeasureTool::press(const PointerSample& sample, const ViewContext& view)
         return m_workspace.say(tr("The view is another one: the angle was dropped"));
     }
     const glm::dvec3 place = view.toLps(sample.position);
-    if (m_view) {
+    if (!m_view)
+        m_held = heldAt(sample.position, view);
+    if (m_held) {
+        // It is taken hold of.
+    } else if (m_view) {
         m_points.push_back(place); // the end of the other side
     } else {
         m_points = {place};
@@ -206,6 +213,49 @@ void MeasureTool::press(const PointerSample& sample, const ViewContext& view)
     m_view = view;
     m_pressed = true;
     hover(sample, view);
+}
+
+std::optional<MeasureTool::Held> MeasureTool::heldAt(
+    const QPointF& at, const ViewContext& view) const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || !view.isSlice() || isClicked())
+        return std::nullopt;
+    std::optional<Held> nearest;
+    double nearestPixels = handlePixels;
+    for (const core::Measurement& each : session->document().measurements) {
+        if (!isShown(each, view, m_workspace))
+            continue;
+        for (std::size_t point = 0; point < each.pointsLps.size(); ++point) {
+            const double pixels = apart(view.toPixel(each.pointsLps[point]), at);
+            if (pixels > nearestPixels)
+                continue;
+            nearestPixels = pixels;
+            nearest =
+                Held{.measured = each, .point = point, .pressedLps = view.toLps(at), .moved = each};
+        }
+    }
+    return nearest;
+}
+
+void MeasureTool::dragHeld(const QPointF& to)
+{
+    // As far beside the pointer, and beside the middle of the slice, as it was.
+    const glm::dvec3 place =
+        m_held->measured.pointsLps[m_held->point] + m_view->toLps(to) - m_held->pressedLps;
+    m_held->moved.pointsLps = core::draggedPoints(m_held->measured, m_held->point, place);
+}
+
+void MeasureTool::letGo()
+{
+    const Held held = *m_held;
+    cancel();
+    if (held.moved == held.measured)
+        return;
+    const core::MoveMeasurement edit{
+        .measurement = held.measured.id, .pointsLps = held.moved.pointsLps};
+    if (const auto moved = m_workspace.session()->apply(edit); !moved)
+        m_workspace.fail(moved.error());
 }
 
 void MeasureTool::moveLast(const PointerSample& sample)
@@ -221,7 +271,10 @@ void MeasureTool::drag(const PointerSample& sample, const ViewContext& view)
 {
     if (!m_pressed || view.view != m_view->view)
         return;
-    moveLast(sample);
+    if (m_held)
+        dragHeld(sample.position);
+    else
+        moveLast(sample);
     hover(sample, view);
 }
 
@@ -257,6 +310,8 @@ void MeasureTool::release(const PointerSample&, const ViewContext&)
     if (!m_pressed)
         return;
     m_pressed = false;
+    if (m_held)
+        return letGo();
     if (!isMeant()) {
         cancel();
         return m_workspace.say(tr("Nothing was measured: %1").arg(howToDraw()));
@@ -368,6 +423,7 @@ void MeasureTool::keep(const core::Measurement& measured)
 void MeasureTool::cancel()
 {
     m_pressed = false;
+    m_held.reset();
     if (!m_view)
         return;
     m_view.reset();
@@ -398,7 +454,11 @@ void MeasureTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
     if (!m_workspace.volume() || !worksIn(view))
         return;
-    if (!m_suggestsAxes && m_view && m_view->view == view.view && isSameView(view)) {
+    if (m_held) {
+        if (m_view->view == view.view)
+            paintMeasurement(painter, view, drawingOf(m_held->moved, view),
+                sizeLines(m_held->moved, core::measuredSize(m_held->moved, *m_workspace.volume())));
+    } else if (!m_suggestsAxes && m_view && m_view->view == view.view && isSameView(view)) {
         core::Measurement measured = drawn();
         const bool halfAngle = m_kind == Kind::Angle && m_points.size() < 3;
         if (halfAngle && !m_pressed)
@@ -416,10 +476,14 @@ void MeasureTool::paintOverlay(QPainter& painter, const ViewContext& view) const
             words = sizeLines(measured, core::measuredSize(measured, *m_workspace.volume()));
         paintMeasurement(painter, view, drawingOf(measured, view), words);
     } else if (m_cursorView == view.view) {
-        drawCursorLabel(painter, view.sizePixels, m_cursor, 4.0,
-            {m_suggestsAxes    ? tr("suggests axes")
-                    : isNote() ? tr("notes here")
-                               : tr("measures from here")});
+        QString does = tr("measures from here");
+        if (heldAt(m_cursor, view))
+            does = tr("moves this");
+        else if (m_suggestsAxes)
+            does = tr("suggests axes");
+        else if (isNote())
+            does = tr("notes here");
+        drawCursorLabel(painter, view.sizePixels, m_cursor, 4.0, {does});
     }
 }
 

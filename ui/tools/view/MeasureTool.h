@@ -20,6 +20,10 @@ class Workspace;
 /// All are one drag; an angle is a drag along its first side, then a click or drag at the end of
 /// the other one; a probe or a text is a click, and so is the suggestion of a segment's axes, which
 /// are two distances (measure/AxesOfSegment.h).
+///
+/// What is drawn by a drag can also be moved by one: a press near a point of a measurement that the
+/// slice shows takes hold of it (core/measure/MeasureHandles.h), and the drag is one
+/// MoveMeasurement.
 class MeasureTool : public Tool {
     Q_OBJECT
 
@@ -70,6 +74,16 @@ private:
     [[nodiscard]] bool isNote() const { return m_kind == Kind::Arrow || m_kind == Kind::Text; }
     /// Whether the view still shows what it showed at the first press.
     [[nodiscard]] bool isSameView(const ViewContext& view) const;
+    /// A point of a measurement under the pointer, in a slice.
+    struct Held {
+        core::Measurement measured; ///< as it was
+        std::size_t point = 0;
+        glm::dvec3 pressedLps{0.0}; ///< where the pointer was
+        core::Measurement moved; ///< as it is dragged
+    };
+    [[nodiscard]] std::optional<Held> heldAt(const QPointF& at, const ViewContext& view) const;
+    void dragHeld(const QPointF& to);
+    void letGo();
     void moveLast(const PointerSample& sample);
     [[nodiscard]] bool isMeant() const;
     /// What the points that were drawn mean.
@@ -86,6 +100,7 @@ private:
     QString m_text;
     std::optional<ViewContext> m_view; ///< that of the first press, until it is finished
     bool m_pressed = false;
+    std::optional<Held> m_held;
     std::vector<glm::dvec3> m_points; ///< as they were drawn, on the plane of the view
     QPointF m_cursor;
     std::optional<gpu::ViewId> m_cursorView;

@@ -206,10 +206,10 @@ private Q_SLOTS:
         QCOMPARE(fixture.lastRow(),
             QStringLiteral("Measure angle %1°").arg(QString::number(*size.angleDegrees, 'f', 1)));
         // The first side alone is none, in another slice it is dropped, and undo takes it back.
-        fixture.drag(view, vertex + QPointF(40, 0), vertex);
+        fixture.drag(view, vertex + QPointF(40, 15), vertex + QPointF(-15, 0));
         fixture.drag(fixture.window.views().coronal(), vertex, vertex + QPointF(0, 30));
         QVERIFY(!fixture.tool.canTakeStepBack());
-        fixture.drag(view, vertex + QPointF(40, 0), vertex);
+        fixture.drag(view, vertex + QPointF(40, 15), vertex + QPointF(-15, 0));
         fixture.tool.takeStepBack();
         QVERIFY(!fixture.tool.canTakeStepBack());
         QCOMPARE(fixture.measurements().size(), std::size_t(1));
@@ -286,6 +286,41 @@ private Q_SLOTS:
         QVERIFY(std::abs(*size.area / (M_PI * 900.0 * mm * mm) - 1.0) < 0.02);
     }
 
+    void pointsAreDragged()
+    {
+        Fixture fixture;
+        ui::SliceView& view = fixture.window.views().sagittal();
+        const double mm = view.context().mmPerPixel();
+        const QPointF from = middleOf(view) + QPointF(-30, -10);
+        const QPointF to = middleOf(view) + QPointF(10, -10);
+        fixture.drag(view, from, to);
+        fixture.drag(view, to + QPointF(2, 1), to + QPointF(2, 31));
+        QCOMPARE(fixture.measurements().size(), std::size_t(1));
+        QCOMPARE(fixture.measurements()[0].id, 1);
+        QVERIFY(fixture.lastRow().startsWith(QStringLiteral("Move distance ")));
+        QVERIFY(
+            std::abs(fixture.measurements()[0].lengthMm() - std::hypot(40.0, 30.0) * mm) < 0.01);
+        // A click near it changes nothing, Esc leaves it where it was; elsewhere it is a new one.
+        const std::vector<glm::dvec3> points = fixture.measurements()[0].pointsLps;
+        const std::size_t rows = fixture.session().history().rows().size();
+        fixture.drag(view, from + QPointF(3, 2), from + QPointF(3, 2));
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        test::Pen pen(view);
+        pen.press(from, 0.5, 300);
+        pen.move(from + QPointF(0, 20), 0.5, 310);
+        QTest::keyClick(&view, Qt::Key_Escape);
+        pen.release(from + QPointF(0, 20), 320);
+        fixture.settle();
+        QCOMPARE(fixture.measurements()[0].pointsLps, points);
+        fixture.drag(view, from + QPointF(0, 20), from + QPointF(20, 20));
+        QCOMPARE(fixture.measurements().size(), std::size_t(2));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QVERIFY(std::abs(fixture.measurements()[0].lengthMm() - 40.0 * mm) < 0.01);
+    }
+
     void notesSayWhatIsWritten()
     {
         Fixture fixture;
@@ -304,10 +339,10 @@ private Q_SLOTS:
         QCOMPARE(fixture.measurements().size(), std::size_t(1));
         QCOMPARE(fixture.lastRow(), QStringLiteral("Add text 'Fissure'"));
         fixture.tool.setKind(Kind::Arrow);
-        fixture.drag(view, middleOf(view), middleOf(view) + QPointF(20, 20));
+        fixture.drag(view, middleOf(view) + QPointF(20, 0), middleOf(view) + QPointF(40, 20));
         QCOMPARE(fixture.lastRow(), QStringLiteral("Add arrow 'Fissure'"));
         text->clear();
-        fixture.drag(view, middleOf(view), middleOf(view) + QPointF(20, 25));
+        fixture.drag(view, middleOf(view) + QPointF(0, 20), middleOf(view) + QPointF(20, 45));
         QCOMPARE(fixture.lastRow(), QStringLiteral("Add arrow"));
     }
 
