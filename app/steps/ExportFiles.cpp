@@ -77,6 +77,7 @@ private:
             if (const Result<void> read = readValues(); !read)
                 return tl::unexpected(read.error());
             request.codes = m_study->codes;
+            request.measurements = document().measurements;
             request.imported = core::importedAs(document().segments,
                 core::doneImports(m_steady.session().history()), m_volume.geometry.voxelCount());
         }

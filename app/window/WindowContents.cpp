@@ -8,6 +8,7 @@
 #include "ui/dialogs/export/Screenshot.h"
 #include "ui/frame/MendingStrip.h"
 #include "ui/frame/MessageBar.h"
+#include "ui/measure/MeasuredRegions.h"
 #include "ui/panels/ClippingPanel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
 #include "ui/panels/VolumePanel.h"
@@ -15,6 +16,7 @@
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/panels/history/HistoryPanel.h"
 #include "ui/panels/lists/LayersPanel.h"
+#include "ui/panels/lists/MeasurementsPanel.h"
 #include "ui/panels/lists/PiecesPanel.h"
 #include "ui/panels/lists/SegmentsPanel.h"
 #include "ui/panels/refine/ChunksPanel.h"
@@ -40,7 +42,7 @@
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/tools/view/ClipTool.h"
 #include "ui/tools/view/CuttingPlaneTool.h"
-#include "ui/tools/view/RulerTool.h"
+#include "ui/tools/view/MeasureTool.h"
 #include "ui/tools/view/UndoHereTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
@@ -81,7 +83,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     auto* refine = new ui::RefineTool(workspace, &window);
     auto* plane = new ui::CuttingPlaneTool(workspace, &window);
     auto* chunks = new ui::ChunkTool(workspace, &window);
-    auto* ruler = new ui::RulerTool(workspace, &window);
+    auto* measure = new ui::MeasureTool(workspace, &window);
     auto* undoHere = new ui::UndoHereTool(workspace, &window);
     window.addToolGroup();
     window.addTool(*drill, window.sculptMenu(), QKeySequence(QStringLiteral("T")));
@@ -109,11 +111,11 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*plane, window.refineMenu(), QKeySequence(QStringLiteral("P")));
     window.addTool(*chunks, window.refineMenu(), QKeySequence(QStringLiteral("Shift+F")));
     window.addToolGroup();
-    window.addTool(*ruler, window.editMenu(), QKeySequence(QStringLiteral("L")));
+    window.addTool(*measure, window.editMenu(), QKeySequence(QStringLiteral("L")));
     window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
     return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, outline, flood,
-        barrier, refine, plane, chunks, ruler, undoHere};
+        barrier, refine, plane, chunks, measure, undoHere};
 }
 
 void addDoctor(ui::MainWindow& window)
@@ -272,6 +274,7 @@ ui::ComparePanel& addPanels(ui::MainWindow& window)
     window.addPanel(compare);
     window.addPanel(new ui::ChunksPanel(workspace));
     window.addPanel(new ui::HistoryPanel(workspace));
+    window.addPanel(new ui::MeasurementsPanel(workspace));
     window.addPanel(new ui::LayersPanel(workspace));
     window.addPanel(new ui::PiecesPanel(workspace, window.views().volume()));
     window.addPanel(new ui::VolumePanel(workspace));
@@ -287,6 +290,7 @@ void addContents(ui::MainWindow& window)
     const std::vector<ui::Tool*> tools = addTools(window);
     ui::ComparePanel& compare = addPanels(window);
     addExport(window, addMending(window, compare));
+    new ui::MeasuredRegions(workspace, &window);
     new ui::SpaceSteering(window);
     new ui::KeyframeRecorder(workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.

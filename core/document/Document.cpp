@@ -15,6 +15,11 @@ QJsonArray json(const glm::dvec3& v)
     return {v.x, v.y, v.z};
 }
 
+QString measurementWord(Measurement::Kind kind)
+{
+    return QLatin1String(measurementWords[std::size_t(kind)]);
+}
+
 } // namespace
 
 const Segment* Document::segment(int label) const
@@ -240,13 +245,23 @@ QJsonObject Document::hashedState() const
     }
     QJsonArray measurementList;
     for (const Measurement& measurement : measurements) {
-        QJsonObject entry{
-            {QStringLiteral("fromLps"), json(measurement.fromLps)},
-            {QStringLiteral("id"), measurement.id},
-            {QStringLiteral("toLps"), json(measurement.toLps)},
-        };
+        QJsonObject entry{{QStringLiteral("id"), measurement.id}};
+        if (measurement.kind == Measurement::Kind::Distance) {
+            entry.insert(QStringLiteral("fromLps"), json(measurement.pointsLps[0]));
+            entry.insert(QStringLiteral("toLps"), json(measurement.pointsLps[1]));
+        } else {
+            QJsonArray points;
+            for (const glm::dvec3& point : measurement.pointsLps)
+                points.append(json(point));
+            entry.insert(QStringLiteral("kind"), measurementWord(measurement.kind));
+            entry.insert(QStringLiteral("pointsLps"), points);
+        }
         if (measurement.piece > 0)
             entry.insert(QStringLiteral("piece"), measurement.piece);
+        if (measurement.projected)
+            entry.insert(QStringLiteral("projected"), true);
+        if (!measurement.text.isEmpty())
+            entry.insert(QStringLiteral("text"), measurement.text);
         measurementList.append(entry);
     }
     if (!measurementList.isEmpty())

@@ -1,21 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QString>
+
 #include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
 
 namespace core {
 
-/// A distance between two points of the patient. It is the true one even if the points are shown
-/// elsewhere, on a piece that was moved or zoomed.
+/// Something that is measured or noted at places of the patient. The points are the true ones even
+/// if they are shown elsewhere, on a piece that was moved or zoomed. What follows from them stands
+/// in core/measure: sizes in closed form, values from the voxels; neither is stored.
 struct Measurement {
-    int id = 0; ///< 1, 2, 3 …, unique and never used again
-    glm::dvec3 fromLps{0.0};
-    glm::dvec3 toLps{0.0};
-    /// the piece on which both points were picked and with which they move in 3D; 0: none
-    int piece = 0;
+    /// By it the points mean:
+    enum class Kind {
+        Distance, ///< both ends
+        Angle, ///< one end, the vertex, the other end
+        Ellipse, ///< the centre and the ends of two half axes
+        Rectangle, ///< a corner and the two beside it
+        Outline, ///< corners in one plane, closed from the last to the first
+        Ball, ///< the centre and a point of its surface
+        Probe, ///< the place
+        Arrow, ///< the tip and the other end
+        Text, ///< the place
+    };
 
-    [[nodiscard]] double lengthMm() const { return glm::distance(fromLps, toLps); }
+    int id = 0; ///< 1, 2, 3 …, unique and never used again
+    Kind kind = Kind::Distance;
+    std::vector<glm::dvec3> pointsLps{};
+    /// the piece on which all points were picked and with which they move in 3D; 0: none
+    int piece = 0;
+    QString text{}; ///< what an arrow or a text says
+    /// It was drawn over a picture that has no depth of its own (a thick slab, a projection of the
+    /// volume): a length is that of its projection.
+    bool projected = false;
+
+    /// Of a distance, as the points lie; with uneven slices see core/measure/MeasuredSize.h.
+    [[nodiscard]] double lengthMm() const { return glm::distance(pointsLps[0], pointsLps[1]); }
+    /// Whether it has an inside in a plane.
+    [[nodiscard]] bool isPlaneRegion() const
+    {
+        return kind == Kind::Ellipse || kind == Kind::Rectangle || kind == Kind::Outline;
+    }
+    /// Whether voxels lie in it.
+    [[nodiscard]] bool isRegion() const { return isPlaneRegion() || kind == Kind::Ball; }
     bool operator==(const Measurement&) const = default;
 };
+
+/// How many points a kind has; an outline may have more.
+[[nodiscard]] constexpr std::size_t pointsOf(Measurement::Kind kind)
+{
+    switch (kind) {
+    case Measurement::Kind::Probe:
+    case Measurement::Kind::Text:
+        return 1;
+    case Measurement::Kind::Distance:
+    case Measurement::Kind::Ball:
+    case Measurement::Kind::Arrow:
+        return 2;
+    case Measurement::Kind::Angle:
+    case Measurement::Kind::Ellipse:
+    case Measurement::Kind::Rectangle:
+    case Measurement::Kind::Outline:
+        break;
+    }
+    return 3;
+}
+
+/// The kinds, in their order, as edits and hashed states name them.
+inline constexpr std::array<const char*, 9> measurementWords{
+    "distance", "angle", "ellipse", "rectangle", "outline", "ball", "probe", "arrow", "text"};
 
 } // namespace core

@@ -36,6 +36,8 @@ Result<void> writeReport(const QString& path, const Volume& volume, const Export
         .keptHeaders = volume.keptHeaders,
         .seg = seg.file.path(),
         .groups = {},
+        .measured = {},
+        .geometry = volume.geometry,
         .unit = volume.unit,
         .deidentifier = request.deidentifier};
     for (const SegmentStatistics& each : all) {
@@ -53,6 +55,8 @@ Result<void> writeReport(const QString& path, const Volume& volume, const Export
             content.groups.back().sinceImport = SrSinceImport{
                 .addedMl = since->addedMl, .takenMl = since->takenMl, .dice = since->dice};
     }
+    for (const Measurement& each : request.measurements)
+        content.measured.push_back(measuredIn(each, volume, request.codes));
     const auto notes = writeSr(path, content, progress);
     if (!notes)
         return tl::unexpected(notes.error());

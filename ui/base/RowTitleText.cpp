@@ -374,6 +374,42 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Remove measurement %1 mm");
     case RowTitleCode::RemoveUnknownMeasurement:
         return tr("Remove measurement %1");
+    case RowTitleCode::MeasureThat:
+        return tr("Measure %1");
+    case RowTitleCode::AddNote:
+        return tr("Add %1");
+    case RowTitleCode::RemoveNote:
+        return tr("Remove %1");
+    case RowTitleCode::MoveNote:
+        return tr("Move %1");
+    case RowTitleCode::MoveUnknownMeasurement:
+        return tr("Move measurement %1");
+    case RowTitleCode::DistanceOf:
+        return tr("distance %1 mm");
+    case RowTitleCode::AngleOf:
+        return tr("angle %1°");
+    case RowTitleCode::EllipseOf:
+        return tr("ellipse %1");
+    case RowTitleCode::RectangleOf:
+        return tr("rectangle %1");
+    case RowTitleCode::OutlineOf:
+        return tr("outline %1");
+    case RowTitleCode::BallOf:
+        return tr("ball %1");
+    case RowTitleCode::Probe:
+        return tr("probe");
+    case RowTitleCode::Arrow:
+        return tr("arrow");
+    case RowTitleCode::ArrowTo:
+        return tr("arrow '%1'");
+    case RowTitleCode::TextThat:
+        return tr("text '%1'");
+    case RowTitleCode::SquareMillimetres:
+        return tr("%1 mm²");
+    case RowTitleCode::SquareVoxels:
+        return tr("%1 voxels²");
+    case RowTitleCode::OfVoxels:
+        return tr("%1 voxels");
     case RowTitleCode::Bookmark:
         return tr("Bookmark '%1'");
     case RowTitleCode::RemoveBookmark:

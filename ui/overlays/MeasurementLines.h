@@ -4,21 +4,45 @@
 #include "core/document/Measurement.h"
 #include "ui/geometry/ViewContext.h"
 
+#include <QPolygonF>
+#include <QStringList>
+
 class QPainter;
 
 namespace ui {
 
 class Workspace;
 
-/// Draws a distance as a line with its length.
-void paintMeasurement(
-    QPainter& painter, const ViewContext& view, const QPointF& from, const QPointF& to, double mm);
+/// A measurement in logical pixels of a view, at places that were found for its points there.
+struct MeasurementDrawing {
+    std::vector<QPolygonF> lines{}; ///< open ones
+    std::vector<QPolygonF> outlines{}; ///< closed ones
+    std::vector<QPointF> marks{}; ///< places with a cross
+    QPointF text; ///< beside which its words stand
+    QPointF away{0.0, -1.0}; ///< on which side of it, a unit vector
+};
 
-/// Draws the measurements of the document: in a slice those that lie in it, to within a voxel; in a
-/// 3D view all of them, those on a piece where that piece is shown.
+/// @param measurement its points as the view shows them
+/// Nothing of a ball that the view's slice does not cut.
+[[nodiscard]] MeasurementDrawing drawingOf(
+    const core::Measurement& measurement, const ViewContext& view);
+
+/// Draws lines with a dark rim, and words on a dark ground that stays in the view.
+void paintMeasurement(QPainter& painter, const ViewContext& view, const MeasurementDrawing& drawing,
+    const QStringList& words);
+
+/// Whether a view shows a measurement of the document with all its points: a slice, if they lie in
+/// it.
+[[nodiscard]] bool isShown(
+    const core::Measurement& measurement, const ViewContext& view, const Workspace& workspace);
+
+/// What a measurement of the document comes to, in lines; its values as far as they are known.
+[[nodiscard]] QStringList measurementLines(
+    const core::Measurement& measurement, const Workspace& workspace);
+
+/// Draws the measurements of the document with what they come to: in a slice those that lie in it,
+/// to within a voxel, and the balls that it cuts; in a 3D view all of them, those on a piece where
+/// that piece is shown.
 void paintMeasurements(QPainter& painter, const ViewContext& view, const Workspace& workspace);
-
-/// "34.2 mm".
-[[nodiscard]] QString lengthText(double mm);
 
 } // namespace ui

@@ -70,6 +70,7 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
             if (change.what == core::DocumentChange::What::Measurements)
                 update(); // the picture stays, what lies over it does not
         });
+    connect(&m_workspace, &Workspace::measuredChanged, this, [this] { update(); });
     connect(&m_workspace, &Workspace::activeToolChanged, this, [this] { m_pointer.followTool(); });
     // Another study: what the tool showed under the pointer was for the one before.
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {

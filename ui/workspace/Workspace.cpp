@@ -75,6 +75,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     m_warnAfter.reset();
     m_pointedLps.reset();
     m_atTolerance.reset();
+    m_measured.clear();
     m_activeSegment = 0;
     m_activeLayer = 0;
     if (const core::Volume* opened = volume()) {
@@ -102,6 +103,19 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
         fail({core::ErrorCode::SessionUnwritten, m_session->storage().trouble()->arguments});
         followDisk();
     }
+}
+
+const core::Measured* Workspace::measured(const core::Measurement& measurement) const
+{
+    const auto found = m_measured.find(measurement.id);
+    return found != m_measured.end() && found->second.measurement == measurement ? &found->second
+                                                                                 : nullptr;
+}
+
+void Workspace::setMeasured(const core::Measured& measured)
+{
+    m_measured[measured.measurement.id] = measured;
+    Q_EMIT measuredChanged();
 }
 
 void Workspace::dropSession()

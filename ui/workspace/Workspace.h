@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/sculpt/ToolMask.h"
+#include "core/measure/region/Measured.h"
 #include "core/session/EditSession.h"
 #include "gpu/frame/FrameSource.h"
 #include "ui/geometry/ToolMaskOutline.h"
@@ -13,6 +14,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -151,6 +153,10 @@ public:
     [[nodiscard]] Refinement& refinement() const { return *m_refinement; }
     [[nodiscard]] CuttingPlane& plane() const { return *m_plane; }
     [[nodiscard]] Chunks& chunks() const { return *m_chunks; }
+    /// What a measurement comes to (measure/MeasuredRegions.h); null: it is not worked out yet.
+    /// After undo another one may have its number, but never what this one came to.
+    [[nodiscard]] const core::Measured* measured(const core::Measurement& measurement) const;
+    void setMeasured(const core::Measured& measured);
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
@@ -227,6 +233,7 @@ Q_SIGNALS:
     void viewOptionsChanged(); ///< or the warning of setWarnAfter()
     void cautionAcceptedChanged();
     void pointedLpsChanged();
+    void measuredChanged();
     void activeToolChanged();
     void said(const QString& sentence);
     void failed(const core::Error& error);
@@ -255,6 +262,7 @@ private:
     CuttingPlane* m_plane = nullptr;
     Chunks* m_chunks = nullptr;
     LayerLooks* m_layerLooks = nullptr;
+    std::map<int, core::Measured> m_measured; ///< by number; they stand until the session closes
     DrillSettings m_drill;
     BrushSettings m_paint{.disc = true};
     BrushSettings m_carve;

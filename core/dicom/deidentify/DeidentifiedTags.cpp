@@ -56,7 +56,7 @@ const std::array ofResults{DCM_CodeValue, DCM_CodingSchemeDesignator, DCM_CodeMe
     DCM_MappingResource, DCM_CompletionFlag, DCM_VerificationFlag, DCM_PatientIdentityRemoved,
     DCM_DeidentificationMethod, DCM_LongitudinalTemporalInformationModified, DCM_SegmentDescription,
     DCM_DimensionOrganizationType, DCM_InStackPositionNumber, DCM_TemporalPositionIndex,
-    DCM_ReferencedContentItemIdentifier};
+    DCM_ReferencedContentItemIdentifier, DCM_GraphicType, DCM_GraphicData};
 
 const std::array sequences{DCM_SourceImageSequence, DCM_DerivationImageSequence,
     DCM_DerivationCodeSequence, DCM_PurposeOfReferenceCodeSequence, DCM_ModalityLUTSequence,

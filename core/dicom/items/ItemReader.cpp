@@ -63,6 +63,16 @@ std::optional<std::array<double, 6>> ItemReader::sextuple(const DcmTagKey& tag) 
     return numbers<6>(tag);
 }
 
+std::vector<float> ItemReader::floats(const DcmTagKey& tag) const
+{
+    const Float32* values = nullptr;
+    unsigned long count = 0;
+    if (m_item == nullptr || m_item->findAndGetFloat32Array(tag, values, &count).bad()
+        || values == nullptr)
+        return {};
+    return {values, values + count};
+}
+
 ItemReader ItemReader::item(const DcmTagKey& sequence, int index) const
 {
     DcmItem* found = nullptr;

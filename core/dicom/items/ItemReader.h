@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 class DcmItem;
 class DcmTagKey;
@@ -29,6 +30,8 @@ public:
     [[nodiscard]] std::optional<std::array<double, 2>> pair(const DcmTagKey& tag) const;
     [[nodiscard]] std::optional<std::array<double, 3>> triple(const DcmTagKey& tag) const;
     [[nodiscard]] std::optional<std::array<double, 6>> sextuple(const DcmTagKey& tag) const;
+    /// The values of an attribute of representation FL; empty if absent.
+    [[nodiscard]] std::vector<float> floats(const DcmTagKey& tag) const;
     /// Item @p index of a sequence; invalid if there is none.
     [[nodiscard]] ItemReader item(const DcmTagKey& sequence, int index = 0) const;
     [[nodiscard]] int itemCount(const DcmTagKey& sequence) const;

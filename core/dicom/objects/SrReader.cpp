@@ -17,6 +17,16 @@ QString codeIn(const ItemReader& item, const DcmTagKey& sequence)
     return item.item(sequence).text(DCM_CodeValue);
 }
 
+/// Of a number, or of the group itself; numbers of one group lie at the same places.
+void readPlaces(const ItemReader& item, SrFileGroup& group)
+{
+    if (item.text(DCM_ValueType) != QLatin1String("SCOORD3D"))
+        return;
+    group.graphicType = item.text(DCM_GraphicType);
+    group.graphicData = item.floats(DCM_GraphicData);
+    group.frameOfReferenceUid = item.text(DCM_ReferencedFrameOfReferenceUID);
+}
+
 void readNumber(const ItemReader& item, SrFileGroup& group)
 {
     QString name = codeIn(item, DCM_ConceptNameCodeSequence);
@@ -24,6 +34,7 @@ void readNumber(const ItemReader& item, SrFileGroup& group)
         const ItemReader child = item.item(DCM_ContentSequence, i);
         if (codeIn(child, DCM_ConceptNameCodeSequence) == QLatin1String("121401"))
             name = codeIn(child, DCM_ConceptCodeSequence);
+        readPlaces(child, group);
     }
     const std::string text =
         item.item(DCM_MeasuredValueSequence).text(DCM_NumericValue).toStdString();
@@ -38,6 +49,7 @@ SrFileGroup readGroup(const ItemReader& item)
         const ItemReader child = item.item(DCM_ContentSequence, i);
         const QString name = codeIn(child, DCM_ConceptNameCodeSequence);
         const ItemReader reference = child.item(DCM_ReferencedSOPSequence);
+        readPlaces(child, group);
         if (child.text(DCM_ValueType) == QLatin1String("NUM")) {
             readNumber(child, group);
         } else if (name == QLatin1String("112039")) {

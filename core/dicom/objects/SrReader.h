@@ -20,6 +20,9 @@ struct SrFileGroup {
     QString sourceSeriesUid;
     /// By code value: that of the derivation if a number has one, else that of its concept.
     std::map<QString, double> numbers;
+    QString graphicType; ///< of its places in the patient; empty: none
+    std::vector<float> graphicData; ///< x, y and z of each, LPS mm
+    QString frameOfReferenceUid; ///< in which they lie
 };
 
 /// The parts of a measurement report (TID 1500) that the check of exports compares.

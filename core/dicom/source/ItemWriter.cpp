@@ -42,6 +42,21 @@ void ItemWriter::putWord(DcmItem* item, const DcmTagKey& tag, int value) const
         m_chain(item->putAndInsertUint16(tag, Uint16(value)), "attribute");
 }
 
+void ItemWriter::putFloats(
+    DcmItem* item, const DcmTagKey& tag, const std::vector<glm::dvec3>& places) const
+{
+    if (item == nullptr)
+        return;
+    std::vector<Float32> numbers;
+    for (const glm::dvec3& place : places) {
+        for (int axis = 0; axis < 3; ++axis)
+            numbers.push_back(Float32(place[axis]));
+    }
+    m_chain(item->putAndInsertFloat32Array(
+                tag, numbers.data(), static_cast<unsigned long>(numbers.size())),
+        "attribute");
+}
+
 void ItemWriter::putCode(DcmItem* item, const DcmTagKey& sequence, const CodedConcept& code) const
 {
     DcmItem* coded = append(item, sequence);

@@ -7,6 +7,8 @@
 
 #include <QString>
 
+#include <glm/glm.hpp>
+
 #include <string>
 #include <vector>
 
@@ -31,6 +33,9 @@ public:
     void put(DcmItem* item, const DcmTagKey& tag, const char* value) const;
     /// US
     void putWord(DcmItem* item, const DcmTagKey& tag, int value) const;
+    /// FL: x, y and z of each place
+    void putFloats(
+        DcmItem* item, const DcmTagKey& tag, const std::vector<glm::dvec3>& places) const;
     /// A sequence of one item that holds a code.
     void putCode(DcmItem* item, const DcmTagKey& sequence, const CodedConcept& code) const;
     /// A reference: SOP class, instance and, for a multi-frame file, the frame.

@@ -9,6 +9,8 @@
 #include "core/dicom/source/ItemWriter.h"
 #include "core/dicom/write/MadeObject.h"
 #include "core/dicom/write/SaveDicom.h"
+#include "core/dicom/write/SrMeasured.h"
+#include "core/dicom/write/SrTree.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -17,110 +19,16 @@ namespace core {
 
 namespace {
 
-CodedConcept code(const char* scheme, const char* value, const char* meaning)
+bool holdsPlaces(const SrContent& content)
 {
-    return {.scheme = QLatin1String(scheme),
-        .value = QLatin1String(value),
-        .meaning = QLatin1String(meaning)};
-}
-
-CodedConcept dcm(const char* value, const char* meaning)
-{
-    return code("DCM", value, meaning);
-}
-
-/// Builds the tree of content items.
-class Tree {
-public:
-    explicit Tree(const ItemWriter& items)
-        : m_items(items)
-    {
-    }
-
-    DcmItem* container(DcmItem* parent, const CodedConcept& name) const
-    {
-        DcmItem* item = node(parent, "CONTAINS", "CONTAINER", name);
-        m_items.put(item, DCM_ContinuityOfContent, "SEPARATE");
-        return item;
-    }
-    DcmItem* coded(DcmItem* parent, const char* relation, const CodedConcept& name,
-        const CodedConcept& value) const
-    {
-        DcmItem* item = node(parent, relation, "CODE", name);
-        m_items.putCode(item, DCM_ConceptCodeSequence, value);
-        return item;
-    }
-    void text(DcmItem* parent, const CodedConcept& name, const QString& value) const
-    {
-        m_items.put(node(parent, "HAS OBS CONTEXT", "TEXT", name), DCM_TextValue, value);
-    }
-    void uid(
-        DcmItem* parent, const char* relation, const CodedConcept& name, const QString& value) const
-    {
-        m_items.put(node(parent, relation, "UIDREF", name), DCM_UID, value);
-    }
-    void image(DcmItem* parent, const CodedConcept& name, const char* relation,
-        const std::string& sopClass, const QString& sopInstance, int segment) const
-    {
-        DcmItem* reference =
-            m_items.append(node(parent, relation, "IMAGE", name), DCM_ReferencedSOPSequence);
-        m_items.put(reference, DCM_ReferencedSOPClassUID, sopClass);
-        m_items.put(reference, DCM_ReferencedSOPInstanceUID, sopInstance);
-        if (segment > 0)
-            m_items.putWord(reference, DCM_ReferencedSegmentNumber, segment);
-    }
-    DcmItem* number(
-        DcmItem* parent, const CodedConcept& name, double value, const CodedConcept& unit) const
-    {
-        DcmItem* item = node(parent, "CONTAINS", "NUM", name);
-        DcmItem* measured = m_items.append(item, DCM_MeasuredValueSequence);
-        m_items.put(measured, DCM_NumericValue, decimalString(value));
-        m_items.putCode(measured, DCM_MeasurementUnitsCodeSequence, unit);
-        return item;
-    }
-
-private:
-    DcmItem* node(
-        DcmItem* parent, const char* relation, const char* type, const CodedConcept& name) const
-    {
-        DcmItem* item = m_items.append(parent, DCM_ContentSequence);
-        m_items.put(item, DCM_RelationshipType, relation);
-        m_items.put(item, DCM_ValueType, type);
-        m_items.putCode(item, DCM_ConceptNameCodeSequence, name);
-        return item;
-    }
-
-    const ItemWriter& m_items;
-};
-
-/// UCUM of the values' unit; where the source does not say, that there is none.
-CodedConcept unitCode(const QString& unit)
-{
-    if (unit == QLatin1String("HU"))
-        return code("UCUM", "[hnsf'U]", "Hounsfield unit");
-    if (unit.startsWith(QLatin1String("SUV")) || unit == QLatin1String("g/mL"))
-        return code("UCUM", "g/ml{SUVbw}", "Standardized Uptake Value body weight");
-    if (unit == QLatin1String("Bq/mL") || unit == QLatin1String("BQML"))
-        return code("UCUM", "Bq/ml", "Becquerels/milliliter");
-    return code("UCUM", "1", "no units");
-}
-
-/// What the values are of.
-CodedConcept quantityOf(const SrContent& content)
-{
-    if (content.unit == QLatin1String("HU"))
-        return dcm("112031", "Attenuation Coefficient");
-    if (content.unit.startsWith(QLatin1String("SUV")))
-        return dcm("126400", "Standardized Uptake Value");
-    if (content.identity.modality == QLatin1String("MR"))
-        return dcm("110852", "MR signal intensity");
-    return code("99BURIN", "VALUE", "Value of the source images");
+    return !content.measured.empty() && !content.identity.frameOfReferenceUid.isEmpty();
 }
 
 void describe(DcmDataset& set, const SrContent& content, const ItemWriter& items)
 {
     describeMadeContent(&set,
-        {.sopClassUid = UID_EnhancedSRStorage,
+        // Only the other one may hold places of the patient.
+        {.sopClassUid = holdsPlaces(content) ? UID_Comprehensive3DSRStorage : UID_EnhancedSRStorage,
             .modality = "SR",
             .seriesNumber = madeSeriesNumber(4000, content.identity),
             .seriesDescription =
@@ -149,75 +57,85 @@ void putEvidence(DcmDataset& set, const SegFile& seg, const SegSource& source,
 }
 
 void putGroup(DcmItem* measurements, const SrContent& content, const SegFile& seg,
-    std::size_t index, const QString& series, const Tree& tree)
+    std::size_t index, const QString& series, const SrTree& tree)
 {
     const SrGroup& group = content.groups[index];
-    DcmItem* item = tree.container(measurements, dcm("125007", "Measurement Group"));
+    DcmItem* item = tree.container(measurements, dicomCode("125007", "Measurement Group"));
     const QString name = singleValueText(group.segment.name, 64);
-    tree.text(item, dcm("112039", "Tracking Identifier"),
+    tree.text(item, dicomCode("112039", "Tracking Identifier"),
         name.isEmpty() ? QStringLiteral("Segment") : name);
-    tree.uid(item, "HAS OBS CONTEXT", dcm("112040", "Tracking Unique Identifier"), newUid());
+    tree.uid(item, "HAS OBS CONTEXT", dicomCode("112040", "Tracking Unique Identifier"), newUid());
     if (fitsCodeSequence(group.segment.code))
-        tree.coded(item, "CONTAINS", dcm("121071", "Finding"), group.segment.code);
-    tree.image(item, dcm("121191", "Referenced Segment"), "CONTAINS", UID_SegmentationStorage,
+        tree.coded(item, "CONTAINS", dicomCode("121071", "Finding"), group.segment.code);
+    tree.image(item, dicomCode("121191", "Referenced Segment"), "CONTAINS", UID_SegmentationStorage,
         seg.sopInstanceUid, int(index) + 1);
-    tree.uid(item, "CONTAINS", dcm("121232", "Source series for segmentation"), series);
-    tree.number(item, code("SCT", "118565006", "Volume"), group.volumeMl,
-        code("UCUM", "cm3", "cubic centimeter"));
-    tree.number(item, code("IBSI", "C0JK", "Surface Area of Mesh"), group.surfaceMm2,
-        code("UCUM", "mm2", "square millimeter"));
-    tree.number(
-        item, code("IBSI", "QCFX", "Sphericity"), group.sphericity, code("UCUM", "1", "no units"));
-    tree.number(item, code("IBSI", "L0JK", "Maximum 3D Diameter of a Mesh"), group.longestMm,
-        code("UCUM", "mm", "millimeter"));
+    tree.uid(item, "CONTAINS", dicomCode("121232", "Source series for segmentation"), series);
+    tree.number(item, schemeCode("SCT", "118565006", "Volume"), group.volumeMl,
+        schemeCode("UCUM", "cm3", "cubic centimeter"));
+    tree.number(item, schemeCode("IBSI", "C0JK", "Surface Area of Mesh"), group.surfaceMm2,
+        schemeCode("UCUM", "mm2", "square millimeter"));
+    tree.number(item, schemeCode("IBSI", "QCFX", "Sphericity"), group.sphericity,
+        schemeCode("UCUM", "1", "no units"));
+    tree.number(item, schemeCode("IBSI", "L0JK", "Maximum 3D Diameter of a Mesh"), group.longestMm,
+        schemeCode("UCUM", "mm", "millimeter"));
+    const CodedConcept quantity = quantityOf(content.unit, content.identity.modality);
     const auto value = [&](double number, const CodedConcept& derivation) {
-        DcmItem* measured = tree.number(item, quantityOf(content), number, unitCode(content.unit));
-        tree.coded(measured, "HAS CONCEPT MOD", dcm("121401", "Derivation"), derivation);
+        tree.derived(item, quantity, number, unitCode(content.unit), derivation);
     };
-    value(group.mean, code("SCT", "373098007", "Mean"));
-    value(group.deviation, code("SCT", "386136009", "Standard Deviation"));
-    value(group.minimum, code("SCT", "255605001", "Minimum"));
-    value(group.maximum, code("SCT", "56851009", "Maximum"));
-    value(group.median, code("SCT", "373099004", "Median"));
+    value(group.mean, schemeCode("SCT", "373098007", "Mean"));
+    value(group.deviation, schemeCode("SCT", "386136009", "Standard Deviation"));
+    value(group.minimum, schemeCode("SCT", "255605001", "Minimum"));
+    value(group.maximum, schemeCode("SCT", "56851009", "Maximum"));
+    value(group.median, schemeCode("SCT", "373099004", "Median"));
     if (const auto& since = group.sinceImport) {
-        const CodedConcept cm3 = code("UCUM", "cm3", "cubic centimeter");
-        tree.number(item, code("99BURIN", "IMPORT-ADDED", "Volume added since import"),
+        const CodedConcept cm3 = schemeCode("UCUM", "cm3", "cubic centimeter");
+        tree.number(item, schemeCode("99BURIN", "IMPORT-ADDED", "Volume added since import"),
             since->addedMl, cm3);
-        tree.number(item, code("99BURIN", "IMPORT-TAKEN", "Volume taken since import"),
+        tree.number(item, schemeCode("99BURIN", "IMPORT-TAKEN", "Volume taken since import"),
             since->takenMl, cm3);
         tree.number(item,
-            code("99BURIN", "IMPORT-DICE", "Dice coefficient with the imported segment"),
-            since->dice, code("UCUM", "1", "no units"));
+            schemeCode("99BURIN", "IMPORT-DICE", "Dice coefficient with the imported segment"),
+            since->dice, schemeCode("UCUM", "1", "no units"));
     }
 }
 
 void putTree(DcmDataset& set, const SrContent& content, const SegFile& seg, const QString& series,
     const ItemWriter& items)
 {
-    const Tree tree(items);
+    const SrTree tree(items);
     items.put(&set, DCM_ValueType, "CONTAINER");
-    items.putCode(&set, DCM_ConceptNameCodeSequence, dcm("126000", "Imaging Measurement Report"));
+    items.putCode(
+        &set, DCM_ConceptNameCodeSequence, dicomCode("126000", "Imaging Measurement Report"));
     items.put(&set, DCM_ContinuityOfContent, "SEPARATE");
     DcmItem* used = items.append(&set, DCM_ContentTemplateSequence);
     items.put(used, DCM_MappingResource, "DCMR");
     items.put(used, DCM_TemplateIdentifier, "1500");
     DcmItem* language = tree.coded(&set, "HAS CONCEPT MOD",
-        dcm("121049", "Language of Content Item and Descendants"),
-        code("RFC5646", "en", "English"));
-    tree.coded(language, "HAS CONCEPT MOD", dcm("121046", "Country of Language"),
-        code("ISO3166_1", "GB", "United Kingdom"));
-    tree.coded(&set, "HAS OBS CONTEXT", dcm("121005", "Observer Type"), dcm("121007", "Device"));
+        dicomCode("121049", "Language of Content Item and Descendants"),
+        schemeCode("RFC5646", "en", "English"));
+    tree.coded(language, "HAS CONCEPT MOD", dicomCode("121046", "Country of Language"),
+        schemeCode("ISO3166_1", "GB", "United Kingdom"));
+    tree.coded(&set, "HAS OBS CONTEXT", dicomCode("121005", "Observer Type"),
+        dicomCode("121007", "Device"));
     // What a program is has no UID of its own; this one names Burin, whichever its version.
-    tree.uid(&set, "HAS OBS CONTEXT", dcm("121012", "Device Observer UID"),
+    tree.uid(&set, "HAS OBS CONTEXT", dicomCode("121012", "Device Observer UID"),
         QStringLiteral("2.25.289176443096518024741958201837465102938"));
-    tree.text(&set, dcm("121013", "Device Observer Name"), QStringLiteral("Burin"));
-    tree.coded(&set, "HAS CONCEPT MOD", dcm("121058", "Procedure reported"),
-        code("SCT", "363679005", "Imaging procedure"));
-    DcmItem* library = tree.container(&set, dcm("111028", "Image Library"));
+    tree.text(&set, dicomCode("121013", "Device Observer Name"), QStringLiteral("Burin"));
+    tree.coded(&set, "HAS CONCEPT MOD", dicomCode("121058", "Procedure reported"),
+        schemeCode("SCT", "363679005", "Imaging procedure"));
+    DcmItem* library = tree.container(&set, dicomCode("111028", "Image Library"));
     static_cast<void>(library);
-    DcmItem* measurements = tree.container(&set, dcm("126010", "Imaging Measurements"));
+    DcmItem* measurements = tree.container(&set, dicomCode("126010", "Imaging Measurements"));
     for (std::size_t i = 0; i < content.groups.size(); ++i)
         putGroup(measurements, content, seg, i, series, tree);
+    for (const Measured& measured : content.measured)
+        putMeasured(measurements, measured,
+            {.geometry = content.geometry,
+                .frameOfReferenceUid = content.identity.frameOfReferenceUid,
+                .series = series,
+                .unit = content.unit,
+                .modality = content.identity.modality},
+            tree);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/document/Document.h"
+#include "core/measure/region/Measured.h"
 #include "core/titles/ReportSentence.h"
 #include "core/volume/Volume.h"
 
@@ -44,6 +45,9 @@ struct SrContent {
     /// the DICOM SEG to which it refers: its segments 1, 2 … are those of `groups`, in order
     QString seg;
     std::vector<SrGroup> groups;
+    /// What was measured beside them; arrows and texts are left out.
+    std::vector<Measured> measured{};
+    VolumeGeometry geometry{}; ///< in which it was measured
     QString unit; ///< of values: "HU", "SUVbw" …; may be empty
     /// the one with which the SEG was written; null: the patient's identity is kept
     std::shared_ptr<const Deidentifier> deidentifier;
@@ -52,9 +56,10 @@ struct SrContent {
 /// Writes a DICOM SR measurement report (PS3.16 TID 1500, groups of TID 1411) to @p path as an
 /// Enhanced SR: one group per segment with tracking, finding, the segment of the SEG, its source
 /// series, volume (cm3), surface (mm2), sphericity, longest diameter (mm), and values with their
-/// derivation. What was changed since an import has concepts of Burin's own (scheme 99BURIN), since
-/// DICOM has no code for the Dice coefficient or for volumes added and taken. It uses plain
-/// dcmdata, since DCMTK's own templates accept only ASCII.
+/// derivation; and one per measurement (SrMeasured.h), with which it is a Comprehensive 3D SR. What
+/// was changed since an import has concepts of Burin's own (scheme 99BURIN), since DICOM has no
+/// code for the Dice coefficient or for volumes added and taken. It uses plain dcmdata, since
+/// DCMTK's own templates accept only ASCII.
 ///
 /// @returns sentences on what was normalised or left out of the source's header
 /// Errors: as for writeSeg(), and those of reading the SEG.

@@ -15,6 +15,7 @@ struct AddBookmark;
 struct AddLayer;
 struct AddMeasurement;
 struct AddSegment;
+struct Annotate;
 struct ApplyTemplate;
 struct AttractSurface;
 struct BarrierStroke;
@@ -45,6 +46,7 @@ struct LaySurface;
 struct MarkSurface;
 struct MergeLayers;
 struct MoveLayer;
+struct MoveMeasurement;
 struct MoveSegment;
 struct PaintStroke;
 struct PastePiece;
@@ -87,7 +89,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
     SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
-    FillBetweenSlices, FloodFill, ThresholdSegment>;
+    FillBetweenSlices, FloodFill, ThresholdSegment, Annotate, MoveMeasurement>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

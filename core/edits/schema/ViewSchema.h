@@ -10,6 +10,15 @@ namespace core::editSchema {
 inline constexpr editFields::ThingNumber bookmarkNumber{{1, 1000000}, Thing::Bookmark};
 inline constexpr editFields::ThingNumber measurementNumber{{1, 1000000}, Thing::Measurement};
 
+/// Whether what is measured was drawn over a picture without depth.
+template <class Visitor> void visitProjected(Visitor& visit, std::optional<bool>& projected)
+{
+    visit.maybe("projected", projected, editFields::Flag{},
+        "whether it was drawn over a thick slab or a projection, so that lengths are those of the "
+        "projection",
+        "no");
+}
+
 template <> inline constexpr const char* editName<AddBookmark> = "addBookmark";
 template <>
 inline constexpr const char* editMeaning<AddBookmark> =
@@ -44,11 +53,47 @@ template <class Visitor> void visitFields(Visitor& visit, AddMeasurement& edit)
         "the other end, at its true place, patient coordinates (LPS)");
     visit.maybe("piece", edit.piece, editFields::ThingNumber{{1, 1000000}, Thing::Piece},
         "the piece that it is shown on in 3D", "none");
+    visitProjected(visit, edit.projected);
+}
+
+template <> inline constexpr const char* editName<Annotate> = "annotate";
+template <>
+inline constexpr const char* editMeaning<Annotate> =
+    "Keeps an angle, a region, a place whose value is read, an arrow or a text. They are numbered "
+    "with the distances, in the order in which they are added.";
+template <class Visitor> void visitFields(Visitor& visit, Annotate& edit)
+{
+    visit.field("kind", Presence::Required, edit.kind,
+        editFields::Choice<Measurement::Kind, measurementWords.size()>{measurementWords},
+        "what it is; a distance is kept by addMeasurement");
+    visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
+        "of an angle one end, the vertex, the other end; of an ellipse the centre and the ends of "
+        "two half axes; of a rectangle a corner and the two beside it; of an outline 3 to 512 "
+        "corners in one plane; of a ball the centre and a point of its surface; of a probe or a "
+        "text the place; of an arrow the tip and the other end; at their true places, patient "
+        "coordinates (LPS)");
+    visit.maybe("text", edit.text, editFields::Text{}, "what an arrow or a text says", "nothing");
+    visit.maybe("piece", edit.piece, editFields::ThingNumber{{1, 1000000}, Thing::Piece},
+        "the piece that it is shown on in 3D", "none");
+    visitProjected(visit, edit.projected);
+}
+
+template <> inline constexpr const char* editName<MoveMeasurement> = "moveMeasurement";
+template <>
+inline constexpr const char* editMeaning<MoveMeasurement> =
+    "Gives what was measured or noted other points; it keeps its number.";
+template <class Visitor> void visitFields(Visitor& visit, MoveMeasurement& edit)
+{
+    visit.field("measurement", Presence::Required, edit.measurement, measurementNumber,
+        "which measurement");
+    visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
+        "as its kind has them; of a distance both ends; at their true places, patient coordinates "
+        "(LPS)");
 }
 
 template <> inline constexpr const char* editName<RemoveMeasurement> = "removeMeasurement";
 template <>
-inline constexpr const char* editMeaning<RemoveMeasurement> = "Forgets a distance that was kept.";
+inline constexpr const char* editMeaning<RemoveMeasurement> = "Forgets what was measured or noted.";
 template <class Visitor> void visitFields(Visitor& visit, RemoveMeasurement& edit)
 {
     visit.field("measurement", Presence::Required, edit.measurement, measurementNumber,

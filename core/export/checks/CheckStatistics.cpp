@@ -3,6 +3,8 @@
 #include "core/dicom/objects/SegReader.h"
 #include "core/dicom/objects/SrReader.h"
 #include "core/export/common/CheckSources.h"
+#include "core/measure/MeasuredSize.h"
+#include "core/measure/region/RegionStatistics.h"
 
 #include <QFile>
 #include <QHash>
@@ -196,6 +198,57 @@ QString differenceOf(const SegmentNumbers& said, const Numbers& right, double to
     return {};
 }
 
+/// What measurements of the document come to, by the codes of a report. Arrows and texts come to
+/// nothing.
+std::vector<std::map<QString, double>> measuredAnew(const ExportExpectation& expected)
+{
+    std::vector<std::map<QString, double>> all;
+    for (const Measurement& measurement : expected.measurements) {
+        if (measurement.kind == Measurement::Kind::Arrow
+            || measurement.kind == Measurement::Kind::Text)
+            continue;
+        const MeasuredSize size = measuredSize(measurement, expected.volume);
+        std::map<QString, double> numbers;
+        const auto expect = [&numbers](const char* code, const std::optional<double>& value) {
+            if (value)
+                numbers[QLatin1String(code)] = *value;
+        };
+        expect("410668003", size.length);
+        expect("1483009", size.angleDegrees);
+        expect("42798000", size.area);
+        expect(size.shortAxis ? "103339001" : "81827009", size.longAxis);
+        expect("103340004", size.shortAxis);
+        if (size.volume)
+            expect("118565006", size.inVoxels ? *size.volume : *size.volume / 1000.0);
+        const auto values = regionStatistics(measurement, expected.volume, expected.codes);
+        if (values && measurement.isRegion()) {
+            expect("373098007", values->mean);
+            expect("386136009", values->deviation);
+            expect("255605001", values->minimum);
+            expect("56851009", values->maximum);
+        }
+        all.push_back(std::move(numbers));
+    }
+    return all;
+}
+
+/// @return what differs in the groups behind those of the segments; empty if nothing does
+QString differenceOfMeasured(const SrFile& report, const ExportExpectation& expected)
+{
+    const std::vector<std::map<QString, double>> right = measuredAnew(expected);
+    if (report.groups.size() != expected.segments.size() + right.size())
+        return QStringLiteral("the number of measurement groups");
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        const SrFileGroup& group = report.groups[expected.segments.size() + i];
+        for (const auto& [code, number] : right[i]) {
+            const auto found = group.numbers.find(code);
+            if (found == group.numbers.end() || !agree(found->second, number, reportTolerance))
+                return QStringLiteral("%1 of '%2'").arg(code, group.name);
+        }
+    }
+    return {};
+}
+
 Result<std::vector<SegmentNumbers>> saidInReport(
     const QString& file, const ExportExpectation& expected, const Progress& progress)
 {
@@ -241,8 +294,8 @@ Result<std::vector<SegmentNumbers>> saidInReport(
         }
         all.push_back(said);
     }
-    if (report->groups.size() != expected.segments.size())
-        return mismatch(QStringLiteral("the number of measurement groups"));
+    if (const QString what = differenceOfMeasured(*report, expected); !what.isEmpty())
+        return mismatch(what);
     return all;
 }
 

@@ -16,6 +16,7 @@ struct ExportExpectation {
     std::span<const std::uint16_t> codes{}; ///< for statistics
     std::span<const ImportedVoxels> imported{}; ///< for statistics
     const Deidentifier* deidentifier = nullptr;
+    std::span<const Measurement> measurements{}; ///< for a report
 };
 
 /// Opens a DICOM SEG and the files of the volume's slices and checks, from their headers alone:

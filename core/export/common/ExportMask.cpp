@@ -172,7 +172,8 @@ Result<StagedExport> stageOn(const Volume& volume, const ExportRequest& request,
         .coverages = request.coverages,
         .codes = request.codes,
         .imported = request.imported,
-        .deidentifier = request.deidentifier.get()};
+        .deidentifier = request.deidentifier.get(),
+        .measurements = request.measurements};
     const auto checked = check(staged->path(), expected, progress);
     if (!checked)
         return tl::unexpected(renamed(checked.error(), *staged, request.file));

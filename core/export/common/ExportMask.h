@@ -60,6 +60,7 @@ struct ExportRequest {
     /// For statistics: what has been changed since is told of the segments that are listed.
     std::vector<ImportedVoxels> imported{};
     std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient's identity is kept
+    std::vector<Measurement> measurements{}; ///< for a report, beside the segments
 };
 
 /// What an export did; ui/texts/ReportTexts.h words it.

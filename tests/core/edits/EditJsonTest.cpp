@@ -24,6 +24,7 @@
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
+#include "core/edits/kinds/views/Measurements.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QJsonArray>
@@ -208,8 +209,27 @@ private Q_SLOTS:
         QVERIFY(!whole.lower && !whole.upper && !whole.box && !whole.onlyVisible);
         QVERIFY(whole.mode == ThresholdSegment::Mode::Replace && !whole.overwriteUnlocked);
         QVERIFY(editFromJson(parse("{'edit':'thresholdSegment','segment':3,'mode':'add'}")));
-        for (const Edit& edit : {*carved, *seen, *inverted, *cleaned, *given, *merged, *swapped,
-                 *grown, *shell, *between, *across, *flood, *away, *threshold, *everything})
+        const Result<Edit> angle =
+            editFromJson(parse("{'edit':'annotate','kind':'angle',"
+                               "'pointsLps':[[1,2,3],[4,5,6],[7.00001,8,10]],'projected':true}"));
+        const Result<Edit> note = editFromJson(parse(
+            "{'edit':'annotate','kind':'text','pointsLps':[[1,2,3]],'text':'Here','piece':2}"));
+        const Result<Edit> onSlab = editFromJson(
+            parse("{'edit':'addMeasurement','fromLps':[1,2,3],'toLps':[4,5,6],'projected':true}"));
+        const Result<Edit> distance =
+            editFromJson(parse("{'edit':'addMeasurement','fromLps':[1,2,3],'toLps':[4,5,6]}"));
+        QVERIFY(angle && note && onSlab && distance);
+        QVERIFY(angle->get<Annotate>().kind == Measurement::Kind::Angle);
+        QVERIFY(angle->get<Annotate>().projected == true && !angle->get<Annotate>().text);
+        QCOMPARE(quantised(*angle).get<Annotate>().pointsLps[2], (glm::dvec3{7.0, 8.0, 10.0}));
+        QVERIFY(note->get<Annotate>().text == QStringLiteral("Here"));
+        QVERIFY(note->get<Annotate>().piece == 2 && !note->get<Annotate>().projected);
+        QVERIFY(onSlab->get<AddMeasurement>().projected == true);
+        // An old row stays as it was written.
+        QVERIFY(!editToJson(*distance).contains(QStringLiteral("projected")));
+        for (const Edit& edit : {*angle, *note, *onSlab, *distance, *carved, *seen, *inverted,
+                 *cleaned, *given, *merged, *swapped, *grown, *shell, *between, *across, *flood,
+                 *away, *threshold, *everything})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -243,6 +263,12 @@ private Q_SLOTS:
                 "{'edit':'thresholdSegment','segment':2,'mode':'invert'}",
                 "{'edit':'thresholdSegment','segment':2,'box':[[1,2,3]]}",
                 "{'edit':'thresholdSegment','segment':2,'lower':'much'}",
+                "{'edit':'annotate','kind':'angle'}",
+                "{'edit':'annotate','kind':'cone','pointsLps':[[1,2,3]]}",
+                "{'edit':'annotate','kind':'text','pointsLps':[[1,2,3]],'text':''}",
+                "{'edit':'annotate','pointsLps':[[1,2,3]]}",
+                "{'edit':'annotate','kind':'probe',"
+                "'pointsLps':[]}",
                 "{'edit':'invertSegment'}", "{'edit':'invertSegment','segment':0}"})
             QVERIFY2(!editFromJson(parse(wrong)), wrong);
     }

@@ -62,11 +62,13 @@ private Q_SLOTS:
             }
         }
         // What came later than the recordings is held by tests of its own.
+        kinds.insert(editPlace<Annotate>);
         kinds.insert(editPlace<CleanSegment>);
         kinds.insert(editPlace<CombineSegments>);
         kinds.insert(editPlace<FillBetweenSlices>);
         kinds.insert(editPlace<FloodFill>);
         kinds.insert(editPlace<FillOutline>);
+        kinds.insert(editPlace<MoveMeasurement>);
         kinds.insert(editPlace<ReshapeSegment>);
         kinds.insert(editPlace<ThresholdSegment>);
         QCOMPARE(kinds.size(), AllEdits::count);

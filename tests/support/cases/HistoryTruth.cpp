@@ -784,9 +784,25 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
         for (const Measurement& measurement : document.measurements)
             id = std::max(id, measurement.id);
         document.measurements.push_back({.id = id + 1,
-            .fromLps = measured->fromLps,
-            .toLps = measured->toLps,
-            .piece = measured->piece.value_or(0)});
+            .kind = Measurement::Kind::Distance,
+            .pointsLps = {measured->fromLps, measured->toLps},
+            .piece = measured->piece.value_or(0),
+            .projected = measured->projected.value_or(false)});
+    } else if (const auto* noted = edit.as<Annotate>()) {
+        int id = document.greatestRemovedMeasurement;
+        for (const Measurement& measurement : document.measurements)
+            id = std::max(id, measurement.id);
+        Measurement made;
+        made.id = id + 1;
+        made.kind = noted->kind;
+        made.pointsLps = noted->pointsLps;
+        takeValue(made.piece, noted->piece);
+        takeValue(made.text, noted->text);
+        takeValue(made.projected, noted->projected);
+        document.measurements.push_back(made);
+    } else if (const auto* dragged = edit.as<MoveMeasurement>()) {
+        with(document.measurements, &Measurement::id, dragged->measurement)->pointsLps =
+            dragged->pointsLps;
     } else if (const auto* length = edit.as<RemoveMeasurement>()) {
         document.measurements.erase(
             with(document.measurements, &Measurement::id, length->measurement));

@@ -170,7 +170,11 @@ private:
                 edit = std::move(other);
         }
         const std::size_t rows = m_session->history().rows().size();
-        return note(kindOf(edit), m_session->apply(edit), rows);
+        const QString kind = note(kindOf(edit), m_session->apply(edit), rows);
+        const bool counted = edit.is<Annotate>() || edit.is<MoveMeasurement>();
+        if (counted && m_session->history().rows().size() > rows)
+            ++m_result.done[editName(edit)];
+        return kind;
     }
 
     /// Under which name it is counted.
@@ -183,6 +187,9 @@ private:
         if (const auto* both = edit.as<CombineSegments>())
             return editName(edit)
                 + QLatin1String(both->how == CombineSegments::How::Swap ? " swap" : " merge");
+        // What stands in its place does not change what comes to be drawn next.
+        if (edit.is<Annotate>() || edit.is<MoveMeasurement>())
+            return editName(AddMeasurement());
         return editName(edit);
     }
 
@@ -464,7 +471,36 @@ private:
         }
         return std::nullopt;
     }
-    /// Views and distances that are kept.
+    /// Something else than a distance at its places; no die is cast, so that which is drawn next
+    /// does not depend on it.
+    static Edit annotated(const AddMeasurement& measured, Measurement::Kind kind)
+    {
+        using Kind = Measurement::Kind;
+        const glm::dvec3 from = measured.fromLps;
+        Annotate edit{.kind = kind, .pointsLps = {from}, .piece = measured.piece};
+        if (kind == Kind::Angle)
+            edit.pointsLps = {measured.toLps, from, from + glm::dvec3(1.0, 2.0, 3.0)};
+        else if (kind == Kind::Ellipse || kind == Kind::Rectangle)
+            edit.pointsLps = {from, from + glm::dvec3(7.0, 0.0, 0.0), from + glm::dvec3(0, 3, 1)};
+        else if (kind == Kind::Outline)
+            edit.pointsLps = {from, from + glm::dvec3(9.0, 0.0, 0.0), from + glm::dvec3(9, 5, 0),
+                from + glm::dvec3(2.0, 8.0, 0.0)};
+        else if (kind == Kind::Ball || kind == Kind::Arrow)
+            edit.pointsLps = {from, measured.toLps};
+        if (kind == Kind::Text || (kind == Kind::Arrow && from.x > 0.0))
+            edit.text = QStringLiteral("here");
+        if (kind == Kind::Angle && from.y > 0.0)
+            edit.projected = true;
+        return edit;
+    }
+    static Edit moved(const Measurement& measurement)
+    {
+        MoveMeasurement move{.measurement = measurement.id, .pointsLps = measurement.pointsLps};
+        for (glm::dvec3& point : move.pointsLps)
+            point += glm::dvec3(0.5, -1.0, 2.0);
+        return move;
+    }
+    /// Views, distances and notes that are kept.
     Edit randomBookmark(const Document& document)
     {
         if (!document.bookmarks.empty() && chance(50))
@@ -476,7 +512,14 @@ private:
                 .toLps = glm::dvec3(between(-20, 20), 0.5, 120.0)};
             if (!document.pieces.empty() && chance(50))
                 measured.piece = any(document.pieces).id;
-            return measured;
+            // Of many one is moved instead; so many are never all removed again, so that what is
+            // drawn next stays the same.
+            if (document.measurements.size() >= 4 && int(measured.toLps.x) % 2 == 0)
+                return moved(document.measurements[1]);
+            const int given = document.lastMeasurementGiven();
+            if (given % 2 == 0)
+                return measured;
+            return annotated(measured, Measurement::Kind(1 + given / 2 % 8));
         }
         return AddBookmark{.name = randomName(),
             .view = randomDrill().view,

@@ -3,7 +3,7 @@
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/tools/view/RulerTool.h"
+#include "ui/tools/view/MeasureTool.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QtTest>
@@ -97,7 +97,7 @@ private Q_SLOTS:
     {
         test::WindowFixture fixture(test::smallHead::volume());
         ui::VolumeView& view = fixture.window.views().volume();
-        ui::RulerTool tool(fixture.workspace);
+        ui::MeasureTool tool(fixture.workspace);
         fixture.workspace.setActiveTool(&tool);
         const auto drag = [&] {
             test::Pen pen(view);

@@ -249,6 +249,7 @@ void ExportDialog::write(const LabelFetch::Planes& coverages)
     m_job.start([volume = *m_workspace.volume(), request = m_request, planes = std::move(m_planes),
                     layers = m_layers, coverages, session = m_workspace.session()->file(),
                     segments = m_workspace.session()->document().segments,
+                    measurements = m_workspace.session()->document().measurements,
                     imports = core::doneImports(m_workspace.session()->history())](
                     const core::Progress& progress) -> core::Result<core::ExportReport> {
         core::ExportRequest whole = request;
@@ -268,6 +269,7 @@ void ExportDialog::write(const LabelFetch::Planes& coverages)
         if (!study)
             return tl::unexpected(study.error());
         whole.codes = study->codes;
+        whole.measurements = measurements;
         whole.imported = core::importedAs(segments, imports, volume.geometry.voxelCount());
         return core::exportMask(volume, whole, progress);
     });

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/document/Measurement.h"
 #include "core/edits/answers/EditAnswers.h"
+
+#include <QString>
 
 #include <glm/glm.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace core {
 
@@ -14,6 +18,25 @@ struct AddMeasurement {
     glm::dvec3 fromLps{0.0};
     glm::dvec3 toLps{0.0};
     std::optional<int> piece{}; ///< id of the piece on which both points were picked
+    std::optional<bool> projected{}; ///< Measurement::projected; none: no
+};
+
+/// Keep an angle, a region, a place whose value is read, an arrow or a text. What they come to is
+/// worked out from the study and stands in no row.
+struct Annotate {
+    static constexpr std::size_t mostCorners = 512; ///< of an outline
+
+    Measurement::Kind kind = Measurement::Kind::Angle; ///< not a distance
+    std::vector<glm::dvec3> pointsLps{}; ///< as the kind has them, at their true places
+    std::optional<QString> text{}; ///< only of an arrow, and of a text, which needs it
+    std::optional<int> piece{}; ///< id of the piece on which all points were picked
+    std::optional<bool> projected{}; ///< none: no
+};
+
+/// Give a measurement other points; it keeps its number and all else.
+struct MoveMeasurement {
+    int measurement = 0; ///< id
+    std::vector<glm::dvec3> pointsLps{}; ///< as its kind has them, at their true places
 };
 
 struct RemoveMeasurement {
@@ -25,6 +48,19 @@ Result<bool> apply(const AddMeasurement& edit, Document& document);
 [[nodiscard]] EditEffects effects(const AddMeasurement& edit);
 [[nodiscard]] RowTitle rowTitle(const AddMeasurement& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const AddMeasurement& edit, const DependencyFacts& row);
+
+[[nodiscard]] Result<void> check(const Annotate& edit, const Document& document);
+Result<bool> apply(const Annotate& edit, Document& document);
+[[nodiscard]] EditEffects effects(const Annotate& edit);
+[[nodiscard]] RowTitle rowTitle(const Annotate& edit, const RowFacts& row);
+[[nodiscard]] EditDependencies dependencies(const Annotate& edit, const DependencyFacts& row);
+
+[[nodiscard]] Result<void> check(const MoveMeasurement& edit, const Document& document);
+Result<bool> apply(const MoveMeasurement& edit, Document& document);
+[[nodiscard]] EditEffects effects(const MoveMeasurement& edit);
+[[nodiscard]] RowTitle rowTitle(const MoveMeasurement& edit, const RowFacts& row);
+[[nodiscard]] EditDependencies dependencies(
+    const MoveMeasurement& edit, const DependencyFacts& row);
 
 [[nodiscard]] Result<void> check(const RemoveMeasurement& edit, const Document& document);
 Result<bool> apply(const RemoveMeasurement& edit, Document& document);

@@ -25,6 +25,8 @@
 #include <QJsonDocument>
 #include <QTest>
 
+#include <cmath>
+
 namespace documentEditsTest {
 
 using namespace core;
@@ -159,11 +161,45 @@ private Q_SLOTS:
             "removePiece.piece");
         row("measurement", RemoveMeasurement{.measurement = 3}, ErrorCode::InvalidField,
             "removeMeasurement.measurement");
+        row("measurement to move",
+            MoveMeasurement{.measurement = 3, .pointsLps = {{1, 2, 3}, {4, 5, 6}}},
+            ErrorCode::InvalidField, "moveMeasurement.measurement");
         const glm::dvec3 place(1, 2, 3);
         row("no distance", AddMeasurement{.fromLps = place, .toLps = place},
             ErrorCode::InvalidField, "addMeasurement.toLps");
         row("piece to measure", AddMeasurement{.toLps = place, .piece = 3}, ErrorCode::InvalidField,
             "addMeasurement.piece");
+        using Kind = Measurement::Kind;
+        const auto annotated = [&row](const char* name, Kind kind,
+                                   const std::vector<glm::dvec3>& points, const char* field) {
+            row(name, Annotate{.kind = kind, .pointsLps = points}, ErrorCode::InvalidField, field);
+        };
+        const glm::dvec3 other(4, 6, 3);
+        annotated("distance to annotate", Kind::Distance, {place, other}, "annotate.kind");
+        annotated("angle of two points", Kind::Angle, {place, other}, "annotate.pointsLps");
+        annotated("angle of four", Kind::Angle, {place, other, {0, 0, 0}, {9, 9, 9}},
+            "annotate.pointsLps");
+        annotated("angle without a side", Kind::Angle, {place, place, other}, "annotate.pointsLps");
+        annotated(
+            "angle without the other", Kind::Angle, {other, place, place}, "annotate.pointsLps");
+        annotated("ellipse on a line", Kind::Ellipse, {place, {2, 2, 3}, {7, 2, 3}},
+            "annotate.pointsLps");
+        annotated(
+            "rectangle of one side", Kind::Rectangle, {place, other, other}, "annotate.pointsLps");
+        annotated("bent outline", Kind::Outline, {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 1}},
+            "annotate.pointsLps");
+        annotated("ball of no radius", Kind::Ball, {place, place}, "annotate.pointsLps");
+        annotated("probe of two places", Kind::Probe, {place, other}, "annotate.pointsLps");
+        annotated("text of no words", Kind::Text, {place}, "annotate.text");
+        row("probe that says something",
+            Annotate{.kind = Kind::Probe, .pointsLps = {place}, .text = QStringLiteral("Here")},
+            ErrorCode::InvalidField, "annotate.text");
+        row("piece to annotate", Annotate{.kind = Kind::Probe, .pointsLps = {place}, .piece = 3},
+            ErrorCode::InvalidField, "annotate.piece");
+        std::vector<glm::dvec3> round;
+        for (int i = 0; i <= int(Annotate::mostCorners); ++i)
+            round.emplace_back(std::cos(0.01 * i), std::sin(0.01 * i), 0.0);
+        annotated("too many corners", Kind::Outline, round, "annotate.pointsLps");
         AddBookmark nowhere = bookmark("Nowhere");
         nowhere.view.eyeLps = nowhere.view.targetLps;
         row("view of nothing", nowhere, ErrorCode::InvalidField, "addBookmark.view");
@@ -202,6 +238,40 @@ private Q_SLOTS:
         QVERIFY(applyToDocument(RemoveBookmark{.bookmark = 2}, document));
         QVERIFY(applyToDocument(bookmark("Third"), document));
         QVERIFY(bookmarks(document) == (std::vector<int>{1, 3}));
+    }
+
+    /// A distance is hashed as it always was; whatever else is kept says what it is.
+    void whatIsMeasuredIsPartOfTheState()
+    {
+        Document document = initialDocument({});
+        QVERIFY(applyToDocument(
+            AddMeasurement{.fromLps = {1, 2, 3}, .toLps = {4, 6, 3}, .piece = {}}, document));
+        QVERIFY(stateOf(document).contains(
+            R"("measurements":[{"fromLps":[1,2,3],"id":1,"toLps":[4,6,3]}])"));
+        QCOMPARE(document.measurements[0].lengthMm(), 5.0);
+        const QByteArray alone = stateOf(document);
+        QVERIFY(applyToDocument(Annotate{.kind = Measurement::Kind::Arrow,
+                                    .pointsLps = {{1, 2, 3}, {4, 6, 3}},
+                                    .text = QStringLiteral("Here"),
+                                    .projected = true},
+            document));
+        QVERIFY(stateOf(document).contains(
+            R"({"id":2,"kind":"arrow","pointsLps":[[1,2,3],[4,6,3]],"projected":true,"text":"Here"})"));
+        // Moved, it stays what it is.
+        const MoveMeasurement move{.measurement = 2, .pointsLps = {{7, 2, 3}, {4, 6, 3}}};
+        QVERIFY(*applyToDocument(move, document));
+        QVERIFY(!*applyToDocument(move, document));
+        QVERIFY(stateOf(document).contains(R"("pointsLps":[[7,2,3],[4,6,3]],"projected":true)"));
+        QVERIFY(!applyToDocument(
+            MoveMeasurement{.measurement = 2, .pointsLps = {{7, 2, 3}}}, document));
+        QVERIFY(!applyToDocument(
+            MoveMeasurement{.measurement = 1, .pointsLps = {{7, 2, 3}, {7, 2, 3}}}, document));
+        QVERIFY(applyToDocument(RemoveMeasurement{.measurement = 2}, document));
+        QVERIFY(stateOf(document) != alone); // its number is never used again
+        QVERIFY(stateOf(document).contains(R"("lastMeasurement":2)"));
+        QVERIFY(applyToDocument(
+            Annotate{.kind = Measurement::Kind::Probe, .pointsLps = {{0, 0, 0}}}, document));
+        QCOMPARE(document.measurements.back().id, 3);
     }
 
     void labelsRunOut()

@@ -315,6 +315,40 @@ void addPieceStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"measure on a piece", volume, {drill, lift}, onPiece});
     cases.push_back(
         {"remove a measurement", volume, {length}, core::RemoveMeasurement{.measurement = 1}});
+    core::AddMeasurement onSlab = length;
+    onSlab.projected = true;
+    cases.push_back({"measure on a slab", volume, {}, onSlab});
+    using Kind = core::Measurement::Kind;
+    const glm::dvec3 at(1, 2, 3);
+    const glm::dvec3 right(8, 2, 3);
+    const glm::dvec3 down(1, 6, 5);
+    const core::Annotate angle{.kind = Kind::Angle, .pointsLps = {right, at, down}};
+    const core::Annotate ellipse{.kind = Kind::Ellipse, .pointsLps = {at, right, down}};
+    core::Annotate box = ellipse;
+    box.kind = Kind::Rectangle;
+    core::Annotate angleOnPiece = angle;
+    angleOnPiece.piece = 1;
+    angleOnPiece.projected = true;
+    cases.push_back({"angle", volume, {length}, angle});
+    cases.push_back({"angle on a piece", volume, {drill, lift}, angleOnPiece});
+    cases.push_back({"ellipse", volume, {}, ellipse});
+    cases.push_back({"rectangle", volume, {}, box});
+    cases.push_back({"outline", volume, {},
+        core::Annotate{.kind = Kind::Outline, .pointsLps = {at, right, right + down - at, down}}});
+    cases.push_back(
+        {"ball", volume, {}, core::Annotate{.kind = Kind::Ball, .pointsLps = {at, right}}});
+    cases.push_back({"probe", volume, {}, core::Annotate{.kind = Kind::Probe, .pointsLps = {at}}});
+    cases.push_back(
+        {"arrow", volume, {}, core::Annotate{.kind = Kind::Arrow, .pointsLps = {at, right}}});
+    cases.push_back({"move a distance", volume, {length},
+        core::MoveMeasurement{.measurement = 1, .pointsLps = {at, down}}});
+    cases.push_back({"move an ellipse", volume, {length, ellipse},
+        core::MoveMeasurement{.measurement = 2, .pointsLps = {down, right, at}}});
+    const core::Annotate text{
+        .kind = Kind::Text, .pointsLps = {at}, .text = QStringLiteral("Fissure")};
+    cases.push_back({"text", volume, {}, text});
+    cases.push_back(
+        {"remove a text", volume, {length, text}, core::RemoveMeasurement{.measurement = 2}});
 }
 
 } // namespace test

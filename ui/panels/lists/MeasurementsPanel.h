@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Background.h"
+#include "ui/frame/Panel.h"
+
+class QListWidget;
+class QListWidgetItem;
+class QPushButton;
+
+namespace ui {
+
+class Workspace;
+
+/// The list of what was measured and noted. A click leads the crosshair there; Del removes what is
+/// selected, as a step of undo. All of it can be saved as a table.
+class MeasurementsPanel : public Panel {
+    Q_OBJECT
+
+public:
+    explicit MeasurementsPanel(Workspace& workspace, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString summary() const override;
+    [[nodiscard]] bool hasSomething() const override;
+    /// Writes all that is worked out as a table, and replaces a file of that name.
+    void saveAs(const QString& file);
+
+private:
+    void refresh();
+    void lead(const QListWidgetItem* item);
+    void removeSelected();
+    void save();
+
+    Workspace& m_workspace;
+    QListWidget* m_list = nullptr;
+    QPushButton* m_save = nullptr;
+    QPushButton* m_remove = nullptr;
+    bool m_hadSomething = false;
+    core::Background m_background; ///< writes the table
+};
+
+} // namespace ui

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLineEdit;
+class QToolButton;
+
+namespace ui {
+
+class MeasureTool;
+class Workspace;
+
+/// The options of the measuring tool: which shape it draws, what an arrow or a text says, and the
+/// measurements, each of which can be removed.
+class MeasureOptions : public QWidget {
+    Q_OBJECT
+
+public:
+    MeasureOptions(Workspace& workspace, MeasureTool& tool, QWidget* parent);
+
+private:
+    void showTool();
+    void showCount();
+    void fillMenu();
+
+    Workspace& m_workspace;
+    MeasureTool& m_tool;
+    QComboBox* m_kinds = nullptr;
+    QLineEdit* m_text = nullptr;
+    QToolButton* m_list = nullptr;
+};
+
+/// Removes a measurement as a step of undo.
+void removeMeasurement(Workspace& workspace, int measurement);
+
+} // namespace ui
