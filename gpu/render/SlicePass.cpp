@@ -69,11 +69,10 @@ SlicePass::SlicePass(const ShaderLibrary& library)
 
 Program& SlicePass::programFor(unsigned form, unsigned variant)
 {
-    Program& known = m_programs[form][variant];
     const auto has = [variant](unsigned part) { return (variant & part) != 0 ? 1 : 0; };
-    if (!known)
-        known = Program(m_library,
-            {.label = "slice",
+    const auto make = [&] {
+        return std::make_shared<Program>(m_library,
+            GraphicsProgramOptions{.label = "slice",
                 .fragmentPath = "render/slice.frag",
                 .defines = {{"LABELED", has(labeled)}, {"CARVED", has(carved)},
                     {"BARRIERS", has(barriers)}, {"WARNED", has(warned)},
@@ -82,7 +81,8 @@ Program& SlicePass::programFor(unsigned form, unsigned variant)
                     {"CUBIC", (form & Cubic) != 0 ? 1 : 0},
                     {"PLANE", (form & OnPlane) != 0 ? 1 : 0},
                     {"SLAB", (form & Slab) != 0 ? 1 : 0}}});
-    return known;
+    };
+    return *m_programs.of({form, variant}, make);
 }
 
 void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,

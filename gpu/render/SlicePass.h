@@ -6,8 +6,9 @@
 #include "gpu/render/parts/Palette.h"
 #include "gpu/scene/PassTarget.h"
 #include "gpu/scene/Scene.h"
+#include "gpu/shaders/RecentPrograms.h"
 
-#include <array>
+#include <utility>
 
 namespace gpu {
 
@@ -40,10 +41,8 @@ public:
         const ChunkTextures* chunks);
 
 private:
-    static constexpr unsigned variants = 256;
     /// Where the plane is drawn, and how it is interpolated.
     enum Form : unsigned { Plain = 0, Cubic = 1, OnPlane = 2, CubicOnPlane = 3, Slab = 4 };
-    static constexpr unsigned forms = 5;
 
     [[nodiscard]] Program& prepareForm(unsigned form, VolumeTextures& volume,
         const SliceScene& scene, const SegmentDisplay& segments, const Palette& palette,
@@ -53,8 +52,8 @@ private:
     [[nodiscard]] Program& programFor(unsigned form, unsigned variant);
 
     const ShaderLibrary& m_library;
-    /// By form and variant, compiled when they are first needed.
-    std::array<std::array<Program, variants>, forms> m_programs;
+    /// By form and variant, compiled when needed.
+    RecentPrograms<std::pair<unsigned, unsigned>, Program, 32> m_programs;
 };
 
 } // namespace gpu

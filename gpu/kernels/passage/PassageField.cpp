@@ -31,12 +31,12 @@ Program& PassagePrograms::labels()
     return m_labels;
 }
 
-Program& PassagePrograms::free(const core::GrowLimits& limits)
+std::shared_ptr<Program> PassagePrograms::free(const core::GrowLimits& limits)
 {
-    Program& known = m_free[kindOf(limits)];
-    if (!known)
-        known = program(m_shaders, "kernels/passage/passageFree.comp", definesOf(limits));
-    return known;
+    return m_free.of(kindOf(limits), [&] {
+        return std::make_shared<Program>(
+            program(m_shaders, "kernels/passage/passageFree.comp", definesOf(limits)));
+    });
 }
 
 Program& PassagePrograms::centres()
@@ -198,7 +198,8 @@ void PassageField::workOut(
     const std::vector<std::uint32_t> far = m_fields.withNeighbours(near);
     takePages(slot, far);
 
-    Program& free = m_programs.free(m_burst.limits);
+    const std::shared_ptr<Program> held = m_programs.free(m_burst.limits);
+    Program& free = *held;
     setGrowthUniforms(free, criterion);
     run(free, jobsFor(slot, far, Known::Free));
     run(m_programs.centres(), jobsFor(slot, near, Known::Centres));

@@ -4,9 +4,10 @@
 #include "gpu/fields/VoxelFields.h"
 #include "gpu/fields/bricks/BrickField.h"
 #include "gpu/kernels/criterion/GrowCriterion.h"
+#include "gpu/shaders/RecentPrograms.h"
 
 #include <array>
-#include <map>
+#include <memory>
 #include <vector>
 
 namespace gpu {
@@ -22,14 +23,14 @@ public:
     }
 
     [[nodiscard]] Program& labels();
-    [[nodiscard]] Program& free(const core::GrowLimits& limits);
+    [[nodiscard]] std::shared_ptr<Program> free(const core::GrowLimits& limits);
     [[nodiscard]] Program& centres();
     [[nodiscard]] Program& room();
 
 private:
     const ShaderLibrary& m_shaders;
     Program m_labels;
-    std::map<unsigned, Program> m_free; ///< by kindOf()
+    RecentPrograms<unsigned, Program> m_free; ///< by kindOf()
     Program m_centres;
     Program m_room;
 };

@@ -72,12 +72,12 @@ Program& TolerancePrograms::seeds()
     return m_seeds;
 }
 
-Program& TolerancePrograms::init(const core::GrowLimits& limits)
+std::shared_ptr<Program> TolerancePrograms::init(const core::GrowLimits& limits)
 {
-    Program& known = m_init[kindOf(limits)];
-    if (!known)
-        known = program(m_shaders, "kernels/spread/toleranceInit.comp", definesOf(limits));
-    return known;
+    return m_init.of(kindOf(limits), [&] {
+        return std::make_shared<Program>(
+            program(m_shaders, "kernels/spread/toleranceInit.comp", definesOf(limits)));
+    });
 }
 
 Program& TolerancePrograms::relax(int connectivity)
@@ -133,7 +133,7 @@ ToleranceKernel::ToleranceKernel(
         m_field.rule = rule;
         m_field.curve = {.centre = centre};
     }
-    for (Program* each : {&m_init, &m_relax, &programs.count()})
+    for (Program* each : {m_init.get(), &m_relax, &programs.count()})
         each->set("volumeSize", fields.grid().volumeSize)
             .set("volumeBricks", fields.grid().bricks())
             .set("centre", unsigned(centre));
@@ -187,9 +187,9 @@ void ToleranceKernel::look(std::size_t bricks)
     const std::size_t all = std::size_t(m_fields.grid().brickCount());
     const std::size_t count = std::min({bricks, all - m_next, mostWorkGroups});
     BrickField& words = m_fields.seedWords(m_field.rule.plane);
-    m_criterion.setUniforms(m_init);
+    m_criterion.setUniforms(*m_init);
     m_criterion.bind(m_fields);
-    m_init.set("firstBrick", unsigned(m_next))
+    m_init->set("firstBrick", unsigned(m_next))
         .set("label", unsigned(m_field.rule.label))
         .set("overwritable", m_field.rule.overwritable)
         .set("write", m_phase == Phase::Init);
@@ -200,7 +200,7 @@ void ToleranceKernel::look(std::size_t bricks)
     m_fields.labels(m_field.rule.plane).bindUnit(3);
     m_pending.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
     m_digest.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
-    m_init.dispatch({unsigned(count), 1, 1});
+    m_init->dispatch({unsigned(count), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     m_next += count;
     if (m_next < all)

@@ -5,6 +5,7 @@
 #include "core/growth/Tolerance.h"
 #include "gpu/fields/VoxelFields.h"
 #include "gpu/kernels/criterion/GrowCriterion.h"
+#include "gpu/shaders/RecentPrograms.h"
 
 #include <map>
 #include <memory>
@@ -22,14 +23,14 @@ public:
     }
 
     [[nodiscard]] Program& seeds();
-    [[nodiscard]] Program& init(const core::GrowLimits& limits);
+    [[nodiscard]] std::shared_ptr<Program> init(const core::GrowLimits& limits);
     [[nodiscard]] Program& relax(int connectivity);
     [[nodiscard]] Program& count();
 
 private:
     const ShaderLibrary& m_shaders;
     Program m_seeds;
-    std::map<unsigned, Program> m_init; ///< by kindOf()
+    RecentPrograms<unsigned, Program> m_init; ///< by kindOf()
     std::map<int, Program> m_relax;
     Program m_count;
 };
@@ -67,7 +68,7 @@ private:
     TolerancePrograms& m_programs;
     VoxelFields& m_fields;
     ToleranceField& m_field;
-    Program& m_init;
+    std::shared_ptr<Program> m_init;
     Program& m_relax;
     GrowCriterion m_criterion;
     Phase m_phase = Phase::Init;

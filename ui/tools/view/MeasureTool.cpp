@@ -40,6 +40,8 @@ double apart(const QPointF& a, const QPointF& b)
 /// the viewer a place is.
 bool isProjection(const ViewContext& view)
 {
+    if (const auto* slice = std::get_if<gpu::SliceScene>(&view.scene))
+        return slice->slab.mode != gpu::SlabMode::Off;
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
     return scene && (scene->mode == gpu::RenderMode::Mip || scene->mode == gpu::RenderMode::Xray);
 }
