@@ -16,6 +16,7 @@
 #include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/sculpt/PeelTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"
+#include "ui/tools/view/MeasureTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/window/DisplayState.h"
 #include "ui/window/MainWindow.h"
@@ -155,6 +156,7 @@ private:
         application.window().findChild<ui::PeelTool*>()->setDepthMm(7.5);
         application.window().findChild<ui::FillOutlineTool*>()->setShape(
             ui::FillOutlineTool::Shape::Ellipse);
+        application.window().findChild<ui::MeasureTool*>()->setKind(ui::MeasureTool::Kind::Angle);
         application.window().findChild<ui::FloodFillTool*>()->setSettings(
             {.in3D = true, .corners = true, .tolerance = 72.0});
         application.window().findChild<ui::ScissorsTool*>()->setSettings(

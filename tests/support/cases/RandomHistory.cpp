@@ -512,10 +512,9 @@ private:
                 .toLps = glm::dvec3(between(-20, 20), 0.5, 120.0)};
             if (!document.pieces.empty() && chance(50))
                 measured.piece = any(document.pieces).id;
-            // Of many one is moved instead; so many are never all removed again, so that what is
-            // drawn next stays the same.
-            if (document.measurements.size() >= 4 && int(measured.toLps.x) % 2 == 0)
-                return moved(document.measurements[1]);
+            // Now and then one that is there is moved instead.
+            if (!document.measurements.empty() && int(measured.toLps.x) % 2 == 0)
+                return moved(document.measurements.back());
             const int given = document.lastMeasurementGiven();
             if (given % 2 == 0)
                 return measured;
