@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace ui {
 
@@ -146,8 +148,33 @@ std::optional<core::Measurement> shownIn(const ViewContext& view, core::Measurem
     return measured;
 }
 
-void paintWords(QPainter& painter, const ViewContext& view, const MeasurementDrawing& drawing,
-    const QStringList& words)
+/// Where a box stands in the room: where it should, or as near to that as it covers no other one;
+/// where it should if there is no such place.
+QRectF besideOthers(const QRectF& wanted, const QRectF& room, const std::vector<QRectF>& others)
+{
+    constexpr double stepPixels = 8.0;
+    constexpr int rings = 24;
+    const auto isFree = [&](const QRectF& box) {
+        return room.contains(box)
+            && std::none_of(others.begin(), others.end(),
+                [&](const QRectF& each) { return each.intersects(box); });
+    };
+    if (isFree(wanted))
+        return wanted;
+    for (int ring = 1; ring <= rings; ++ring) {
+        const double far = ring * stepPixels;
+        for (const QPointF& way : {QPointF(0, -1), QPointF(0, 1), QPointF(-1, 0), QPointF(1, 0),
+                 QPointF(-1, -1), QPointF(1, -1), QPointF(-1, 1), QPointF(1, 1)}) {
+            if (const QRectF box = wanted.translated(far * way); isFree(box))
+                return box;
+        }
+    }
+    return wanted;
+}
+
+/// @returns the box of the words
+QRectF paintWords(QPainter& painter, const ViewContext& view, const MeasurementDrawing& drawing,
+    const QStringList& words, const std::vector<QRectF>& taken)
 {
     painter.setFont(theme::smallFont());
     const QFontMetricsF metrics(painter.font());
@@ -165,11 +192,21 @@ void paintWords(QPainter& painter, const ViewContext& view, const MeasurementDra
         std::clamp(box.left(), room.left(), std::max(room.left(), room.right() - box.width())));
     box.moveTop(
         std::clamp(box.top(), room.top(), std::max(room.top(), room.bottom() - box.height())));
+    const QRectF wanted = box;
+    box = besideOthers(wanted, room, taken);
+    if (!box.adjusted(-12, -12, 12, 12).contains(drawing.text)) {
+        // A box that had to give way says whose it is.
+        for (const QPen& pen : {QPen(QColor(0, 0, 0, 170), 3.0), QPen(theme::accent, 1.0)}) {
+            painter.setPen(pen);
+            painter.drawLine(drawing.text, box.center());
+        }
+    }
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(0, 0, 0, 170));
     painter.drawRoundedRect(box, 3, 3);
     painter.setPen(theme::text);
     painter.drawText(box, Qt::AlignCenter, words.join(QLatin1Char('\n')));
+    return box;
 }
 
 } // namespace
@@ -207,11 +244,11 @@ MeasurementDrawing drawingOf(const core::Measurement& measurement, const ViewCon
     return drawing;
 }
 
-void paintMeasurement(QPainter& painter, const ViewContext& view, const MeasurementDrawing& drawing,
-    const QStringList& words)
+QRectF paintMeasurement(QPainter& painter, const ViewContext& view,
+    const MeasurementDrawing& drawing, const QStringList& words, const std::vector<QRectF>& taken)
 {
     if (drawing.lines.empty() && drawing.outlines.empty() && drawing.marks.empty())
-        return;
+        return {};
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
@@ -226,9 +263,11 @@ void paintMeasurement(QPainter& painter, const ViewContext& view, const Measurem
             painter.drawLine(mark - QPointF(0, 4), mark + QPointF(0, 4));
         }
     }
+    QRectF box;
     if (!words.isEmpty())
-        paintWords(painter, view, drawing, words);
+        box = paintWords(painter, view, drawing, words, taken);
     painter.restore();
+    return box;
 }
 
 bool isShown(
@@ -267,13 +306,18 @@ void paintMeasurements(QPainter& painter, const ViewContext& view, const Workspa
     if (!session || !volume)
         return;
     const core::Document& document = session->document();
+    std::vector<std::pair<MeasurementDrawing, QStringList>> drawings;
+    std::vector<QRectF> taken; // by small shapes, and by words
     for (const core::Measurement& measured : document.measurements) {
         const std::optional<core::Measurement> shown = shownIn(view, measured, document, workspace);
         if (!shown)
             continue;
-        paintMeasurement(
-            painter, view, drawingOf(*shown, view), measurementLines(measured, workspace));
+        drawings.emplace_back(drawingOf(*shown, view), measurementLines(measured, workspace));
+        for (const QPolygonF& outline : drawings.back().first.outlines)
+            taken.push_back(outline.boundingRect());
     }
+    for (const auto& [drawing, words] : drawings)
+        taken.push_back(paintMeasurement(painter, view, drawing, words, taken));
 }
 
 } // namespace ui

@@ -5,7 +5,10 @@
 #include "ui/geometry/ViewContext.h"
 
 #include <QPolygonF>
+#include <QRectF>
 #include <QStringList>
+
+#include <vector>
 
 class QPainter;
 
@@ -28,8 +31,11 @@ struct MeasurementDrawing {
     const core::Measurement& measurement, const ViewContext& view);
 
 /// Draws lines with a dark rim, and words on a dark ground that stays in the view.
-void paintMeasurement(QPainter& painter, const ViewContext& view, const MeasurementDrawing& drawing,
-    const QStringList& words);
+/// @param taken where no words are to stand, as far as there is room elsewhere
+/// @returns where the words stand; empty: nowhere
+QRectF paintMeasurement(QPainter& painter, const ViewContext& view,
+    const MeasurementDrawing& drawing, const QStringList& words,
+    const std::vector<QRectF>& taken = {});
 
 /// Whether a view shows a measurement of the document with all its points: a slice, if they lie in
 /// it.

@@ -470,7 +470,8 @@ void MeasureTool::paintOverlay(QPainter& painter, const ViewContext& view) const
             QPolygonF line;
             for (const glm::dvec3& point : measured.pointsLps)
                 line << view.toPixel(point);
-            return paintMeasurement(painter, view, {.lines = {line}}, {});
+            paintMeasurement(painter, view, {.lines = {line}}, {});
+            return;
         }
         // What is seen at its ends in 3D is known once it is there.
         QStringList words;

@@ -23,6 +23,7 @@
 #include <QJsonObject>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QtTest>
@@ -432,6 +433,29 @@ private Q_SLOTS:
         QVERIFY(fixture.tool.kind() == Kind::Ball);
     }
 
+    /// The words of one do not cover those of its neighbour, as long as there is room.
+    void wordsGiveWay()
+    {
+        Fixture fixture;
+        const ui::ViewContext view = fixture.window.views().sagittal().context();
+        QImage image(QSize(int(view.sizePixels.width()), int(view.sizePixels.height())),
+            QImage::Format_ARGB32_Premultiplied);
+        image.fill(Qt::black);
+        QPainter painter(&image);
+        ui::MeasurementDrawing drawing{.marks = {QPointF(150, 150)}};
+        drawing.text = QPointF(150, 150);
+        const QStringList words{QStringLiteral("600.0 mm²"), QStringLiteral("mean 84 ± 166")};
+        std::vector<QRectF> taken{ui::paintMeasurement(painter, view, drawing, words)};
+        QVERIFY(taken.front().isValid());
+        QCOMPARE(ui::paintMeasurement(painter, view, drawing, words), taken.front());
+        for (int i = 0; i < 3; ++i) {
+            const QRectF box = ui::paintMeasurement(painter, view, drawing, words, taken);
+            QVERIFY(QRectF(QPointF(), view.sizePixels).contains(box));
+            for (const QRectF& each : taken)
+                QVERIFY(!each.intersects(box));
+            taken.push_back(box);
+        }
+    }
     void theListTakesThemAway()
     {
         Fixture fixture;
