@@ -61,7 +61,10 @@ MeasurementsPanel::MeasurementsPanel(Workspace& workspace, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, theme::smallPadding);
     layout->setSpacing(theme::smallPadding);
-    layout->addWidget(m_list);
+    auto* rows = new QHBoxLayout;
+    rows->setContentsMargins(theme::padding - 3, 0, 0, 0);
+    rows->addWidget(m_list);
+    layout->addLayout(rows);
     auto* buttons = new QHBoxLayout;
     buttons->setContentsMargins(theme::padding, 0, theme::padding, 0);
     buttons->addWidget(m_save);
@@ -104,6 +107,22 @@ bool MeasurementsPanel::hasSomething() const
     return session && !session->document().measurements.empty();
 }
 
+/// How many lines a row has depends on the width.
+void MeasurementsPanel::resizeEvent(QResizeEvent* event)
+{
+    Panel::resizeEvent(event);
+    fitHeight();
+}
+
+void MeasurementsPanel::fitHeight()
+{
+    m_list->doItemsLayout();
+    int height = 2 * m_list->frameWidth();
+    for (int row = 0; row < std::min(m_list->count(), mostMeasurementRows); ++row)
+        height += m_list->visualItemRect(m_list->item(row)).height();
+    m_list->setFixedHeight(height);
+}
+
 void MeasurementsPanel::refresh()
 {
     const core::EditSession* session = m_workspace.session();
@@ -126,10 +145,7 @@ void MeasurementsPanel::refresh()
         item.setData(numberRole, measured.id);
         item.setText(rowText(measured, m_workspace));
     }
-    int height = 2 * m_list->frameWidth();
-    for (int row = 0; row < std::min(count, mostMeasurementRows); ++row)
-        height += std::max(m_list->sizeHintForRow(row), theme::controlHeight);
-    m_list->setFixedHeight(height);
+    fitHeight();
     m_remove->setEnabled(!m_list->selectedItems().isEmpty());
     const bool known = std::all_of(all.begin(), all.end(),
         [this](const core::Measurement& each) { return m_workspace.measured(each) != nullptr; });

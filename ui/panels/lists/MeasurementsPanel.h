@@ -26,8 +26,12 @@ public:
     /// Writes all that is worked out as a table, and replaces a file of that name.
     void saveAs(const QString& file);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void refresh();
+    void fitHeight();
     void lead(const QListWidgetItem* item);
     void removeSelected();
     void save();
