@@ -30,6 +30,8 @@ private Q_SLOTS:
                                 << "panel.RefinePanel";
         QTest::newRow("chunks") << "tool.chunks"
                                 << "panel.ChunksPanel";
+        QTest::newRow("measure") << "tool.ruler"
+                                 << "panel.MeasurementsPanel";
     }
     void aToolThatIsTakenOpensItsPanel()
     {
