@@ -254,9 +254,10 @@ private Q_SLOTS:
         QFile file(html);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QString text = QString::fromUtf8(file.readAll());
-        for (const char* words : {"Dr. M. Muster", "some steps name nobody",
-                 "This history is whole", "15 of 15 steps are sealed", "taken back by step 14",
-                 "old future, behind step 9", "undone", "burin 9.8.7"})
+        for (const char* words :
+            {"Dr. M. Muster", "some steps name nobody", "This history is whole",
+                "15 of 15 steps are sealed", "taken back by step 14", "old future, behind step 9",
+                "undone", "burin 9.8.7", "As they stand after step 14.", "no voxel"})
             QVERIFY2(text.contains(QLatin1String(words)), words);
         QCOMPARE(
             text.count(QStringLiteral("<img ")), qsizetype(session().keyframes().rows().size()));

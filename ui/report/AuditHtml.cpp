@@ -51,6 +51,23 @@ QString stepTable(const AuditTexts& texts)
         "table", element("thead", element("tr", heads)) + u'\n' + element("tbody", u'\n' + rows));
 }
 
+QString segmentTable(const AuditTexts& texts)
+{
+    if (texts.segments.empty())
+        return {};
+    QString heads;
+    for (const char* head : {"Segment", "Size", "Since it was imported"})
+        heads += element("th", QLatin1String(head));
+    QString rows;
+    for (const AuditTexts::Segment& segment : texts.segments)
+        rows += element("tr",
+                    element("td", escaped(segment.name)) + element("td", escaped(segment.size))
+                        + element("td", escaped(segment.change)))
+            + u'\n';
+    return element(
+        "table", element("thead", element("tr", heads)) + u'\n' + element("tbody", u'\n' + rows));
+}
+
 QString figure(const AuditTexts::Picture& picture)
 {
     const QString image =
@@ -70,6 +87,25 @@ QString style()
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
+QString figures(const std::vector<AuditTexts::Picture>& pictures)
+{
+    QString all;
+    for (const AuditTexts::Picture& picture : pictures)
+        all += figure(picture);
+    return element("div", all, "pictures");
+}
+
+QString segmentSection(const AuditTexts& texts)
+{
+    if (texts.aboutSegments.isEmpty())
+        return {};
+    QString section = u'\n' + element("h2", QStringLiteral("Segments"))
+        + element("p", escaped(texts.aboutSegments)) + segmentTable(texts);
+    if (!texts.changes.empty())
+        section += element("p", escaped(texts.aboutChanges)) + figures(texts.changes);
+    return section;
+}
+
 } // namespace
 
 QString auditHtml(const AuditTexts& texts)
@@ -83,15 +119,13 @@ QString auditHtml(const AuditTexts& texts)
     body += element("div",
         element("strong", escaped(texts.verdict)) + element("p", escaped(texts.explanation)),
         texts.sound ? "verdict sound" : "verdict damaged");
+    body += segmentSection(texts);
     body += u'\n' + element("h2", QStringLiteral("Steps"));
     body += texts.steps.empty() ? element("p", escaped(texts.noSteps)) : stepTable(texts);
     body += u'\n' + element("h2", QStringLiteral("Pictures"));
     const bool none = texts.pictures.empty();
     body += element("p", escaped(none ? texts.noPictures : texts.aboutPictures));
-    QString figures;
-    for (const AuditTexts::Picture& picture : texts.pictures)
-        figures += figure(picture);
-    body += element("div", figures, "pictures");
+    body += figures(texts.pictures);
     body += element("footer", escaped(texts.footer));
     return QStringLiteral("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                           "<title>%1</title>\n<style>\n%2</style>\n</head>\n<body>\n%3\n</body>\n"

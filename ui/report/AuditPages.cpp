@@ -77,10 +77,12 @@ AuditPages::AuditPages(const AuditTexts& texts, const QSizeF& sizePixels)
     addTitle(texts);
     addFacts(texts);
     addVerdict(texts);
+    addSegments(texts);
     addHeading(QStringLiteral("Steps"));
     addSteps(texts);
     addHeading(QStringLiteral("Pictures"));
-    addPictures(texts);
+    addSentence(texts.pictures.empty() ? texts.noPictures : texts.aboutPictures);
+    addPictures(texts.pictures);
     place();
 }
 
@@ -123,23 +125,26 @@ void AuditPages::addTitle(const AuditTexts& texts)
 
 void AuditPages::addFacts(const AuditTexts& texts)
 {
+    addHeading(QStringLiteral("Study"));
+    addFactLines(texts.study);
+    addHeading(QStringLiteral("Session"));
+    addFactLines(texts.session);
+}
+
+void AuditPages::addFactLines(const std::vector<AuditTexts::Fact>& facts)
+{
     constexpr double nameWidth = 34.0;
     const double point = points(1.0);
-    const auto addList = [&](const QString& heading, const std::vector<AuditTexts::Fact>& facts) {
-        addHeading(heading);
-        for (const AuditTexts::Fact& fact : facts) {
-            const PaperText name(fact.name, mm(nameWidth), point, {.colour = quiet});
-            const PaperText value(fact.value, mm(textWidth - nameWidth), point,
-                {.sizePoints = fact.isHash ? 8.0 : 8.5, .fixedPitch = fact.isHash});
-            const Texts placed{{{0.0, 0.0}, name}, {{mm(nameWidth), 0.0}, value}};
-            add({.height = heightOf(placed) + mm(0.8),
-                .paint = [this, placed](QPainter& painter, double at) {
-                    paintTexts(painter, placed, {mm(left), at});
-                }});
-        }
-    };
-    addList(QStringLiteral("Study"), texts.study);
-    addList(QStringLiteral("Session"), texts.session);
+    for (const AuditTexts::Fact& fact : facts) {
+        const PaperText name(fact.name, mm(nameWidth - 2.0), point, {.colour = quiet});
+        const PaperText value(fact.value, mm(textWidth - nameWidth), point,
+            {.sizePoints = fact.isHash ? 8.0 : 8.5, .fixedPitch = fact.isHash});
+        const Texts placed{{{0.0, 0.0}, name}, {{mm(nameWidth), 0.0}, value}};
+        add({.height = heightOf(placed) + mm(0.8),
+            .paint = [this, placed](QPainter& painter, double at) {
+                paintTexts(painter, placed, {mm(left), at});
+            }});
+    }
 }
 
 void AuditPages::addVerdict(const AuditTexts& texts)
@@ -180,9 +185,11 @@ void AuditPages::addHeading(const QString& text)
 void AuditPages::addSentence(const QString& text)
 {
     const PaperText words(text, mm(textWidth), points(1.0), {.colour = quiet});
-    add({.height = words.height(), .paint = [this, words](QPainter& painter, double at) {
-             words.paint(painter, {mm(left), at});
-         }});
+    add({.height = words.height() + mm(1.2),
+        .spaceBefore = mm(1.2),
+        .paint = [this, words](QPainter& painter, double at) {
+            words.paint(painter, {mm(left), at});
+        }});
 }
 
 AuditPages::Block AuditPages::tableHead() const
@@ -247,22 +254,36 @@ void AuditPages::addSteps(const AuditTexts& texts)
         add(stepBlock(step));
 }
 
-void AuditPages::addPictures(const AuditTexts& texts)
+void AuditPages::addSegments(const AuditTexts& texts)
 {
-    if (texts.pictures.empty())
-        return addSentence(texts.noPictures);
-    addSentence(texts.aboutPictures);
+    if (texts.aboutSegments.isEmpty())
+        return;
+    addHeading(QStringLiteral("Segments"));
+    addSentence(texts.aboutSegments);
+    std::vector<AuditTexts::Fact> facts;
+    for (const AuditTexts::Segment& segment : texts.segments)
+        facts.push_back({segment.name,
+            segment.change.isEmpty() ? segment.size : segment.size + u'\n' + segment.change});
+    addFactLines(facts);
+    if (!texts.changes.empty()) {
+        addSentence(texts.aboutChanges);
+        addPictures(texts.changes);
+    }
+}
+
+void AuditPages::addPictures(const std::vector<AuditTexts::Picture>& pictures)
+{
     const double side = (textWidth - pictureGap * (picturesPerRow - 1)) / picturesPerRow;
-    for (std::size_t first = 0; first < texts.pictures.size(); first += picturesPerRow) {
+    for (std::size_t first = 0; first < pictures.size(); first += picturesPerRow) {
         struct Cell {
             QRectF box;
             QByteArray png;
         };
         std::vector<Cell> cells;
         Texts placed;
-        const std::size_t end = std::min(first + picturesPerRow, texts.pictures.size());
+        const std::size_t end = std::min(first + picturesPerRow, pictures.size());
         for (std::size_t i = first; i < end; ++i) {
-            const AuditTexts::Picture& picture = texts.pictures[i];
+            const AuditTexts::Picture& picture = pictures[i];
             const double x = mm((side + pictureGap) * double(i - first));
             const QSize size = QImage::fromData(picture.png).size();
             const double tall = size.isEmpty()

@@ -54,11 +54,13 @@ private:
     void add(Block block);
     void addTitle(const AuditTexts& texts);
     void addFacts(const AuditTexts& texts);
+    void addFactLines(const std::vector<AuditTexts::Fact>& facts);
+    void addSegments(const AuditTexts& texts);
     void addVerdict(const AuditTexts& texts);
     void addHeading(const QString& text);
     void addSentence(const QString& text);
     void addSteps(const AuditTexts& texts);
-    void addPictures(const AuditTexts& texts);
+    void addPictures(const std::vector<AuditTexts::Picture>& pictures);
     [[nodiscard]] Block stepBlock(const AuditTexts::Step& step) const;
     [[nodiscard]] Block tableHead() const;
     void place();

@@ -3,6 +3,7 @@
 
 #include "core/base/Background.h"
 #include "core/sessionfile/AuditReport.h"
+#include "ui/tasks/LabelFetch.h"
 
 #include <QObject>
 
@@ -13,7 +14,8 @@ namespace ui {
 class Workspace;
 
 /// Writes audit reports of the open session while the user goes on working: the session's file is
-/// read on its own thread, the report is laid out on another. One report at a time.
+/// read on its own thread; the segments are measured and the report is laid out on another. One
+/// report at a time.
 class AuditSaver : public QObject {
     Q_OBJECT
 
@@ -30,11 +32,17 @@ Q_SIGNALS:
     void failed(const core::Error& error);
 
 private:
-    void write(const core::AuditReport& report, const QString& path);
+    struct Measured;
+
+    void audit(const LabelFetch::Planes& planes);
+    void write(const core::AuditReport& report, Measured measured);
+    void fail(const core::Error& error);
 
     Workspace& m_workspace;
     QWidget* m_window;
+    QString m_path;
     bool m_busy = false;
+    LabelFetch m_fetch; ///< of the segments
     core::Background m_background; ///< last: it uses all of the above
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/repair/SeriesRepair.h"
 #include "ui/base/CountText.h"
+#include "ui/report/AuditSegments.h"
 #include "ui/texts/SessionTexts.h"
 
 #include <QCoreApplication>
@@ -244,9 +245,53 @@ AuditTexts::Picture pictureTexts(const core::AuditReport& report, const core::Ke
     return {.caption = caption, .sha256 = QString::fromLatin1(hash), .png = keyframe.png};
 }
 
+QString millilitresText(double millilitres)
+{
+    return tr("%1 mL").arg(millilitres, 0, 'f', millilitres < 10.0 ? 2 : 1);
+}
+
+AuditTexts::Segment segmentTexts(const core::SegmentStatistics& measured)
+{
+    AuditTexts::Segment texts{.name = measured.segment.name,
+        .size = QStringLiteral("%1, %2").arg(millilitresText(measured.millilitres),
+            unbroken(counted(qlonglong(measured.voxels), "voxel", "voxels"))),
+        .change = {}};
+    if (const auto& change = measured.sinceImport)
+        texts.change = tr("imported; %1 added and %2 taken since, Dice %3")
+                           .arg(millilitresText(change->addedMl), millilitresText(change->takenMl))
+                           .arg(change->dice, 0, 'f', 3);
+    return texts;
+}
+
+void addSegments(AuditTexts& texts, const AuditSegments& segments)
+{
+    if (segments.areUnknown) {
+        texts.aboutSegments = tr("They were not measured: the study could not be read.");
+        return;
+    }
+    for (const AuditSegments::One& one : segments.segments) {
+        texts.segments.push_back(segmentTexts(one.measured));
+        if (one.changes.isEmpty())
+            continue;
+        const auto hash = QCryptographicHash::hash(one.changes, QCryptographicHash::Sha256).toHex();
+        texts.changes.push_back(
+            {.caption = tr("%1, slice %2").arg(one.measured.segment.name).arg(one.slice + 1),
+                .sha256 = QString::fromLatin1(hash),
+                .png = one.changes});
+    }
+    for (const QString& name : segments.empty)
+        texts.segments.push_back({.name = name, .size = tr("no voxel"), .change = {}});
+    texts.aboutSegments = segments.position == 0
+        ? tr("As the study was opened.")
+        : tr("As they stand after step %1.").arg(qlonglong(segments.position));
+    texts.aboutChanges =
+        tr("Imported masks against the segments as they stand, each in the slice with the most "
+           "changes: added green, taken red, unchanged blue.");
+}
+
 } // namespace
 
-AuditTexts AuditTexts::of(const core::AuditReport& report)
+AuditTexts AuditTexts::of(const core::AuditReport& report, const AuditSegments* segments)
 {
     AuditTexts texts{.title = tr("Audit report"),
         .subtitle = tr("What was done in this session, step by step, as its file recorded it."),
@@ -265,6 +310,8 @@ AuditTexts AuditTexts::of(const core::AuditReport& report)
     texts.session.push_back({tr("Chain ends at"), report.chainEnd, true});
     for (const core::AuditStep& step : report.steps)
         texts.steps.push_back(stepTexts(report, step));
+    if (segments)
+        addSegments(texts, *segments);
     for (const core::Keyframe& keyframe : report.keyframes)
         texts.pictures.push_back(pictureTexts(report, keyframe));
     return texts;

@@ -9,6 +9,8 @@
 
 namespace ui {
 
+struct AuditSegments;
+
 /// The texts of an audit report, independent of the output format.
 struct AuditTexts {
     struct Fact {
@@ -32,6 +34,12 @@ struct AuditTexts {
         QByteArray png;
     };
 
+    struct Segment {
+        QString name;
+        QString size; ///< in mL and voxels; "no voxel"
+        QString change; ///< since it was imported; empty: it was not
+    };
+
     QString title;
     QString subtitle;
     std::vector<Fact> study;
@@ -39,6 +47,10 @@ struct AuditTexts {
     bool sound = false;
     QString verdict; ///< one line
     QString explanation;
+    QString aboutSegments; ///< empty: the report says nothing of them
+    std::vector<Segment> segments;
+    std::vector<Picture> changes; ///< of segments that were imported
+    QString aboutChanges;
     std::vector<Step> steps;
     QString noSteps; ///< where there are none
     std::vector<Picture> pictures;
@@ -46,7 +58,9 @@ struct AuditTexts {
     QString noPictures; ///< where there are none
     QString footer;
 
-    [[nodiscard]] static AuditTexts of(const core::AuditReport& report);
+    /// @param segments null: they are not known
+    [[nodiscard]] static AuditTexts of(
+        const core::AuditReport& report, const AuditSegments* segments = nullptr);
 };
 
 } // namespace ui

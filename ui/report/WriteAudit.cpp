@@ -54,8 +54,8 @@ QString auditNameProblem(const QString& path)
     return QStringLiteral("the name of a report ends in .html or .pdf");
 }
 
-core::Result<void> writeAudit(
-    const core::AuditReport& report, const QString& path, bool replaceExisting)
+core::Result<void> writeAudit(const core::AuditReport& report, const QString& path,
+    bool replaceExisting, const AuditSegments* segments)
 {
     core::Result<core::StagedFile> staged = core::StagedFile::create(path, replaceExisting);
     if (!staged)
@@ -63,7 +63,7 @@ core::Result<void> writeAudit(
     QFile file(staged->path());
     if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate))
         return core::failure(core::ErrorCode::FileUnwritable, path, file.errorString());
-    const AuditTexts texts = AuditTexts::of(report);
+    const AuditTexts texts = AuditTexts::of(report, segments);
     const QByteArray bytes = isPdf(path) ? pdf(texts) : auditHtml(texts).toUtf8();
     if (file.write(bytes) != bytes.size() || !file.flush())
         return core::failure(core::ErrorCode::FileUnwritable, path, file.errorString());

@@ -8,12 +8,15 @@
 
 namespace ui {
 
+struct AuditSegments;
+
 /// Why a report cannot have this file name; empty if it can. It must end in .html, .htm or .pdf.
 [[nodiscard]] QString auditNameProblem(const QString& path);
 
 /// Writes the report; the file appears only when it is complete. For .pdf fonts are needed, but no
 /// window; any thread. Errors: FileExists (unless @p replaceExisting), FileUnwritable.
-[[nodiscard]] core::Result<void> writeAudit(
-    const core::AuditReport& report, const QString& path, bool replaceExisting);
+/// @param segments null: the report says nothing of them
+[[nodiscard]] core::Result<void> writeAudit(const core::AuditReport& report, const QString& path,
+    bool replaceExisting, const AuditSegments* segments = nullptr);
 
 } // namespace ui

@@ -9,12 +9,17 @@
 #include "ui/dialogs/export/ExportDialog.h"
 #include "ui/frame/MendingStrip.h"
 #include "ui/input/Tool.h"
+#include "ui/report/AuditSaver.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QAction>
+#include <QFile>
+#include <QImage>
 #include <QLabel>
 #include <QListWidget>
 #include <QLocale>
+#include <QRegularExpression>
+#include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 
@@ -114,6 +119,46 @@ private Q_SLOTS:
         QVERIFY(session().goTo(0));
         QVERIFY(session().settle());
         QTRY_VERIFY(!strip().isVisible());
+    }
+
+    /// The report shows what was added and what was taken since the import.
+    void theReportShowsWhatWasMended()
+    {
+        const glm::dvec3 middle = test::pointsInBrain().front();
+        edit(brainMask(middle.x - 5.0));
+        edit(test::paintAt(1, {middle - glm::dvec3(7.0, 0.0, 0.0)}, 3.0));
+        edit(test::eraseAt(1, {middle + glm::dvec3(2.0, 0.0, 0.0)}, 2.0));
+        auto* saver = window().findChild<ui::AuditSaver*>();
+        QSignalSpy saved(saver, &ui::AuditSaver::saved);
+        saver->save(path("audit.html"));
+        QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, patience);
+        QFile file(path("audit.html"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(file.readAll());
+        QVERIFY(text.contains(QStringLiteral("As they stand after step 3.")));
+        static const QRegularExpression change(QStringLiteral(
+            "imported; ([0-9.]+) mL added and ([0-9.]+) mL taken since, Dice 0\\.9"));
+        const QRegularExpressionMatch match = change.match(text);
+        QVERIFY(match.hasMatch());
+        QVERIFY(match.captured(1).toDouble() > 0.0);
+        QVERIFY(match.captured(2).toDouble() > 0.0);
+
+        static const QRegularExpression image(
+            QStringLiteral("alt=\"Brain, slice \\d+\" src=\"data:image/png;base64,([^\"]+)\""));
+        const QImage picture =
+            QImage::fromData(QByteArray::fromBase64(image.match(text).captured(1).toLatin1()));
+        QVERIFY(!picture.isNull());
+        int green = 0;
+        int red = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                const QColor colour = picture.pixelColor(x, y);
+                green += colour.green() > colour.red() + 60 ? 1 : 0;
+                red += colour.red() > colour.green() + 60 ? 1 : 0;
+            }
+        }
+        QVERIFY(green > 50);
+        QVERIFY(red > 50);
     }
 
     /// Ticked places need no mending.

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/report/AuditSegments.h"
+
+#include "core/brick/LabelRuns.h"
+#include "ui/report/ChangePicture.h"
+
+#include <QBuffer>
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+QByteArray pngOf(const QImage& image)
+{
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return buffer.data();
+}
+
+/// The slice with the most changes since the import; empty without any.
+void addPicture(
+    AuditSegments::One& one, const core::Volume& volume, const core::ExportRequest& request)
+{
+    const core::Segment& segment = one.measured.segment;
+    const auto imported = std::find_if(request.imported.begin(), request.imported.end(),
+        [&](const core::ImportedVoxels& each) { return each.label == segment.label; });
+    if (imported == request.imported.end())
+        return;
+    const core::VoxelRuns now =
+        core::labelRuns(core::planeOf(request, segment)->labels, segment.label);
+    if (const auto picture = changePicture(volume, request.codes, now, imported->voxels)) {
+        one.changes = pngOf(picture->image);
+        one.slice = picture->slice;
+    }
+}
+
+} // namespace
+
+core::Result<AuditSegments> auditSegments(
+    const core::Volume& volume, const core::ExportRequest& request, const core::Progress& progress)
+{
+    const core::Result<core::MaskSelection> selection = core::selectMask(volume, request);
+    if (!selection) {
+        if (selection.error().code != core::ErrorCode::NothingToExport)
+            return tl::unexpected(selection.error());
+        AuditSegments none;
+        for (const core::Segment& segment : request.segments)
+            none.empty += segment.name;
+        return none;
+    }
+    auto measured = core::segmentStatistics(volume, request, *selection, progress);
+    if (!measured)
+        return tl::unexpected(measured.error());
+    AuditSegments found{.segments = {}, .empty = selection->empty};
+    for (core::SegmentStatistics& each : *measured) {
+        AuditSegments::One one{.measured = std::move(each), .changes = {}};
+        addPicture(one, volume, request);
+        found.segments.push_back(std::move(one));
+    }
+    return found;
+}
+
+} // namespace ui
