@@ -16,7 +16,7 @@ namespace {
 /// are added up from its beginning, so that a row of the ball costs two of these sums.
 class CountInBall {
 public:
-    CountInBall(BoxMask& mask, const MillimetreBall& ball)
+    CountInBall(ByteMask& mask, const MillimetreBall& ball)
         : m_mask(mask)
         , m_rows(ballRows(ball, mask.size))
         , m_width(std::size_t(mask.size.x))
@@ -73,14 +73,14 @@ private:
             counts[std::size_t(x)] += sign * before[width];
     }
 
-    BoxMask& m_mask;
+    ByteMask& m_mask;
     std::vector<BallRow> m_rows;
     std::size_t m_width;
     std::vector<std::uint16_t> m_before; ///< voxels of the mask in its row before each, and in all
 };
 
 Result<void> keepCounted(
-    BoxMask& mask, const MillimetreBall& ball, std::int64_t atLeast, const FilterStage& stage)
+    ByteMask& mask, const MillimetreBall& ball, std::int64_t atLeast, const FilterStage& stage)
 {
     CountInBall count(mask, ball);
     StageCounter counter(stage, count.rows());
@@ -104,7 +104,7 @@ double filterBytes(const glm::ivec3& size)
     return 3.0 * double(size.x) * rows + 2.0 * rows;
 }
 
-Result<void> dilate(BoxMask& mask, const MillimetreBall& ball, const FilterStage& stage)
+Result<void> dilate(ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage)
 {
     if (!ball.isStraight())
         return keepCounted(mask, ball, 1, stage);
@@ -127,7 +127,7 @@ Result<void> dilate(BoxMask& mask, const MillimetreBall& ball, const FilterStage
     return {};
 }
 
-Result<void> keepMajority(BoxMask& mask, const MillimetreBall& ball, const FilterStage& stage)
+Result<void> keepMajority(ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage)
 {
     return keepCounted(mask, ball, voxelCount(ball) / 2 + 1, stage);
 }

@@ -114,7 +114,7 @@ private:
     int m_stages;
     int m_stage = 0;
     glm::ivec3 m_first{0}; ///< of the box in the volume
-    BoxMask m_mask;
+    ByteMask m_mask;
 };
 
 int stagesOf(ShapeOperation operation, ShellPlace place)
