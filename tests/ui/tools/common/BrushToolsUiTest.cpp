@@ -543,6 +543,54 @@ private Q_SLOTS:
         }
     }
 
+    /// Where the volume steps back, a stroke lies on the segments that are shown, however deep in
+    /// the head they are; a brush that carves does not work there.
+    void erasingLiesOnSegmentsWhereTheyAreSeenAlone_data()
+    {
+        QTest::addColumn<int>("shown");
+        QTest::newRow("segments only") << int(gpu::Context::Hidden);
+        QTest::newRow("cut away") << int(gpu::Context::CutAway);
+        QTest::newRow("translucent") << int(gpu::Context::Translucent);
+    }
+    void erasingLiesOnSegmentsWhereTheyAreSeenAlone()
+    {
+        QFETCH(const int, shown);
+        const auto context = gpu::Context(shown);
+        BrushFixture fixture(Brush::Paint);
+        ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+        display.context = context;
+        fixture.workspace.setVolumeDisplay(display);
+        QCOMPARE(
+            fixture.carve.worksIn(fixture.view.context()), context == gpu::Context::Translucent);
+        QVERIFY(fixture.paint.worksIn(fixture.view.context()));
+        // The ventricle, 5 mm around the middle.
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Ventricle"), 0x804020)));
+        QVERIFY(fixture.session().apply(
+            core::ThresholdSegment{.segment = 1, .lower = 0.0, .upper = 20.0}));
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(1);
+        fixture.workspace.setBrushSettings(Brush::Paint, {.radiusMm = 1.6});
+        const auto before = fixture.painted();
+        test::Pen pen(fixture.view, test::Pen::End::Eraser);
+        draw(fixture, fixture.view, pen, {stroke[0], stroke[1]});
+        pen.release(BrushFixture::middleOf(fixture.view) + stroke[1].offset, 70100);
+        fixture.session().poll();
+        QVERIFY(fixture.session().settle());
+        const auto edit = fixture.lastEdit().get<core::PaintStroke>();
+        QVERIFY(edit.erase);
+        for (const glm::dvec3& point : edit.path.pointsLps) {
+            QVERIFY2(std::abs(glm::length(point) - 4.5) < 1.2,
+                qPrintable(QString::number(glm::length(point))));
+            QVERIFY(point.y < 0.0);
+        }
+        const auto after = fixture.painted();
+        QVERIFY(after.size() < before.size() && after.size() > before.size() / 2);
+        // Resting digs no deeper: the way was looked for before anything was erased.
+        const auto stays = fixture.workspace.volume()->geometry.toIndex(glm::dvec3(0.0, 0.0, 0.0));
+        const glm::ivec3 middle(glm::floor(stays + 0.5));
+        QVERIFY(after.count({middle.x, middle.y, middle.z}) > 0);
+    }
+
     /// The cut follows the surface of pen-down: neither resting nor a fast tablet digs deeper.
     void carvingDoesNotDependOnTheEventRate()
     {
