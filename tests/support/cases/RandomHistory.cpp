@@ -392,7 +392,7 @@ private:
             return randomFlood(document);
         if (m_session->history().rows().size() % 16 == 2)
             return randomThreshold(document);
-        if (m_session->history().rows().size() % 16 == 10)
+        if (m_session->history().rows().size() % 8 == 6)
             return randomSnip(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
