@@ -84,7 +84,6 @@ public:
         m_done = end;
     }
     std::vector<core::BrickKey> touchedKeys() const override { return m_keys; }
-    core::GrowthProgress progress() const override { return {.running = hasStepsLeft()}; }
 
 private:
     core::LabelScissors m_edit;
