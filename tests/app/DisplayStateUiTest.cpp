@@ -14,6 +14,7 @@
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/tools/growth/FillOutlineTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
+#include "ui/tools/growth/SegmentScissorsTool.h"
 #include "ui/tools/sculpt/PeelTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/tools/view/MeasureTool.h"
@@ -161,6 +162,8 @@ private:
             {.in3D = true, .corners = true, .tolerance = 72.0});
         application.window().findChild<ui::ScissorsTool*>()->setSettings(
             {.limited = true, .depthMm = 33.0, .firstLayerOnly = true});
+        application.window().findChild<ui::SegmentScissorsTool*>()->setSettings(
+            {.does = ui::SegmentScissorsTool::Does::FillInside, .depthMm = 4.5});
         workspace.setBrushSettings(ui::Workspace::Brush::Paint,
             {.radiusMm = 6.5,
                 .disc = false,
@@ -262,6 +265,9 @@ private Q_SLOTS:
             == ui::FloodFillTool::Settings{.in3D = true, .corners = true, .tolerance = 72.0}));
         const auto& scissors = application->window().findChild<ui::ScissorsTool*>()->settings();
         QVERIFY(scissors.limited && scissors.depthMm == 33.0 && scissors.firstLayerOnly);
+        QVERIFY((application->window().findChild<ui::SegmentScissorsTool*>()->settings()
+            == ui::SegmentScissorsTool::Settings{
+                .does = ui::SegmentScissorsTool::Does::FillInside, .depthMm = 4.5}));
         const auto& paint = workspace.brushSettings(ui::Workspace::Brush::Paint);
         QVERIFY((paint
             == ui::Workspace::BrushSettings{.radiusMm = 6.5,

@@ -3,6 +3,7 @@
 
 #include "core/growth/GrowthCommands.h"
 #include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/LabelScissors.h"
 #include "core/sculpt/LabelThreshold.h"
 #include "core/sculpt/LayerWrites.h"
 #include "tests/reference/DenseFields.h"
@@ -20,6 +21,9 @@ void relabelListed(DenseFields& fields, const core::RelabelListed& edit);
 /// core/sculpt/LabelOutlined.h.
 void labelOutlined(
     const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelOutlined& edit);
+/// core/sculpt/LabelScissors.h; in a source of its own.
+void labelScissors(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelScissors& edit);
 /// core/sculpt/LabelThreshold.h.
 /// @param carved as above
 void labelThreshold(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uint8_t>& carved,

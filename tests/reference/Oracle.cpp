@@ -327,6 +327,14 @@ core::Result<Oracle::Work> Oracle::begin(core::LabelThreshold& edit)
     return Done{};
 }
 
+core::Result<Oracle::Work> Oracle::begin(core::LabelScissors& edit)
+{
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
+    labelScissors(m_codes, m_fields, edit);
+    return Done{};
+}
+
 core::Result<Oracle::Work> Oracle::begin(core::MapLabels& edit)
 {
     mapLabels(m_fields, edit);

@@ -84,6 +84,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("%1 mL");
     case RowTitleCode::Millimetres:
         return tr("%1 mm");
+    case RowTitleCode::MillimetresDeep:
+        return tr("%1 mm deep");
     case RowTitleCode::SeedStroke:
         return tr("Seed stroke for '%1'");
     case RowTitleCode::MoveSeeds:
@@ -258,6 +260,18 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Erase a region of '%1' in a slice");
     case RowTitleCode::FloodEraseVolume:
         return tr("Erase a region of '%1' in 3D");
+    case RowTitleCode::ScissorsErase:
+        return tr("Scissors erase '%1' inside");
+    case RowTitleCode::ScissorsEraseOutside:
+        return tr("Scissors erase '%1' outside");
+    case RowTitleCode::ScissorsEraseMany:
+        return tr("Scissors erase %1 segments inside", nullptr, count);
+    case RowTitleCode::ScissorsEraseManyOutside:
+        return tr("Scissors erase %1 segments outside", nullptr, count);
+    case RowTitleCode::ScissorsFill:
+        return tr("Scissors fill '%1' inside");
+    case RowTitleCode::ScissorsFillOutside:
+        return tr("Scissors fill '%1' outside");
     case RowTitleCode::ThresholdReplace:
         return tr("Threshold '%1' to %2");
     case RowTitleCode::ThresholdAdd:

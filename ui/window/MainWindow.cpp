@@ -267,7 +267,7 @@ void MainWindow::connectOpener()
 void MainWindow::addTool(Tool& tool, QMenu& menu, const QKeySequence& key)
 {
     QAction& action = m_actions.add({.id = QStringLiteral("tool.") + tool.iconName(),
-        .text = tool.name(),
+        .text = tool.longName(),
         .keys = {key},
         .icon = tool.iconName(),
         .run =

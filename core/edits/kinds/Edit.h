@@ -65,6 +65,7 @@ struct RevertRows;
 struct ReviseStroke;
 struct ScissorsCut;
 struct SeedStroke;
+struct SegmentScissors;
 struct SegmentSeen;
 struct SegmentToLayer;
 struct SendPiecesHome;
@@ -89,7 +90,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
     SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
-    FillBetweenSlices, FloodFill, ThresholdSegment, Annotate, MoveMeasurement>;
+    FillBetweenSlices, FloodFill, ThresholdSegment, Annotate, MoveMeasurement, SegmentScissors>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/schema/SchemaParts.h"
 
 namespace core::editSchema {
@@ -49,6 +50,36 @@ template <class Visitor> void visitFields(Visitor& visit, FloodFill& edit)
             "how far values may differ from the one at the place (not to erase)");
         visitOverwrite(visit, edit.overwriteUnlocked);
     });
+}
+
+template <> inline constexpr const char* editName<SegmentScissors> = "segmentScissors";
+template <>
+inline constexpr const char* editMeaning<SegmentScissors> =
+    "Gives a segment what lies under a closed curve along the view, or takes it away there; or the "
+    "same with all that does not lie under it.";
+template <class Visitor> void visitFields(Visitor& visit, SegmentScissors& edit)
+{
+    visitSegment(visit, edit.segment);
+    visitView(visit, edit.view);
+    visit.field("polygonMm", Presence::Required, edit.polygonMm, viewOutline,
+        "a closed curve in the view plane, relative to the target: right, up");
+    visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
+        "whether voxels of the segment are taken away instead");
+    visit.field("outside", Presence::Optional, edit.outside, editFields::Flag{},
+        "whether it is about what does not lie under the curve");
+    visit.when(!edit.outside, [&] {
+        visit.maybe("depthMm", edit.depthMm, drillDepth,
+            "only so far behind what each line of sight meets first: of the segments while "
+            "erasing, else of the values (not outside)",
+            "through everything");
+    });
+    visit.when(edit.erase, [&] {
+        visit.maybe("others", edit.others, editFields::SegmentList{},
+            "further segments that are erased; none of them is locked (only to erase)", "none");
+    });
+    visitOnlyValues(visit, edit.lower, edit.upper);
+    visit.when(!edit.erase, [&] { visitOverwrite(visit, edit.overwriteUnlocked); });
+    visitHidden(visit, edit.hidden);
 }
 
 } // namespace core::editSchema

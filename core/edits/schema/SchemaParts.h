@@ -38,6 +38,10 @@ inline constexpr editFields::Number millimetres{
     "mm", -quantum::reachMm, quantum::reachMm, quantum::perMillimetre};
 inline constexpr editFields::Point positionLps{millimetres};
 inline constexpr editFields::Number brushRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
+inline constexpr editFields::Number drillDepth{"mm", 0.0, 500.0, quantum::perMillimetre};
+/// A curve in the plane of a view.
+inline constexpr editFields::Outline viewOutline{
+    editFields::Number{"mm", -2000.0, 2000.0, quantum::perMillimetre}};
 inline constexpr editFields::Number peelDepth{"mm", 0.0, 60.0, quantum::perMillimetre};
 
 /// The segment that an edit is about.

@@ -2,6 +2,7 @@
 #include "gpu/kernels/labels/LabelKernel.h"
 
 #include "core/sculpt/LabelOutlined.h"
+#include "gpu/fields/bricks/HiddenBricks.h"
 #include "gpu/kernels/labels/ChosenBricks.h"
 
 #include <algorithm>
@@ -128,6 +129,49 @@ void setCodes(Program& kernel, int lowCode, int highCode)
         .set("highCode", none ? 0u : unsigned(highCode));
 }
 
+/// Binds where listed bricks lie on the plane of a view, and what is hidden of them.
+class BrickPlaces {
+public:
+    BrickPlaces(const core::CutFrame& frame, const core::BrickGrid& grid)
+        : m_frame(frame)
+        , m_grid(grid)
+    {
+    }
+
+    void operator()(const std::vector<std::uint32_t>& numbers) const
+    {
+        std::vector<glm::ivec4> bases;
+        bases.reserve(numbers.size());
+        for (const std::uint32_t number : numbers)
+            bases.emplace_back(core::planeBase(m_frame, m_grid.boxOf(int(number)).minimum), 0);
+        m_bases = bufferOf("plane bases", bases);
+        m_hidden = hiddenBases(m_frame.hidden, m_grid, numbers);
+        m_bases.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+        m_hidden.bindBase(GL_SHADER_STORAGE_BUFFER, 6);
+    }
+
+private:
+    const core::CutFrame& m_frame;
+    core::BrickGrid m_grid;
+    mutable Buffer m_bases;
+    mutable Buffer m_hidden;
+};
+
+/// Those of these bricks in which something may be held that can be lost.
+std::vector<std::uint32_t> heldAmong(
+    VoxelFields& fields, std::uint8_t plane, const std::vector<std::uint32_t>& bricks)
+{
+    const std::vector<std::uint32_t> labelled = fields.labelledBricks();
+    const std::vector<std::uint32_t> seeded = fields.seedWords(plane).heldBricks();
+    std::vector<std::uint32_t> held;
+    std::set_union(
+        labelled.begin(), labelled.end(), seeded.begin(), seeded.end(), std::back_inserter(held));
+    std::vector<std::uint32_t> both;
+    std::set_intersection(
+        bricks.begin(), bricks.end(), held.begin(), held.end(), std::back_inserter(both));
+    return both;
+}
+
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelCarved& edit)
 {
@@ -212,6 +256,16 @@ Program& LabelPrograms::following(const char* rule)
     return known;
 }
 
+Program& LabelPrograms::scissorsCast()
+{
+    if (!m_scissorsCast) {
+        const char* path = "kernels/labels/scissorsCast.comp";
+        m_scissorsCast =
+            Program(m_library, ComputeProgramOptions{.label = path, .path = path, .defines = {}});
+    }
+    return m_scissorsCast;
+}
+
 std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, core::LabelWrites::Pointer edit)
 {
@@ -226,16 +280,7 @@ std::vector<std::uint32_t> bricksConcerned(VoxelFields& fields, const core::Labe
         core::bricksMeeting(edit.box.value_or(whole), fields.grid());
     if (edit.how != core::LabelThreshold::How::Subtract)
         return met;
-    // Only where something may be held can it be lost.
-    const std::vector<std::uint32_t> labelled = fields.labelledBricks();
-    const std::vector<std::uint32_t> seeded = fields.seedWords(edit.target.plane).heldBricks();
-    std::vector<std::uint32_t> held;
-    std::set_union(
-        labelled.begin(), labelled.end(), seeded.begin(), seeded.end(), std::back_inserter(held));
-    std::vector<std::uint32_t> both;
-    std::set_intersection(
-        met.begin(), met.end(), held.begin(), held.end(), std::back_inserter(both));
-    return both;
+    return heldAmong(fields, edit.target.plane, met);
 }
 
 std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields& fields,
@@ -255,6 +300,38 @@ std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields&
             fields.codes().bindUnit(0);
             fields.radiation().bindUnit(2);
             fields.codeRanges().bindUnit(3);
+        });
+}
+
+std::vector<std::uint32_t> bricksConcerned(VoxelFields& fields, const core::LabelScissors& edit)
+{
+    std::vector<std::uint32_t> near = core::bricksNear(edit, fields.grid());
+    return edit.erases() ? heldAmong(fields, edit.target.plane, near) : near;
+}
+
+std::vector<core::BrickKey> writeScissors(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelScissors& edit, const Buffer& reach,
+    const std::vector<std::uint32_t>& bricks)
+{
+    using core::fixedPoint::round14;
+    Program& kernel = programs.following("SCISSORS");
+    setCodes(kernel, edit.lowCode, edit.highCode);
+    setHidden(kernel, edit.frame.hidden);
+    kernel.set("planePerI", round14(edit.frame.planePerI))
+        .set("planePerJ", round14(edit.frame.planePerJ))
+        .set("planePerK", round14(edit.frame.planePerK))
+        .set("pitch", edit.frame.pitch)
+        .set("maskFirst", edit.mask.first)
+        .set("maskSize", edit.mask.size)
+        .set("outside", edit.outside)
+        .set("erases", edit.erases())
+        .set("erased", edit.erased);
+    const BrickPlaces places(edit.frame, fields.grid());
+    return label(
+        kernel, fields, before, edit.target, bricks, [&](const std::vector<std::uint32_t>& listed) {
+            places(listed);
+            reach.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
+            fields.codes().bindUnit(0);
         });
 }
 

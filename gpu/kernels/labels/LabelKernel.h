@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/sculpt/LabelScissors.h"
 #include "core/sculpt/LabelThreshold.h"
 #include "core/sculpt/LayerWrites.h"
 #include "gpu/fields/BeforeImages.h"
@@ -13,7 +14,7 @@
 namespace gpu {
 
 /// The compiled kernels that give a label to chosen voxels, or take it (chooseLabel.comp), each
-/// when it is first needed.
+/// when it is first needed, and the one that casts the rays of scissors.
 class LabelPrograms {
 public:
     /// @param library outlives the programs
@@ -23,10 +24,12 @@ public:
     }
     /// @param rule by which the shader goes: "SEEN"
     [[nodiscard]] Program& following(const char* rule);
+    [[nodiscard]] Program& scissorsCast();
 
 private:
     const ShaderLibrary& m_library;
     std::map<std::string, Program> m_known; ///< by rule
+    Program m_scissorsCast;
 };
 
 /// Carries out one of LabelWrites (core/sculpt/LayerWrites.h). Bricks in which something changes
@@ -43,6 +46,14 @@ std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fi
 /// where the macro-cells of a brick tell that it holds values inside and outside of the interval.
 std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelThreshold& edit,
+    const std::vector<std::uint32_t>& bricks);
+
+/// The same for scissors. Engine thread only.
+[[nodiscard]] std::vector<std::uint32_t> bricksConcerned(
+    VoxelFields& fields, const core::LabelScissors& edit);
+/// Carries scissors out in some bricks. @param reach core::scissorsReach() of each element
+std::vector<core::BrickKey> writeScissors(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelScissors& edit, const Buffer& reach,
     const std::vector<std::uint32_t>& bricks);
 
 } // namespace gpu

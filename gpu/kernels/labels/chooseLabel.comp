@@ -1,7 +1,7 @@
 // Gives a label to chosen voxels of listed bricks, or takes it from them, by one of LabelWrites
-// (core/sculpt/LayerWrites.h, LabelOutlined.h) or by their values (LabelThreshold.h). Tells what
-// changes in each; writes only where it is told to. One work-group a brick, each voxel written by
-// one invocation.
+// (core/sculpt/LayerWrites.h, LabelOutlined.h), by their values (LabelThreshold.h), or by where they
+// lie on a view (LabelScissors.h). Tells what changes in each; writes only where it is told to. One
+// work-group a brick, each voxel written by one invocation.
 
 layout(local_size_x = 64) in;
 
@@ -11,7 +11,10 @@ layout(local_size_x = 64) in;
 #ifdef OUTLINED
 #define RELABELLED 1 // of some values only
 #endif
-#if defined(SEEN) || defined(OUTLINED) || defined(THRESHOLD)
+#ifdef SCISSORS
+#include "kernels/cut/hidden.glsl"
+#endif
+#if defined(SEEN) || defined(OUTLINED) || defined(THRESHOLD) || defined(SCISSORS)
 layout(binding = 0) uniform usampler3D codes;
 uniform uint lowCode;
 uniform uint highCode;
@@ -32,6 +35,18 @@ uniform uint boundCount;
 layout(binding = 2, std430) readonly buffer Asked { uint asked[]; }; // four voxels each, by brick
 #elif defined(MAPPED)
 layout(binding = 2, std430) readonly buffer Becomes { uint becomes[]; }; // by label
+#elif defined(SCISSORS)
+layout(binding = 2, std430) readonly buffer PlaneBases { ivec4 planeBases[]; }; // mm16, by brick
+layout(binding = 3, std430) readonly buffer Reach { int reach[]; }; // mm16, by element of the mask
+uniform ivec3 planePerI; // mm16
+uniform ivec3 planePerJ;
+uniform ivec3 planePerK;
+uniform int pitch;
+uniform ivec2 maskFirst; // elements
+uniform ivec2 maskSize;
+uniform bool outside;
+uniform bool erases;
+uniform uint erased[8]; // one bit per label
 #elif defined(CARVED)
 layout(binding = 0) uniform usampler3D coverage; // atlas
 layout(binding = 2) uniform usampler3D coveragePages;
@@ -53,7 +68,7 @@ uniform bool write;
 const uint changedLabel = 1u;
 const uint changedWord = 2u;
 
-#if defined(SEEN) || defined(OUTLINED) || defined(THRESHOLD)
+#if defined(SEEN) || defined(OUTLINED) || defined(THRESHOLD) || defined(SCISSORS)
 bool hasValue(ivec3 voxel)
 {
     uint code = texelFetch(codes, voxel, 0).r;
@@ -114,6 +129,32 @@ uint askedFor(int offset)
     uint four = asked[gl_WorkGroupID.x * 1024u + uint(offset >> 2)];
     return four >> (8 * (offset & 3)) & 255u;
 }
+#elif defined(SCISSORS)
+const uint nobody = 256u; // no label
+
+bool isErased(uint held)
+{
+    return (erased[held >> 5] >> (held & 31u) & 1u) != 0u;
+}
+
+// Rules 1, 3 and 4: `reach` holds which elements are under the curve, and how deep.
+bool isReached(ivec3 place)
+{
+    ivec2 fromCorner = place.xy - maskFirst * pitch;
+    if (any(lessThan(fromCorner, ivec2(0))))
+        return false;
+    ivec2 element = fromCorner / pitch;
+    return all(lessThan(element, maskSize))
+        && place.z <= reach[element.x + maskSize.x * element.y];
+}
+
+bool isChosen(ivec3 voxel)
+{
+    ivec3 local = voxel & (brickSide - 1);
+    ivec3 place = planeBases[gl_WorkGroupID.x].xyz + local.x * planePerI + local.y * planePerJ
+        + local.z * planePerK;
+    return isReached(place) != outside && hasValue(voxel) && !isHidden(gl_WorkGroupID.x, local);
+}
 #elif defined(CARVED)
 bool isChosen(ivec3 voxel)
 {
@@ -136,6 +177,10 @@ uint labelFor(ivec3 voxel, int offset, uint held)
     return next == held ? 0u : next == 0u ? held : next;
 #elif defined(THRESHOLD)
     return (how == replaces || isChosen(voxel)) && isInRange(voxel) ? label : 0u;
+#elif defined(SCISSORS)
+    if (!isChosen(voxel))
+        return 0u;
+    return erases ? isErased(held) ? held : nobody : label;
 #else
     return isChosen(voxel) ? label : 0u;
 #endif
@@ -150,9 +195,21 @@ bool isTaken(ivec3 voxel, int offset, uint held)
     return how == subtracts || (how == replaces && !isChosen(voxel));
 #elif defined(MAPPED)
     return becomes[held] == 0u;
+#elif defined(SCISSORS)
+    return erases;
 #else
     return false;
 #endif
+}
+
+/// Whether a seed word's label is one that is asked for.
+bool isOfWanted(uint seedLabel, uint wanted)
+{
+#ifdef SCISSORS
+    if (erases)
+        return isErased(seedLabel);
+#endif
+    return seedLabel == wanted;
 }
 
 void main()
@@ -186,7 +243,7 @@ void main()
             continue;
         ivec3 texel = atlasTexel(entry, voxel);
         uint word = imageLoad(words, texel).r;
-        if ((isMember(word) || isPendingSeed(word)) && (labelOf(word) == wanted) == taken) {
+        if ((isMember(word) || isPendingSeed(word)) && isOfWanted(labelOf(word), wanted) == taken) {
             found |= changedWord;
             if (write)
                 imageStore(words, texel, uvec4(unvisited));

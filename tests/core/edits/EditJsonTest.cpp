@@ -6,6 +6,7 @@
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
@@ -380,6 +381,44 @@ private Q_SLOTS:
             QVERIFY2(!editFromJson(parse(
                          qPrintable(QStringLiteral("{%1,%2}").arg(known, QLatin1String(wrong))))),
                 wrong);
+    }
+
+    void readsSegmentScissors()
+    {
+        const QString known = QStringLiteral(
+            "'edit':'segmentScissors','segment':2,'view':{'eyeLps':[0,-300,0],'targetLps':[0,0,0],"
+            "'up':[0,0,1],'heightMm':200},'polygonMm':[[0,0],[4,0.0001],[-1,3]]");
+        const auto read = [&known](const char* rest) {
+            return editFromJson(
+                parse(qPrintable(QStringLiteral("{%1%2}").arg(known, QLatin1String(rest)))));
+        };
+        const Result<Edit> plain = read("");
+        QVERIFY(plain);
+        const auto& filling = plain->get<SegmentScissors>();
+        QCOMPARE(filling.segment, 2);
+        QVERIFY(filling.view.eyeLps == glm::dvec3(0.0, -300.0, 0.0));
+        QVERIFY(!filling.erase && !filling.outside && !filling.depthMm && !filling.others);
+        QVERIFY(!filling.lower && !filling.upper && !filling.overwriteUnlocked && !filling.hidden);
+        QCOMPARE(quantised(*plain).get<SegmentScissors>().polygonMm.at(1).y, 0.0);
+        const Result<Edit> deep =
+            read(",'erase':true,'depthMm':12.5,'others':[1,5],'lower':-5,'upper':7");
+        QVERIFY(deep);
+        const auto& erasing = deep->get<SegmentScissors>();
+        QVERIFY(erasing.erase && erasing.depthMm == 12.5);
+        QVERIFY(erasing.others == (std::vector<int>{1, 5}));
+        QVERIFY(erasing.lower == -5.0 && erasing.upper == 7.0);
+        const Result<Edit> beside = read(",'outside':true,'overwriteUnlocked':true,"
+                                         "'hidden':[[0,0,1,5]]");
+        QVERIFY(beside);
+        QVERIFY(beside->get<SegmentScissors>().outside);
+        QVERIFY(beside->get<SegmentScissors>().overwriteUnlocked);
+        QCOMPARE(beside->get<SegmentScissors>().hidden->size(), std::size_t(1));
+        for (const Edit& edit : {*plain, *deep, *beside})
+            QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
+        for (const char* wrong :
+            {",'outside':true,'depthMm':3", ",'others':[1]", ",'erase':true,'others':[5,1]",
+                ",'erase':true,'overwriteUnlocked':true", ",'depthMm':-1", ",'layer':1"})
+            QVERIFY2(!read(wrong), wrong);
     }
 
     void readsBrushes()

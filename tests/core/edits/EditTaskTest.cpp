@@ -73,6 +73,11 @@ private Q_SLOTS:
         const FillBetweenSlices between{.segment = 3};
         QVERIFY(effectsOf(between).fills.label == 3 && effectsOf(between).writesTo == 3);
         QVERIFY(!effectsOf(between).boundToStudy);
+        SegmentScissors scissors{.segment = 6};
+        QVERIFY(effectsOf(scissors).fills.label == 6 && effectsOf(scissors).writesTo == 6);
+        QVERIFY(effectsOf(scissors).boundToStudy); // it names places
+        scissors.erase = true;
+        QVERIFY(!effectsOf(scissors).fills.label && effectsOf(scissors).writesTo == 6);
         ThresholdSegment threshold{.segment = 5};
         QVERIFY(effectsOf(threshold).fills.label == 5 && effectsOf(threshold).writesTo == 5);
         QVERIFY(!effectsOf(threshold).boundToStudy && effectsOf(threshold).standsOpen);

@@ -70,6 +70,7 @@ private Q_SLOTS:
         kinds.insert(editPlace<FillOutline>);
         kinds.insert(editPlace<MoveMeasurement>);
         kinds.insert(editPlace<ReshapeSegment>);
+        kinds.insert(editPlace<SegmentScissors>);
         kinds.insert(editPlace<ThresholdSegment>);
         QCOMPARE(kinds.size(), AllEdits::count);
     }

@@ -5,6 +5,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
@@ -391,6 +392,8 @@ private:
             return randomFlood(document);
         if (m_session->history().rows().size() % 16 == 2)
             return randomThreshold(document);
+        if (m_session->history().rows().size() % 8 == 6)
+            return randomSnip(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
@@ -812,6 +815,35 @@ private:
             threshold.upper = lower + between(0, 60);
         }
         return threshold;
+    }
+    /// Under a curve that drills reach. What lies beside it is most of the volume, so it is only
+    /// erased, and of some values.
+    SegmentScissors randomSnip(const Document& document)
+    {
+        const DrillStroke stroke = randomDrill();
+        const double half = stroke.mask.radiusMm;
+        const glm::dvec2 middle(stroke.samples.front().xMm, stroke.samples.front().yMm);
+        SegmentScissors scissors{.segment = any(document.segments).label,
+            .view = stroke.view,
+            .polygonMm = {middle - half, middle + glm::dvec2(half, -half),
+                middle + glm::dvec2(-half, half), middle + half + 1.0}};
+        scissors.hidden = stroke.hidden;
+        scissors.erase = chance(50);
+        scissors.outside = scissors.erase && chance(30);
+        if (!scissors.outside && chance(60))
+            scissors.depthMm = stroke.depthMm;
+        scissors.overwriteUnlocked = !scissors.erase && chance(40);
+        if (scissors.outside || chance(30))
+            scissors.lower = between(-200, 300);
+        std::vector<int> others;
+        for (const Segment& other : document.segments) {
+            if (scissors.erase && other.label != scissors.segment && !other.locked && chance(30))
+                others.push_back(other.label);
+        }
+        std::sort(others.begin(), others.end());
+        if (!others.empty())
+            scissors.others = others;
+        return scissors;
     }
     ReshapeSegment randomReshape(const Document& document)
     {
