@@ -11,10 +11,10 @@ class QPushButton;
 
 namespace ui {
 
-/// Shows one sentence at the top of the views: what happened, to what, and what to do; with a button
-/// if the program can help. Hidden while there is no message. It lies over the pictures, so a notice
-/// that asks for nothing goes by itself; a caution, an error and what has a button stay until they
-/// are closed.
+/// Shows one sentence at the top of the views: what happened, to what, and what to do; with a
+/// button if the program can help. Hidden while there is no message. It lies over the pictures, so
+/// a notice that asks for nothing goes by itself; a caution, an error and what has a button stay
+/// until they are closed.
 class MessageBar : public QFrame {
     Q_OBJECT
 

@@ -26,6 +26,13 @@ ShownStudy::ShownStudy(Workspace& workspace, ViewGrid& views, MessageBar& messag
     , m_views(views)
     , m_messages(messages)
 {
+    // The series doctor has a button for it, too: it is said once, and answered once.
+    connect(&workspace, &Workspace::cautionAcceptedChanged, this, [this] {
+        const core::Volume* open = m_workspace.volume();
+        if (open && m_workspace.cautionAccepted()
+            && m_messages.sentence() == cautionSentence(*open))
+            m_messages.dismiss();
+    });
 }
 
 void ShownStudy::setEarly(const std::shared_ptr<const core::EarlySlice>& early)
