@@ -15,6 +15,7 @@
 #include "ui/panels/growth/GrowthActions.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/panels/history/HistoryPanel.h"
+#include "ui/panels/lists/CleanUpPanel.h"
 #include "ui/panels/lists/LayersPanel.h"
 #include "ui/panels/lists/MeasurementsPanel.h"
 #include "ui/panels/lists/PiecesPanel.h"
@@ -264,6 +265,7 @@ ui::ComparePanel& addPanels(ui::MainWindow& window)
     ui::Workspace& workspace = window.workspace();
     addDoctor(window);
     window.addPanel(new ui::SegmentsPanel(workspace));
+    window.addPanel(new ui::CleanUpPanel(workspace));
     auto* growth = new ui::GrowthPanel(workspace);
     window.addPanel(growth);
     window.growMenu().addSeparator();

@@ -45,7 +45,9 @@ MessageBar::MessageBar(QWidget* parent)
     auto* close = new QToolButton(this);
     close->setIcon(stateIcon(QStringLiteral("close")));
     close->setIconSize(QSize(16, 16));
-    close->setToolTip(QStringLiteral("Dismiss"));
+    close->setObjectName(QStringLiteral("closeMessage"));
+    close->setAccessibleName(tr("Close this message"));
+    close->setToolTip(tr("Close this message; nothing else changes"));
     layout->addWidget(m_icon);
     layout->addWidget(m_text, 1);
     layout->addWidget(m_button);
@@ -56,6 +58,15 @@ MessageBar::MessageBar(QWidget* parent)
         dismiss();
         if (run)
             run();
+    });
+    m_leaving.setSingleShot(true);
+    m_leaving.setInterval(noticeMs);
+    connect(&m_leaving, &QTimer::timeout, this, [this] {
+        // Who reads it, or marks it to copy it, is not interrupted.
+        if (underMouse())
+            m_leaving.start();
+        else
+            dismiss();
     });
     dismiss();
 }
@@ -82,10 +93,15 @@ void MessageBar::show(
     m_text->setMinimumHeight(m_button->sizeHint().height());
     m_run = std::move(run);
     setVisible(true);
+    if (kind == Kind::Notice && button.isEmpty())
+        m_leaving.start();
+    else
+        m_leaving.stop();
 }
 
 void MessageBar::dismiss()
 {
+    m_leaving.stop();
     m_run = {};
     setVisible(false);
     m_text->clear();

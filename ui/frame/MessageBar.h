@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QTimer>
 
 #include <functional>
 
@@ -10,8 +11,10 @@ class QPushButton;
 
 namespace ui {
 
-/// Shows one sentence above the views: what happened, to what, and what to do; with a button if the
-/// program can help. Hidden while there is no message.
+/// Shows one sentence at the top of the views: what happened, to what, and what to do; with a
+/// button if the program can help. Hidden while there is no message. It lies over the pictures, so
+/// a notice that asks for nothing goes by itself; a caution, an error and what has a button stay
+/// until they are closed.
 class MessageBar : public QFrame {
     Q_OBJECT
 
@@ -24,12 +27,16 @@ public:
     void show(Kind kind, const QString& sentence, const QString& button, std::function<void()> run);
     void dismiss();
     [[nodiscard]] QString sentence() const;
+    /// How long a notice without a button stays, unless the pointer rests on it.
+    static constexpr int noticeMs = 12'000;
+    void setNoticeTime(int milliseconds) { m_leaving.setInterval(milliseconds); }
 
 private:
     QLabel* m_icon;
     QLabel* m_text;
     QPushButton* m_button;
     std::function<void()> m_run;
+    QTimer m_leaving; ///< runs while a notice is shown that goes by itself
 };
 
 } // namespace ui

@@ -80,9 +80,12 @@ public:
     virtual bool pressKey(int /*key*/) { return false; }
     /// Shift + wheel and [ ]: @p steps is positive for greater.
     virtual void changeRadius(int /*steps*/) { }
-    /// Alt + wheel.
+    /// Ctrl + Shift + wheel, in views that have no use of their own for it (Alt + wheel, which many
+    /// window managers take, does the same).
     virtual void changeDepth(int /*steps*/) { }
-    /// Alt + Shift + wheel: @p steps is positive for counter-clockwise.
+    /// Whether Ctrl + wheel turns it, in the 3D view, which the wheel alone zooms as well.
+    [[nodiscard]] virtual bool turns() const { return false; }
+    /// Ctrl + wheel, or Alt + Shift + wheel: @p steps is positive for counter-clockwise.
     virtual void turn(int /*steps*/) { }
 
     /// Draws what the tool will do, in every view where it works; the part at the cursor only in

@@ -4,6 +4,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/MenuText.h"
+#include "ui/menus/PlaceMenu.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
@@ -67,19 +68,22 @@ void VoxelMenu::openAbout(const glm::dvec3& placeLps)
     // Its centre, so that no rounding on the way leads to its neighbour.
     const glm::dvec3 centreLps = geometry.toWorld(glm::dvec3(voxel));
     session->questions().probe({voxel},
-        [self = QPointer(this), centreLps](
+        [self = QPointer(this), voxel, centreLps](
             const core::Result<std::vector<core::ProbedVoxel>>& probes) {
             if (!self || self->m_withdrawn)
                 return;
             if (!probes)
                 self->m_workspace.fail(probes.error());
             else if (!probes->empty())
-                self->open(int(probes->front().label), centreLps);
+                self->open({.voxel = voxel,
+                    .centreLps = centreLps,
+                    .code = probes->front().code,
+                    .label = int(probes->front().label)});
             self->withdraw();
         });
 }
 
-void VoxelMenu::open(int label, const glm::dvec3& placeLps)
+void VoxelMenu::open(const PointedVoxel& pointed)
 {
     // A menu takes the pointer away from whoever holds it.
     if (QApplication::mouseButtons() != Qt::NoButton || QApplication::activeModalWidget()
@@ -91,7 +95,8 @@ void VoxelMenu::open(int label, const glm::dvec3& placeLps)
     menu->setToolTipsVisible(true);
     // Its entries are about the voxels of this session.
     connect(&m_workspace, &Workspace::sessionChanged, menu, &QMenu::close);
-    addEntries(*menu, label, placeLps);
+    addEntries(*menu, pointed.label, pointed.centreLps);
+    addPlaceEntries(*menu, m_workspace, pointed);
     menu->popup(m_at);
 }
 

@@ -11,12 +11,13 @@ class QWidget;
 
 namespace ui {
 
+struct PointedVoxel;
 class Workspace;
 
 /// What a view offers about the voxel under the pointer: the island of a segment that it lies in is
-/// removed, kept alone, or given to another segment. The session is asked first whose the voxel is,
-/// so the menu opens a moment later, unless the user has gone on meanwhile: a press, a wheel or a
-/// key anywhere, or another such request, withdraws it.
+/// removed, kept alone, or given to another segment, and what PlaceMenu.h adds. The session is
+/// asked first whose the voxel is, so the menu opens a moment later, unless the user has gone on
+/// meanwhile: a press, a wheel or a key anywhere, or another such request, withdraws it.
 class VoxelMenu : public QObject {
     Q_OBJECT
 
@@ -36,7 +37,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void open(int label, const glm::dvec3& placeLps);
+    void open(const PointedVoxel& pointed);
     void addEntries(QMenu& menu, int label, const glm::dvec3& placeLps) const;
     [[nodiscard]] QString whyNot(int label) const;
 

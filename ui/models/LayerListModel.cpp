@@ -53,7 +53,7 @@ QVariant LayerListModel::data(const QModelIndex& index, int role) const
     case Qt::ToolTipRole:
         return layer->muted ? tr("%1 is muted: what it carves is shown").arg(layer->name)
             : !carves       ? tr("%1 is left out while another layer is solo").arg(layer->name)
-                            : tr("%1\nThe eye mutes it; Alt: solo").arg(layer->name);
+                            : tr("%1\nThe eye mutes it; Ctrl: solo").arg(layer->name);
     case IdRole:
         return int(layer->id);
     case MutedRole:

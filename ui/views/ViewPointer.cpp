@@ -195,15 +195,21 @@ void ViewPointer::turnWheel(QWheelEvent& event)
     if (steps == 0.0 || !m_workspace.volume() || m_gesture == Gesture::Tool)
         return;
     const int whole = steps > 0.0 ? std::max(1, int(steps)) : std::min(-1, int(steps));
-    const Qt::KeyboardModifiers both = Qt::ShiftModifier | Qt::AltModifier;
+    const Qt::KeyboardModifiers keys =
+        event.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier);
+    // Alt is for those who know it from before: many window managers keep it to themselves.
+    const bool deeper =
+        keys == (Qt::ControlModifier | Qt::ShiftModifier) || keys == Qt::AltModifier;
+    const bool turns = keys == (Qt::ShiftModifier | Qt::AltModifier)
+        || (keys == Qt::ControlModifier && m_tool && m_tool->turns());
     if (m_view.ownsWheel(event.modifiers()))
         m_view.wheelTurned(steps, event.position(), event.modifiers());
-    else if (toolWorksHere() && (event.modifiers() & both) == both)
+    else if (toolWorksHere() && turns)
         m_tool->turn(whole);
-    else if (toolWorksHere() && (event.modifiers() & Qt::ShiftModifier))
-        m_tool->changeRadius(whole);
-    else if (toolWorksHere() && (event.modifiers() & Qt::AltModifier))
+    else if (toolWorksHere() && deeper)
         m_tool->changeDepth(whole);
+    else if (toolWorksHere() && (keys & Qt::ShiftModifier))
+        m_tool->changeRadius(whole);
     else
         m_view.wheelTurned(steps, event.position(), event.modifiers());
 }

@@ -201,9 +201,9 @@ void MainWindow::buildCentre()
     working->addWidget(m_splitter, 1);
     row->addLayout(working, 1);
     auto* middle = new QWidget(m_splitter);
-    auto* column = new QVBoxLayout(middle);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    m_middle = new QVBoxLayout(middle);
+    m_middle->setContentsMargins(0, 0, 0, 0);
+    m_middle->setSpacing(0);
     // A wider window widens the pictures.
     m_splitter->addWidget(middle);
     m_splitter->addWidget(m_panels);
@@ -211,21 +211,22 @@ void MainWindow::buildCentre()
     m_splitter->setStretchFactor(1, 0);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setHandleWidth(1);
-    column->addWidget(m_messages);
     m_mending->hide();
-    column->addWidget(m_mending);
+    m_middle->addWidget(m_mending);
     // Over the foot of the pictures, which would move when it comes and goes.
-    auto* pictures = new QGridLayout;
-    pictures->addWidget(m_pages, 0, 0);
-    pictures->addWidget(m_loading, 0, 0, Qt::AlignBottom);
+    m_pictures = new QGridLayout;
+    m_pictures->addWidget(m_pages, 0, 0);
+    m_pictures->addWidget(m_loading, 0, 0, Qt::AlignBottom);
     m_loading->raise();
-    column->addLayout(pictures, 1);
+    m_middle->addLayout(m_pictures, 1);
+    connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::placeMessages);
     // A low window scrolls the start page instead of growing to it.
     m_startPage->setWidget(m_start);
     m_startPage->setWidgetResizable(true);
     m_startPage->setFrameShape(QFrame::NoFrame);
     m_pages->addWidget(m_startPage);
     m_pages->addWidget(m_views);
+    placeMessages();
     setCentralWidget(centre);
 
     m_tools->addTool(m_actions[QStringLiteral("tool.navigate")], QStringLiteral("Navigate"));
@@ -384,6 +385,19 @@ void MainWindow::showPages()
     m_tools->setVisible(open);
     showPanels(m_panelsWanted);
     m_header->showIdentity(m_shown->volume());
+}
+
+/// Over the pictures, which would move when a message comes and goes; above the start page, whose
+/// buttons it would hide.
+void MainWindow::placeMessages()
+{
+    m_middle->removeWidget(m_messages);
+    m_pictures->removeWidget(m_messages);
+    if (m_pages->currentWidget() == m_views)
+        m_pictures->addWidget(m_messages, 0, 0, Qt::AlignTop);
+    else
+        m_middle->insertWidget(0, m_messages);
+    m_messages->raise();
 }
 
 void MainWindow::showAbout()

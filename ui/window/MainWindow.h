@@ -8,9 +8,11 @@
 
 #include <QMainWindow>
 
+class QGridLayout;
 class QScrollArea;
 class QSplitter;
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace ui {
 
@@ -94,6 +96,7 @@ private:
     void connectOpener();
     void showSession();
     void showPages();
+    void placeMessages();
     void bringUpPanelOf(const Tool& tool);
 
     /// Forbids work on voxels in this thread: changes are only passed on.
@@ -107,6 +110,8 @@ private:
     LoadingBar* m_loading;
     MessageBar* m_messages;
     MendingStrip* m_mending; ///< hidden until somebody shows it
+    QVBoxLayout* m_middle = nullptr; ///< the pictures and what stands above them
+    QGridLayout* m_pictures = nullptr; ///< the pictures and what lies over them
     QStackedWidget* m_pages;
     QScrollArea* m_startPage; ///< holds m_start
     StartPage* m_start;

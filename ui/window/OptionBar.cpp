@@ -14,15 +14,17 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <array>
 
 namespace ui {
 
 namespace {
 
 constexpr int barHeight = 36;
-constexpr int longestNamePixels = 260;
-constexpr int shortestNamePixels = 90; ///< that is cut; less of it tells nothing
 constexpr int iconPixels = 30; ///< a button without a name, and what surrounds a name
+/// The widths that undo and redo may have, the widest first. Names are cut to them; less of a name
+/// than the second shows tells nothing.
+constexpr std::array<int, 3> stepPixels{190, 124, iconPixels};
 
 QFrame* verticalLine(QWidget* parent)
 {
@@ -76,8 +78,8 @@ QToolButton* OptionBar::addAction(QAction& action)
     button->setIconSize(QSize(18, 18));
     button->setFont(theme::smallFont());
     button->setFocusPolicy(Qt::NoFocus);
-    // A long name never makes the window wider.
-    button->setMinimumWidth(iconPixels);
+    // The tool and its options stay where they are, whatever the next step is called.
+    button->setFixedWidth(iconPixels);
     m_steps.append(button);
     connect(&action, &QAction::changed, this, &OptionBar::showNames);
     return button;
@@ -86,18 +88,21 @@ QToolButton* OptionBar::addAction(QAction& action)
 void OptionBar::showNames()
 {
     int room = width() - m_layout->minimumSize().width();
+    for (const QToolButton* button : m_steps)
+        room += button->minimumWidth();
     if (m_options)
         room -= m_options->sizeHint().width() - m_options->minimumSizeHint().width();
-    const int each = std::min(room / std::max(int(m_steps.size()), 1), longestNamePixels);
-    const bool named = each >= shortestNamePixels
-        || std::all_of(m_steps.begin(), m_steps.end(), [each](const QToolButton* button) {
-               const QString name = button->defaultAction()->text();
-               return button->fontMetrics().horizontalAdvance(name) <= each;
-           });
+    const int each = room / std::max(int(m_steps.size()), 1);
+    const auto* fitting = std::find_if(
+        stepPixels.begin(), stepPixels.end() - 1, [each](int pixels) { return pixels <= each; });
+    const bool named = *fitting > iconPixels;
     for (QToolButton* button : m_steps) {
         const QAction& action = *button->defaultAction();
         button->setToolButtonStyle(named ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
-        button->setText(button->fontMetrics().elidedText(action.text(), Qt::ElideRight, each));
+        if (button->minimumWidth() != *fitting)
+            button->setFixedWidth(*fitting);
+        button->setText(
+            button->fontMetrics().elidedText(action.text(), Qt::ElideRight, *fitting - iconPixels));
         button->setToolTip(plainText(action.text()) + QStringLiteral("  ")
             + action.shortcut().toString(QKeySequence::NativeText));
     }

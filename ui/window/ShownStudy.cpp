@@ -13,7 +13,8 @@ namespace {
 
 QString cautionSentence(const core::Volume& volume)
 {
-    return QStringLiteral("%1 Views and exports carry this caution until you accept it.")
+    return QStringLiteral("%1 Views and exports say so until you choose to keep the series as it "
+                          "is; the panel Series doctor shows what can be mended.")
         .arg(cautionText(volume));
 }
 
@@ -25,6 +26,13 @@ ShownStudy::ShownStudy(Workspace& workspace, ViewGrid& views, MessageBar& messag
     , m_views(views)
     , m_messages(messages)
 {
+    // The series doctor has a button for it, too: it is said once, and answered once.
+    connect(&workspace, &Workspace::cautionAcceptedChanged, this, [this] {
+        const core::Volume* open = m_workspace.volume();
+        if (open && m_workspace.cautionAccepted()
+            && m_messages.sentence() == cautionSentence(*open))
+            m_messages.dismiss();
+    });
 }
 
 void ShownStudy::setEarly(const std::shared_ptr<const core::EarlySlice>& early)
@@ -53,7 +61,7 @@ void ShownStudy::showEarly(const std::shared_ptr<const core::EarlySlice>& early)
     if (!m_views.showEarlySlice(m_workspace.session() ? nullptr : early) && !before)
         return;
     Q_EMIT earlyChanged();
-    // The bar takes its room now, lest the picture move when it comes.
+    // What is seen first must not be taken for sound.
     if (early && early->volume.needsCaution())
         m_messages.show(MessageBar::Kind::Caution, cautionSentence(early->volume));
     else if (!m_workspace.volume() && m_messages.sentence() == said)
@@ -66,8 +74,9 @@ void ShownStudy::showCaution()
     m_messages.dismiss();
     if (!volume || !volume->needsCaution() || m_workspace.cautionAccepted())
         return;
-    m_messages.show(MessageBar::Kind::Caution, cautionSentence(*volume), QStringLiteral("Accept"),
-        [this] { m_workspace.acceptCaution(); });
+    // In the words of the series doctor, whose button does the same.
+    m_messages.show(MessageBar::Kind::Caution, cautionSentence(*volume),
+        QStringLiteral("Keep as it is"), [this] { m_workspace.acceptCaution(); });
 }
 
 } // namespace ui

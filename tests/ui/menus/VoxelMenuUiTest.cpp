@@ -9,8 +9,10 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/workspace/InitialDisplay.h"
 
 #include <QApplication>
+#include <QClipboard>
 #include <QMenu>
 #include <QPointer>
 #include <QSignalSpy>
@@ -91,6 +93,31 @@ QStringList textsOf(const QMenu& menu)
     return texts;
 }
 
+/// What is offered about the island comes first, before a line.
+QList<QAction*> islandEntries(const QMenu& menu)
+{
+    QList<QAction*> entries;
+    for (QAction* each : menu.actions()) {
+        if (each->isSeparator())
+            break;
+        entries += each;
+    }
+    return entries;
+}
+
+QStringList islandTexts(const QMenu& menu)
+{
+    QStringList texts;
+    for (const QAction* each : islandEntries(menu))
+        texts += each->text();
+    return texts;
+}
+
+QAction* entryOf(const QMenu& menu, const char* name)
+{
+    return menu.findChild<QAction*>(QLatin1String(name));
+}
+
 /// Chooses an entry, as a click into the menu does, which closes it.
 void choose(QMenu& menu, QAction& entry)
 {
@@ -113,7 +140,7 @@ private Q_SLOTS:
         QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
         QMenu* menu = fixture.clickedAt({10, 11, 10});
         QVERIFY(menu);
-        QCOMPARE(textsOf(*menu),
+        QCOMPARE(islandTexts(*menu),
             (QStringList{QStringLiteral("Remove this island of 'Parts'"),
                 QStringLiteral("Keep only this island of 'Parts'"),
                 QStringLiteral("Give this island of 'Parts' to")}));
@@ -174,15 +201,15 @@ private Q_SLOTS:
     {
         Dabs fixture;
         const auto grey = [](const QMenu& menu, const QString& why) {
-            for (const QAction* each : menu.actions()) {
+            for (const QAction* each : islandEntries(menu)) {
                 if (each->isEnabled() || each->toolTip() != why)
                     return false;
             }
-            return menu.toolTipsVisible() && menu.actions().size() == 3;
+            return menu.toolTipsVisible() && islandEntries(menu).size() == 3;
         };
         QMenu* menu = fixture.clickedAt({20, 5, 10});
         QVERIFY(menu);
-        QCOMPARE(textsOf(*menu),
+        QCOMPARE(islandTexts(*menu),
             (QStringList{QStringLiteral("Remove this island"),
                 QStringLiteral("Keep only this island"), QStringLiteral("Give this island to")}));
         QVERIFY(grey(*menu, QStringLiteral("no segment has a voxel there")));
@@ -272,11 +299,119 @@ private Q_SLOTS:
         fixture.workspace.setViewOptions(options);
         QMenu* menu = fixture.clickedAt({10, 10, 10});
         QVERIFY(menu);
-        for (const QAction* each : menu->actions()) {
+        for (const QAction* each : islandEntries(*menu)) {
             QVERIFY(!each->isEnabled());
             QCOMPARE(each->toolTip(), QStringLiteral("'Parts' is hidden"));
         }
         menu->close();
+    }
+
+    /// Of a voxel of a segment: it becomes active, is locked, is shown alone.
+    void itsSegmentIsAtHand()
+    {
+        Dabs fixture;
+        fixture.workspace.setActiveSegment(2);
+        QMenu* menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        QAction* active = entryOf(*menu, "activateSegment");
+        QVERIFY(active && active->isEnabled());
+        QCOMPARE(active->text(), QStringLiteral("Make 'Parts' active"));
+        choose(*menu, *active);
+        QCOMPARE(fixture.workspace.activeSegment(), 1);
+
+        menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu && !entryOf(*menu, "activateSegment")->isEnabled());
+        const auto shown = [&fixture] {
+            QList<bool> visible;
+            for (const core::Segment& each : fixture.session().document().segments)
+                visible += each.visible;
+            return visible;
+        };
+        QCOMPARE(shown(), (QList<bool>{true, true, true}));
+        QCOMPARE(entryOf(*menu, "isolateSegment")->text(), QStringLiteral("Show only 'Parts'"));
+        choose(*menu, *entryOf(*menu, "isolateSegment"));
+        fixture.settle();
+        QCOMPARE(shown(), (QList<bool>{true, false, false}));
+        // And back.
+        menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        QCOMPARE(entryOf(*menu, "isolateSegment")->text(), QStringLiteral("Show all segments"));
+        choose(*menu, *entryOf(*menu, "isolateSegment"));
+        fixture.settle();
+        QCOMPARE(shown(), (QList<bool>{true, true, true}));
+
+        menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        QCOMPARE(entryOf(*menu, "lockSegment")->text(), QStringLiteral("Lock 'Parts'"));
+        choose(*menu, *entryOf(*menu, "lockSegment"));
+        fixture.settle();
+        QVERIFY(fixture.session().document().segment(1)->locked);
+        menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        QCOMPARE(entryOf(*menu, "lockSegment")->text(), QStringLiteral("Unlock 'Parts'"));
+        choose(*menu, *entryOf(*menu, "lockSegment"));
+        fixture.settle();
+        QVERIFY(!fixture.session().document().segment(1)->locked);
+        // Where there is no segment, nothing of one is offered.
+        menu = fixture.clickedAt({20, 5, 10});
+        QVERIFY(menu);
+        for (const char* name : {"activateSegment", "lockSegment", "isolateSegment"})
+            QVERIFY(!entryOf(*menu, name));
+        menu->close();
+    }
+
+    /// Only the step that changed this very voxel goes; the one after it stays.
+    void undoesTheLastStepHere()
+    {
+        Dabs fixture;
+        QMenu* menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        choose(*menu, *entryOf(*menu, "undoHere"));
+        fixture.settle();
+        QCOMPARE(fixture.voxels(1), fixture.other);
+        // Between the dabs nothing was done, and nothing is.
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        menu = fixture.clickedAt({20, 5, 10});
+        QVERIFY(menu);
+        choose(*menu, *entryOf(*menu, "undoHere"));
+        fixture.settle();
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(), QStringLiteral("There is no step to undo here"));
+        QCOMPARE(fixture.voxels(1), fixture.other);
+    }
+
+    void goesThereAndCopies()
+    {
+        Dabs fixture;
+        QMenu* menu = fixture.clickedAt({12, 10, 10});
+        QVERIFY(menu);
+        choose(*menu, *entryOf(*menu, "crosshairHere"));
+        // The voxel's centre, wherever in it the click was.
+        const glm::dvec3 away = fixture.workspace.crosshairLps() - fixture.placeOf({12, 10, 10});
+        QVERIFY(glm::length(away) < 1e-9);
+
+        menu = fixture.clickedAt({12, 10, 10});
+        QVERIFY(menu);
+        const QString offered = entryOf(*menu, "copyValue")->text();
+        choose(*menu, *entryOf(*menu, "copyValue"));
+        const QString value = QGuiApplication::clipboard()->text();
+        QVERIFY(!value.isEmpty());
+        QCOMPARE(offered, QStringLiteral("Copy value: %1").arg(value));
+        menu = fixture.clickedAt({12, 10, 10});
+        QVERIFY(menu);
+        choose(*menu, *entryOf(*menu, "copyPlace"));
+        const QString both = QGuiApplication::clipboard()->text();
+        QVERIFY2(both.startsWith(value) && both.endsWith(QStringLiteral("voxel 12, 10, 10")),
+            qPrintable(both));
+
+        menu = fixture.clickedAt({12, 10, 10});
+        QVERIFY(menu);
+        auto* windows = menu->findChild<QMenu*>(QStringLiteral("windowPresets"));
+        const auto presets = ui::windowPresets(*fixture.workspace.volume());
+        QVERIFY(windows && presets.size() > 1);
+        QCOMPARE(windows->actions().size(), qsizetype(presets.size()));
+        choose(*menu, *windows->actions().at(1));
+        QCOMPARE(fixture.workspace.windowLevel(), presets[1].window);
     }
 
     /// In the 3D view it is about what is seen there: here segments alone.

@@ -5,9 +5,11 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/dialogs/study/OpenStudyDialog.h"
 #include "ui/frame/MessageBar.h"
+#include "ui/frame/StartPage.h"
 #include "ui/frame/ToolColumn.h"
 #include "ui/overlays/CautionStrip.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/window/OptionBar.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -30,7 +32,12 @@ private Q_SLOTS:
     void titleSaysWhoseStudy();
     void textsOfAStudy();
     void cautionStaysUntilAccepted();
+    void theDoctorsAnswerClosesIt();
+    void messagesLieOverThePictures();
+    void onTheStartPageTheyHideNothing();
+    void noticesGoByThemselves();
     void undoSaysWhatItUndoes();
+    void undoKeepsItsWidth();
     void digitsAreWindowPresets();
     void closingShowsTheStartPage();
     void listOfVolumesChoosesNothing();
@@ -108,11 +115,153 @@ void MainWindowUiTest::cautionStaysUntilAccepted()
         QVERIFY2(stripIn(view), qPrintable(view->title()));
     auto buttons = bar.findChildren<QPushButton*>();
     QCOMPARE(buttons.size(), 1);
+    // Closing it hides the message and answers nothing.
+    QTest::mouseClick(bar.findChild<QToolButton*>(QStringLiteral("closeMessage")), Qt::LeftButton);
+    QVERIFY(!bar.isVisible());
+    QVERIFY(!fixture.workspace.cautionAccepted());
+    for (ui::ImageView* view : fixture.window.views().views())
+        QVERIFY2(stripIn(view), qPrintable(view->title()));
+    // The series doctor calls it the same.
+    QCOMPARE(buttons.front()->text(), QStringLiteral("Keep as it is"));
+    fixture.workspace.setSession(nullptr);
+    auto again = core::EditSession::create(fixture.engine, volume, {});
+    QVERIFY(again);
+    fixture.workspace.setSession(std::move(*again));
+    QVERIFY(bar.isVisible());
     QTest::mouseClick(buttons.front(), Qt::LeftButton);
     QVERIFY(fixture.workspace.cautionAccepted());
     QVERIFY(!bar.isVisible());
     for (ui::ImageView* view : fixture.window.views().views())
         QVERIFY2(!stripIn(view), qPrintable(view->title()));
+}
+
+/// A caution that is answered elsewhere need not be answered here, too.
+void MainWindowUiTest::theDoctorsAnswerClosesIt()
+{
+    core::LoadedVolume volume = test::plainCt(test::headFirstSupine());
+    volume.volume.problems = {{core::VolumeProblem::Kind::Tilt,
+        {core::ProblemCode::AsStored, {QStringLiteral("The slices are tilted by 12°.")}}, true}};
+    test::WindowFixture fixture(volume);
+    ui::MessageBar& bar = fixture.window.messages();
+    QVERIFY(bar.isVisible());
+    // What another message says stays.
+    const QString caution = bar.sentence();
+    bar.show(ui::MessageBar::Kind::Error, QStringLiteral("Something else"));
+    fixture.workspace.acceptCaution();
+    QVERIFY(bar.isVisible());
+    fixture.workspace.setSession(nullptr);
+    auto again = core::EditSession::create(fixture.engine, volume, {});
+    QVERIFY(again);
+    fixture.workspace.setSession(std::move(*again));
+    QVERIFY(bar.isVisible());
+    QCOMPARE(bar.sentence(), caution);
+    fixture.workspace.acceptCaution();
+    QVERIFY(!bar.isVisible());
+}
+
+void MainWindowUiTest::messagesLieOverThePictures()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    ui::MessageBar& bar = fixture.window.messages();
+    bar.dismiss();
+    QCoreApplication::sendPostedEvents(); // layouts are posted events
+    const auto placeOf = [&fixture](const QWidget& widget) {
+        return QRect(widget.mapTo(&fixture.window, QPoint(0, 0)), widget.size());
+    };
+    const auto pictures = [&fixture, &placeOf] {
+        QList<QRect> places;
+        for (const ui::ImageView* view : fixture.window.views().views())
+            places += placeOf(*view);
+        return places;
+    };
+    const QList<QRect> before = pictures();
+    bar.show(ui::MessageBar::Kind::Error, QStringLiteral("The disk is full."),
+        QStringLiteral("Try again"), [] {});
+    QCoreApplication::sendPostedEvents();
+    QTRY_VERIFY(bar.isVisible() && bar.height() > 20);
+    QCOMPARE(pictures(), before);
+    const QRect all = placeOf(fixture.window.views());
+    const QRect shown = placeOf(bar);
+    QVERIFY(all.contains(shown));
+    QCOMPARE(shown.top(), all.top());
+    QVERIFY(shown.height() < all.height() / 4);
+    // It lies on top, and takes what is clicked there.
+    const QWidget* there = fixture.window.childAt(shown.center());
+    QVERIFY(there && (there == &bar || bar.isAncestorOf(there)));
+    QTest::mouseClick(bar.findChild<QToolButton*>(QStringLiteral("closeMessage")), Qt::LeftButton);
+    QVERIFY(!bar.isVisible());
+    QCoreApplication::sendPostedEvents();
+    QCOMPARE(pictures(), before);
+}
+
+void MainWindowUiTest::onTheStartPageTheyHideNothing()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    fixture.window.closeStudy();
+    ui::MessageBar& bar = fixture.window.messages();
+    bar.show(ui::MessageBar::Kind::Error, QStringLiteral("There is no such folder."));
+    const auto* start = fixture.window.findChild<ui::StartPage*>();
+    QVERIFY(start && start->isVisible());
+    QTRY_VERIFY(bar.isVisible() && bar.height() > 20);
+    QTRY_VERIFY(bar.mapTo(&fixture.window, QPoint(0, bar.height())).y()
+        <= start->mapTo(&fixture.window, QPoint(0, 0)).y());
+}
+
+/// What asks for nothing goes by itself; all else waits for the user.
+void MainWindowUiTest::noticesGoByThemselves()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    ui::MessageBar& bar = fixture.window.messages();
+    bar.setNoticeTime(40);
+    for (const auto kind : {ui::MessageBar::Kind::Caution, ui::MessageBar::Kind::Error}) {
+        bar.show(ui::MessageBar::Kind::Notice, QStringLiteral("Saved."));
+        bar.show(kind, QStringLiteral("Not saved."));
+        QTest::qWait(120);
+        QVERIFY(bar.isVisible());
+        QCOMPARE(bar.sentence(), QStringLiteral("Not saved."));
+    }
+    bar.show(
+        ui::MessageBar::Kind::Notice, QStringLiteral("Imported."), QStringLiteral("Undo"), [] {});
+    QTest::qWait(120);
+    QVERIFY(bar.isVisible());
+    bar.show(ui::MessageBar::Kind::Notice, QStringLiteral("Saved."));
+    QVERIFY(bar.isVisible());
+    QTRY_VERIFY(!bar.isVisible());
+}
+
+/// The tool and its options stay where they are, whatever the next step is called.
+void MainWindowUiTest::undoKeepsItsWidth()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    const auto* bar = fixture.window.findChild<ui::OptionBar*>();
+    QVERIFY(bar && bar->isVisible());
+    QList<const QToolButton*> steps;
+    for (const char* id : {"edit.undo", "edit.redo"}) {
+        for (const QToolButton* button : bar->findChildren<QToolButton*>()) {
+            if (button->defaultAction() == &fixture.window.actionTable()[QLatin1String(id)])
+                steps += button;
+        }
+    }
+    QCOMPARE(steps.size(), 2);
+    const auto places = [&steps] {
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
+        return QList<QRect>{steps[0]->geometry(), steps[1]->geometry()};
+    };
+    const QList<QRect> before = places();
+    QCOMPARE(steps[0]->text(), QStringLiteral("Undo"));
+    QCOMPARE(before[0].width(), before[1].width());
+    core::EditSession& session = *fixture.workspace.session();
+    for (const char* name : {"A", "A segment whose name is as long as names are at times"}) {
+        QVERIFY(session.apply(test::newSegment(QLatin1String(name), 0xffffff)));
+        QVERIFY(session.settle());
+        QVERIFY(steps[0]->text() != QStringLiteral("Undo"));
+        QCOMPARE(places(), before);
+    }
+    QVERIFY(session.undo());
+    QVERIFY(session.settle());
+    QCOMPARE(places(), before);
+    // What is cut is told whole by the tip.
+    QVERIFY(steps[1]->toolTip().contains(QStringLiteral("as long as names are at times")));
 }
 
 void MainWindowUiTest::undoSaysWhatItUndoes()

@@ -33,8 +33,9 @@ EyeRowDelegate::Row LayerDelegate::row(const QModelIndex& index) const
 void LayerDelegate::eyeClicked(
     QAbstractItemModel& model, const QModelIndex& index, Qt::KeyboardModifiers modifiers)
 {
-    const int role =
-        modifiers.testFlag(Qt::AltModifier) ? LayerListModel::SoloRole : LayerListModel::MutedRole;
+    // Alt as before, where the window manager leaves it to programs.
+    const bool solo = modifiers & (Qt::ControlModifier | Qt::AltModifier);
+    const int role = solo ? LayerListModel::SoloRole : LayerListModel::MutedRole;
     model.setData(index, !index.data(role).toBool(), role);
 }
 

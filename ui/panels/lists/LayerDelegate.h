@@ -6,7 +6,7 @@
 namespace ui {
 
 /// Draws a row of the list of sculpt layers: eye, name, and its present effect. A click on the eye
-/// mutes or unmutes the layer; with Alt only this layer counts (solo).
+/// mutes or unmutes the layer; with Ctrl only this layer counts (solo).
 class LayerDelegate : public EyeRowDelegate {
     Q_OBJECT
 

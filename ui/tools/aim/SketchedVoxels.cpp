@@ -33,14 +33,52 @@ double sketchStepPixels(const core::Volume& volume, const ViewContext& view)
 std::vector<glm::ivec3> voxelsUnder(
     const std::vector<glm::dvec2>& path, const ViewContext& slice, const core::Volume& volume)
 {
+    return voxelsAt(alongPath(path, sketchStepPixels(volume, slice)), slice, volume);
+}
+
+std::vector<glm::ivec3> voxelsAt(
+    const std::vector<glm::dvec2>& pixels, const ViewContext& slice, const core::Volume& volume)
+{
     std::vector<glm::ivec3> voxels;
-    for (const glm::dvec2& pixel : alongPath(path, sketchStepPixels(volume, slice))) {
+    for (const glm::dvec2& pixel : pixels) {
         const glm::dvec3 lps = slice.toLps({pixel.x, pixel.y});
         const glm::ivec3 voxel(glm::round(volume.geometry.toIndex(lps)));
         if (volume.geometry.contains(voxel))
             voxels.push_back(voxel);
     }
     return uniqueVoxels(voxels);
+}
+
+std::vector<glm::dvec2> pointsCovered(
+    const std::vector<glm::dvec2>& path, const std::vector<double>& radiiPixels, double stepPixels)
+{
+    std::vector<glm::dvec2> points;
+    std::set<std::array<int, 2>> taken;
+    const auto dab = [&](const glm::dvec2& centre, double radius) {
+        points.push_back(centre);
+        const glm::ivec2 low(glm::ceil((centre - radius) / stepPixels));
+        const glm::ivec2 high(glm::floor((centre + radius) / stepPixels));
+        for (int y = low.y; y <= high.y; ++y) {
+            for (int x = low.x; x <= high.x; ++x) {
+                const glm::dvec2 point = stepPixels * glm::dvec2(x, y);
+                if (glm::distance(point, centre) <= radius && taken.insert({x, y}).second)
+                    points.push_back(point);
+            }
+        }
+    };
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        if (i > 0) {
+            const glm::dvec2 way = path[i] - path[i - 1];
+            const double wider = radiiPixels[i] - radiiPixels[i - 1];
+            const int pieces = std::max(1, int(std::ceil(glm::length(way) / stepPixels)));
+            for (int piece = 1; piece < pieces; ++piece) {
+                const double share = double(piece) / pieces;
+                dab(path[i - 1] + way * share, radiiPixels[i - 1] + wider * share);
+            }
+        }
+        dab(path[i], radiiPixels[i]);
+    }
+    return points;
 }
 
 std::vector<glm::dvec2> planePointsUnder(

@@ -28,6 +28,17 @@ class Workspace;
 [[nodiscard]] std::vector<glm::ivec3> voxelsUnder(
     const std::vector<glm::dvec2>& path, const ViewContext& slice, const core::Volume& volume);
 
+/// The points that a path covers which is as wide as the pen was pressed: along it, and beside it
+/// on a grid, each once.
+/// @param radiiPixels how far to each side, for each point of the path; between them it changes
+/// evenly
+[[nodiscard]] std::vector<glm::dvec2> pointsCovered(
+    const std::vector<glm::dvec2>& path, const std::vector<double>& radiiPixels, double stepPixels);
+
+/// The voxels of a slice at these points, each once, without those outside the volume.
+[[nodiscard]] std::vector<glm::ivec3> voxelsAt(
+    const std::vector<glm::dvec2>& pixels, const ViewContext& slice, const core::Volume& volume);
+
 /// The points of the view plane along a path on the 3D view, as askWhatIsSeen() takes them.
 [[nodiscard]] std::vector<glm::dvec2> planePointsUnder(
     const std::vector<glm::dvec2>& path, const ViewContext& view, const core::Volume& volume);

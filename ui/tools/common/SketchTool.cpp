@@ -5,11 +5,13 @@
 #include "ui/tools/aim/LookingDirection.h"
 #include "ui/tools/aim/SeenVoxels.h"
 #include "ui/tools/aim/SketchedVoxels.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPainter>
 #include <QPointer>
 
+#include <algorithm>
 #include <utility>
 
 namespace ui {
@@ -30,6 +32,7 @@ SketchTool::SketchTool(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_strokeView.reset();
         m_path.clear();
+        m_radii.clear();
         sketchOver();
         Q_EMIT overlayChanged();
     });
@@ -57,7 +60,10 @@ void SketchTool::press(const PointerSample& sample, const ViewContext& view)
     m_modifiers = sample.modifiers;
     m_withEraser = sample.eraserEnd;
     m_strokeView = view;
-    m_path = {pixelOf(sample)};
+    m_path.clear();
+    m_radii.clear();
+    m_pressedPixels = sample.isPen ? pressedMm() / view.mmPerPixel() : 0.0;
+    addPoint(sample);
     sketchBegan(view);
     sketchGrew(m_path);
     hover(sample, view);
@@ -67,9 +73,21 @@ void SketchTool::drag(const PointerSample& sample, const ViewContext& view)
 {
     if (!m_strokeView || view.view != m_strokeView->view)
         return;
-    m_path.push_back(pixelOf(sample));
+    addPoint(sample);
     sketchGrew(m_path);
     hover(sample, view);
+}
+
+void SketchTool::addPoint(const PointerSample& sample)
+{
+    m_path.push_back(pixelOf(sample));
+    if (m_pressedPixels > 0.0)
+        m_radii.push_back(m_pressedPixels * pressedShare(sample));
+}
+
+double SketchTool::widestPixels() const
+{
+    return m_radii.empty() ? 0.0 : *std::max_element(m_radii.begin(), m_radii.end());
 }
 
 void SketchTool::release(const PointerSample&, const ViewContext&)
@@ -82,6 +100,7 @@ void SketchTool::release(const PointerSample&, const ViewContext&)
         askWhatIsSeen();
     m_strokeView.reset();
     m_path.clear();
+    m_radii.clear();
     m_modifiers = {};
     m_withEraser = false;
     if (!waits)
@@ -95,6 +114,7 @@ void SketchTool::cancel()
         return;
     m_strokeView.reset();
     m_path.clear();
+    m_radii.clear();
     sketchOver();
     m_workspace.say(tr("The sketch was dropped"));
     Q_EMIT overlayChanged();
@@ -117,8 +137,11 @@ bool SketchTool::commitOnSlice()
 {
     if (!m_strokeView->isSlice())
         return false;
-    const std::vector<glm::ivec3> voxels =
-        voxelsUnder(m_path, *m_strokeView, *m_workspace.volume());
+    const core::Volume& volume = *m_workspace.volume();
+    const std::vector<glm::ivec3> voxels = m_radii.empty()
+        ? voxelsUnder(m_path, *m_strokeView, volume)
+        : voxelsAt(pointsCovered(m_path, m_radii, sketchStepPixels(volume, *m_strokeView)),
+            *m_strokeView, volume);
     if (voxels.empty())
         m_workspace.say(outsideText());
     else
@@ -129,8 +152,17 @@ bool SketchTool::commitOnSlice()
 void SketchTool::askWhatIsSeen()
 {
     const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
-    ui::askWhatIsSeen(m_workspace, scene,
-        planePointsUnder(m_path, *m_strokeView, *m_workspace.volume()),
+    const core::Volume& volume = *m_workspace.volume();
+    std::vector<glm::dvec2> planeMm;
+    if (m_radii.empty()) {
+        planeMm = planePointsUnder(m_path, *m_strokeView, volume);
+    } else {
+        // A ray for each voxel's width, since each of them is asked about.
+        const double step = 2.0 * sketchStepPixels(volume, *m_strokeView);
+        for (const glm::dvec2& pixel : pointsCovered(m_path, m_radii, step))
+            planeMm.push_back(m_strokeView->toViewPlaneMm({pixel.x, pixel.y}));
+    }
+    ui::askWhatIsSeen(m_workspace, scene, planeMm,
         [tool = QPointer<SketchTool>(this), modifiers = m_modifiers, eraser = m_withEraser, scene](
             const core::Result<SeenVoxels>& seen) {
             if (!tool)
@@ -165,23 +197,34 @@ void SketchTool::commitSeen(const core::Result<SeenVoxels>& seen, const gpu::Vol
         commit(uniqueVoxels(voxels));
 }
 
+void SketchTool::paintSketch(QPainter& painter) const
+{
+    QPolygonF line;
+    for (const glm::dvec2& pixel : m_path)
+        line.push_back({pixel.x, pixel.y});
+    if (line.size() == 1)
+        line.push_back(line.front());
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0, 0, 0, 150), 5.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(line);
+    painter.setPen(QPen(colour(), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(line);
+    // As wide as it is pressed.
+    for (std::size_t i = 0; i < m_radii.size(); ++i) {
+        const QPointF from = line[qsizetype(i == 0 ? 0 : i - 1)];
+        const double width = 2.0 * std::max(m_radii[i], 1.5);
+        painter.setPen(QPen(colour(), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawLine(from, line[qsizetype(i)]);
+    }
+}
+
 void SketchTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
     if (!m_workspace.session() || !worksIn(view))
         return;
     painter.setRenderHint(QPainter::Antialiasing);
-    if (m_strokeView && m_strokeView->view == view.view) {
-        QPolygonF line;
-        for (const glm::dvec2& pixel : m_path)
-            line.push_back({pixel.x, pixel.y});
-        if (line.size() == 1)
-            line.push_back(line.front());
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(QColor(0, 0, 0, 150), 5.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPolyline(line);
-        painter.setPen(QPen(colour(), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPolyline(line);
-    }
+    if (m_strokeView && m_strokeView->view == view.view)
+        paintSketch(painter);
     if (m_cursorView != view.view)
         return;
     painter.setPen(QPen(QColor(0, 0, 0, 180), 1.0));

@@ -15,7 +15,8 @@ namespace ui {
 class Workspace;
 
 /// Base of the tools that sketch voxels: on a slice those under the path, on the 3D view those that
-/// are seen under it (seed A §5.1). Each tool decides what to do with them at pen-up.
+/// are seen under it (seed A §5.1). Where a tool wants it, the path of a pen is as wide as the pen
+/// is pressed. Each tool decides what to do with them at pen-up.
 class SketchTool : public Tool {
     Q_OBJECT
 
@@ -35,6 +36,12 @@ public:
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
 protected:
+    /// How far to each side of its path a pen that is fully pressed reaches, mm; 0: pressure does
+    /// nothing. Asked at pen-down; a mouse draws a line.
+    [[nodiscard]] virtual double pressedMm() const { return 0.0; }
+    /// How far to each side the sketch that is drawn reaches where it is widest, pixels; 0: it is a
+    /// line.
+    [[nodiscard]] double widestPixels() const;
     /// Whether the pen's eraser end has a meaning for the tool.
     [[nodiscard]] virtual bool takesEraser() const { return false; }
     /// Handles a stroke that is not a sketch of voxels. If it returns true, commit() is not called.
@@ -71,12 +78,16 @@ protected:
 
 private:
     [[nodiscard]] bool commitOnSlice(); ///< returns whether the view is a slice
+    void addPoint(const PointerSample& sample);
+    void paintSketch(QPainter& painter) const;
     void askWhatIsSeen();
     void commitSeen(const core::Result<SeenVoxels>& seen, const gpu::VolumeScene& scene);
 
     Workspace& m_workspace;
     std::optional<ViewContext> m_strokeView; ///< the view at pen-down, used for the whole sketch
     std::vector<glm::dvec2> m_path; ///< logical pixels
+    double m_pressedPixels = 0.0; ///< of the sketch: pressedMm() at pen-down
+    std::vector<double> m_radii; ///< for each point of the path, pixels; empty: it is a line
     Qt::KeyboardModifiers m_modifiers;
     bool m_withEraser = false;
     SeenAlong m_seenAlong;

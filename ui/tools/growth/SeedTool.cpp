@@ -3,6 +3,7 @@
 
 #include "core/session/StepFindings.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/growth/SeedMarks.h"
 #include "ui/workspace/PendingSeeds.h"
@@ -15,8 +16,11 @@
 #include "ui/tools/aim/LookingDirection.h"
 #include "ui/tools/aim/SeenVoxels.h"
 
+#include <QHBoxLayout>
+#include <QLocale>
 #include <QPainter>
 #include <QPointer>
+#include <QToolButton>
 
 #include <algorithm>
 #include <limits>
@@ -28,6 +32,8 @@ namespace ui {
 namespace {
 
 constexpr double reachPixels = 7.0; ///< logical, from the pointer to a seed's dot
+constexpr double leastSeedReachMm = 0.5;
+constexpr double greatestSeedReachMm = 10.0;
 
 double pixelsToPath(const glm::dvec2& point, const std::vector<glm::dvec2>& path)
 {
@@ -117,7 +123,7 @@ void SeedTool::takeAway(const std::vector<glm::dvec2>& pixels, const ViewContext
     std::map<int, std::vector<glm::dvec3>> taken; // by segment
     for (const gpu::SceneSeed& seed : seedsShownIn(view, workspace())) {
         const QPointF at = view.toPixel(seed.lps);
-        if (pixelsToPath({at.x(), at.y()}, pixels) <= reachPixels)
+        if (pixelsToPath({at.x(), at.y()}, pixels) <= std::max(reachPixels, widestPixels()))
             taken[seed.label].push_back(seed.lps);
     }
     if (taken.empty())
@@ -219,7 +225,52 @@ void SeedTool::reportSeeds(const core::SeedStroke& stroke, const QString& done)
 
 QWidget* SeedTool::createOptions(QWidget* parent)
 {
-    return new SeedOptions(workspace(), tr("Seeds for"), parent);
+    auto* options = new QWidget(parent);
+    auto* row = new QHBoxLayout(options);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(theme::smallPadding);
+    row->addWidget(new SeedOptions(workspace(), tr("Seeds for"), options));
+    QToolButton* pressure = pressureButton(options);
+    pressure->setAccessibleName(tr("Pressure: width"));
+    pressure->setToolTip(
+        tr("Pressure: width, that is, a pen sketches as wide as it is pressed; how wide at most, "
+           "[ ] and Shift+wheel say. Off: pressure does nothing, as with a mouse."));
+    row->addWidget(pressure);
+    const auto show = [this, pressure] { pressure->setChecked(m_byPressure); };
+    show();
+    connect(this, &SeedTool::settingsChanged, pressure, show);
+    connect(pressure, &QToolButton::clicked, this, [this](bool checked) {
+        m_byPressure = checked;
+        Q_EMIT overlayChanged();
+    });
+    return options;
+}
+
+QJsonObject SeedTool::settingsJson() const
+{
+    return {{QStringLiteral("byPressure"), m_byPressure}, {QStringLiteral("reachMm"), m_reachMm}};
+}
+
+void SeedTool::applySettings(const QJsonObject& settings)
+{
+    m_byPressure = settings[QLatin1String("byPressure")].toBool(m_byPressure);
+    m_reachMm = std::clamp(settings[QLatin1String("reachMm")].toDouble(m_reachMm), leastSeedReachMm,
+        greatestSeedReachMm);
+    Q_EMIT settingsChanged();
+}
+
+void SeedTool::changeRadius(int steps)
+{
+    m_reachMm = std::clamp(m_reachMm + 0.5 * steps, leastSeedReachMm, greatestSeedReachMm);
+    Q_EMIT overlayChanged();
+}
+
+QStringList SeedTool::cursorLines() const
+{
+    QStringList lines = SketchTool::cursorLines();
+    if (m_byPressure)
+        lines += tr("pressed fully %1 mm to each side").arg(QLocale().toString(m_reachMm, 'f', 1));
+    return lines;
 }
 
 void SeedTool::commit(const std::vector<glm::ivec3>& voxels)

@@ -9,7 +9,7 @@ namespace ui {
 /// Sketches seeds of the active segment (seed A §5.1). Each sketch is one SeedStroke; the first
 /// sketch of a session makes a segment, as a step of its own. With Ctrl, or the pen's eraser end,
 /// it removes seeds under the path that no growth has accepted, of any segment; with Shift it moves
-/// the one under the pointer.
+/// the one under the pointer. On request a pen's pressure is how wide it sketches.
 class SeedTool : public SketchTool {
     Q_OBJECT
 
@@ -22,10 +22,19 @@ public:
     [[nodiscard]] QString target() const override;
     [[nodiscard]] QString keys() const override;
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
+    [[nodiscard]] QJsonObject settingsJson() const override;
+    void applySettings(const QJsonObject& settings) override;
+    /// How far to each side a pen reaches that is fully pressed.
+    void changeRadius(int steps) override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
+Q_SIGNALS:
+    void settingsChanged();
+
 private:
+    [[nodiscard]] double pressedMm() const override { return m_byPressure ? m_reachMm : 0.0; }
+    [[nodiscard]] QStringList cursorLines() const override;
     [[nodiscard]] bool takesEraser() const override { return true; }
     bool finishOtherwise(const std::vector<glm::dvec2>& pixels, const ViewContext& view) override;
     void commit(const std::vector<glm::ivec3>& voxels) override;
@@ -39,6 +48,9 @@ private:
     [[nodiscard]] QColor colour() const override;
     [[nodiscard]] QString outsideText() const override;
     [[nodiscard]] QString nothingSeenText() const override;
+
+    bool m_byPressure = false;
+    double m_reachMm = 3.0;
 };
 
 } // namespace ui

@@ -102,7 +102,7 @@ QString DrillTool::target() const
 
 QString DrillTool::keys() const
 {
-    return tr("[ ] radius · Alt+wheel depth · Ctrl restores · Esc cancels");
+    return tr("[ ] radius · Ctrl+Shift+wheel depth · Ctrl restores · Esc cancels");
 }
 
 QWidget* DrillTool::createOptions(QWidget* parent)

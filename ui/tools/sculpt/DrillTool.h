@@ -46,6 +46,7 @@ public:
     void leave() override;
     void changeRadius(int steps) override;
     void changeDepth(int steps) override;
+    [[nodiscard]] bool turns() const override { return true; }
     void turn(int steps) override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;

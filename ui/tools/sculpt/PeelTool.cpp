@@ -48,7 +48,7 @@ QString PeelTool::hint() const
 
 QString PeelTool::keys() const
 {
-    return tr("Second drag, Alt+wheel or [ ] depth · Enter keeps · Esc takes back");
+    return tr("Second drag, Ctrl+Shift+wheel or [ ] depth · Enter keeps · Esc takes back");
 }
 
 QWidget* PeelTool::createOptions(QWidget* parent)

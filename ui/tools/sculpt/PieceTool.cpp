@@ -79,7 +79,7 @@ QString PieceTool::hint() const
 
 QString PieceTool::keys() const
 {
-    return tr("Esc takes back · Alt+wheel zooms the piece · Ctrl+H all home");
+    return tr("Esc takes back · Ctrl+Shift+wheel zooms the piece · Ctrl+H all home");
 }
 
 bool PieceTool::worksIn(const ViewContext& view) const

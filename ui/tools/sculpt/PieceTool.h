@@ -32,7 +32,7 @@ public:
     void cancel() override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
     void leave() override;
-    /// Alt + wheel: changes the zoom of the active piece.
+    /// Ctrl + Shift + wheel: changes the zoom of the active piece.
     void changeDepth(int steps) override;
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 

@@ -32,7 +32,7 @@ QString ScissorsTool::hint() const
 
 QString ScissorsTool::keys() const
 {
-    return tr("Alt+wheel depth · Ctrl restores · Esc cancels");
+    return tr("Ctrl+Shift+wheel depth · Ctrl restores · Esc cancels");
 }
 
 QWidget* ScissorsTool::createOptions(QWidget* parent)

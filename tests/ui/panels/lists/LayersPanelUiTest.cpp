@@ -136,7 +136,7 @@ private Q_SLOTS:
         QCOMPARE(rows(), std::size_t(2));
         fixture.clickEye(1);
         QVERIFY(!fixture.session().document().layer(2)->muted);
-        fixture.clickEye(1, Qt::AltModifier);
+        fixture.clickEye(1, Qt::ControlModifier);
         QVERIFY(fixture.session().document().layer(2)->solo);
         QCOMPARE(fixture.panel->summary(), QStringLiteral("1 of 2 solo"));
         fixture.clickEye(1, Qt::AltModifier);

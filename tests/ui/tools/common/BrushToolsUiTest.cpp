@@ -428,6 +428,64 @@ private Q_SLOTS:
         QVERIFY(!fixture.lastEdit().get<core::PaintStroke>().path.pressures);
     }
 
+    /// The lower button on the pen pans, the upper one changes the grey scale or opens the menu,
+    /// with a tool in hand; neither paints.
+    void barrelButtonsNavigate()
+    {
+        BrushFixture fixture(Brush::Paint);
+        const core::RowId before = fixture.session().history().position();
+        const QPointF middle = BrushFixture::middleOf(fixture.slice);
+        const auto centreOf = [&fixture] {
+            return std::get<gpu::SliceScene>(fixture.slice.context().scene).centreLps;
+        };
+        const glm::dvec3 centre = centreOf();
+        const double mmPerPixel = fixture.slice.context().mmPerPixel();
+        test::Pen pen(fixture.slice);
+        pen.hover(middle, 70000);
+        pen.pressButton(Qt::MiddleButton, middle, 70010);
+        pen.moveWith(Qt::MiddleButton, middle + QPointF(20.0, 0.0), 70020);
+        pen.moveWith(Qt::MiddleButton, middle + QPointF(40.0, 0.0), 70030);
+        pen.releaseButton(Qt::MiddleButton, middle + QPointF(40.0, 0.0), 70040);
+        QVERIFY(std::abs(glm::distance(centreOf(), centre) - 40.0 * mmPerPixel) < 1e-6);
+        const core::WindowLevel window = fixture.workspace.windowLevel();
+        pen.pressButton(Qt::RightButton, middle, 70050);
+        pen.moveWith(Qt::RightButton, middle + QPointF(30.0, 0.0), 70060);
+        pen.releaseButton(Qt::RightButton, middle + QPointF(30.0, 0.0), 70070);
+        QVERIFY(fixture.workspace.windowLevel() != window);
+        QVERIFY(!QApplication::activePopupWidget());
+        pen.pressButton(Qt::RightButton, middle, 70080);
+        pen.releaseButton(Qt::RightButton, middle, 70090);
+        QVERIFY(fixture.session().settle());
+        fixture.session().poll();
+        QVERIFY(QApplication::activePopupWidget());
+        QCOMPARE(QApplication::activePopupWidget()->objectName(), QStringLiteral("voxelMenu"));
+        QApplication::activePopupWidget()->close();
+        QCOMPARE(fixture.session().history().position(), before);
+        QVERIFY(fixture.painted().empty());
+    }
+
+    /// A hand that squeezes the pen while it draws does not end or change the stroke.
+    void aBarrelButtonDoesNotEndTheStroke()
+    {
+        BrushFixture fixture(Brush::Paint);
+        const QPointF middle = BrushFixture::middleOf(fixture.slice);
+        const auto centreOf = [&fixture] {
+            return std::get<gpu::SliceScene>(fixture.slice.context().scene).centreLps;
+        };
+        const glm::dvec3 centre = centreOf();
+        test::Pen pen(fixture.slice);
+        pen.press(middle + stroke[0].offset, 0.5, stroke[0].milliseconds);
+        pen.move(middle + stroke[1].offset, 0.5, stroke[1].milliseconds);
+        pen.pressButton(Qt::MiddleButton, middle + stroke[1].offset, 70010, Qt::LeftButton);
+        pen.moveWith(Qt::LeftButton | Qt::MiddleButton, middle + stroke[2].offset, 70017);
+        pen.releaseButton(Qt::MiddleButton, middle + stroke[2].offset, 70020, Qt::LeftButton);
+        pen.move(middle + stroke[3].offset, 0.5, stroke[3].milliseconds);
+        lift(fixture, fixture.slice, pen);
+        const auto path = fixture.lastEdit().get<core::PaintStroke>().path;
+        QCOMPARE(path.pointsLps.size(), stroke.size());
+        QVERIFY(glm::distance(centreOf(), centre) < 1e-9);
+    }
+
     void pressureIsTheRadiusIn3d()
     {
         BrushFixture fixture(Brush::Carve);

@@ -12,9 +12,12 @@
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/PendingSeeds.h"
 
+#include <QToolButton>
 #include <QtTest>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 namespace seedToolUiTest {
@@ -119,6 +122,87 @@ private Q_SLOTS:
             QCOMPARE(std::abs(voxels[i].x - voxels[i - 1].x), 1);
         const double lengthMm = 60.0 * context.mmPerPixel();
         QVERIFY(std::abs(double(voxels.size()) - 1.0 - lengthMm) <= 1.0);
+    }
+
+    /// A pen sketches as wide as it is pressed, a mouse a line.
+    void pressureIsTheWidth()
+    {
+        SeedFixture fixture;
+        ui::SliceView& view = fixture.window.views().axial();
+        const ui::ViewContext context = view.context();
+        const QPointF middle = QPointF(view.width(), view.height()) / 2.0;
+        const QPointF from = middle + QPointF(-30, 6);
+        const QPointF to = middle + QPointF(30, 6);
+        const auto sketched = [&](double pressure) {
+            test::Pen pen(view);
+            pen.press(from, pressure, 100);
+            pen.move(to, pressure, 108);
+            pen.release(to, 124);
+            if (!fixture.session().settle())
+                qFatal("the sketch failed");
+            return fixture.seeds(fixture.session().history().position());
+        };
+        for (const glm::ivec3& voxel : sketched(1.0))
+            QCOMPARE(voxel.y, fixture.seeds(2).front().y); // off, as it is at first
+        auto* button = fixture.window.findChild<QToolButton*>(QStringLiteral("radiusByPressure"));
+        QVERIFY(button && !button->isChecked());
+        button->click();
+        QVERIFY(fixture.tool.settingsJson()[QStringLiteral("byPressure")].toBool());
+        for (const double pressure : {0.4, 1.0}) {
+            QVERIFY(fixture.session().undo() && fixture.session().settle());
+            const std::vector<glm::ivec3> voxels = sketched(pressure);
+            const auto isSeed = [&voxels](const glm::ivec3& voxel) {
+                return std::find(voxels.begin(), voxels.end(), voxel) != voxels.end();
+            };
+            const double reachMm = 3.0 * pressure;
+            std::size_t inside = 0;
+            for (int y = 0; y < test::smallHead::side; ++y) {
+                for (int x = 0; x < test::smallHead::side; ++x) {
+                    const glm::ivec3 voxel(x, y, voxels.front().z);
+                    const QPointF at = context.toPixel(
+                        fixture.workspace.volume()->geometry.toWorld(glm::dvec3(voxel)));
+                    const double beyond = std::max({from.x() - at.x(), at.x() - to.x(), 0.0});
+                    const double away =
+                        std::hypot(beyond, at.y() - from.y()) * context.mmPerPixel();
+                    // Between lie those whose centre the edge of the sketch comes near to.
+                    if (away <= reachMm - 0.5) {
+                        ++inside;
+                        QVERIFY(isSeed(voxel));
+                    } else if (away > reachMm + 0.75) {
+                        QVERIFY(!isSeed(voxel));
+                    }
+                }
+            }
+            QVERIFY(inside > 5);
+            for (const glm::ivec3& voxel : voxels)
+                QCOMPARE(voxel.z, voxels.front().z);
+        }
+        // Its settings come back with a session.
+        ui::SeedTool other(fixture.workspace);
+        other.applySettings(fixture.tool.settingsJson());
+        QCOMPARE(other.settingsJson(), fixture.tool.settingsJson());
+        // A mouse knows no pressure.
+        fixture.stroke(view, {}, {-30, -20}, {30, -20});
+        const auto line = fixture.seeds(fixture.session().history().position());
+        for (const glm::ivec3& voxel : line)
+            QCOMPARE(voxel.y, line.front().y);
+    }
+
+    /// In the 3D view, too: more of what is seen, and nothing of what is not.
+    void pressureIsTheWidthIn3d()
+    {
+        SeedFixture fixture;
+        ui::VolumeView& view = fixture.window.views().volume();
+        view.lookFrom({0.0, -1.0, 0.0});
+        fixture.sketch(view, {-20, -8}, {20, 8});
+        const std::size_t line = fixture.seeds(2).size();
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        fixture.tool.applySettings({{QStringLiteral("byPressure"), true}});
+        fixture.sketch(view, {-20, -8}, {20, 8});
+        const auto voxels = fixture.seeds(fixture.session().history().position());
+        QVERIFY2(voxels.size() > 2 * line, qPrintable(QString::number(voxels.size())));
+        for (const glm::ivec3& voxel : voxels)
+            QVERIFY(std::abs(distanceMm(voxel) - 16.0) < 1.6);
     }
 
     void aSketchOnThe3DViewLandsOnWhatIsSeen()

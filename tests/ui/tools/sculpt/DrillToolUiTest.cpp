@@ -388,6 +388,15 @@ private Q_SLOTS:
         QCOMPARE(fixture.workspace.drillSettings().radiusMm, 3.5);
         wheel(Qt::AltModifier);
         QCOMPARE(fixture.workspace.drillSettings().depthMm, 6.5);
+        // Window managers take Alt; what is told is this.
+        wheel(Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(fixture.workspace.drillSettings().depthMm, 7.0);
+        QCOMPARE(fixture.workspace.drillSettings().radiusMm, 3.5);
+        const double rotation = fixture.workspace.drillSettings().rotationDegrees;
+        const double mmPerPixel = fixture.view.context().mmPerPixel();
+        wheel(Qt::ControlModifier);
+        QCOMPARE(fixture.workspace.drillSettings().rotationDegrees, rotation + 5.0);
+        QCOMPARE(fixture.view.context().mmPerPixel(), mmPerPixel); // it did not zoom
         fixture.tool.changeRadius(-100);
         QCOMPARE(fixture.workspace.drillSettings().radiusMm, ui::DrillOptions::minimumRadiusMm);
 

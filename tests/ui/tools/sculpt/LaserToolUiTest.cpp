@@ -125,12 +125,12 @@ private Q_SLOTS:
                 modifiers, Qt::NoScrollPhase, false);
             QApplication::sendEvent(&fixture.view, &event);
         };
-        wheel(Qt::AltModifier);
+        wheel(Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(fixture.workspace.drillSettings().laserDepthMm, 16.0);
         QCOMPARE(fixture.workspace.drillSettings().depthMm, 6.0);
         wheel(Qt::ShiftModifier);
         QCOMPARE(fixture.workspace.drillSettings().radiusMm, 3.5); // the tip is the drill's
-        wheel(Qt::ShiftModifier | Qt::AltModifier);
+        wheel(Qt::ControlModifier);
         QCOMPARE(fixture.workspace.drillSettings().rotationDegrees, 5.0);
         for (int i = 0; i < 40; ++i)
             tool.turn(1);

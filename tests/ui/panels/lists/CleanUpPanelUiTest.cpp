@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/lists/CleanUpPanel.h"
+
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "ui/dialogs/ReshapeDialog.h"
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QtTest>
+
+namespace cleanUpPanelUiTest {
+
+namespace {
+
+struct Fixture : test::WindowFixture {
+    Fixture()
+        : WindowFixture(test::smallStudy())
+        , panel(new ui::CleanUpPanel(workspace))
+    {
+        window.addPanel(panel);
+        window.showPanels(true);
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    void apply(const core::Edit& edit)
+    {
+        QVERIFY(session().apply(edit));
+        QVERIFY(session().settle());
+    }
+    /// Two dabs of one segment, and a segment without voxels.
+    void addDabs()
+    {
+        const core::VolumeGeometry& geometry = workspace.volume()->geometry;
+        apply(test::addSegment("Parts"));
+        apply(test::addSegment("Other"));
+        apply(test::paintAt(1, {geometry.toWorld(glm::dvec3(10.0, 10.0, 10.0))}, 2.0));
+        one = voxels(1);
+        apply(test::paintAt(1, {geometry.toWorld(glm::dvec3(28.0, 24.0, 10.0))}, 3.0));
+        other = voxels(1) - one;
+        workspace.setActiveSegment(1);
+    }
+    [[nodiscard]] std::int64_t voxels(int label)
+    {
+        return session().document().segment(label)->voxels;
+    }
+    [[nodiscard]] QPushButton& button(const char* id)
+    {
+        auto* found =
+            panel->findChild<QPushButton*>(QStringLiteral("cleanUp.segments.") + QLatin1String(id));
+        if (!found)
+            qFatal("no button %s", id);
+        return *found;
+    }
+
+    ui::CleanUpPanel* panel;
+    std::int64_t one = 0; ///< voxels of the first dab, the smaller one
+    std::int64_t other = 0;
+};
+
+} // namespace
+
+class CleanUpPanelUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void takesNoRoomWithoutASegment()
+    {
+        Fixture fixture;
+        QVERIFY(!fixture.panel->hasSomething());
+        QTRY_VERIFY(!fixture.panel->isVisible());
+        fixture.addDabs();
+        QVERIFY(fixture.panel->hasSomething());
+        QTRY_VERIFY(fixture.panel->isVisible());
+        QCOMPARE(fixture.panel->summary(), QStringLiteral("Parts"));
+        fixture.workspace.setActiveSegment(2);
+        QCOMPARE(fixture.panel->summary(), QStringLiteral("Other"));
+        while (fixture.session().history().canUndo()) {
+            QVERIFY(fixture.session().undo());
+            QVERIFY(fixture.session().settle());
+        }
+        QTRY_VERIFY(!fixture.panel->isVisible());
+    }
+
+    /// A click is the menu's step, in one row, which is taken back.
+    void keepsTheLargestIsland()
+    {
+        Fixture fixture;
+        fixture.addDabs();
+        QVERIFY(fixture.one > 10 && fixture.other > fixture.one);
+        QTRY_VERIFY(fixture.panel->isVisible());
+        const std::size_t rows = fixture.session().history().rows().size();
+        QTest::mouseClick(&fixture.button("keepLargest"), Qt::LeftButton);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), fixture.other);
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        QVERIFY(fixture.session().undo());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), fixture.one + fixture.other);
+    }
+
+    void itIsTheActiveSegments()
+    {
+        Fixture fixture;
+        fixture.addDabs();
+        fixture.apply(test::paintAt(
+            2, {fixture.workspace.volume()->geometry.toWorld(glm::dvec3(10.0, 24.0, 10.0))}, 2.0));
+        fixture.workspace.setActiveSegment(2);
+        const std::int64_t before = fixture.voxels(2);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QTest::mouseClick(&fixture.button("keepLargest"), Qt::LeftButton);
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(), QStringLiteral("'Other' is one island already"));
+        QCOMPARE(fixture.voxels(2), before);
+        QCOMPARE(fixture.voxels(1), fixture.one + fixture.other);
+    }
+
+    void opensTheDialogs()
+    {
+        Fixture fixture;
+        fixture.addDabs();
+        QVERIFY(!fixture.window.findChild<ui::ReshapeDialog*>());
+        QTest::mouseClick(&fixture.button("smooth"), Qt::LeftButton);
+        auto* dialog = fixture.window.findChild<ui::ReshapeDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+        auto* operation = dialog->findChild<QComboBox*>(QStringLiteral("reshapeOperation"));
+        QVERIFY(operation);
+        const int smoothing = operation->currentIndex();
+        QTest::mouseClick(&fixture.button("margin"), Qt::LeftButton);
+        QVERIFY(operation->currentIndex() != smoothing);
+        dialog->close();
+    }
+
+    void whatCannotBeSaysWhy()
+    {
+        Fixture fixture;
+        fixture.addDabs();
+        QPushButton& fill = fixture.button("fillHoles");
+        QVERIFY(fill.isEnabled());
+        QCOMPARE(fill.toolTip(), QStringLiteral("Fill holes of 'Parts'"));
+        fixture.apply(test::lockSegment(1));
+        for (const auto* each : fixture.panel->findChildren<QPushButton*>()) {
+            QVERIFY2(!each->isEnabled(), qPrintable(each->text()));
+            QCOMPARE(each->toolTip(), QStringLiteral("'Parts' is locked"));
+        }
+        fixture.workspace.setActiveSegment(2);
+        QVERIFY(fill.isEnabled());
+    }
+
+    void itsWordsFit()
+    {
+        Fixture fixture;
+        fixture.addDabs();
+        QTRY_VERIFY(fixture.panel->isVisible());
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
+        const auto buttons = fixture.panel->findChildren<QPushButton*>();
+        QCOMPARE(buttons.size(), 7);
+        for (const auto* each : buttons) {
+            QVERIFY2(each->fontMetrics().horizontalAdvance(each->text()) <= each->width() - 8,
+                qPrintable(each->text()));
+            QVERIFY(fixture.panel->rect().contains(each->geometry()));
+        }
+    }
+};
+
+BURIN_WINDOW_TEST(CleanUpPanelUiTest)
+
+} // namespace cleanUpPanelUiTest
+
+#include "CleanUpPanelUiTest.moc"

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/menus/PlaceMenu.h"
+
+#include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/session/EditSession.h"
+#include "core/session/SessionDisplay.h"
+#include "ui/base/MenuText.h"
+#include "ui/base/StudyTexts.h"
+#include "ui/tasks/UndoOnly.h"
+#include "ui/workspace/InitialDisplay.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QMenu>
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+namespace ui {
+
+namespace {
+
+/// Adds an entry that does nothing once another session is open.
+QAction* addEntry(QMenu& menu, Workspace& workspace, const char* name, const QString& text,
+    const std::function<void(Workspace&)>& run)
+{
+    QAction* entry =
+        menu.addAction(text, &workspace, [&workspace, session = workspace.session(), run] {
+            if (session && workspace.session() == session)
+                run(workspace);
+        });
+    entry->setObjectName(QLatin1String(name));
+    return entry;
+}
+
+bool isAlone(const core::Document& document, int label)
+{
+    return std::all_of(document.segments.begin(), document.segments.end(),
+        [label](const core::Segment& each) { return each.visible == (each.label == label); });
+}
+
+void addSegmentEntries(QMenu& menu, Workspace& workspace, const core::Segment& segment)
+{
+    const int label = segment.label;
+    const QString name = menuText(segment.name);
+    QAction* active =
+        addEntry(menu, workspace, "activateSegment", QObject::tr("Make '%1' active").arg(name),
+            [label](Workspace& where) { where.setActiveSegment(label); });
+    if (workspace.activeSegment() == label) {
+        active->setEnabled(false);
+        active->setToolTip(QObject::tr("'%1' is active").arg(segment.name));
+    }
+    const bool locks = !segment.locked;
+    addEntry(menu, workspace, "lockSegment",
+        locks ? QObject::tr("Lock '%1'").arg(name) : QObject::tr("Unlock '%1'").arg(name),
+        [label, locks](Workspace& where) {
+            const auto changed =
+                where.session()->apply(core::ChangeSegment{.segment = label, .locked = locks});
+            if (!changed)
+                where.fail(changed.error());
+        });
+    const core::Document& document = workspace.session()->document();
+    QAction* alone = addEntry(menu, workspace, "isolateSegment",
+        isAlone(document, label) ? QObject::tr("Show all segments")
+                                 : QObject::tr("Show only '%1'").arg(name),
+        [label](Workspace& where) { showAlone(where, label); });
+    if (document.segments.size() < 2) {
+        alone->setEnabled(false);
+        alone->setToolTip(QObject::tr("there is no other segment"));
+    }
+    menu.addSeparator();
+}
+
+void addWindows(QMenu& menu, Workspace& workspace)
+{
+    QMenu* windows = menu.addMenu(QObject::tr("Window"));
+    windows->setObjectName(QStringLiteral("windowPresets"));
+    for (const WindowPreset& preset : windowPresets(*workspace.volume())) {
+        QAction* entry = addEntry(*windows, workspace, "windowPreset", menuText(preset.name),
+            [window = preset.window](Workspace& where) { where.setWindowLevel(window); });
+        entry->setCheckable(true);
+        entry->setChecked(preset.window == workspace.windowLevel());
+    }
+}
+
+} // namespace
+
+void showAlone(Workspace& workspace, int label)
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    const bool all = isAlone(session->document(), label);
+    // Each change may rebuild the document's list.
+    std::vector<int> labels;
+    for (const core::Segment& each : session->document().segments)
+        labels.push_back(each.label);
+    for (const int each : labels) {
+        const bool wanted = all || each == label;
+        const core::Segment* segment = session->document().segment(each);
+        if (segment && segment->visible != wanted)
+            session->display().setSegmentVisible(each, wanted);
+    }
+}
+
+void addPlaceEntries(QMenu& menu, Workspace& workspace, const PointedVoxel& pointed)
+{
+    const core::Volume* volume = workspace.volume();
+    core::EditSession* session = workspace.session();
+    if (!volume || !session)
+        return;
+    menu.addSeparator();
+    if (const core::Segment* segment = session->document().segment(pointed.label))
+        addSegmentEntries(menu, workspace, *segment);
+    addEntry(menu, workspace, "crosshairHere", QObject::tr("Crosshair here"),
+        [place = pointed.centreLps](Workspace& where) { where.setCrosshairLps(place); });
+    addEntry(menu, workspace, "undoHere", QObject::tr("Undo the last step here only"),
+        [voxel = pointed.voxel](Workspace& where) {
+            undoOnlyLast(where, {.box = {voxel, voxel + 1}}, QObject::tr("here"));
+        });
+    addWindows(menu, workspace);
+    const glm::ivec3& voxel = pointed.voxel;
+    const QString value = valueText(
+        volume->encoding.value(pointed.code), volume->unit, volume->maximum - volume->minimum);
+    const QString place = QStringLiteral("%1 · voxel %2, %3, %4")
+                              .arg(positionText(pointed.centreLps))
+                              .arg(voxel.x)
+                              .arg(voxel.y)
+                              .arg(voxel.z);
+    addEntry(menu, workspace, "copyValue", QObject::tr("Copy value: %1").arg(menuText(value)),
+        [value](Workspace&) { QGuiApplication::clipboard()->setText(value); });
+    addEntry(menu, workspace, "copyPlace", QObject::tr("Copy value and position"),
+        [text = value + QStringLiteral(" · ") + place](
+            Workspace&) { QGuiApplication::clipboard()->setText(text); });
+}
+
+} // namespace ui

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/lists/CleanUpPanel.h"
+
+#include "core/session/EditSession.h"
+#include "ui/base/MenuText.h"
+#include "ui/base/Theme.h"
+#include "ui/menus/SegmentMenus.h"
+#include "ui/workspace/SegmentActions.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QPushButton>
+
+#include <algorithm>
+#include <array>
+
+namespace ui {
+
+namespace {
+
+/// The action of the menu, and its name where the panel's header says what it is about.
+struct ShortName {
+    const char* id;
+    const char* text;
+};
+constexpr std::array<ShortName, 7> shortNames{{
+    {"segments.fillHoles", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Fill holes")},
+    {"segments.fillBetween", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Between slices …")},
+    {"segments.keepLargest", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Keep largest")},
+    {"segments.removeSmall", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Remove small")},
+    {"segments.smooth", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Smooth …")},
+    {"segments.margin", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Margin …")},
+    {"segments.hollow", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Hollow …")},
+}};
+
+const SegmentAction* actionOf(const char* id)
+{
+    const std::vector<SegmentAction>& all = segmentActions();
+    const auto found = std::find_if(all.begin(), all.end(),
+        [id](const SegmentAction& each) { return QLatin1String(each.id) == QLatin1String(id); });
+    return found == all.end() ? nullptr : &*found;
+}
+
+const core::Segment* activeSegmentOf(const Workspace& workspace)
+{
+    const core::EditSession* session = workspace.session();
+    return session ? session->document().segment(workspace.activeSegment()) : nullptr;
+}
+
+} // namespace
+
+CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
+    : Panel(parent)
+    , m_workspace(workspace)
+{
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(
+        theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
+    grid->setSpacing(theme::smallPadding);
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+    for (const ShortName& each : shortNames) {
+        const SegmentAction* action = actionOf(each.id);
+        if (!action)
+            continue;
+        auto* button =
+            new QPushButton(QCoreApplication::translate("ui::CleanUpPanel", each.text), this);
+        button->setObjectName(QStringLiteral("cleanUp.") + QLatin1String(each.id));
+        button->setProperty("role", QStringLiteral("narrow"));
+        button->setFixedHeight(theme::rowHeight);
+        connect(button, &QPushButton::clicked, this,
+            [this, action] { action->run(m_workspace, m_workspace.activeSegment()); });
+        const int place = int(m_buttons.size());
+        grid->addWidget(button, place / 2, place % 2);
+        m_buttons.push_back({button, action});
+    }
+    connect(&m_workspace, &Workspace::sessionChanged, this, &CleanUpPanel::refresh);
+    connect(&m_workspace, &Workspace::activeSegmentChanged, this, &CleanUpPanel::refresh);
+    connect(&m_workspace, &Workspace::documentChanged, this,
+        [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Segments)
+                refresh();
+        });
+    refresh();
+}
+
+QString CleanUpPanel::title() const
+{
+    return tr("Clean up");
+}
+
+QString CleanUpPanel::summary() const
+{
+    return m_summary;
+}
+
+bool CleanUpPanel::hasSomething() const
+{
+    const core::EditSession* session = m_workspace.session();
+    return session && !session->document().segments.empty();
+}
+
+void CleanUpPanel::refresh()
+{
+    const core::Segment* segment = activeSegmentOf(m_workspace);
+    const QString why = segment ? whyUnchangeable(segment) : tr("no segment is active");
+    for (const Button& each : m_buttons) {
+        each.button->setEnabled(why.isEmpty());
+        each.button->setToolTip(why.isEmpty() ? plainText(namedText(*each.action, segment)) : why);
+    }
+    m_summary = segment ? segment->name : QString();
+    Q_EMIT summaryChanged(m_summary);
+    if (const bool now = hasSomething(); now != m_hadSomething) {
+        m_hadSomething = now;
+        Q_EMIT hasSomethingChanged();
+    }
+}
+
+} // namespace ui
