@@ -18,7 +18,7 @@
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/tools/view/MeasureTool.h"
 #include "ui/views/ViewGrid.h"
-#include "ui/window/DisplayState.h"
+#include "ui/window/display/DisplayState.h"
 #include "ui/window/MainWindow.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/CuttingPlane.h"
