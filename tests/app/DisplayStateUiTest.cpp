@@ -127,7 +127,8 @@ private:
             .showBarriers = false,
             .inverted = true,
             .slabMode = gpu::SlabMode::Minimum,
-            .slabMm = 12.25});
+            .slabMm = 12.25,
+            .referenceLines = true});
         ui::Workspace::VolumeDisplay volume = workspace.volumeDisplay();
         volume.mode = gpu::RenderMode::Dvr;
         volume.surfaceThreshold = 444.0;

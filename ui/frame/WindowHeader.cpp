@@ -100,8 +100,8 @@ void WindowHeader::fillViewMenu(
     actions.fill(*view->addMenu(QStringLiteral("Cutting plane")), plane);
     view->addSeparator();
     actions.fill(*view,
-        ids({"view.crosshair", "view.patient", "view.segments", "view.carved", "view.hole",
-            "view.barriers", ""}));
+        ids({"view.crosshair", "view.referenceLines", "view.patient", "view.segments",
+            "view.carved", "view.hole", "view.barriers", ""}));
     m_panelsMenu = view->addMenu(QStringLiteral("Panels"));
     actions.fill(*m_panelsMenu, ids({"view.panels", "view.resetPanels", ""}));
     actions.fill(*view, ids({"view.fullScreen"}));

@@ -10,6 +10,7 @@
 #include "ui/overlays/ClipOutline.h"
 #include "ui/overlays/MeasurementLines.h"
 #include "ui/overlays/PlaneOutline.h"
+#include "ui/overlays/ReferenceLines.h"
 #include "ui/views/EarlyPicture.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/CuttingPlane.h"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ui {
 
@@ -403,6 +405,18 @@ void SliceView::paintCross(QPainter& painter, const ViewContext& shown)
         colourAcross(m_axes.rightLps));
 }
 
+void SliceView::paintOtherSlices(QPainter& painter, const ViewContext& shown) const
+{
+    std::vector<ReferencePlane> planes;
+    for (const SliceOrientation each :
+        {SliceOrientation::Axial, SliceOrientation::Sagittal, SliceOrientation::Coronal})
+        planes.push_back({.pointLps = workspace().crosshairLps(),
+            .normalLps = sliceAxes(each).normalLps,
+            .colour = colourOf(each)});
+    paintReferenceLines(
+        painter, shown, planes, shownVolume()->geometry, shown.toPixel(workspace().crosshairLps()));
+}
+
 void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
 {
     const core::Volume& volume = *shownVolume();
@@ -416,6 +430,8 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         paintMeasurements(painter, shown, workspace());
         paintPlaneLine(painter, shown, workspace().plane());
     }
+    if (options.referenceLines && !early())
+        paintOtherSlices(painter, shown);
     if (options.showCrosshair)
         paintCross(painter, shown);
     paintEdgeLetters(painter, rect(), slice.rightLps, slice.downLps);

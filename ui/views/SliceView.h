@@ -75,6 +75,8 @@ private:
     [[nodiscard]] core::WindowLevel windowLevel() const;
     [[nodiscard]] double fittingMmPerPixel() const;
     [[nodiscard]] QString windowText() const;
+    /// Where axial, sagittal and coronal slices cut this one.
+    void paintOtherSlices(QPainter& painter, const ViewContext& shown) const;
 
     SliceAxes m_axes;
     QString m_title;

@@ -163,6 +163,8 @@ void addViewActions(MainWindow& window)
     addToggle(
         window, "view.inverted", "Inverted grey scale", "I", &Workspace::ViewOptions::inverted);
     addToggle(window, "view.crosshair", "Crosshair", "F7", &Workspace::ViewOptions::showCrosshair);
+    addToggle(window, "view.referenceLines", "Reference lines in slices", "",
+        &Workspace::ViewOptions::referenceLines);
     addToggle(window, "view.patient", "Patient in the corners", "F8",
         &Workspace::ViewOptions::showPatient);
     addToggle(window, "view.segments", "Segments", "H", &Workspace::ViewOptions::showSegments);

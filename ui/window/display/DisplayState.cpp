@@ -182,6 +182,8 @@ QJsonObject DisplayState::composedViews() const
         object[QStringLiteral("slab")] = QJsonObject{
             {QStringLiteral("mode"), QLatin1String(slabNames[std::size_t(options.slabMode)])},
             {QStringLiteral("mm"), options.slabMm}};
+    if (options.referenceLines)
+        object[QStringLiteral("referenceLines")] = true;
     for (const auto& [name, view] : namedViews(m_views)) {
         if (view == m_views.maximised())
             object[QStringLiteral("alone")] = QLatin1String(name);
@@ -211,7 +213,9 @@ void DisplayState::apply(const QJsonObject& state)
     read(state[QLatin1String("showCarved")], options.showCarved);
     read(state[QLatin1String("carvedAsHole")], options.carvedAsHole);
     read(state[QLatin1String("showBarriers")], options.showBarriers);
-    const QJsonValue slab = state[QLatin1String("views")][QLatin1String("slab")];
+    const QJsonValue views = state[QLatin1String("views")];
+    options.referenceLines = views[QLatin1String("referenceLines")].toBool();
+    const QJsonValue slab = views[QLatin1String("slab")];
     options.slabMode = slabNamed(slab[QLatin1String("mode")].toString());
     read(slab[QLatin1String("mm")], options.slabMm, 0.001, 1000.0);
     m_workspace.setViewOptions(options);
