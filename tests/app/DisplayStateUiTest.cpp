@@ -128,7 +128,8 @@ private:
             .inverted = true,
             .slabMode = gpu::SlabMode::Minimum,
             .slabMm = 12.25,
-            .referenceLines = true});
+            .referenceLines = true,
+            .linkedPlaces = true});
         ui::Workspace::VolumeDisplay volume = workspace.volumeDisplay();
         volume.mode = gpu::RenderMode::Dvr;
         volume.surfaceThreshold = 444.0;

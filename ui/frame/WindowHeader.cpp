@@ -79,8 +79,8 @@ void WindowHeader::fillViewMenu(
     QMenu* view = m_menuBar->addMenu(QStringLiteral("&View"));
     actions.fill(*view,
         ids({"view.four", "view.penAndStage", "view.volume", "view.axial", "view.sagittal",
-            "view.coronal", "view.plane", "view.penApart", "", "view.reset", "view.resetAll", "",
-            "view.bookmark"}));
+            "view.coronal", "view.plane", "view.penApart", "", "view.reset", "view.resetAll",
+            "view.linkedPlaces", "", "view.bookmark"}));
     m_bookmarksMenu = view->addMenu(QStringLiteral("Bookmarks"));
     view->addSeparator();
     QMenu* grey = view->addMenu(QStringLiteral("Grey scale"));

@@ -153,6 +153,15 @@ void SliceView::setPlace(const Place& place)
     requestFrame();
 }
 
+void SliceView::lookWhereLooks(const SliceView& other)
+{
+    m_fitted = false;
+    m_mmPerPixel = other.m_mmPerPixel;
+    const glm::dvec3& across = other.m_axes.normalLps;
+    m_centreLps = other.m_centreLps + across * glm::dot(m_centreLps - other.m_centreLps, across);
+    requestMovingFrame();
+}
+
 double SliceView::fittingMmPerPixel() const
 {
     const core::Volume* volume = shownVolume();
@@ -300,6 +309,7 @@ void SliceView::dragged(Gesture gesture, const QPointF& from, const QPointF& to)
         m_fitted = false;
         m_centreLps -= (m_axes.rightLps * moved.x() + m_axes.downLps * moved.y()) * m_mmPerPixel;
         requestMovingFrame();
+        Q_EMIT placeChanged();
         break;
     case Gesture::Zoom:
         zoomBy(std::exp(-moved.y() * 0.008), rect().toRectF().center());
@@ -316,6 +326,7 @@ void SliceView::zoomBy(double factor, const QPointF& at)
     m_mmPerPixel = std::clamp(m_mmPerPixel / factor, leastMmPerPixel, greatestMmPerPixel);
     m_centreLps += held - context().toLps(at);
     requestMovingFrame();
+    Q_EMIT placeChanged();
 }
 
 void SliceView::clicked(const QPointF& at)

@@ -33,6 +33,12 @@ public:
     };
     [[nodiscard]] std::optional<Place> place() const;
     void setPlace(const Place& place);
+    /// Zooms and pans so that the same part of the patient is seen as in another view, as far as
+    /// this one's plane goes: what lies across the other one's plane stays.
+    void lookWhereLooks(const SliceView& other);
+
+Q_SIGNALS:
+    void placeChanged(); ///< the user has zoomed or panned here
 
 protected:
     /// @param colour of the bar that names the view

@@ -43,6 +43,8 @@ ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
             [this, view] { maximise(m_maximised ? nullptr : view); });
         connect(view, &ImageView::qualityChanged, this, &ViewGrid::pictureChanged);
     }
+    for (SliceView* slice : slices())
+        connect(slice, &SliceView::placeChanged, this, [this, slice] { leadBy(*slice); });
     connect(&m_inbox, &FrameInbox::arrived, this, &ViewGrid::give);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         if (auto* view = qobject_cast<ImageView*>(now);
@@ -54,6 +56,21 @@ ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
 std::array<ImageView*, 5> ViewGrid::views() const
 {
     return {m_axial, m_volume, m_sagittal, m_coronal, m_plane};
+}
+
+std::array<SliceView*, 4> ViewGrid::slices() const
+{
+    return {m_axial, m_sagittal, m_coronal, m_plane};
+}
+
+void ViewGrid::leadBy(const SliceView& leader)
+{
+    if (!m_workspace.viewOptions().linkedPlaces)
+        return;
+    for (SliceView* slice : slices()) {
+        if (slice != &leader)
+            slice->lookWhereLooks(leader);
+    }
 }
 
 void ViewGrid::give(const gpu::Frame& frame)

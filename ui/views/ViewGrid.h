@@ -28,6 +28,7 @@ public:
     [[nodiscard]] VolumeView& volume() const { return *m_volume; }
     [[nodiscard]] PlaneView& plane() const { return *m_plane; }
     [[nodiscard]] std::array<ImageView*, 5> views() const;
+    [[nodiscard]] std::array<SliceView*, 4> slices() const; ///< all but the 3D view
     /// The view that has the keyboard, or had it last.
     [[nodiscard]] ImageView& current() const { return *m_current; }
 
@@ -61,6 +62,8 @@ protected:
 
 private:
     void give(const gpu::Frame& frame);
+    /// Where places are linked, the other slices follow the one that was zoomed or panned.
+    void leadBy(const SliceView& leader);
     void place();
 
     Workspace& m_workspace;

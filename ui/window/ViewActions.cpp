@@ -174,6 +174,8 @@ void addViewActions(MainWindow& window)
         window, "view.barriers", "Barriers of growth", "", &Workspace::ViewOptions::showBarriers);
     addToggle(window, "view.hole", "Carving as a hole in slices", "",
         &Workspace::ViewOptions::carvedAsHole);
+    addToggle(window, "view.linkedPlaces", "Zoom and pan all slices together", "",
+        &Workspace::ViewOptions::linkedPlaces);
     addSlab(window, "view.slabOff", "Slices: no slab", gpu::SlabMode::Off);
     addSlab(window, "view.slabMip", "Slices: slab, greatest value (MIP)", gpu::SlabMode::Maximum);
     addSlab(window, "view.slabMinip", "Slices: slab, least value (MinIP)", gpu::SlabMode::Minimum);

@@ -113,6 +113,7 @@ public:
         gpu::SlabMode slabMode = gpu::SlabMode::Off; ///< of all slices
         double slabMm = 10.0; ///< thickness; each view rounds it to an odd number of its slices
         bool referenceLines = false; ///< in slices: where the other slices cut them
+        bool linkedPlaces = false; ///< slices are zoomed and panned together
         bool operator==(const ViewOptions&) const = default;
     };
 

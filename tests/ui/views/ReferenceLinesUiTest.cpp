@@ -163,7 +163,7 @@ void ReferenceLinesUiTest::theCuttingPlaneShowsAllThree()
     }
 }
 
-BURIN_TEST(ReferenceLinesUiTest)
+BURIN_WINDOW_TEST(ReferenceLinesUiTest)
 
 } // namespace referenceLinesUiTest
 

@@ -184,6 +184,8 @@ QJsonObject DisplayState::composedViews() const
             {QStringLiteral("mm"), options.slabMm}};
     if (options.referenceLines)
         object[QStringLiteral("referenceLines")] = true;
+    if (options.linkedPlaces)
+        object[QStringLiteral("linkedPlaces")] = true;
     for (const auto& [name, view] : namedViews(m_views)) {
         if (view == m_views.maximised())
             object[QStringLiteral("alone")] = QLatin1String(name);
@@ -215,6 +217,7 @@ void DisplayState::apply(const QJsonObject& state)
     read(state[QLatin1String("showBarriers")], options.showBarriers);
     const QJsonValue views = state[QLatin1String("views")];
     options.referenceLines = views[QLatin1String("referenceLines")].toBool();
+    options.linkedPlaces = views[QLatin1String("linkedPlaces")].toBool();
     const QJsonValue slab = views[QLatin1String("slab")];
     options.slabMode = slabNamed(slab[QLatin1String("mode")].toString());
     read(slab[QLatin1String("mm")], options.slabMm, 0.001, 1000.0);
