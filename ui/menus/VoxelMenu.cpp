@@ -92,6 +92,8 @@ void VoxelMenu::open(int label, const glm::dvec3& placeLps)
     // Its entries are about the voxels of this session.
     connect(&m_workspace, &Workspace::sessionChanged, menu, &QMenu::close);
     addEntries(*menu, label, placeLps);
+    if (m_more)
+        m_more(*menu);
     menu->popup(m_at);
 }
 

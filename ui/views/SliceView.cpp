@@ -5,6 +5,7 @@
 #include "ui/base/Theme.h"
 #include "ui/base/TimeText.h"
 #include "ui/geometry/OrientationLetters.h"
+#include "ui/menus/SliceTurnEntries.h"
 #include "ui/menus/VoxelMenu.h"
 #include "ui/overlays/Annotations.h"
 #include "ui/overlays/ClipOutline.h"
@@ -18,6 +19,7 @@
 #include "ui/workspace/Refinement.h"
 
 #include <QKeyEvent>
+#include <QMenu>
 #include <QPainter>
 
 #include <algorithm>
@@ -131,6 +133,7 @@ void SliceView::setAxes(const SliceAxes& axes)
 void SliceView::resetView()
 {
     m_fitted = true;
+    m_turn = {};
     if (const core::Volume* volume = shownVolume()) {
         m_centreLps = volume->geometry.toWorld(0.5 * glm::dvec3(volume->geometry.size - 1));
         m_mmPerPixel = fittingMmPerPixel();
@@ -162,16 +165,27 @@ void SliceView::lookWhereLooks(const SliceView& other)
     requestMovingFrame();
 }
 
+void SliceView::setTurn(const SliceTurn& turn)
+{
+    if (turn == m_turn)
+        return;
+    m_turn = turn;
+    if (m_fitted)
+        m_mmPerPixel = fittingMmPerPixel();
+    requestFrame();
+}
+
 double SliceView::fittingMmPerPixel() const
 {
     const core::Volume* volume = shownVolume();
     if (!volume)
         return 1.0;
+    const SliceAxes onScreen = axesOnScreen();
     glm::dvec2 half(0.0);
     for (const glm::dvec3& corner : volume->geometry.cornersLps()) {
         const glm::dvec3 offset = corner - m_centreLps;
-        half.x = std::max(half.x, std::abs(glm::dot(offset, m_axes.rightLps)));
-        half.y = std::max(half.y, std::abs(glm::dot(offset, m_axes.downLps)));
+        half.x = std::max(half.x, std::abs(glm::dot(offset, onScreen.rightLps)));
+        half.y = std::max(half.y, std::abs(glm::dot(offset, onScreen.downLps)));
     }
     const double across = std::max(width() - 2.0 * fitMarginPixels, 32.0);
     const double along = std::max(height() - 2.0 * fitMarginPixels, 32.0);
@@ -229,8 +243,9 @@ gpu::Scene SliceView::scene() const
     // The pan decides where in the plane, the place that it passes through which plane.
     const double depth = glm::dot(throughLps() - m_centreLps, m_axes.normalLps);
     scene.centreLps = m_centreLps + depth * m_axes.normalLps;
-    scene.rightLps = m_axes.rightLps;
-    scene.downLps = m_axes.downLps;
+    const SliceAxes onScreen = axesOnScreen();
+    scene.rightLps = onScreen.rightLps;
+    scene.downLps = onScreen.downLps;
     scene.mmPerPixel = m_mmPerPixel;
     scene.window = windowLevel();
     scene.inverted = early() ? early()->volume.displayInverted : workspace().viewOptions().inverted;
@@ -255,7 +270,7 @@ gpu::SceneSlab SliceView::slab() const
     return {.mode = options.slabMode,
         .reach = int(std::clamp(std::round(beside), 1.0, double(greatestSlabReach))),
         .stepMm = m_stack.stepMm,
-        .offsetMm = glm::dot(onSlice - here, m_axes.normalLps)};
+        .offsetMm = glm::dot(onSlice - here, axesOnScreen().normalLps)};
 }
 
 void SliceView::thickenSlab(double steps)
@@ -301,13 +316,15 @@ ImageView::Gesture SliceView::gestureFor(Qt::MouseButton button, bool toolWorksH
 void SliceView::dragged(Gesture gesture, const QPointF& from, const QPointF& to)
 {
     const QPointF moved = to - from;
+    const SliceAxes onScreen = axesOnScreen();
     switch (gesture) {
     case Gesture::Window:
         workspace().setWindowLevel(windowAfterDrag(workspace().windowLevel(), moved));
         break;
     case Gesture::Pan:
         m_fitted = false;
-        m_centreLps -= (m_axes.rightLps * moved.x() + m_axes.downLps * moved.y()) * m_mmPerPixel;
+        m_centreLps -=
+            (onScreen.rightLps * moved.x() + onScreen.downLps * moved.y()) * m_mmPerPixel;
         requestMovingFrame();
         Q_EMIT placeChanged();
         break;
@@ -338,7 +355,20 @@ void SliceView::clicked(const QPointF& at)
 void SliceView::menuAsked(const QPointF& at)
 {
     auto* menu = new VoxelMenu(workspace(), *this, mapToGlobal(at.toPoint()));
+    menu->addAtEnd([this](QMenu& more) { listTurns(more); });
     menu->openAbout(context().toLps(at));
+}
+
+void SliceView::listTurns(QMenu& menu)
+{
+    menu.addSeparator();
+    QMenu* turns = menu.addMenu(tr("Flip and turn this view"));
+    turns->setObjectName(QStringLiteral("turnsOfView"));
+    for (const SliceTurnEntry& each : sliceTurnEntries()) {
+        QAction* action =
+            turns->addAction(each.text, this, [this, &each] { setTurn(each.after(m_turn)); });
+        action->setEnabled(each.after(m_turn) != m_turn);
+    }
 }
 
 void SliceView::hovered(const PointerSample& sample)
@@ -412,8 +442,9 @@ QString SliceView::windowText() const
 void SliceView::paintCross(QPainter& painter, const ViewContext& shown)
 {
     // Each line is another standard plane, seen from its edge: it lies across the other line.
-    paintCrosshair(painter, rect(), shown.toPixel(throughLps()), colourAcross(m_axes.downLps),
-        colourAcross(m_axes.rightLps));
+    const auto& slice = std::get<gpu::SliceScene>(shown.scene);
+    paintCrosshair(painter, rect(), shown.toPixel(throughLps()), colourAcross(slice.downLps),
+        colourAcross(slice.rightLps));
 }
 
 void SliceView::paintOtherSlices(QPainter& painter, const ViewContext& shown) const
@@ -465,6 +496,8 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         texts.bottomLeft.append(slabText(slice.slab));
     if (const QString caution = workspace().refinement().caution(); !early() && !caution.isEmpty())
         texts.bottomLeft.append(caution);
+    if (m_turn.mirrored)
+        texts.bottomLeft.append(tr("mirrored"));
     texts.bottomRight = {QStringLiteral("%1 / %2 · %3 %4 mm")
                              .arg(number + 1)
                              .arg(m_stack.count)

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "ui/geometry/SlicePlane.h"
+#include "ui/geometry/SliceTurn.h"
 #include "ui/views/ImageView.h"
+
+class QMenu;
 
 namespace ui {
 
@@ -36,6 +39,9 @@ public:
     /// Zooms and pans so that the same part of the patient is seen as in another view, as far as
     /// this one's plane goes: what lies across the other one's plane stays.
     void lookWhereLooks(const SliceView& other);
+    /// How the slice is laid on the screen. A new study, and resetView(), lay it upright again.
+    [[nodiscard]] const SliceTurn& turn() const { return m_turn; }
+    void setTurn(const SliceTurn& turn);
 
 Q_SIGNALS:
     void placeChanged(); ///< the user has zoomed or panned here
@@ -48,6 +54,8 @@ protected:
     /// Turns the plane; its middle and its scale stay.
     void setAxes(const SliceAxes& axes);
     [[nodiscard]] const SliceAxes& axes() const { return m_axes; }
+    /// The axes as they lie on the screen.
+    [[nodiscard]] SliceAxes axesOnScreen() const { return m_turn.of(m_axes); }
     /// A point through which the plane passes.
     [[nodiscard]] virtual glm::dvec3 throughLps() const;
     /// Moves the plane to pass through a point, without turning it.
@@ -81,10 +89,13 @@ private:
     [[nodiscard]] core::WindowLevel windowLevel() const;
     [[nodiscard]] double fittingMmPerPixel() const;
     [[nodiscard]] QString windowText() const;
+    /// Adds the ways to lay the slice to the context menu.
+    void listTurns(QMenu& menu);
     /// Where axial, sagittal and coronal slices cut this one.
     void paintOtherSlices(QPainter& painter, const ViewContext& shown) const;
 
-    SliceAxes m_axes;
+    SliceAxes m_axes; ///< upright
+    SliceTurn m_turn;
     QString m_title;
     QColor m_colour;
     SliceStack m_stack;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/ViewActions.h"
 
+#include "ui/menus/SliceTurnEntries.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/window/BookmarkMenu.h"
 #include "ui/window/MainWindow.h"
@@ -85,6 +86,23 @@ void addSlab(MainWindow& window, const char* id, const char* text, gpu::SlabMode
         .checked = [&workspace, mode] { return workspace.viewOptions().slabMode == mode; }});
 }
 
+void addTurns(MainWindow& window)
+{
+    for (const SliceTurnEntry& each : sliceTurnEntries()) {
+        window.actionTable().add({.id = QLatin1String(each.id),
+            .text = each.text,
+            .run =
+                [&window, &each] {
+                    if (auto* slice = qobject_cast<SliceView*>(&window.views().current()))
+                        slice->setTurn(each.after(slice->turn()));
+                    else
+                        window.workspace().say(QStringLiteral(
+                            "Only slices are flipped and turned so: point at one first."));
+                },
+            .possible = [&window] { return window.workspace().volume() != nullptr; }});
+    }
+}
+
 void addPresetActions(MainWindow& window)
 {
     Workspace& workspace = window.workspace();
@@ -129,6 +147,7 @@ void addPresetActions(MainWindow& window)
 void addViewActions(MainWindow& window)
 {
     Actions& actions = window.actionTable();
+    addTurns(window);
     actions.add({.id = QStringLiteral("view.four"),
         .text = QStringLiteral("Four views"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+1"))},

@@ -83,10 +83,22 @@ public:
     std::int64_t other = 0;
 };
 
+/// Those about the voxel; below them stands what the view offers.
+QList<QAction*> entriesOf(const QMenu& menu)
+{
+    QList<QAction*> entries;
+    for (QAction* each : menu.actions()) {
+        if (each->isSeparator())
+            break;
+        entries += each;
+    }
+    return entries;
+}
+
 QStringList textsOf(const QMenu& menu)
 {
     QStringList texts;
-    for (const QAction* each : menu.actions())
+    for (const QAction* each : entriesOf(menu))
         texts += each->text();
     return texts;
 }
@@ -174,11 +186,11 @@ private Q_SLOTS:
     {
         Dabs fixture;
         const auto grey = [](const QMenu& menu, const QString& why) {
-            for (const QAction* each : menu.actions()) {
+            for (const QAction* each : entriesOf(menu)) {
                 if (each->isEnabled() || each->toolTip() != why)
                     return false;
             }
-            return menu.toolTipsVisible() && menu.actions().size() == 3;
+            return menu.toolTipsVisible() && entriesOf(menu).size() == 3;
         };
         QMenu* menu = fixture.clickedAt({20, 5, 10});
         QVERIFY(menu);
@@ -202,6 +214,28 @@ private Q_SLOTS:
         QVERIFY(menu);
         QVERIFY(grey(*menu, QStringLiteral("'Parts' is locked")));
         menu->close();
+    }
+
+    void aSliceOffersToFlipAndTurnIt()
+    {
+        Dabs fixture;
+        ui::SliceView& axial = fixture.window.views().axial();
+        QMenu* menu = fixture.clickedAt({20, 5, 10});
+        QVERIFY(menu);
+        auto* turns = menu->findChild<QMenu*>(QStringLiteral("turnsOfView"));
+        QVERIFY(turns);
+        QCOMPARE(turns->actions().size(), 5);
+        QVERIFY(!turns->actions().back()->isEnabled()); // it is upright
+        choose(*menu, *turns->actions().front());
+        QVERIFY((axial.turn() == ui::SliceTurn{true, 0}));
+        // The menu is about what is seen there now.
+        menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        QCOMPARE(textsOf(*menu).front(), QStringLiteral("Remove this island of 'Parts'"));
+        turns = menu->findChild<QMenu*>(QStringLiteral("turnsOfView"));
+        QVERIFY(turns->actions().back()->isEnabled());
+        choose(*menu, *turns->actions().back());
+        QVERIFY(axial.turn().isUpright());
     }
 
     /// Outside the volume there is nothing to ask for, and a drag is no click.

@@ -56,6 +56,19 @@ void apply(const QJsonValue& json, SliceView& view)
         view.setPlace(place);
 }
 
+QJsonObject toJson(const SliceTurn& turn)
+{
+    return {
+        {QStringLiteral("mirrored"), turn.mirrored}, {QStringLiteral("quarters"), turn.quarters}};
+}
+
+void read(const QJsonValue& json, SliceTurn& turn)
+{
+    const int quarters = json[QLatin1String("quarters")].toInt(-1);
+    if (quarters >= 0 && quarters < 4)
+        turn = {json[QLatin1String("mirrored")].toBool(), quarters};
+}
+
 QJsonObject toJson(const VolumeView& view)
 {
     const Camera& camera = view.camera();
@@ -186,6 +199,7 @@ QJsonObject DisplayState::composedViews() const
         object[QStringLiteral("referenceLines")] = true;
     if (options.linkedPlaces)
         object[QStringLiteral("linkedPlaces")] = true;
+    QJsonObject turned;
     for (const auto& [name, view] : namedViews(m_views)) {
         if (view == m_views.maximised())
             object[QStringLiteral("alone")] = QLatin1String(name);
@@ -193,7 +207,11 @@ QJsonObject DisplayState::composedViews() const
         const auto place = slice ? slice->place() : std::nullopt;
         if (place)
             object[QLatin1String(name)] = toJson(*place);
+        if (slice && !slice->turn().isUpright())
+            turned[QLatin1String(name)] = toJson(slice->turn());
     }
+    if (!turned.isEmpty())
+        object[QStringLiteral("turned")] = turned;
     return object;
 }
 
@@ -258,8 +276,12 @@ void DisplayState::applyViews(const QJsonObject& state)
 {
     ImageView* alone = nullptr;
     for (const auto& [name, view] : namedViews(m_views)) {
-        if (auto* slice = qobject_cast<SliceView*>(view))
+        if (auto* slice = qobject_cast<SliceView*>(view)) {
             ui::apply(state[QLatin1String(name)], *slice);
+            SliceTurn turn = slice->turn();
+            read(state[QLatin1String("turned")][QLatin1String(name)], turn);
+            slice->setTurn(turn);
+        }
         if (state[QLatin1String("alone")].toString() == QLatin1String(name))
             alone = view;
     }
