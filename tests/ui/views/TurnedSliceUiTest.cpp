@@ -45,6 +45,12 @@ bool pictureShows(const SliceView& view, const QPointF& at, const glm::dvec3& lp
         && std::abs(qBlue(shown) - expected.z) <= tolerance;
 }
 
+/// As if the window system had; whether it does depends on which window is active.
+void giveKeyboard(QWidget& view)
+{
+    Q_EMIT qApp->focusChanged(nullptr, &view);
+}
+
 std::vector<SliceTurn> allTurns()
 {
     std::vector<SliceTurn> turns;
@@ -75,7 +81,7 @@ void TurnedSliceUiTest::pixelsGoWhereTheyAreTurned()
 {
     test::WindowFixture fixture(test::headFirstSupine());
     SliceView& coronal = fixture.window.views().coronal();
-    coronal.setFocus();
+    giveKeyboard(coronal);
     coronal.setPlace({.centreLps = {3.0, 4.0, 5.0}, .mmPerPixel = 0.4});
     struct Step {
         const char* action;
@@ -248,8 +254,8 @@ void TurnedSliceUiTest::onlySlicesAreTurned()
 {
     QString said;
     test::WindowFixture fixture(test::headFirstSupine());
-    fixture.window.views().volume().setFocus();
-    QTRY_VERIFY(&fixture.window.views().current() == &fixture.window.views().volume());
+    giveKeyboard(fixture.window.views().volume());
+    QVERIFY(&fixture.window.views().current() == &fixture.window.views().volume());
     connect(&fixture.workspace, &ui::Workspace::said, this,
         [&said](const QString& sentence) { said = sentence; });
     fixture.window.actionTable()[QStringLiteral("view.turnRight")].trigger();
