@@ -87,6 +87,7 @@ void WindowHeader::fillViewMenu(
     for (int number = 1; number <= 9; ++number)
         grey->addAction(&actions[QStringLiteral("window.preset%1").arg(number)]);
     grey->addSeparator();
+    grey->addAction(&actions[QStringLiteral("window.box")]);
     grey->addAction(&actions[QStringLiteral("view.inverted")]);
     actions.fill(*view->addMenu(QStringLiteral("Flip and turn slice")),
         ids({"view.flipLeftRight", "view.flipTopBottom", "view.turnRight", "view.turnLeft", "",

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace ui {
@@ -296,10 +297,13 @@ bool SliceView::ownsWheel(Qt::KeyboardModifiers modifiers) const
     return (modifiers & slabKeys) == slabKeys;
 }
 
-ImageView::Gesture SliceView::gestureFor(Qt::MouseButton button, bool toolWorksHere) const
+ImageView::Gesture SliceView::gestureFor(
+    Qt::MouseButton button, Qt::KeyboardModifiers keys, bool toolWorksHere) const
 {
     switch (button) {
     case Qt::LeftButton:
+        if (m_awaitsBox)
+            return Gesture::Box;
         if (toolWorksHere)
             return Gesture::Tool;
         // A stroke that misses its view must not change the grey scale (UX §4.2).
@@ -307,6 +311,8 @@ ImageView::Gesture SliceView::gestureFor(Qt::MouseButton button, bool toolWorksH
     case Qt::MiddleButton:
         return Gesture::Pan;
     case Qt::RightButton:
+        if (keys & Qt::ControlModifier)
+            return Gesture::Box;
         return workspace().activeTool() ? Gesture::Window : Gesture::Zoom;
     default:
         return Gesture::None;
@@ -331,9 +337,41 @@ void SliceView::dragged(Gesture gesture, const QPointF& from, const QPointF& to)
     case Gesture::Zoom:
         zoomBy(std::exp(-moved.y() * 0.008), rect().toRectF().center());
         break;
+    case Gesture::Box:
+        if (!m_box)
+            m_box = QRectF(from, from);
+        m_box->setBottomRight(to);
+        update();
+        break;
     default:
         break;
     }
+}
+
+void SliceView::dragEnded(Gesture gesture)
+{
+    if (gesture != Gesture::Box || !m_box)
+        return;
+    const QRectF box = std::exchange(m_box, std::nullopt)->normalized();
+    update();
+    if (box.width() < 2.0 || box.height() < 2.0)
+        return Q_EMIT boxAbandoned();
+    const ViewContext view = context();
+    Q_EMIT boxDrawn({.kind = core::Measurement::Kind::Rectangle,
+        .pointsLps = {
+            view.toLps(box.topLeft()), view.toLps(box.topRight()), view.toLps(box.bottomLeft())}});
+}
+
+void SliceView::dragAbandoned()
+{
+    m_box.reset();
+    update();
+    Q_EMIT boxAbandoned();
+}
+
+void SliceView::setAwaitsBox(bool awaits)
+{
+    m_awaitsBox = awaits;
 }
 
 void SliceView::zoomBy(double factor, const QPointF& at)
@@ -348,7 +386,9 @@ void SliceView::zoomBy(double factor, const QPointF& at)
 
 void SliceView::clicked(const QPointF& at)
 {
-    if (!workspace().activeTool())
+    if (m_awaitsBox)
+        Q_EMIT boxAbandoned();
+    else if (!workspace().activeTool())
         workspace().setCrosshairLps(context().toLps(at));
 }
 
@@ -400,6 +440,11 @@ void SliceView::wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifie
 void SliceView::keyPressEvent(QKeyEvent* event)
 {
     switch (event->key()) {
+    case Qt::Key_Escape:
+        // A box that is being drawn is the pointer's.
+        if (!m_awaitsBox || m_box)
+            return ImageView::keyPressEvent(event);
+        return Q_EMIT boxAbandoned();
     case Qt::Key_Up:
         return goToSlice(sliceNumber() - 1);
     case Qt::Key_Down:
@@ -504,6 +549,13 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
                              .arg(directionLetters(side), numberText(std::abs(position), 1))};
     paintCorners(painter, rect(), texts);
     paintScaleBar(painter, rect(), height() - 34, slice.mmPerPixel);
+    if (m_box) {
+        for (const QPen& pen :
+            {QPen(QColor(0, 0, 0, 140), 3.0), QPen(theme::accent, 1.0, Qt::DashLine)}) {
+            painter.setPen(pen);
+            painter.drawRect(m_box->normalized());
+        }
+    }
 }
 
 } // namespace ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/document/Measurement.h"
 #include "ui/geometry/SlicePlane.h"
 #include "ui/geometry/SliceTurn.h"
 #include "ui/views/ImageView.h"
@@ -42,9 +43,15 @@ public:
     /// How the slice is laid on the screen. A new study, and resetView(), lay it upright again.
     [[nodiscard]] const SliceTurn& turn() const { return m_turn; }
     void setTurn(const SliceTurn& turn);
+    /// Whether the left button draws the next box, whatever the tool.
+    [[nodiscard]] bool awaitsBox() const { return m_awaitsBox; }
+    void setAwaitsBox(bool awaits);
 
 Q_SIGNALS:
     void placeChanged(); ///< the user has zoomed or panned here
+    /// The user has drawn a box from whose values the grey scale is to be set.
+    void boxDrawn(const core::Measurement& box);
+    void boxAbandoned(); ///< the user no longer wants to draw one
 
 protected:
     /// @param colour of the bar that names the view
@@ -64,8 +71,11 @@ protected:
     [[nodiscard]] const SliceStack& stack() const { return m_stack; }
 
     [[nodiscard]] gpu::Scene scene() const override;
-    [[nodiscard]] Gesture gestureFor(Qt::MouseButton button, bool toolWorksHere) const override;
+    [[nodiscard]] Gesture gestureFor(
+        Qt::MouseButton button, Qt::KeyboardModifiers keys, bool toolWorksHere) const override;
     void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
+    void dragEnded(Gesture gesture) override;
+    void dragAbandoned() override;
     void clicked(const QPointF& at) override;
     void menuAsked(const QPointF& at) override;
     void hovered(const PointerSample& sample) override;
@@ -96,6 +106,8 @@ private:
 
     SliceAxes m_axes; ///< upright
     SliceTurn m_turn;
+    std::optional<QRectF> m_box; ///< what is being drawn, from the press to the pointer
+    bool m_awaitsBox = false;
     QString m_title;
     QColor m_colour;
     SliceStack m_stack;

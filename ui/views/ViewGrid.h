@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/measure/BoxWindow.h"
 #include "ui/views/FrameInbox.h"
 #include "ui/views/PlaneView.h"
 #include "ui/views/SliceView.h"
@@ -44,6 +45,10 @@ public:
     void setPenApart(bool apart);
     [[nodiscard]] bool isPenApart() const { return m_penWindow != nullptr; }
     void resetViews();
+    /// Has the next box that is drawn on a slice with the left button set the grey scale. Ctrl and
+    /// the right button draw one at any time.
+    void awaitBox(bool awaits);
+    [[nodiscard]] bool awaitsBox() const { return m_axial->awaitsBox(); }
     /// Shows a slice of a study that is being loaded, until one is open; null ends that.
     /// @return whether the plane of any view is that slice; the other views have nothing to show
     /// yet
@@ -54,6 +59,7 @@ public:
 
 Q_SIGNALS:
     void layoutChanged();
+    void awaitsBoxChanged();
     void pictureChanged(); ///< some view's quality changed
     void frameTimed(double milliseconds);
 
@@ -69,6 +75,7 @@ private:
     Workspace& m_workspace;
 
     FrameInbox m_inbox;
+    BoxWindow m_boxWindow;
     std::shared_ptr<const core::EarlySlice> m_early;
     SliceView* m_axial;
     VolumeView* m_volume;

@@ -179,6 +179,13 @@ void addViewActions(MainWindow& window)
         .keys = {QKeySequence(QStringLiteral("Ctrl+B"))},
         .run = [&window] { window.bookmarks().ask(); },
         .possible = [&window] { return window.workspace().session() != nullptr; }});
+    actions.add({.id = QStringLiteral("window.box"),
+        .text = QStringLiteral("From a box on a slice"),
+        .tip = QStringLiteral("The next box that you drag over a slice sets the grey scale from "
+                              "its values; Ctrl and the right button do so at any time"),
+        .run = [&window] { window.views().awaitBox(!window.views().awaitsBox()); },
+        .possible = [&window] { return window.workspace().volume() != nullptr; },
+        .checked = [&window] { return window.views().awaitsBox(); }});
     addToggle(
         window, "view.inverted", "Inverted grey scale", "I", &Workspace::ViewOptions::inverted);
     addToggle(window, "view.crosshair", "Crosshair", "F7", &Workspace::ViewOptions::showCrosshair);
