@@ -49,6 +49,8 @@ public:
     /// the right button draw one at any time.
     void awaitBox(bool awaits);
     [[nodiscard]] bool awaitsBox() const { return m_axial->awaitsBox(); }
+    /// Whether the values in a box are being read.
+    [[nodiscard]] bool readsBox() const { return m_boxWindow.busy(); }
     /// Shows a slice of a study that is being loaded, until one is open; null ends that.
     /// @return whether the plane of any view is that slice; the other views have nothing to show
     /// yet

@@ -39,7 +39,7 @@ public:
         : WindowFixture(test::headFirstSupine())
     {
         workspace.setWindowLevel(before);
-        QObject::connect(&workspace, &ui::Workspace::said, &workspace,
+        QObject::connect(&workspace, &ui::Workspace::said, &listener,
             [this](const QString& sentence) { said = sentence; });
     }
     /// A pixel of a view, by columns, rows and slices of the volume.
@@ -64,12 +64,14 @@ public:
     /// Until what was drawn is read.
     void settle()
     {
-        for (int round = 0; round < 20; ++round) {
-            if (!workspace.session()->settle())
-                qFatal("not settled");
-            workspace.session()->poll();
-            QTest::qWait(5);
-        }
+        const bool read = QTest::qWaitFor(
+            [this] {
+                workspace.session()->poll();
+                return !window.views().readsBox();
+            },
+            60000);
+        if (!read)
+            qFatal("the box is not read");
     }
     /// The window from the value of one column to that of another.
     [[nodiscard]] core::WindowLevel between(int black, int white) const
@@ -82,6 +84,7 @@ public:
 
     const core::WindowLevel before{11.0, 222.0};
     QString said;
+    QObject listener; ///< goes before what it writes
 };
 
 } // namespace
