@@ -48,7 +48,7 @@
 #include "ui/tools/view/UndoHereTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
-#include "ui/window/DisplayState.h"
+#include "ui/window/display/DisplayState.h"
 #include "ui/window/KeyframeRecorder.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/PieceActions.h"

@@ -19,8 +19,8 @@
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/tools/view/MeasureTool.h"
 #include "ui/views/ViewGrid.h"
-#include "ui/window/DisplayState.h"
 #include "ui/window/MainWindow.h"
+#include "ui/window/display/DisplayState.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/LayerLooks.h"
@@ -128,7 +128,9 @@ private:
             .showBarriers = false,
             .inverted = true,
             .slabMode = gpu::SlabMode::Minimum,
-            .slabMm = 12.25});
+            .slabMm = 12.25,
+            .referenceLines = true,
+            .linkedPlaces = true});
         ui::Workspace::VolumeDisplay volume = workspace.volumeDisplay();
         volume.mode = gpu::RenderMode::Dvr;
         volume.surfaceThreshold = 444.0;
@@ -193,6 +195,7 @@ private:
         workspace.chunks().setLook(chunks);
         workspace.plane().cutAcross({1.0, 2.0, 118.0}, {0.3, 1.0, 0.4});
         workspace.plane().setLook({.shown = true, .opacity = 0.4f, .clipsAbove = true});
+        views.sagittal().setTurn({true, 3});
         views.coronal().setPlace({.centreLps = {0.0, 0.0, 130.0}, .mmPerPixel = 0.08});
         for (ui::Tool* tool : application.window().findChildren<ui::Tool*>()) {
             if (tool->iconName() == QLatin1String("seed"))

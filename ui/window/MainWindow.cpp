@@ -131,6 +131,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     connect(&workspace, &Workspace::windowLevelChanged, this, refresh);
     connect(&workspace, &Workspace::clipChanged, this, refresh);
     connect(m_views, &ViewGrid::layoutChanged, this, refresh);
+    connect(m_views, &ViewGrid::awaitsBoxChanged, this, refresh);
     connect(m_panels, &PanelColumn::changed, this, refresh);
     connect(m_views, &ViewGrid::frameTimed, m_status, &StatusLine::showFrameTime);
     connect(&workspace, &Workspace::sessionChanged, this, &MainWindow::showSession);

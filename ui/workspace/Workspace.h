@@ -112,6 +112,8 @@ public:
         bool inverted = false; ///< inverts the grey scale of slices
         gpu::SlabMode slabMode = gpu::SlabMode::Off; ///< of all slices
         double slabMm = 10.0; ///< thickness; each view rounds it to an odd number of its slices
+        bool referenceLines = false; ///< in slices: where the other slices cut them
+        bool linkedPlaces = false; ///< slices are zoomed and panned together
         bool operator==(const ViewOptions&) const = default;
     };
 
