@@ -129,6 +129,8 @@ int stagesOf(ShapeOperation operation, ShellPlace place)
     case ShapeOperation::Close:
     case ShapeOperation::Median:
         return 2;
+    case ShapeOperation::Gaussian:
+        break;
     }
     return 1;
 }
@@ -216,6 +218,8 @@ Result<ShapeChange> shapeChange(std::span<const std::uint8_t> labels, const glm:
         return openedOrClosed(work, Side::Segment);
     case ShapeOperation::Median:
         return smoothed(work);
+    case ShapeOperation::Gaussian:
+        return ShapeChange();
     case ShapeOperation::Grow:
     case ShapeOperation::Shrink:
         break;

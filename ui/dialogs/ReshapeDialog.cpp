@@ -70,6 +70,11 @@ const std::vector<Reshaping>& reshapings()
             .hint =
                 ReshapeDialog::tr("Each voxel follows most of those that are nearer than this."),
             .usualMm = 1.5},
+        {.key = "gaussian",
+            .operation = ShapeOperation::Gaussian,
+            .text = ReshapeDialog::tr("Smooth by a Gaussian"),
+            .hint = ReshapeDialog::tr("Rounds what is smaller than this standard deviation."),
+            .usualMm = 1.0},
         {.key = "open",
             .operation = ShapeOperation::Open,
             .text = ReshapeDialog::tr("Smooth by opening"),

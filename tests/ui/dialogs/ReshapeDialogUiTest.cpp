@@ -173,6 +173,7 @@ private Q_SLOTS:
         row("Hollow: a shell along its border", ShapeOperation::Hollow, int(ShellPlace::Centred));
         row("Hollow: a shell outside its border", ShapeOperation::Hollow, int(ShellPlace::Outside));
         row("Smooth by majority", ShapeOperation::Median);
+        row("Smooth by a Gaussian", ShapeOperation::Gaussian);
         row("Smooth by opening", ShapeOperation::Open);
         row("Smooth by closing", ShapeOperation::Close);
     }
@@ -188,7 +189,7 @@ private Q_SLOTS:
         fixture.apply(test::paintAt(1, {glm::dvec3(-18.0, -16.0, 106.0)}, 1.2));
         ui::ReshapeDialog& dialog = fixture.opened("segments.smooth");
         QComboBox& choice = operationOf(dialog);
-        QCOMPARE(choice.count(), 8);
+        QCOMPARE(choice.count(), 9);
         choice.setCurrentText(text);
         QCOMPARE(choice.currentText(), text);
         mmOf(dialog).setValue(2.0);

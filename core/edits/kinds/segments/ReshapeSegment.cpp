@@ -8,6 +8,8 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/morphology/GaussianShape.h"
+#include "core/morphology/GridGaussian.h"
 #include "core/morphology/MillimetreBall.h"
 
 namespace core {
@@ -22,10 +24,12 @@ Error fieldError(const char* field, const QString& reason)
         {QStringLiteral("reshapeSegment.%1").arg(QLatin1String(field)), reason}};
 }
 
-/// A centred shell lies half on either side.
+/// How far it looks around a voxel. A centred shell lies half on either side.
 double ballMm(const ReshapeSegment& edit)
 {
     constexpr double half = 0.5;
+    if (edit.operation == ShapeOperation::Gaussian)
+        return gaussianReach * edit.mm;
     return edit.shell == ShellPlace::Centred ? half * edit.mm : edit.mm;
 }
 
@@ -62,10 +66,22 @@ RowTitleCode titleOf(const ReshapeSegment& edit)
         return RowTitleCode::OpenShape;
     case ShapeOperation::Close:
         return RowTitleCode::CloseShape;
+    case ShapeOperation::Gaussian:
+        return RowTitleCode::GaussianShape;
     case ShapeOperation::Median:
         break;
     }
     return RowTitleCode::SmoothShape;
+}
+
+Result<ShapeChange> changeOf(const ReshapeSegment& edit, const VolumeGeometry& geometry,
+    std::uint8_t label, std::span<const std::uint8_t> labels, const Progress& progress)
+{
+    if (edit.operation == ShapeOperation::Gaussian)
+        return gaussianChange(
+            labels, geometry.size, label, gaussianOf(geometry, edit.mm), progress);
+    return shapeChange(labels, geometry.size, label, edit.operation,
+        edit.shell.value_or(ShellPlace::Inside), ballOf(geometry, ballMm(edit)), progress);
 }
 
 } // namespace
@@ -115,9 +131,7 @@ Result<RelabelListed> relabelListed(const ReshapeSegment& edit, const Document& 
     const VolumeGeometry& geometry = document.volumes.front().geometry;
     if (const std::optional<Error> error = fieldAtFaultIn(edit, geometry))
         return tl::unexpected(*error);
-    const Result<ShapeChange> change =
-        shapeChange(labels, geometry.size, target->label, edit.operation,
-            edit.shell.value_or(ShellPlace::Inside), ballOf(geometry, ballMm(edit)), progress);
+    const Result<ShapeChange> change = changeOf(edit, geometry, target->label, labels, progress);
     if (!change)
         return tl::unexpected(change.error());
     ListedRuns listed(geometry.size);

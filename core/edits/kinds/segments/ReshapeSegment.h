@@ -14,12 +14,13 @@ namespace core {
 struct RelabelListed;
 
 /// Grow or shrink a segment by a margin, hollow it out, open, close or smooth it, with a ball of
-/// millimetres (core/morphology/SegmentShape.h). Like CleanSegment it is worked out anew from the
-/// labels whenever it is carried out.
+/// millimetres (core/morphology/SegmentShape.h) or a Gaussian (core/morphology/GaussianShape.h).
+/// Like CleanSegment it is worked out anew from the labels whenever it is carried out.
 struct ReshapeSegment {
     int segment = 0; ///< label
     ShapeOperation operation = ShapeOperation::Grow;
-    /// The margin, the thickness of the shell, or the radius of the ball.
+    /// The margin, the thickness of the shell, the radius of the ball, or the standard deviation of
+    /// the Gaussian.
     double mm = 0.0;
     std::optional<ShellPlace> shell{}; ///< of Hollow alone; none: inside
 };

@@ -212,6 +212,7 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     const ReshapeSegment open{.segment = 1, .operation = ShapeOperation::Open, .mm = 30.0};
     const ReshapeSegment close{.segment = 1, .operation = ShapeOperation::Close, .mm = 6.0};
     const ReshapeSegment median{.segment = 1, .operation = ShapeOperation::Median, .mm = 6.0};
+    const ReshapeSegment gaussian{.segment = 1, .operation = ShapeOperation::Gaussian, .mm = 4.0};
     cases.push_back({"grow by a margin", volume, {first, paint}, margin});
     cases.push_back(
         {"grow by a margin beside another", volume, {first, second, paint, others, some}, margin});
@@ -222,6 +223,7 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"close a hollow segment", volume, {first, paint, shell}, close});
     cases.push_back({"close an empty segment", volume, {first}, close});
     cases.push_back({"smooth a segment", volume, {first, paint}, median});
+    cases.push_back({"smooth a segment by a Gaussian", volume, {first, paint}, gaussian});
     cases.push_back({"growth after a margin", volume, {first, paint, less, seeds}, all});
     cases.push_back(
         {"undo only a margin", volume, {first, paint, margin, drill}, core::RevertRows{{3}}});
