@@ -236,6 +236,10 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Grow '%1' by %2 mm");
     case RowTitleCode::ShrinkByMargin:
         return tr("Shrink '%1' by %2 mm");
+    case RowTitleCode::GrowBySides:
+        return tr("Grow '%1' by margins of up to %2 mm");
+    case RowTitleCode::ShrinkBySides:
+        return tr("Shrink '%1' by margins of up to %2 mm");
     case RowTitleCode::HollowInside:
         return tr("Hollow '%1', %2 mm inside its border");
     case RowTitleCode::HollowCentred:

@@ -143,6 +143,17 @@ template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
     visit.maybe("shell", edit.shell,
         editFields::Choice<ShellPlace, 3>{{"inside", "centred", "outside"}},
         "of hollow alone: where the shell lies, from the segment's border", "inside");
+    const auto side = [&](const char* name, std::optional<double>& mm) {
+        visit.maybe(name, mm, editFields::Number{"mm", 0.0, 100.0, quantum::perMillimetre},
+            "of grow and shrink alone: the margin on this side of the patient; 0: none there",
+            "as mm");
+    };
+    side("rightMm", edit.sides.rightMm);
+    side("leftMm", edit.sides.leftMm);
+    side("anteriorMm", edit.sides.anteriorMm);
+    side("posteriorMm", edit.sides.posteriorMm);
+    side("inferiorMm", edit.sides.inferiorMm);
+    side("superiorMm", edit.sides.superiorMm);
 }
 
 template <> inline constexpr const char* editName<ThresholdSegment> = "thresholdSegment";

@@ -170,7 +170,15 @@ private Q_SLOTS:
         QCOMPARE(quantised(*grown).get<ReshapeSegment>().mm, 1.5);
         QVERIFY(shell->get<ReshapeSegment>().operation == ShapeOperation::Hollow);
         QVERIFY(shell->get<ReshapeSegment>().shell == ShellPlace::Outside);
-        for (const char* operation : {"shrink", "open", "close", "median"})
+        const Result<Edit> sided =
+            editFromJson(parse("{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':3,"
+                               "'leftMm':0,'superiorMm':4.00001}"));
+        QVERIFY(sided);
+        const SideMargins sides = quantised(*sided).get<ReshapeSegment>().sides;
+        QCOMPARE(sides.leftMm.value_or(-1.0), 0.0);
+        QCOMPARE(sides.superiorMm.value_or(-1.0), 4.0);
+        QVERIFY(!sides.rightMm && !sides.anteriorMm && !sides.posteriorMm && !sides.inferiorMm);
+        for (const char* operation : {"shrink", "open", "close", "median", "gaussian"})
             QVERIFY(
                 editFromJson(parse(qPrintable(QStringLiteral("{'edit':'reshapeSegment','segment':2,"
                                                              "'operation':'%1','mm':2}")
@@ -250,6 +258,7 @@ private Q_SLOTS:
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':0}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':100.5}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'polish','mm':1}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':1,'leftMm':-1}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'hollow','mm':1,'shell':'on'}",
                 "{'edit':'floodFill','segment':2,'placeLps':[1,2,3]}",
                 "{'edit':'floodFill','segment':2,'tolerance':1}",

@@ -130,8 +130,6 @@ class GaussianShapeTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { test::failOnUnexpectedMessages(); }
-
     /// They are those of the formula, to one unit of 65536, and add up.
     void weights_data()
     {

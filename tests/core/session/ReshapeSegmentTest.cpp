@@ -220,6 +220,23 @@ private Q_SLOTS:
                    .shell = ShellPlace::Outside}
             << qint64(4 * 12 * 8)
             << QStringLiteral("Hollow 'Matter 1', 1 mm outside its border, +384 −1 152 voxels");
+        // Only to the left, which is along x.
+        QTest::newRow("by sides") << ReshapeSegment{.segment = 1,
+            .mm = 3.0,
+            .sides = {.rightMm = 0.0,
+                .anteriorMm = 0.0,
+                .posteriorMm = 0.0,
+                .inferiorMm = 0.0,
+                .superiorMm = 0.0}}
+                                  << qint64(blockVoxels + 3 * 12 * 8)
+                                  << QStringLiteral(
+                                         "Grow 'Matter 1' by margins of up to 3 mm, +288 voxels");
+        // The four edges along z, each of 8 voxels, have less than one half.
+        QTest::newRow("Gaussian") << ReshapeSegment{.segment = 1,
+            .operation = ShapeOperation::Gaussian,
+            .mm = 1.0} << qint64(blockVoxels - 4 * 8)
+                                  << QStringLiteral(
+                                         "Smooth 'Matter 1' by a Gaussian of 1 mm, −32 voxels");
         QTest::newRow("open") << ReshapeSegment{.segment = 1, .operation = Open, .mm = 20.0}
                               << qint64(0)
                               << QStringLiteral("Open 'Matter 1' by 20 mm, −1 152 voxels");
@@ -349,6 +366,13 @@ private Q_SLOTS:
         refused({.segment = 1, .mm = -1.0}, "mm");
         refused({.segment = 1, .mm = 5000.0}, "mm");
         refused({.segment = 1, .mm = 1.0, .shell = ShellPlace::Inside}, "shell");
+        const auto sidesAreRefused = [&](ShapeOperation operation, const SideMargins& sides) {
+            refused({.segment = 1, .operation = operation, .mm = 1.0, .sides = sides}, "sides");
+        };
+        sidesAreRefused(ShapeOperation::Open, {.leftMm = 1.0});
+        sidesAreRefused(ShapeOperation::Grow, {.leftMm = -1.0});
+        sidesAreRefused(ShapeOperation::Grow, {.superiorMm = 5000.0});
+        sidesAreRefused(ShapeOperation::Shrink, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
         // Of a ball that is allowed, voxels may be too many.
         Document fine = bench.session->document();
         fine.volumes.front().geometry.indexToWorld = glm::dmat4(glm::dmat3(0.01));

@@ -12,6 +12,7 @@
 #include "ui/panels/lists/SegmentsPanel.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -203,6 +204,43 @@ private Q_SLOTS:
         QCOMPARE(edit.mm, 2.0);
         QCOMPARE(edit.shell.has_value(), shell >= 0);
         QVERIFY(!edit.shell || int(*edit.shell) == shell);
+    }
+
+    /// Margins by side are there for margins alone; they begin with the one margin, and what is set
+    /// is what is done.
+    void marginsBySides()
+    {
+        Fixture fixture;
+        ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
+        auto* bySides = dialog.findChild<QCheckBox*>(QStringLiteral("reshapeBySides"));
+        auto* fields = dialog.findChild<QWidget*>(QStringLiteral("reshapeSides"));
+        QVERIFY(bySides && bySides->isVisible() && fields && !fields->isVisible());
+        mmOf(dialog).setValue(1.5);
+        bySides->setChecked(true);
+        QVERIFY(fields->isVisible() && !mmOf(dialog).isEnabled());
+        const auto sideOf = [&](int side) {
+            return dialog.findChild<QDoubleSpinBox*>(QStringLiteral("reshapeSide%1").arg(side));
+        };
+        for (int side = 0; side < 6; ++side)
+            QCOMPARE(sideOf(side)->value(), 1.5);
+        sideOf(1)->setValue(4.25);
+        sideOf(3)->setValue(0.0);
+        press(buttonOf(dialog, "applyReshape"));
+        QVERIFY(fixture.session().settle());
+        QVERIFY2(fixture.lastRow().name.startsWith(
+                     QLatin1String("Grow 'Brain' by margins of up to 4.25 mm, +")),
+            qPrintable(fixture.lastRow().name));
+        const auto& edit = fixture.lastRow().edit.get<core::ReshapeSegment>();
+        QCOMPARE(edit.sides.rightMm.value_or(-1.0), 1.5);
+        QCOMPARE(edit.sides.leftMm.value_or(-1.0), 4.25);
+        QCOMPARE(edit.sides.posteriorMm.value_or(-1.0), 0.0);
+        QCOMPARE(edit.sides.superiorMm.value_or(-1.0), 1.5);
+        operationOf(dialog).setCurrentText(QStringLiteral("Smooth by closing"));
+        QVERIFY(!bySides->isVisible() && !fields->isVisible() && mmOf(dialog).isEnabled());
+        operationOf(dialog).setCurrentText(QStringLiteral("Shrink by a margin"));
+        QVERIFY(fields->isVisible());
+        bySides->setChecked(false);
+        QVERIFY(!fields->isVisible() && mmOf(dialog).isEnabled());
     }
 
     /// The menu of a row asks about that row's segment, and each entry begins with its operation.

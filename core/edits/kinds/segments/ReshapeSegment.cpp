@@ -11,6 +11,9 @@
 #include "core/morphology/GaussianShape.h"
 #include "core/morphology/GridGaussian.h"
 #include "core/morphology/MillimetreBall.h"
+#include "core/morphology/SidedMargin.h"
+
+#include <algorithm>
 
 namespace core {
 
@@ -33,12 +36,61 @@ double ballMm(const ReshapeSegment& edit)
     return edit.shell == ShellPlace::Centred ? half * edit.mm : edit.mm;
 }
 
+bool hasSides(const ReshapeSegment& edit)
+{
+    const auto sides = edit.sides.all();
+    return std::any_of(
+        sides.begin(), sides.end(), [](const auto& side) { return side.has_value(); });
+}
+
+SixMargins marginsOf(const ReshapeSegment& edit)
+{
+    const SideMargins& sides = edit.sides;
+    return {.right = sides.rightMm.value_or(edit.mm),
+        .left = sides.leftMm.value_or(edit.mm),
+        .anterior = sides.anteriorMm.value_or(edit.mm),
+        .posterior = sides.posteriorMm.value_or(edit.mm),
+        .inferior = sides.inferiorMm.value_or(edit.mm),
+        .superior = sides.superiorMm.value_or(edit.mm)};
+}
+
+/// The margin on the side where it is widest.
+double widestMm(const ReshapeSegment& edit)
+{
+    double widest = 0.0;
+    for (const std::optional<double>& side : edit.sides.all())
+        widest = std::max(widest, side.value_or(edit.mm));
+    return widest;
+}
+
+std::optional<Error> sidesAtFaultIn(const ReshapeSegment& edit, const VolumeGeometry& geometry)
+{
+    if (edit.operation != ShapeOperation::Grow && edit.operation != ShapeOperation::Shrink)
+        return fieldError("sides", QStringLiteral("mean nothing where nothing grows or shrinks"));
+    for (const std::optional<double>& side : edit.sides.all()) {
+        if (side && !(*side >= 0.0))
+            return fieldError("sides", QStringLiteral("is no length"));
+    }
+    if (!(widestMm(edit) > 0.0))
+        return fieldError("sides", QStringLiteral("are all nothing"));
+    if (ballVoxels(geometry, widestMm(edit)) > mostBallVoxels)
+        return fieldError("sides",
+            QStringLiteral("%1 mm are more than %2 voxels here")
+                .arg(widestMm(edit))
+                .arg(mostBallVoxels));
+    return std::nullopt;
+}
+
 std::optional<Error> fieldAtFaultIn(const ReshapeSegment& edit, const VolumeGeometry& geometry)
 {
     if (edit.shell && edit.operation != ShapeOperation::Hollow)
         return fieldError("shell", QStringLiteral("means nothing where nothing is hollowed out"));
     if (!(edit.mm > 0.0))
         return fieldError("mm", QStringLiteral("is no length"));
+    if (hasSides(edit)) {
+        if (const std::optional<Error> error = sidesAtFaultIn(edit, geometry))
+            return error;
+    }
     if (ballVoxels(geometry, ballMm(edit)) > mostBallVoxels)
         return fieldError("mm",
             QStringLiteral("%1 mm are more than %2 voxels here").arg(edit.mm).arg(mostBallVoxels));
@@ -49,9 +101,9 @@ RowTitleCode titleOf(const ReshapeSegment& edit)
 {
     switch (edit.operation) {
     case ShapeOperation::Grow:
-        return RowTitleCode::GrowByMargin;
+        return hasSides(edit) ? RowTitleCode::GrowBySides : RowTitleCode::GrowByMargin;
     case ShapeOperation::Shrink:
-        return RowTitleCode::ShrinkByMargin;
+        return hasSides(edit) ? RowTitleCode::ShrinkBySides : RowTitleCode::ShrinkByMargin;
     case ShapeOperation::Hollow:
         switch (edit.shell.value_or(ShellPlace::Inside)) {
         case ShellPlace::Inside:
@@ -80,6 +132,10 @@ Result<ShapeChange> changeOf(const ReshapeSegment& edit, const VolumeGeometry& g
     if (edit.operation == ShapeOperation::Gaussian)
         return gaussianChange(
             labels, geometry.size, label, gaussianOf(geometry, edit.mm), progress);
+    if (hasSides(edit))
+        return sidedMarginChange(labels, geometry.size, label,
+            edit.operation == ShapeOperation::Grow, sidedBallOf(geometry, marginsOf(edit)),
+            progress);
     return shapeChange(labels, geometry.size, label, edit.operation,
         edit.shell.value_or(ShellPlace::Inside), ballOf(geometry, ballMm(edit)), progress);
 }
@@ -111,7 +167,8 @@ RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row)
     const Segment* segment = row.document.segment(edit.segment);
     const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
     return {.code = titleOf(edit),
-        .arguments = {segmentName(edit.segment, row.document), TitleDigits{edit.mm, 3}},
+        .arguments = {segmentName(edit.segment, row.document),
+            TitleDigits{hasSides(edit) ? widestMm(edit) : edit.mm, 3}},
         .then = {flowTitle(flow.gained, flow.lost)}};
 }
 

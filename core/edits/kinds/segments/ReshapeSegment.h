@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditAnswers.h"
 #include "core/morphology/SegmentShape.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -12,6 +13,22 @@
 namespace core {
 
 struct RelabelListed;
+
+/// Margins of growing and shrinking that are others towards some of the patient's sides; those left
+/// out are the edit's `mm`.
+struct SideMargins {
+    std::optional<double> rightMm{};
+    std::optional<double> leftMm{};
+    std::optional<double> anteriorMm{};
+    std::optional<double> posteriorMm{};
+    std::optional<double> inferiorMm{};
+    std::optional<double> superiorMm{};
+
+    [[nodiscard]] std::array<std::optional<double>, 6> all() const
+    {
+        return {rightMm, leftMm, anteriorMm, posteriorMm, inferiorMm, superiorMm};
+    }
+};
 
 /// Grow or shrink a segment by a margin, hollow it out, open, close or smooth it, with a ball of
 /// millimetres (core/morphology/SegmentShape.h) or a Gaussian (core/morphology/GaussianShape.h).
@@ -23,6 +40,7 @@ struct ReshapeSegment {
     /// the Gaussian.
     double mm = 0.0;
     std::optional<ShellPlace> shell{}; ///< of Hollow alone; none: inside
+    SideMargins sides{}; ///< of Grow and Shrink alone (core/morphology/SidedMargin.h)
 };
 
 [[nodiscard]] Result<void> check(const ReshapeSegment& edit, const Document& document);

@@ -213,6 +213,11 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     const ReshapeSegment close{.segment = 1, .operation = ShapeOperation::Close, .mm = 6.0};
     const ReshapeSegment median{.segment = 1, .operation = ShapeOperation::Median, .mm = 6.0};
     const ReshapeSegment gaussian{.segment = 1, .operation = ShapeOperation::Gaussian, .mm = 4.0};
+    const ReshapeSegment sided{.segment = 1,
+        .operation = ShapeOperation::Grow,
+        .mm = 6.0,
+        .sides = {.leftMm = 0.0, .posteriorMm = 2.0, .superiorMm = 9.0}};
+    cases.push_back({"grow by margins that differ", volume, {first, paint}, sided});
     cases.push_back({"grow by a margin", volume, {first, paint}, margin});
     cases.push_back(
         {"grow by a margin beside another", volume, {first, second, paint, others, some}, margin});

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "core/brick/VoxelRuns.h"
+#include "core/morphology/BallFilters.h"
+#include "core/morphology/GaussianFilter.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace core {
+
+/// The rows of a box of a volume, x fastest in both. @pre the box lies within the volume
+class BoxRows {
+public:
+    BoxRows(const VoxelBox& box, const glm::ivec3& volumeSize)
+        : m_box(box)
+        , m_size(volumeSize)
+    {
+    }
+
+    [[nodiscard]] glm::ivec3 boxSize() const { return m_box.maximum - m_box.minimum; }
+    [[nodiscard]] ImageEnds ends() const
+    {
+        return {.before = glm::equal(m_box.minimum, glm::ivec3(0)),
+            .behind = glm::equal(m_box.maximum, m_size)};
+    }
+    /// Calls @p visit(index in the volume, index in the box, width).
+    template <class Visit> void forEach(const Visit& visit) const
+    {
+        const auto width = std::size_t(boxSize().x);
+        std::size_t in = 0;
+        for (int z = m_box.minimum.z; z < m_box.maximum.z; ++z) {
+            for (int y = m_box.minimum.y; y < m_box.maximum.y; ++y, in += width) {
+                const std::size_t row = std::size_t(z) * std::size_t(m_size.y) + std::size_t(y);
+                visit(row * std::size_t(m_size.x) + std::size_t(m_box.minimum.x), in, width);
+            }
+        }
+    }
+    /// Which voxels of the box have the label, or have not.
+    [[nodiscard]] BoxMask mask(
+        std::span<const std::uint8_t> labels, std::uint8_t label, bool own = true) const
+    {
+        const glm::ivec3 size = boxSize();
+        BoxMask mask{.size = size,
+            .voxels = std::vector<std::uint8_t>(
+                std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))};
+        forEach([&](std::size_t of, std::size_t in, std::size_t width) {
+            for (std::size_t x = 0; x < width; ++x)
+                mask.voxels[in + x] = (labels[of + x] == label) == own ? 1 : 0;
+        });
+        return mask;
+    }
+    /// In the order of memory, the voxels of a label that are chosen by their index in the box.
+    template <class IsChosen>
+    [[nodiscard]] VoxelRuns voxels(
+        std::span<const std::uint8_t> labels, std::uint8_t label, const IsChosen& isChosen) const
+    {
+        VoxelRuns runs;
+        forEach([&](std::size_t of, std::size_t in, std::size_t width) {
+            for (std::size_t x = 0; x < width; ++x) {
+                if (labels[of + x] == label && isChosen(in + x))
+                    runs.append(of + x, 1);
+            }
+        });
+        return runs;
+    }
+
+private:
+    VoxelBox m_box;
+    glm::ivec3 m_size;
+};
+
+} // namespace core
