@@ -40,6 +40,20 @@ public:
             }
         }
     }
+    /// Calls @p visit(index in this box, index in the other one, width) for what both have of each
+    /// row.
+    template <class Visit> void forEachWithin(const BoxRows& other, const Visit& visit) const
+    {
+        const glm::ivec3 from = glm::max(m_box.minimum, other.m_box.minimum);
+        const glm::ivec3 to = glm::min(m_box.maximum, other.m_box.maximum);
+        if (to.x <= from.x)
+            return;
+        for (int z = from.z; z < to.z; ++z) {
+            for (int y = from.y; y < to.y; ++y)
+                visit(indexOf({from.x, y, z}), other.indexOf({from.x, y, z}),
+                    std::size_t(to.x - from.x));
+        }
+    }
     /// Which voxels of the box have the label, or have not.
     [[nodiscard]] BoxMask mask(
         std::span<const std::uint8_t> labels, std::uint8_t label, bool own = true) const
@@ -70,6 +84,14 @@ public:
     }
 
 private:
+    [[nodiscard]] std::size_t indexOf(const glm::ivec3& voxel) const
+    {
+        const glm::ivec3 at = voxel - m_box.minimum;
+        const glm::ivec3 size = boxSize();
+        return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x)
+            + std::size_t(at.x);
+    }
+
     VoxelBox m_box;
     glm::ivec3 m_size;
 };

@@ -53,7 +53,9 @@ struct LabelSeen {
 };
 
 /// Give labels to listed voxels. Each follows the rule of LabelTarget with the label requested for
-/// it; where 0 is requested, nothing happens.
+/// it; where 0 is requested, nothing happens. Where `frees` is requested, which may be any number
+/// that is not given as a label, a voxel at which the plane holds a label in `overwritable` becomes
+/// 0, and a seed word there that has this label becomes unvisited (as when PaintLabel erases).
 struct LabelListed {
     struct Brick {
         std::uint32_t brick = 0;
@@ -62,6 +64,7 @@ struct LabelListed {
     std::uint8_t plane = 0;
     std::bitset<256> overwritable{};
     std::vector<Brick> bricks{}; ///< ascending, each once
+    std::uint8_t frees = 0; ///< 0: no voxel is freed
 };
 
 /// Give a label to listed voxels, and remove it from others. A voxel that is to receive it follows

@@ -110,8 +110,11 @@ void labelListed(DenseFields& fields, const core::LabelListed& edit)
             const glm::ivec3 voxel = box.minimum + within;
             const std::uint8_t asked =
                 brick.labels[std::size_t(core::BrickGrid::offsetInBrick(voxel))];
-            if (asked != 0)
+            const std::uint8_t held = fields.labels(edit.plane).at(voxel);
+            if (asked != 0 && asked != edit.frees)
                 give(fields, {edit.plane, asked, edit.overwritable}, voxel);
+            else if (asked != 0 && held != 0 && edit.overwritable[held])
+                take(fields, {.plane = edit.plane, .label = held}, voxel);
         });
     }
 }

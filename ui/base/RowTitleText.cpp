@@ -254,6 +254,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Smooth '%1' by %2 mm");
     case RowTitleCode::GaussianShape:
         return tr("Smooth '%1' by a Gaussian of %2 mm");
+    case RowTitleCode::JointGaussian:
+        return tr("Smooth '%1' and others together by a Gaussian of %2 mm");
     case RowTitleCode::FillBetweenSlices:
         return tr("Fill '%1' between slices");
     case RowTitleCode::FloodSlice:

@@ -36,6 +36,7 @@ struct Reshaping {
     QString text{};
     QString hint{}; ///< what it does, and what the millimetres are
     double usualMm = 2.0;
+    bool isJoint = false; ///< all segments that are seen and not locked take part
 };
 
 const std::vector<Reshaping>& reshapings()
@@ -77,6 +78,13 @@ const std::vector<Reshaping>& reshapings()
             .text = ReshapeDialog::tr("Smooth by a Gaussian"),
             .hint = ReshapeDialog::tr("Rounds what is smaller than this standard deviation."),
             .usualMm = 1.0},
+        {.key = "joint",
+            .operation = ShapeOperation::Gaussian,
+            .text = ReshapeDialog::tr("Smooth all shown segments together"),
+            .hint =
+                ReshapeDialog::tr("As by a Gaussian; neighbours stay neighbours. Not the locked."),
+            .usualMm = 1.0,
+            .isJoint = true},
         {.key = "open",
             .operation = ShapeOperation::Open,
             .text = ReshapeDialog::tr("Smooth by opening"),
@@ -89,6 +97,25 @@ const std::vector<Reshaping>& reshapings()
             .usualMm = 1.5},
     };
     return all;
+}
+
+/// The other segments of its plane that are shown and may be changed, by label; none: there is
+/// none.
+std::optional<std::vector<int>> segmentsBeside(const Workspace& workspace, int label)
+{
+    const core::EditSession* session = workspace.session();
+    if (!session)
+        return std::nullopt;
+    const core::Document document = session->foreseenDocument();
+    const core::Segment* segment = document.segment(label);
+    std::vector<int> others;
+    for (const core::Segment& each : document.segments) {
+        if (segment && each.label != label && each.plane == segment->plane && each.visible
+            && !each.locked)
+            others.push_back(each.label);
+    }
+    std::sort(others.begin(), others.end());
+    return others.empty() ? std::nullopt : std::optional(others);
 }
 
 QString settingOf(const Reshaping& reshaping)
@@ -275,6 +302,8 @@ core::ReshapeSegment ReshapeDialog::chosen() const
         .operation = reshaping.operation,
         .mm = m_mm->value(),
         .shell = reshaping.shell};
+    if (reshaping.isJoint)
+        edit.with = segmentsBeside(m_workspace, m_label);
     if (m_bySides->isVisibleTo(this) && m_bySides->isChecked())
         edit.sides = {.rightMm = m_sides[0]->value(),
             .leftMm = m_sides[1]->value(),

@@ -143,6 +143,11 @@ template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
     visit.maybe("shell", edit.shell,
         editFields::Choice<ShellPlace, 3>{{"inside", "centred", "outside"}},
         "of hollow alone: where the shell lies, from the segment's border", "inside");
+    visit.maybe("with", edit.with, editFields::SegmentList{},
+        "of gaussian alone: others, not locked either, that are smoothed together with it: each "
+        "voxel that one of them or none has becomes the one's that is most around it, so that no "
+        "gap opens between them",
+        "it alone");
     const auto side = [&](const char* name, std::optional<double>& mm) {
         visit.maybe(name, mm, editFields::Number{"mm", 0.0, 100.0, quantum::perMillimetre},
             "of grow and shrink alone: the margin on this side of the patient; 0: none there",

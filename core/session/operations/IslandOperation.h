@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/sculpt/LayerWrites.h"
 #include "core/session/operations/AbortableOperation.h"
 #include "core/session/operations/Relabelling.h"
 #include "core/session/past/LabelReader.h"
@@ -12,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace core {
@@ -41,12 +43,14 @@ private:
         std::atomic<int> percent = -1;
         Progress progress;
     };
-    using LabelWork = std::function<Result<RelabelListed>(
+    /// What is to be written; several segments may receive voxels, or one.
+    using Listed = std::variant<RelabelListed, LabelListed>;
+    using LabelWork = std::function<Result<Listed>(
         const Document& document, std::span<const std::uint8_t> labels, const Progress& progress)>;
 
     IslandOperation(Edit edit, int segment, LabelWork workOut, RowId again);
     void readNext(SessionState& state);
-    void write(SessionState& state, Result<RelabelListed>&& relabel);
+    void write(SessionState& state, Result<Listed>&& listed);
 
     Edit m_edit;
     int m_segment; ///< label

@@ -177,6 +177,12 @@ private Q_SLOTS:
         const SideMargins sides = quantised(*sided).get<ReshapeSegment>().sides;
         QCOMPARE(sides.leftMm.value_or(-1.0), 0.0);
         QCOMPARE(sides.superiorMm.value_or(-1.0), 4.0);
+        const Result<Edit> joint =
+            editFromJson(parse("{'edit':'reshapeSegment','segment':2,'operation':'gaussian','mm':1,"
+                               "'with':[1,5]}"));
+        QVERIFY(joint);
+        QCOMPARE(joint->get<ReshapeSegment>().with.value_or(std::vector<int>()),
+            (std::vector<int>{1, 5}));
         QVERIFY(!sides.rightMm && !sides.anteriorMm && !sides.posteriorMm && !sides.inferiorMm);
         for (const char* operation : {"shrink", "open", "close", "median", "gaussian"})
             QVERIFY(
@@ -259,6 +265,8 @@ private Q_SLOTS:
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':100.5}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'polish','mm':1}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':1,'leftMm':-1}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'gaussian','mm':1,'with':[5,1]}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'gaussian','mm':1,'with':[]}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'hollow','mm':1,'shell':'on'}",
                 "{'edit':'floodFill','segment':2,'placeLps':[1,2,3]}",
                 "{'edit':'floodFill','segment':2,'tolerance':1}",

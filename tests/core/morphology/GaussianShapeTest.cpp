@@ -64,12 +64,12 @@ Labels anyMatter(const glm::ivec3& size, std::mt19937& random)
 }
 
 /// Of the whole volume, voxel by voxel and axis by axis, as GaussianFilter.h words it.
-std::vector<std::uint32_t> blurredPlainly(
-    const Labels& labels, const glm::ivec3& size, const core::GridGaussian& gaussian)
+std::vector<std::uint32_t> blurredPlainly(const Labels& labels, const glm::ivec3& size,
+    const core::GridGaussian& gaussian, std::uint8_t of = 1)
 {
     std::vector<std::uint32_t> values(labels.size());
     std::transform(labels.begin(), labels.end(), values.begin(),
-        [](std::uint8_t label) { return label == 1 ? 1U : 0U; });
+        [of](std::uint8_t label) { return label == of ? 1U : 0U; });
     for (int axis = 0; axis < 3; ++axis) {
         const std::vector<std::uint32_t>& weights = gaussian.weights.at(std::size_t(axis));
         const std::vector<std::uint32_t> before = values;
@@ -200,6 +200,63 @@ private Q_SLOTS:
             }
             QVERIFY(after(labels, *change) == expected);
             changed += change->given.voxelCount() + change->taken.voxelCount();
+        }
+        QVERIFY2(changed > 40, qPrintable(QString::number(changed)));
+    }
+
+    /// Together: the greatest value of those that take part, and of nobody, over the whole volume.
+    void together_data()
+    {
+        QTest::addColumn<uint>("seed");
+        for (uint seed = 1; seed <= 12; ++seed)
+            QTest::addRow("seed %u", seed) << seed;
+    }
+    void together()
+    {
+        QFETCH(const uint, seed);
+        std::mt19937 random(seed);
+        std::uint64_t changed = 0;
+        for (int round = 0; round < 3; ++round) {
+            const glm::ivec3 size{
+                8 + int(random() % 14), 8 + int(random() % 12), 5 + int(random() % 12)};
+            const core::VolumeGeometry geometry =
+                plainGrid(size, {1.0, 0.8, 0.7 + 0.1 * double(random() % 24)});
+            Labels labels = gaussianShapeTest::anyMatter(size, random);
+            for (std::uint8_t& label : labels) {
+                if (label == 1 && random() % 3 == 0)
+                    label = 5;
+                else if (random() % 50 == 0)
+                    label = 9;
+            }
+            const double sigma = 0.5 + 0.05 * double(random() % 50);
+            const core::GridGaussian gaussian = core::gaussianOf(geometry, sigma);
+            const std::vector<std::uint8_t> segments{1, 2, 5}; // 9 takes no part, 2 may be nowhere
+            const auto change =
+                core::jointGaussianChange(labels, size, segments, gaussian, core::Progress());
+            QVERIFY(change && change->given.size() == segments.size());
+            Labels now = labels;
+            const auto become = [&](const core::VoxelRuns& runs, std::uint8_t label) {
+                for (const core::VoxelRun& run : runs.runs())
+                    std::fill_n(now.begin() + std::ptrdiff_t(run.first), run.count, label);
+                changed += runs.voxelCount();
+            };
+            for (std::size_t place = 0; place < segments.size(); ++place)
+                become(change->given[place], segments[place]);
+            become(change->freed, 0);
+            std::vector<std::vector<std::uint32_t>> values;
+            for (const int label : {0, 1, 2, 5})
+                values.push_back(blurredPlainly(labels, size, gaussian, std::uint8_t(label)));
+            for (std::size_t voxel = 0; voxel < labels.size(); ++voxel) {
+                std::uint8_t expected = labels[voxel];
+                std::uint32_t most = 0;
+                for (std::size_t place = 0; place < values.size() && labels[voxel] != 9; ++place) {
+                    if (values[place][voxel] > most) {
+                        most = values[place][voxel];
+                        expected = std::uint8_t(place == 0 ? 0 : segments[place - 1]);
+                    }
+                }
+                QCOMPARE(int(now[voxel]), int(expected));
+            }
         }
         QVERIFY2(changed > 40, qPrintable(QString::number(changed)));
     }

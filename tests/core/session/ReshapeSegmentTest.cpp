@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
@@ -339,6 +340,49 @@ private Q_SLOTS:
         QCOMPARE(anew.session->stateHash(), bench.session->stateHash());
     }
 
+    /// Two blocks that touch: their common border stays closed, the outer edges are rounded, undo
+    /// brings all back, and a locked one is left out of it.
+    void smoothedTogether()
+    {
+        VoxelRuns left;
+        VoxelRuns right;
+        for (int z = 10; z < 18; ++z) {
+            for (int y = 10; y < 22; ++y) {
+                left.append(indexOf({10, y, z}), y % 2 == 0 ? 6 : 7);
+                right.append(indexOf({y % 2 == 0 ? 16 : 17, y, z}), y % 2 == 0 ? 7 : 6);
+            }
+        }
+        for (const bool delayed : {false, true}) {
+            Bench bench(delayed, importOf({left, right}));
+            const Labels before = bench.labels();
+            const QByteArray hash = bench.session->stateHash();
+            const ReshapeSegment joint{.segment = 1,
+                .operation = ShapeOperation::Gaussian,
+                .mm = 1.0,
+                .with = std::vector<int>{2}};
+            QCOMPARE(bench.tried(joint), QString());
+            QVERIFY(bench.rows().back().name.startsWith(
+                QStringLiteral("Smooth 'Matter 1' and others together by a Gaussian of 1 mm, ")));
+            const Labels after = bench.labels();
+            for (int z = 12; z < 16; ++z) {
+                for (int y = 13; y < 19; ++y) {
+                    // The teeth are one voxel long; none of their voxels is nobody's, and within
+                    // one voxel of them no border has moved farther.
+                    QVERIFY(after[indexOf({16, y, z})] == 1 || after[indexOf({16, y, z})] == 2);
+                    QCOMPARE(int(after[indexOf({15, y, z})]), 1);
+                    QCOMPARE(int(after[indexOf({17, y, z})]), 2);
+                }
+            }
+            QCOMPARE(int(after[indexOf({10, 10, 10})]), 0);
+            QCOMPARE(int(after[indexOf({22, 10, 10})]), 0);
+            QVERIFY(bench.session->undo() && bench.session->settle());
+            QVERIFY(bench.labels() == before);
+            QCOMPARE(bench.session->stateHash(), hash);
+            QCOMPARE(bench.tried(ChangeSegment{.segment = 2, .locked = true}), QString());
+            QVERIFY(!bench.tried(joint).isEmpty());
+        }
+    }
+
     /// Nothing is taken from a segment that is there already, locked or not.
     void othersKeepTheirVoxels()
     {
@@ -369,6 +413,12 @@ private Q_SLOTS:
         const auto sidesAreRefused = [&](ShapeOperation operation, const SideMargins& sides) {
             refused({.segment = 1, .operation = operation, .mm = 1.0, .sides = sides}, "sides");
         };
+        refused({.segment = 1, .mm = 1.0, .with = std::vector<int>{1}}, "with");
+        refused({.segment = 1,
+                    .operation = ShapeOperation::Gaussian,
+                    .mm = 1.0,
+                    .with = std::vector<int>{1}},
+            "with");
         sidesAreRefused(ShapeOperation::Open, {.leftMm = 1.0});
         sidesAreRefused(ShapeOperation::Grow, {.leftMm = -1.0});
         sidesAreRefused(ShapeOperation::Grow, {.superiorMm = 5000.0});

@@ -389,9 +389,12 @@ HistoryTruth::Bricks HistoryTruth::grown(
     if (const auto* threshold = edit.as<ThresholdSegment>())
         return after(before, *labelThreshold(*threshold, document), {}, nullptr, &document);
     // What a ball does to a segment is another test's matter; here from which labels, and when.
-    if (const auto* reshape = edit.as<ReshapeSegment>())
-        return after(
-            before, *relabelListed(*reshape, document, labelsOf(before), Progress()), {}, nullptr);
+    if (const auto* reshape = edit.as<ReshapeSegment>()) {
+        const std::vector<std::uint8_t> labels = labelsOf(before);
+        if (reshape->with)
+            return after(before, *labelListed(*reshape, document, labels, Progress()), {}, nullptr);
+        return after(before, *relabelListed(*reshape, document, labels, Progress()), {}, nullptr);
+    }
     if (const auto* barrier = edit.as<BarrierStroke>())
         return after(before, *paintBarrier(*barrier, document),
             {CapsulePath{capsules(barrier->path, m_study.volume.geometry)}}, nullptr);

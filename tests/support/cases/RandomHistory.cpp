@@ -822,6 +822,21 @@ private:
             .mm = (between(1, 3) + 0.13) * std::max({spacing.x, spacing.y, spacing.z})};
         if (reshape.operation == ShapeOperation::Hollow && chance(60))
             reshape.shell = ShellPlace(between(0, 2));
+        if (reshape.operation <= ShapeOperation::Shrink && chance(30)) {
+            reshape.sides.leftMm = 0.0;
+            reshape.sides.superiorMm = 1.5 * reshape.mm;
+        }
+        // Beside others of its plane that may be changed.
+        std::vector<int> others;
+        for (const Segment& each : document.segments) {
+            if (!each.locked && each.label != reshape.segment
+                && each.plane == document.segment(reshape.segment)->plane)
+                others.push_back(each.label);
+        }
+        if (reshape.operation == ShapeOperation::Gaussian && !others.empty() && chance(50)) {
+            std::sort(others.begin(), others.end());
+            reshape.with = others;
+        }
         return reshape;
     }
     PaintStroke randomPaint(int segment)

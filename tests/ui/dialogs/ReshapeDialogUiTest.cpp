@@ -175,6 +175,7 @@ private Q_SLOTS:
         row("Hollow: a shell outside its border", ShapeOperation::Hollow, int(ShellPlace::Outside));
         row("Smooth by majority", ShapeOperation::Median);
         row("Smooth by a Gaussian", ShapeOperation::Gaussian);
+        row("Smooth all shown segments together", ShapeOperation::Gaussian);
         row("Smooth by opening", ShapeOperation::Open);
         row("Smooth by closing", ShapeOperation::Close);
     }
@@ -190,7 +191,7 @@ private Q_SLOTS:
         fixture.apply(test::paintAt(1, {glm::dvec3(-18.0, -16.0, 106.0)}, 1.2));
         ui::ReshapeDialog& dialog = fixture.opened("segments.smooth");
         QComboBox& choice = operationOf(dialog);
-        QCOMPARE(choice.count(), 9);
+        QCOMPARE(choice.count(), 10);
         choice.setCurrentText(text);
         QCOMPARE(choice.currentText(), text);
         mmOf(dialog).setValue(2.0);
@@ -204,6 +205,9 @@ private Q_SLOTS:
         QCOMPARE(edit.mm, 2.0);
         QCOMPARE(edit.shell.has_value(), shell >= 0);
         QVERIFY(!edit.shell || int(*edit.shell) == shell);
+        const bool isJoint = text == QStringLiteral("Smooth all shown segments together");
+        QCOMPARE(edit.with.value_or(std::vector<int>()),
+            isJoint ? std::vector<int>{2} : std::vector<int>());
     }
 
     /// Margins by side are there for margins alone; they begin with the one margin, and what is set

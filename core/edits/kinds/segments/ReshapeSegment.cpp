@@ -14,6 +14,7 @@
 #include "core/morphology/SidedMargin.h"
 
 #include <algorithm>
+#include <bitset>
 
 namespace core {
 
@@ -97,6 +98,46 @@ std::optional<Error> fieldAtFaultIn(const ReshapeSegment& edit, const VolumeGeom
     return std::nullopt;
 }
 
+/// The segments that are smoothed together, by label.
+/// Errors: UnknownSegment, SegmentLocked, InvalidField.
+Result<std::vector<std::uint8_t>> together(const ReshapeSegment& edit, const Document& document)
+{
+    const Result<const Segment*> first =
+        unlockedSegment("reshapeSegment.segment", edit.segment, document);
+    if (!first)
+        return tl::unexpected(first.error());
+    if (edit.operation != ShapeOperation::Gaussian)
+        return tl::unexpected(
+            fieldError("with", QStringLiteral("means nothing where no Gaussian smooths")));
+    std::vector<std::uint8_t> labels{(*first)->label};
+    for (const int label : *edit.with) {
+        const Result<const Segment*> other =
+            unlockedSegment("reshapeSegment.with", label, document);
+        if (!other)
+            return tl::unexpected(other.error());
+        if ((*other)->plane != (*first)->plane)
+            return tl::unexpected(
+                fieldError("with", QStringLiteral("lies on another label plane than the segment")));
+        if (std::find(labels.begin(), labels.end(), (*other)->label) != labels.end())
+            return tl::unexpected(fieldError("with", QStringLiteral("names a segment twice")));
+        labels.push_back((*other)->label);
+    }
+    constexpr std::size_t most = 254; // one number is needed for what no segment has
+    if (labels.size() > most)
+        return tl::unexpected(fieldError("with", QStringLiteral("are more than %1").arg(most)));
+    std::sort(labels.begin(), labels.end());
+    return labels;
+}
+
+/// A number that none of these is.
+std::uint8_t numberBeside(const std::vector<std::uint8_t>& labels)
+{
+    std::uint8_t number = 1;
+    while (std::binary_search(labels.begin(), labels.end(), number))
+        ++number;
+    return number;
+}
+
 RowTitleCode titleOf(const ReshapeSegment& edit)
 {
     switch (edit.operation) {
@@ -119,7 +160,7 @@ RowTitleCode titleOf(const ReshapeSegment& edit)
     case ShapeOperation::Close:
         return RowTitleCode::CloseShape;
     case ShapeOperation::Gaussian:
-        return RowTitleCode::GaussianShape;
+        return edit.with ? RowTitleCode::JointGaussian : RowTitleCode::GaussianShape;
     case ShapeOperation::Median:
         break;
     }
@@ -146,6 +187,8 @@ Result<void> check(const ReshapeSegment& edit, const Document& document)
 {
     if (const std::optional<Error> error = fieldAtFaultIn(edit, document.volumes.front().geometry))
         return tl::unexpected(*error);
+    if (edit.with)
+        return discardValue(together(edit, document));
     return discardValue(labelTarget({.segment = edit.segment, .name = {}}, false, document));
 }
 
@@ -195,6 +238,30 @@ Result<RelabelListed> relabelListed(const ReshapeSegment& edit, const Document& 
     listed.add(change->given, RelabelListed::give);
     listed.add(change->taken, RelabelListed::take);
     return listed.relabel(*std::move(target));
+}
+
+Result<LabelListed> labelListed(const ReshapeSegment& edit, const Document& document,
+    std::span<const std::uint8_t> labels, const Progress& progress)
+{
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    if (const std::optional<Error> error = fieldAtFaultIn(edit, geometry))
+        return tl::unexpected(*error);
+    const Result<std::vector<std::uint8_t>> segments = together(edit, document);
+    if (!segments)
+        return tl::unexpected(segments.error());
+    const Result<JointChange> change = jointGaussianChange(
+        labels, geometry.size, *segments, gaussianOf(geometry, edit.mm), progress);
+    if (!change)
+        return tl::unexpected(change.error());
+    ListedRuns listed(geometry.size);
+    std::bitset<256> overwritable;
+    for (std::size_t place = 0; place < segments->size(); ++place) {
+        overwritable.set((*segments)[place]);
+        listed.add(change->given[place], (*segments)[place]);
+    }
+    const std::uint8_t frees = numberBeside(*segments);
+    listed.add(change->freed, frees);
+    return listed.label(document.segment(edit.segment)->plane, overwritable, frees);
 }
 
 } // namespace core

@@ -9,9 +9,11 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace core {
 
+struct LabelListed;
 struct RelabelListed;
 
 /// Margins of growing and shrinking that are others towards some of the patient's sides; those left
@@ -40,6 +42,9 @@ struct ReshapeSegment {
     /// the Gaussian.
     double mm = 0.0;
     std::optional<ShellPlace> shell{}; ///< of Hollow alone; none: inside
+    /// Of Gaussian alone: other segments of its plane, ascending, that are smoothed together with
+    /// it (jointGaussianChange()).
+    std::optional<std::vector<int>> with{};
     SideMargins sides{}; ///< of Grow and Shrink alone (core/morphology/SidedMargin.h)
 };
 
@@ -51,10 +56,15 @@ Result<bool> apply(const ReshapeSegment& edit, Document& document);
 
 /// The edit for an engine; no bricks: there is nothing to be done. It takes only voxels that no
 /// segment has.
+/// @param edit with no other segments
 /// @param labels of the whole volume in the segment's plane, x fastest
 /// Any thread that is no parallelFor's. Errors: UnknownSegment, SegmentLocked, InvalidField (the
 /// ball is too small or too large), OutOfMemory, Cancelled.
 [[nodiscard]] Result<RelabelListed> relabelListed(const ReshapeSegment& edit,
     const Document& document, std::span<const std::uint8_t> labels, const Progress& progress);
+
+/// The same where it has others; they take voxels from each other.
+[[nodiscard]] Result<LabelListed> labelListed(const ReshapeSegment& edit, const Document& document,
+    std::span<const std::uint8_t> labels, const Progress& progress);
 
 } // namespace core

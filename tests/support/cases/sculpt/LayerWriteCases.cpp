@@ -226,9 +226,24 @@ std::vector<EngineCase> layerWriteCases(int randomCount)
             std::vector<std::uint8_t>(core::BrickGrid::voxelsPerBrick, std::uint8_t(255))});
     appendWhole(listed.steps, full); // what has grown stays
     appendWhole(listed.steps, full); // nothing is left to do
+    // Some are given, some freed, and of those only what may be taken.
+    LabelListed some{.plane = 0, .frees = 7};
+    for (const LabelListed::Brick& brick : full.bricks) {
+        some.bricks.push_back(brick);
+        for (std::size_t voxel = 0; voxel < some.bricks.back().labels.size(); ++voxel)
+            some.bricks.back().labels[voxel] = std::uint8_t(voxel % 5 < 2 ? 7
+                    : voxel % 5 == 2                                      ? 9
+                                                                          : 0);
+    }
+    appendWhole(listed.steps, some); // nothing that is held may go
+    some.overwritable.set(2);
+    appendWhole(listed.steps, some);
+    some.overwritable.set(0);
+    some.overwritable.set(9);
+    appendWhole(listed.steps, some);
     full.overwritable.set(2);
     appendWhole(listed.steps, full);
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 5; ++i)
         listed.steps.push_back(Undo{});
     cases.push_back(listed);
 

@@ -229,6 +229,12 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"close an empty segment", volume, {first}, close});
     cases.push_back({"smooth a segment", volume, {first, paint}, median});
     cases.push_back({"smooth a segment by a Gaussian", volume, {first, paint}, gaussian});
+    ReshapeSegment joint = gaussian;
+    joint.with = std::vector<int>{2};
+    cases.push_back(
+        {"smooth two segments together", volume, {first, second, paint, others}, joint});
+    cases.push_back({"growth after two were smoothed together", volume,
+        {first, seeds, second, others, some, joint}, all});
     cases.push_back({"growth after a margin", volume, {first, paint, less, seeds}, all});
     cases.push_back(
         {"undo only a margin", volume, {first, paint, margin, drill}, core::RevertRows{{3}}});
