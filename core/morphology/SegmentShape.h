@@ -29,6 +29,10 @@ enum class ShapeOperation : std::uint8_t {
     /// Voxels change sides if more than half of the whole ball around them lies on the other one.
     /// What lies beyond the image's border counts for neither.
     Median,
+    /// What the ball, rolled around the segment from outside, cannot get into becomes its own:
+    /// holes, and all that lies behind openings that are narrower than the ball. Like a closing it
+    /// does not depend on the image's border; voxels hang together by faces.
+    Wrap,
     /// Voxels change sides if more than half of a Gaussian around them lies on the other one. No
     /// ball does that: see GaussianShape.h.
     Gaussian,

@@ -252,6 +252,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Close '%1' by %2 mm");
     case RowTitleCode::SmoothShape:
         return tr("Smooth '%1' by %2 mm");
+    case RowTitleCode::WrapShape:
+        return tr("Wrap '%1' by %2 mm");
     case RowTitleCode::GaussianShape:
         return tr("Smooth '%1' by a Gaussian of %2 mm");
     case RowTitleCode::JointGaussian:

@@ -95,6 +95,11 @@ const std::vector<Reshaping>& reshapings()
             .text = ReshapeDialog::tr("Smooth by closing"),
             .hint = ReshapeDialog::tr("Fills what is narrower than a ball of this radius."),
             .usualMm = 1.5},
+        {.key = "wrap",
+            .operation = ShapeOperation::Wrap,
+            .text = ReshapeDialog::tr("Wrap and make solid"),
+            .hint = ReshapeDialog::tr("Fills what a ball of this radius cannot get into."),
+            .usualMm = 3.0},
     };
     return all;
 }

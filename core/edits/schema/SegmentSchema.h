@@ -130,12 +130,12 @@ template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("operation", Presence::Required, edit.operation,
-        editFields::Choice<ShapeOperation, 7>{
-            {"grow", "shrink", "hollow", "open", "close", "median", "gaussian"}},
+        editFields::Choice<ShapeOperation, 8>{
+            {"grow", "shrink", "hollow", "open", "close", "median", "wrap", "gaussian"}},
         "grow and shrink by a margin; hollow leaves a shell; open removes what no ball within the "
         "segment holds, close adds what no ball beside it holds; median gives each voxel to the "
         "side on which more than half of the ball around it lies, gaussian the same with a "
-        "Gaussian");
+        "Gaussian; wrap adds holes and all that lies behind openings narrower than the ball");
     visit.field("mm", Presence::Required, edit.mm,
         editFields::Number{"mm", 0.01, 100.0, quantum::perMillimetre},
         "the margin, the thickness of the shell, the radius of the ball, or the standard deviation "

@@ -184,7 +184,7 @@ private Q_SLOTS:
         QCOMPARE(joint->get<ReshapeSegment>().with.value_or(std::vector<int>()),
             (std::vector<int>{1, 5}));
         QVERIFY(!sides.rightMm && !sides.anteriorMm && !sides.posteriorMm && !sides.inferiorMm);
-        for (const char* operation : {"shrink", "open", "close", "median", "gaussian"})
+        for (const char* operation : {"shrink", "open", "close", "median", "wrap", "gaussian"})
             QVERIFY(
                 editFromJson(parse(qPrintable(QStringLiteral("{'edit':'reshapeSegment','segment':2,"
                                                              "'operation':'%1','mm':2}")

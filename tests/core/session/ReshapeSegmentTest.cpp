@@ -307,9 +307,9 @@ private Q_SLOTS:
         const ImportMask matter = randomMatter(random);
         Bench bench(false, matter);
         const std::size_t begun = bench.rows().size();
-        for (int step = 0; step < 9; ++step) {
+        for (int step = 0; step < 10; ++step) {
             ReshapeSegment edit{.segment = 1 + int(random() % 2)};
-            edit.operation = ShapeOperation(step % 7);
+            edit.operation = ShapeOperation(step % 8);
             edit.mm = double(1024 + random() % 3000) / 1024.0;
             if (edit.operation == ShapeOperation::Hollow)
                 edit.shell = ShellPlace(random() % 3);

@@ -818,7 +818,7 @@ private:
         const glm::dvec3 spacing = document.volumes.front().geometry.spacingMm();
         // No distance between two voxels: rounding decides nothing.
         ReshapeSegment reshape{.segment = any(document.segments).label,
-            .operation = ShapeOperation(between(0, 6)),
+            .operation = ShapeOperation(between(0, 7)),
             .mm = (between(1, 3) + 0.13) * std::max({spacing.x, spacing.y, spacing.z})};
         if (reshape.operation == ShapeOperation::Hollow && chance(60))
             reshape.shell = ShellPlace(between(0, 2));

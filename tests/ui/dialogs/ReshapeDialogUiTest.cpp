@@ -178,6 +178,7 @@ private Q_SLOTS:
         row("Smooth all shown segments together", ShapeOperation::Gaussian);
         row("Smooth by opening", ShapeOperation::Open);
         row("Smooth by closing", ShapeOperation::Close);
+        row("Wrap and make solid", ShapeOperation::Wrap);
     }
     void eachChoiceIsItsEdit()
     {
@@ -191,7 +192,7 @@ private Q_SLOTS:
         fixture.apply(test::paintAt(1, {glm::dvec3(-18.0, -16.0, 106.0)}, 1.2));
         ui::ReshapeDialog& dialog = fixture.opened("segments.smooth");
         QComboBox& choice = operationOf(dialog);
-        QCOMPARE(choice.count(), 10);
+        QCOMPARE(choice.count(), 11);
         choice.setCurrentText(text);
         QCOMPARE(choice.currentText(), text);
         mmOf(dialog).setValue(2.0);

@@ -159,6 +159,8 @@ RowTitleCode titleOf(const ReshapeSegment& edit)
         return RowTitleCode::OpenShape;
     case ShapeOperation::Close:
         return RowTitleCode::CloseShape;
+    case ShapeOperation::Wrap:
+        return RowTitleCode::WrapShape;
     case ShapeOperation::Gaussian:
         return edit.with ? RowTitleCode::JointGaussian : RowTitleCode::GaussianShape;
     case ShapeOperation::Median:

@@ -226,6 +226,8 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"a shell around a segment", volume, {first, paint}, around});
     cases.push_back({"open a segment", volume, {first, paint}, open});
     cases.push_back({"close a hollow segment", volume, {first, paint, shell}, close});
+    const ReshapeSegment wrap{.segment = 1, .operation = ShapeOperation::Wrap, .mm = 3.0};
+    cases.push_back({"wrap a hollow segment", volume, {first, paint, shell}, wrap});
     cases.push_back({"close an empty segment", volume, {first}, close});
     cases.push_back({"smooth a segment", volume, {first, paint}, median});
     cases.push_back({"smooth a segment by a Gaussian", volume, {first, paint}, gaussian});
