@@ -98,11 +98,14 @@ struct MapLabels {
     std::array<std::uint8_t, 256> becomes = everyLabelItself();
 };
 
-/// Coverage of the layer = 255 wherever the plane holds the label.
+/// Coverage of the layer = 255 wherever the plane holds the label; or, with `outside`, wherever in
+/// the volume it holds neither the label nor one that is spared.
 struct CoverLabel {
     std::uint8_t layer = 0;
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
+    bool outside = false;
+    std::bitset<256> spared{}; ///< with `outside` alone
 };
 
 /// Empty a layer. With `into`, another layer receives it first: coverage = max(coverage, that of

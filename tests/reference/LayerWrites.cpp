@@ -206,7 +206,8 @@ void coverLabel(DenseFields& fields, const core::CoverLabel& edit)
     const DenseArray<std::uint8_t> labels = fields.labels(edit.plane);
     DenseArray<std::uint8_t>& coverage = fields.coverage(edit.layer);
     for (std::size_t i = 0; i < labels.values.size(); ++i) {
-        if (labels.values[i] == edit.label)
+        const std::uint8_t held = labels.values[i];
+        if (edit.outside ? held != edit.label && !edit.spared[held] : held == edit.label)
             coverage.values[i] = 255;
     }
 }

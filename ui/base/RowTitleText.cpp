@@ -288,6 +288,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Merge layer '%1' into '%2'");
     case RowTitleCode::SegmentToLayer:
         return tr("Segment '%1' to layer '%2'");
+    case RowTitleCode::OutsideToLayer:
+        return tr("All but segment '%1' to layer '%2'");
     case RowTitleCode::RenameLayer:
         return tr("Rename layer '%1' to '%2'");
     case RowTitleCode::SoloLayer:

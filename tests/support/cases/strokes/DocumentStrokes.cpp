@@ -131,6 +131,11 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"muted layer to a segment", volume, {layer, drill, mute}, carved});
     cases.push_back({"segment to layer", volume, {first, seeds, some, layer, drill, other}, cover});
     cases.push_back({"empty segment to layer", volume, {first, layer}, cover});
+    const core::SegmentToLayer mask{.segment = 1, .layer = 2, .outside = true};
+    cases.push_back(
+        {"all but a segment to layer", volume, {first, seeds, some, layer, drill, other}, mask});
+    cases.push_back({"undo only all but a segment", volume,
+        {first, seeds, some, layer, mask, other}, core::RevertRows{{5}}});
     cases.push_back({"segment what is seen", volume, {first, paint, drill}, seen});
     cases.push_back(
         {"segment what is seen in a clip region", volume, {first, second, taker, peel}, clipped});
