@@ -16,27 +16,6 @@ namespace core {
 
 namespace {
 
-/// Which of the grid's axes stands for each of the patient's: x, y and z of LPS.
-std::array<int, 3> axesOfPatient(const VolumeGeometry& geometry)
-{
-    const glm::dvec3 spacing = geometry.spacingMm();
-    std::array<int, 3> order{0, 1, 2};
-    std::array<int, 3> best = order;
-    double most = -1.0;
-    do {
-        double sum = 0.0;
-        for (int patient = 0; patient < 3; ++patient) {
-            const int axis = order.at(std::size_t(patient));
-            sum += std::abs(geometry.indexToWorld[axis][patient]) / spacing[axis];
-        }
-        if (sum > most) {
-            most = sum;
-            best = order;
-        }
-    } while (std::next_permutation(order.begin(), order.end()));
-    return best;
-}
-
 int bitsOf(int number)
 {
     int bits = 0;
@@ -280,6 +259,26 @@ Result<void> spread(BoxMask& mask, const SidedBall& ball, const Progress& progre
 }
 
 } // namespace
+
+std::array<int, 3> axesOfPatient(const VolumeGeometry& geometry)
+{
+    const glm::dvec3 spacing = geometry.spacingMm();
+    std::array<int, 3> order{0, 1, 2};
+    std::array<int, 3> best = order;
+    double most = -1.0;
+    do {
+        double sum = 0.0;
+        for (int patient = 0; patient < 3; ++patient) {
+            const int axis = order.at(std::size_t(patient));
+            sum += std::abs(geometry.indexToWorld[axis][patient]) / spacing[axis];
+        }
+        if (sum > most) {
+            most = sum;
+            best = order;
+        }
+    } while (std::next_permutation(order.begin(), order.end()));
+    return best;
+}
 
 SidedBall sidedBallOf(const VolumeGeometry& geometry, const SixMargins& margins)
 {

@@ -39,6 +39,9 @@ struct SidedBall {
     glm::ivec3 behind{0}; ///< and along it
 };
 
+/// Which of the grid's axes stands for each of the patient's, x, y and z of LPS, as above.
+[[nodiscard]] std::array<int, 3> axesOfPatient(const VolumeGeometry& geometry);
+
 /// @pre ballVoxels() of the greatest margin is at most mostBallVoxels
 [[nodiscard]] SidedBall sidedBallOf(const VolumeGeometry& geometry, const SixMargins& margins);
 /// The same steps backwards.

@@ -260,6 +260,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Smooth '%1' and others together by a Gaussian of %2 mm");
     case RowTitleCode::FillBetweenSlices:
         return tr("Fill '%1' between slices");
+    case RowTitleCode::MirrorSegment:
+        return tr("Mirror '%1'");
     case RowTitleCode::FloodSlice:
         return tr("Flood fill '%1' in a slice");
     case RowTitleCode::FloodVolume:

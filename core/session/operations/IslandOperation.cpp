@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/engine/EngineCommands.h"
@@ -45,6 +46,17 @@ IslandOperation::IslandOperation(const ReshapeSegment& edit, RowId again)
 }
 
 IslandOperation::IslandOperation(const FillBetweenSlices& edit, RowId again)
+    : IslandOperation(
+        edit, edit.segment,
+        [edit](const Document& document, std::span<const std::uint8_t> labels,
+            const Progress& progress) -> Result<Listed> {
+            return relabelListed(edit, document, labels, progress);
+        },
+        again)
+{
+}
+
+IslandOperation::IslandOperation(const MirrorSegment& edit, RowId again)
     : IslandOperation(
         edit, edit.segment,
         [edit](const Document& document, std::span<const std::uint8_t> labels,

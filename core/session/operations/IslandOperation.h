@@ -19,14 +19,15 @@
 namespace core {
 
 /// An edit of a segment as a whole that is worked out from all labels of its plane (CleanSegment,
-/// ReshapeSegment, FillBetweenSlices): it reads them, works out on the side thread which voxels are
-/// meant, and lets the engine write them; one row if it changed anything.
+/// ReshapeSegment, FillBetweenSlices, MirrorSegment): it reads them, works out on the side thread
+/// which voxels are meant, and lets the engine write them; one row if it changed anything.
 class IslandOperation final : public AbortableOperation {
 public:
     /// @param again as in VoxelOperation
     explicit IslandOperation(const CleanSegment& edit, RowId again = 0);
     explicit IslandOperation(const ReshapeSegment& edit, RowId again = 0);
     explicit IslandOperation(const FillBetweenSlices& edit, RowId again = 0);
+    explicit IslandOperation(const MirrorSegment& edit, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;

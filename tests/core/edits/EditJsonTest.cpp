@@ -6,6 +6,7 @@
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
@@ -189,6 +190,13 @@ private Q_SLOTS:
                 editFromJson(parse(qPrintable(QStringLiteral("{'edit':'reshapeSegment','segment':2,"
                                                              "'operation':'%1','mm':2}")
                                                   .arg(QLatin1String(operation))))));
+        const Result<Edit> mirror =
+            editFromJson(parse("{'edit':'mirrorSegment','segment':2,'sides':'inferiorSuperior',"
+                               "'placeLps':[1,2,3.00001],'keep':true}"));
+        QVERIFY(mirror);
+        QVERIFY(mirror->get<MirrorSegment>().sides == MirroredSides::InferiorSuperior);
+        QVERIFY(mirror->get<MirrorSegment>().keep);
+        QVERIFY(quantised(*mirror).get<MirrorSegment>().placeLps == glm::dvec3(1.0, 2.0, 3.0));
         const Result<Edit> between =
             editFromJson(parse("{'edit':'fillBetweenSlices','segment':2}"));
         const Result<Edit> across =
@@ -259,6 +267,8 @@ private Q_SLOTS:
                 "{'edit':'combineSegments','segment':2,'how':'merge'}",
                 "{'edit':'combineSegments','segment':2,'with':0,'how':'merge'}",
                 "{'edit':'combineSegments','segment':2,'with':1,'how':'subtract'}",
+                "{'edit':'mirrorSegment','segment':2}",
+                "{'edit':'mirrorSegment','segment':2,'sides':'upDown'}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow'}",
                 "{'edit':'reshapeSegment','segment':2,'mm':1}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':0}",

@@ -4,6 +4,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
@@ -123,7 +124,8 @@ bool changesLabels(const Edit& edit)
         || edit.is<RemoveSegment>() || edit.is<LayerToSegment>() || edit.is<SegmentSeen>()
         || edit.is<ImportMask>() || edit.is<InvertSegment>() || edit.is<CombineSegments>()
         || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>()
-        || edit.is<FillBetweenSlices>() || edit.is<FloodFill>() || edit.is<ThresholdSegment>();
+        || edit.is<FillBetweenSlices>() || edit.is<FloodFill>() || edit.is<ThresholdSegment>()
+        || edit.is<MirrorSegment>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -388,6 +390,9 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return after(before, *labelOutlined(*outline, document), {}, nullptr);
     if (const auto* threshold = edit.as<ThresholdSegment>())
         return after(before, *labelThreshold(*threshold, document), {}, nullptr, &document);
+    if (const auto* mirror = edit.as<MirrorSegment>())
+        return after(
+            before, *relabelListed(*mirror, document, labelsOf(before), Progress()), {}, nullptr);
     // What a ball does to a segment is another test's matter; here from which labels, and when.
     if (const auto* reshape = edit.as<ReshapeSegment>()) {
         const std::vector<std::uint8_t> labels = labelsOf(before);

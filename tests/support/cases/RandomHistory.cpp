@@ -5,6 +5,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
@@ -391,6 +392,8 @@ private:
             return randomFlood(document);
         if (m_session->history().rows().size() % 16 == 2)
             return randomThreshold(document);
+        if (m_session->history().rows().size() % 16 == 10)
+            return randomMirror(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
@@ -745,6 +748,17 @@ private:
         if (chance(30))
             outline.lower = between(-200, 300);
         return outline;
+    }
+    MirrorSegment randomMirror(const Document& document)
+    {
+        MirrorSegment mirror{.segment = any(document.segments).label,
+            .sides = MirroredSides(between(0, 2)),
+            .keep = chance(50)};
+        // At or halfway between voxels, and not where rounding decides.
+        if (chance(70))
+            mirror.placeLps = document.volumes.front().geometry.toWorld({0.5 * between(8, 30) + 0.1,
+                0.5 * between(8, 30) + 0.1, 0.5 * between(8, 30) + 0.1});
+        return mirror;
     }
     /// Of a segment that has empty slices between others, along any axis.
     std::optional<FillBetweenSlices> randomBetween(const Document& document)
