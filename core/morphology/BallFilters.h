@@ -47,4 +47,8 @@ struct FilterStage {
 [[nodiscard]] Result<void> keepMajority(
     ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage);
 
+/// Sets every voxel from which no way over faces of unset ones leads to the border of the box.
+/// @param progress is only asked whether it was cancelled
+[[nodiscard]] Result<void> fillEnclosed(BoxMask& mask, const Progress& progress);
+
 } // namespace core

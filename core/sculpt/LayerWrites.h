@@ -53,7 +53,9 @@ struct LabelSeen {
 };
 
 /// Give labels to listed voxels. Each follows the rule of LabelTarget with the label requested for
-/// it; where 0 is requested, nothing happens.
+/// it; where 0 is requested, nothing happens. Where `frees` is requested, which may be any number
+/// that is not given as a label, a voxel at which the plane holds a label in `overwritable` becomes
+/// 0, and a seed word there that has this label becomes unvisited (as when PaintLabel erases).
 struct LabelListed {
     struct Brick {
         std::uint32_t brick = 0;
@@ -62,6 +64,7 @@ struct LabelListed {
     std::uint8_t plane = 0;
     std::bitset<256> overwritable{};
     std::vector<Brick> bricks{}; ///< ascending, each once
+    std::uint8_t frees = 0; ///< 0: no voxel is freed
 };
 
 /// Give a label to listed voxels, and remove it from others. A voxel that is to receive it follows
@@ -95,11 +98,14 @@ struct MapLabels {
     std::array<std::uint8_t, 256> becomes = everyLabelItself();
 };
 
-/// Coverage of the layer = 255 wherever the plane holds the label.
+/// Coverage of the layer = 255 wherever the plane holds the label; or, with `outside`, wherever in
+/// the volume it holds neither the label nor one that is spared.
 struct CoverLabel {
     std::uint8_t layer = 0;
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
+    bool outside = false;
+    std::bitset<256> spared{}; ///< with `outside` alone
 };
 
 /// Empty a layer. With `into`, another layer receives it first: coverage = max(coverage, that of

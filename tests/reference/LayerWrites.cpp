@@ -110,8 +110,11 @@ void labelListed(DenseFields& fields, const core::LabelListed& edit)
             const glm::ivec3 voxel = box.minimum + within;
             const std::uint8_t asked =
                 brick.labels[std::size_t(core::BrickGrid::offsetInBrick(voxel))];
-            if (asked != 0)
+            const std::uint8_t held = fields.labels(edit.plane).at(voxel);
+            if (asked != 0 && asked != edit.frees)
                 give(fields, {edit.plane, asked, edit.overwritable}, voxel);
+            else if (asked != 0 && held != 0 && edit.overwritable[held])
+                take(fields, {.plane = edit.plane, .label = held}, voxel);
         });
     }
 }
@@ -203,7 +206,8 @@ void coverLabel(DenseFields& fields, const core::CoverLabel& edit)
     const DenseArray<std::uint8_t> labels = fields.labels(edit.plane);
     DenseArray<std::uint8_t>& coverage = fields.coverage(edit.layer);
     for (std::size_t i = 0; i < labels.values.size(); ++i) {
-        if (labels.values[i] == edit.label)
+        const std::uint8_t held = labels.values[i];
+        if (edit.outside ? held != edit.label && !edit.spared[held] : held == edit.label)
             coverage.values[i] = 255;
     }
 }

@@ -238,6 +238,10 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Grow '%1' by %2 mm");
     case RowTitleCode::ShrinkByMargin:
         return tr("Shrink '%1' by %2 mm");
+    case RowTitleCode::GrowBySides:
+        return tr("Grow '%1' by margins of up to %2 mm");
+    case RowTitleCode::ShrinkBySides:
+        return tr("Shrink '%1' by margins of up to %2 mm");
     case RowTitleCode::HollowInside:
         return tr("Hollow '%1', %2 mm inside its border");
     case RowTitleCode::HollowCentred:
@@ -250,8 +254,16 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Close '%1' by %2 mm");
     case RowTitleCode::SmoothShape:
         return tr("Smooth '%1' by %2 mm");
+    case RowTitleCode::WrapShape:
+        return tr("Wrap '%1' by %2 mm");
+    case RowTitleCode::GaussianShape:
+        return tr("Smooth '%1' by a Gaussian of %2 mm");
+    case RowTitleCode::JointGaussian:
+        return tr("Smooth '%1' and others together by a Gaussian of %2 mm");
     case RowTitleCode::FillBetweenSlices:
         return tr("Fill '%1' between slices");
+    case RowTitleCode::MirrorSegment:
+        return tr("Mirror '%1'");
     case RowTitleCode::FloodSlice:
         return tr("Flood fill '%1' in a slice");
     case RowTitleCode::FloodVolume:
@@ -292,6 +304,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Merge layer '%1' into '%2'");
     case RowTitleCode::SegmentToLayer:
         return tr("Segment '%1' to layer '%2'");
+    case RowTitleCode::OutsideToLayer:
+        return tr("All but segment '%1' to layer '%2'");
     case RowTitleCode::RenameLayer:
         return tr("Rename layer '%1' to '%2'");
     case RowTitleCode::SoloLayer:

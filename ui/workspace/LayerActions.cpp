@@ -137,9 +137,9 @@ void layerToSegment(Workspace& workspace, int layer, std::optional<int> label)
     give(workspace, edit, label);
 }
 
-void segmentToLayer(Workspace& workspace, int label, int layer)
+void segmentToLayer(Workspace& workspace, int label, int layer, bool outside)
 {
-    apply(workspace, core::SegmentToLayer{.segment = label, .layer = layer});
+    apply(workspace, core::SegmentToLayer{.segment = label, .layer = layer, .outside = outside});
 }
 
 void segmentWhatIsSeen(Workspace& workspace, std::optional<int> label)

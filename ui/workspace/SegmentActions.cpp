@@ -4,6 +4,7 @@
 #include "core/document/SegmentColours.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
@@ -240,6 +241,23 @@ void askBetweenSlices(Workspace& workspace, int label)
     workspace.askToFillBetween(label);
 }
 
+/// @param placeLps in the plane; none: the middle of the images
+void mirror(Workspace& workspace, int label, const std::optional<glm::dvec3>& placeLps)
+{
+    carryOut(workspace, core::MirrorSegment{.segment = label, .placeLps = placeLps},
+        QObject::tr("'%1' is its own mirror image").arg(nameOfSegment(workspace, label)));
+}
+
+void mirrorAtMiddle(Workspace& workspace, int label)
+{
+    mirror(workspace, label, std::nullopt);
+}
+
+void mirrorAtCrosshair(Workspace& workspace, int label)
+{
+    mirror(workspace, label, workspace.crosshairLps());
+}
+
 } // namespace
 
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit)
@@ -349,6 +367,14 @@ const std::vector<SegmentAction>& segmentActions()
             .text = QObject::tr("Fill between slices …"),
             .named = QObject::tr("Fill between slices of '%1' …"),
             .run = &askBetweenSlices},
+        {.id = "segments.mirror",
+            .text = QObject::tr("Mirror left and right"),
+            .named = QObject::tr("Mirror '%1' left and right"),
+            .run = &mirrorAtMiddle},
+        {.id = "segments.mirrorAtCrosshair",
+            .text = QObject::tr("Mirror left and right at the crosshair"),
+            .named = QObject::tr("Mirror '%1' left and right at the crosshair"),
+            .run = &mirrorAtCrosshair},
         {.id = "segments.invert", .text = QObject::tr("Invert segment"), .run = &invertSegment},
         {.id = "segments.remove",
             .text = QObject::tr("Delete segment"),

@@ -60,6 +60,7 @@ struct RemoveMeasurement;
 struct RemovePiece;
 struct RemoveSegment;
 struct ReshapeSegment;
+struct MirrorSegment;
 struct ResumeGrowth;
 struct RevertRows;
 struct ReviseStroke;
@@ -90,7 +91,8 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
     SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
-    FillBetweenSlices, FloodFill, ThresholdSegment, Annotate, MoveMeasurement, SegmentScissors>;
+    FillBetweenSlices, FloodFill, ThresholdSegment, Annotate, MoveMeasurement, SegmentScissors,
+    MirrorSegment>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/schema/SchemaParts.h"
 
@@ -80,6 +81,27 @@ template <class Visitor> void visitFields(Visitor& visit, SegmentScissors& edit)
     visitOnlyValues(visit, edit.lower, edit.upper);
     visit.when(!edit.erase, [&] { visitOverwrite(visit, edit.overwriteUnlocked); });
     visitHidden(visit, edit.hidden);
+}
+
+template <> inline constexpr const char* editName<MirrorSegment> = "mirrorSegment";
+template <>
+inline constexpr const char* editMeaning<MirrorSegment> =
+    "Mirrors a segment that is not locked about a plane across the grid's axis that is nearest to "
+    "a "
+    "direction of the patient. Takes only voxels that no segment has.";
+template <class Visitor> void visitFields(Visitor& visit, MirrorSegment& edit)
+{
+    visitSegment(visit, edit.segment);
+    visit.field("sides", Presence::Required, edit.sides,
+        editFields::Choice<MirroredSides, 3>{
+            {"rightLeft", "anteriorPosterior", "inferiorSuperior"}},
+        "which sides of the patient change places");
+    visit.maybe("placeLps", edit.placeLps, positionLps,
+        "a place in the plane, patient coordinates (LPS); the plane goes through the nearest "
+        "voxel's centre or halfway between two",
+        "the middle of the volume");
+    visit.field("keep", Presence::Optional, edit.keep, editFields::Flag{},
+        "whether the segment keeps what it has, beside its mirror image");
 }
 
 } // namespace core::editSchema

@@ -124,22 +124,41 @@ template <> inline constexpr const char* editName<ReshapeSegment> = "reshapeSegm
 template <>
 inline constexpr const char* editMeaning<ReshapeSegment> =
     "Grows or shrinks a segment that is not locked by a margin, leaves a shell of it, opens, "
-    "closes or smooths it, with a ball of millimetres. Takes only voxels that no segment has.";
+    "closes or smooths it, with a ball or a Gaussian of millimetres. Takes only voxels that no "
+    "segment has.";
 template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("operation", Presence::Required, edit.operation,
-        editFields::Choice<ShapeOperation, 6>{
-            {"grow", "shrink", "hollow", "open", "close", "median"}},
+        editFields::Choice<ShapeOperation, 8>{
+            {"grow", "shrink", "hollow", "open", "close", "median", "wrap", "gaussian"}},
         "grow and shrink by a margin; hollow leaves a shell; open removes what no ball within the "
         "segment holds, close adds what no ball beside it holds; median gives each voxel to the "
-        "side on which more than half of the ball around it lies");
+        "side on which more than half of the ball around it lies, gaussian the same with a "
+        "Gaussian; wrap adds holes and all that lies behind openings narrower than the ball");
     visit.field("mm", Presence::Required, edit.mm,
         editFields::Number{"mm", 0.01, 100.0, quantum::perMillimetre},
-        "the margin, the thickness of the shell, or the radius of the ball");
+        "the margin, the thickness of the shell, the radius of the ball, or the standard deviation "
+        "of the Gaussian");
     visit.maybe("shell", edit.shell,
         editFields::Choice<ShellPlace, 3>{{"inside", "centred", "outside"}},
         "of hollow alone: where the shell lies, from the segment's border", "inside");
+    visit.maybe("with", edit.with, editFields::SegmentList{},
+        "of gaussian alone: others, not locked either, that are smoothed together with it: each "
+        "voxel that one of them or none has becomes the one's that is most around it, so that no "
+        "gap opens between them",
+        "it alone");
+    const auto side = [&](const char* name, std::optional<double>& mm) {
+        visit.maybe(name, mm, editFields::Number{"mm", 0.0, 100.0, quantum::perMillimetre},
+            "of grow and shrink alone: the margin on this side of the patient; 0: none there",
+            "as mm");
+    };
+    side("rightMm", edit.sides.rightMm);
+    side("leftMm", edit.sides.leftMm);
+    side("anteriorMm", edit.sides.anteriorMm);
+    side("posteriorMm", edit.sides.posteriorMm);
+    side("inferiorMm", edit.sides.inferiorMm);
+    side("superiorMm", edit.sides.superiorMm);
 }
 
 template <> inline constexpr const char* editName<ThresholdSegment> = "thresholdSegment";

@@ -6,6 +6,7 @@
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
@@ -43,6 +44,8 @@ std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
             return std::make_unique<FloodOperation>(*flood, again);
         if (const auto* between = edit.as<FillBetweenSlices>())
             return std::make_unique<IslandOperation>(*between, again);
+        if (const auto* mirror = edit.as<MirrorSegment>())
+            return std::make_unique<IslandOperation>(*mirror, again);
         return std::make_unique<IslandOperation>(edit.get<CleanSegment>(), again);
     case EditTask::Engine:
         break;

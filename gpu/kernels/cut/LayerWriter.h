@@ -14,7 +14,8 @@ namespace gpu {
 // bricks are read, computed on the processor and written, as undo does it. Both functions return
 // the keys of the bricks that changed. Engine thread only.
 
-/// Sets the coverage of a layer to 255 wherever a label is. Cost ∝ the bricks of the segment.
+/// Sets the coverage of a layer to 255 wherever a label is, or is not. Cost ∝ the bricks of the
+/// segment, or those of the volume.
 /// @param programs finds these bricks
 std::vector<core::BrickKey> coverLabel(ErasePrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::CoverLabel& edit);

@@ -206,7 +206,9 @@ std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
 {
     const core::LabelTarget target{
         .plane = edit.plane, .label = 0, .overwritable = edit.overwritable};
-    return label(programs.following("LISTED"), fields, before, target, numbersOf(edit.bricks),
+    Program& kernel = programs.following("LISTED");
+    kernel.set("frees", unsigned(edit.frees));
+    return label(kernel, fields, before, target, numbersOf(edit.bricks),
         AskedBytes(edit.bricks, &core::LabelListed::Brick::labels));
 }
 

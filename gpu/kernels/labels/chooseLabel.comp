@@ -63,6 +63,9 @@ uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
 uniform uint label;
 uniform uint overwritable[8];
+#ifdef LISTED
+uniform uint frees; // what is asked for where a label is to go; 0: nowhere
+#endif
 uniform bool write;
 
 const uint changedLabel = 1u;
@@ -167,7 +170,10 @@ bool isChosen(ivec3 voxel)
 uint labelFor(ivec3 voxel, int offset, uint held)
 {
 #ifdef LISTED
-    return askedFor(offset);
+    uint its = askedFor(offset);
+    if (its == 0u || its != frees)
+        return its;
+    return (overwritable[held >> 5] >> (held & 31u) & 1u) != 0u ? held : 0u;
 #elif defined(OUTLINED)
     return askedFor(offset) != 0u && hasValue(voxel) ? label : 0u;
 #elif defined(RELABELLED)
@@ -189,7 +195,9 @@ uint labelFor(ivec3 voxel, int offset, uint held)
 /// Whether that label is to go from here.
 bool isTaken(ivec3 voxel, int offset, uint held)
 {
-#ifdef RELABELLED
+#ifdef LISTED
+    return frees != 0u && askedFor(offset) == frees;
+#elif defined(RELABELLED)
     return askedFor(offset) == 2u;
 #elif defined(THRESHOLD)
     return how == subtracts || (how == replaces && !isChosen(voxel));

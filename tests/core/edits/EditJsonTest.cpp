@@ -6,6 +6,7 @@
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
@@ -171,11 +172,32 @@ private Q_SLOTS:
         QCOMPARE(quantised(*grown).get<ReshapeSegment>().mm, 1.5);
         QVERIFY(shell->get<ReshapeSegment>().operation == ShapeOperation::Hollow);
         QVERIFY(shell->get<ReshapeSegment>().shell == ShellPlace::Outside);
-        for (const char* operation : {"shrink", "open", "close", "median"})
+        const Result<Edit> sided =
+            editFromJson(parse("{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':3,"
+                               "'leftMm':0,'superiorMm':4.00001}"));
+        QVERIFY(sided);
+        const SideMargins sides = quantised(*sided).get<ReshapeSegment>().sides;
+        QCOMPARE(sides.leftMm.value_or(-1.0), 0.0);
+        QCOMPARE(sides.superiorMm.value_or(-1.0), 4.0);
+        const Result<Edit> joint =
+            editFromJson(parse("{'edit':'reshapeSegment','segment':2,'operation':'gaussian','mm':1,"
+                               "'with':[1,5]}"));
+        QVERIFY(joint);
+        QCOMPARE(joint->get<ReshapeSegment>().with.value_or(std::vector<int>()),
+            (std::vector<int>{1, 5}));
+        QVERIFY(!sides.rightMm && !sides.anteriorMm && !sides.posteriorMm && !sides.inferiorMm);
+        for (const char* operation : {"shrink", "open", "close", "median", "wrap", "gaussian"})
             QVERIFY(
                 editFromJson(parse(qPrintable(QStringLiteral("{'edit':'reshapeSegment','segment':2,"
                                                              "'operation':'%1','mm':2}")
                                                   .arg(QLatin1String(operation))))));
+        const Result<Edit> mirror =
+            editFromJson(parse("{'edit':'mirrorSegment','segment':2,'sides':'inferiorSuperior',"
+                               "'placeLps':[1,2,3.00001],'keep':true}"));
+        QVERIFY(mirror);
+        QVERIFY(mirror->get<MirrorSegment>().sides == MirroredSides::InferiorSuperior);
+        QVERIFY(mirror->get<MirrorSegment>().keep);
+        QVERIFY(quantised(*mirror).get<MirrorSegment>().placeLps == glm::dvec3(1.0, 2.0, 3.0));
         const Result<Edit> between =
             editFromJson(parse("{'edit':'fillBetweenSlices','segment':2}"));
         const Result<Edit> across =
@@ -246,11 +268,16 @@ private Q_SLOTS:
                 "{'edit':'combineSegments','segment':2,'how':'merge'}",
                 "{'edit':'combineSegments','segment':2,'with':0,'how':'merge'}",
                 "{'edit':'combineSegments','segment':2,'with':1,'how':'subtract'}",
+                "{'edit':'mirrorSegment','segment':2}",
+                "{'edit':'mirrorSegment','segment':2,'sides':'upDown'}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow'}",
                 "{'edit':'reshapeSegment','segment':2,'mm':1}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':0}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':100.5}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'polish','mm':1}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':1,'leftMm':-1}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'gaussian','mm':1,'with':[5,1]}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'gaussian','mm':1,'with':[]}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'hollow','mm':1,'shell':'on'}",
                 "{'edit':'floodFill','segment':2,'placeLps':[1,2,3]}",
                 "{'edit':'floodFill','segment':2,'tolerance':1}",

@@ -70,6 +70,11 @@ private Q_SLOTS:
         QVERIFY(effectsOf(flood).boundToStudy); // it names a place
         flood.erase = true;
         QVERIFY(!effectsOf(flood).fills.label && effectsOf(flood).writesTo == 5);
+        MirrorSegment mirror{.segment = 2};
+        QVERIFY(effectsOf(mirror).fills.label == 2 && effectsOf(mirror).writesTo == 2);
+        QVERIFY(!effectsOf(mirror).boundToStudy);
+        mirror.placeLps = glm::dvec3(0.0);
+        QVERIFY(effectsOf(mirror).boundToStudy); // it names a place
         const FillBetweenSlices between{.segment = 3};
         QVERIFY(effectsOf(between).fills.label == 3 && effectsOf(between).writesTo == 3);
         QVERIFY(!effectsOf(between).boundToStudy);

@@ -68,6 +68,7 @@ private Q_SLOTS:
         kinds.insert(editPlace<FillBetweenSlices>);
         kinds.insert(editPlace<FloodFill>);
         kinds.insert(editPlace<FillOutline>);
+        kinds.insert(editPlace<MirrorSegment>);
         kinds.insert(editPlace<MoveMeasurement>);
         kinds.insert(editPlace<ReshapeSegment>);
         kinds.insert(editPlace<SegmentScissors>);

@@ -4,6 +4,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
@@ -125,7 +126,7 @@ bool changesLabels(const Edit& edit)
         || edit.is<ImportMask>() || edit.is<InvertSegment>() || edit.is<CombineSegments>()
         || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>()
         || edit.is<FillBetweenSlices>() || edit.is<FloodFill>() || edit.is<ThresholdSegment>()
-        || edit.is<SegmentScissors>();
+        || edit.is<SegmentScissors>() || edit.is<MirrorSegment>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -392,10 +393,16 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return after(before, *labelThreshold(*threshold, document), {}, nullptr, &document);
     if (const auto* scissors = edit.as<SegmentScissors>())
         return after(before, *labelScissors(*scissors, document), {}, nullptr);
-    // What a ball does to a segment is another test's matter; here from which labels, and when.
-    if (const auto* reshape = edit.as<ReshapeSegment>())
+    if (const auto* mirror = edit.as<MirrorSegment>())
         return after(
-            before, *relabelListed(*reshape, document, labelsOf(before), Progress()), {}, nullptr);
+            before, *relabelListed(*mirror, document, labelsOf(before), Progress()), {}, nullptr);
+    // What a ball does to a segment is another test's matter; here from which labels, and when.
+    if (const auto* reshape = edit.as<ReshapeSegment>()) {
+        const std::vector<std::uint8_t> labels = labelsOf(before);
+        if (reshape->with)
+            return after(before, *labelListed(*reshape, document, labels, Progress()), {}, nullptr);
+        return after(before, *relabelListed(*reshape, document, labels, Progress()), {}, nullptr);
+    }
     if (const auto* barrier = edit.as<BarrierStroke>())
         return after(before, *paintBarrier(*barrier, document),
             {CapsulePath{capsules(barrier->path, m_study.volume.geometry)}}, nullptr);

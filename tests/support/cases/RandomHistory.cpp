@@ -5,6 +5,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
@@ -394,6 +395,8 @@ private:
             return randomThreshold(document);
         if (m_session->history().rows().size() % 8 == 6)
             return randomSnip(document);
+        if (m_session->history().rows().size() % 16 == 10)
+            return randomMirror(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
@@ -749,6 +752,17 @@ private:
             outline.lower = between(-200, 300);
         return outline;
     }
+    MirrorSegment randomMirror(const Document& document)
+    {
+        MirrorSegment mirror{.segment = any(document.segments).label,
+            .sides = MirroredSides(between(0, 2)),
+            .keep = chance(50)};
+        // At or halfway between voxels, and not where rounding decides.
+        if (chance(70))
+            mirror.placeLps = document.volumes.front().geometry.toWorld({0.5 * between(8, 30) + 0.1,
+                0.5 * between(8, 30) + 0.1, 0.5 * between(8, 30) + 0.1});
+        return mirror;
+    }
     /// Of a segment that has empty slices between others, along any axis.
     std::optional<FillBetweenSlices> randomBetween(const Document& document)
     {
@@ -850,10 +864,25 @@ private:
         const glm::dvec3 spacing = document.volumes.front().geometry.spacingMm();
         // No distance between two voxels: rounding decides nothing.
         ReshapeSegment reshape{.segment = any(document.segments).label,
-            .operation = ShapeOperation(between(0, 5)),
+            .operation = ShapeOperation(between(0, 7)),
             .mm = (between(1, 3) + 0.13) * std::max({spacing.x, spacing.y, spacing.z})};
         if (reshape.operation == ShapeOperation::Hollow && chance(60))
             reshape.shell = ShellPlace(between(0, 2));
+        if (reshape.operation <= ShapeOperation::Shrink && chance(30)) {
+            reshape.sides.leftMm = 0.0;
+            reshape.sides.superiorMm = 1.5 * reshape.mm;
+        }
+        // Beside others of its plane that may be changed.
+        std::vector<int> others;
+        for (const Segment& each : document.segments) {
+            if (!each.locked && each.label != reshape.segment
+                && each.plane == document.segment(reshape.segment)->plane)
+                others.push_back(each.label);
+        }
+        if (reshape.operation == ShapeOperation::Gaussian && !others.empty() && chance(50)) {
+            std::sort(others.begin(), others.end());
+            reshape.with = others;
+        }
         return reshape;
     }
     PaintStroke randomPaint(int segment)

@@ -85,6 +85,14 @@ public:
     std::int64_t other = 0;
 };
 
+QStringList textsOf(const QMenu& menu)
+{
+    QStringList texts;
+    for (const QAction* each : menu.actions())
+        texts += each->text();
+    return texts;
+}
+
 /// What is offered about the island comes first, before a line.
 QList<QAction*> islandEntries(const QMenu& menu)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
@@ -89,6 +90,20 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {first, low, high, between, scene.seeds}, scene.all});
     cases.push_back({"undo only a fill between slices", volume,
         {first, low, high, between, scene.drill}, core::RevertRows{{4}}});
+
+    const core::MirrorSegment middle{.segment = 1};
+    const core::MirrorSegment aside{.segment = 1,
+        .sides = core::MirroredSides::AnteriorPosterior,
+        .placeLps = geometry.toWorld({14.0, 15.4, 4.0}),
+        .keep = true};
+    cases.push_back({"mirror a segment", volume, {first, low, high}, middle});
+    cases.push_back({"mirror a segment beside another", volume,
+        {first, second, scene.others, scene.some, low, high}, aside});
+    cases.push_back({"mirror an empty segment", volume, {first}, middle});
+    cases.push_back(
+        {"growth after mirroring", volume, {first, low, aside, scene.seeds}, scene.all});
+    cases.push_back(
+        {"undo only a mirroring", volume, {first, low, aside, scene.drill}, core::RevertRows{{3}}});
 
     core::FloodFill flood{.segment = 1,
         .placeLps = geometry.toWorld({20.0, 16.0, 10.0}),
