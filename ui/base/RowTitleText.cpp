@@ -250,6 +250,10 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Smooth '%1' by %2 mm");
     case RowTitleCode::FillBetweenSlices:
         return tr("Fill '%1' between slices");
+    case RowTitleCode::ContourEvolved:
+        return tr("Evolve the contour of '%1'");
+    case RowTitleCode::ContourFromBubble:
+        return tr("Evolve the contour of '%1' from a bubble");
     case RowTitleCode::FloodSlice:
         return tr("Flood fill '%1' in a slice");
     case RowTitleCode::FloodVolume:
