@@ -73,6 +73,11 @@ private Q_SLOTS:
         const FillBetweenSlices between{.segment = 3};
         QVERIFY(effectsOf(between).fills.label == 3 && effectsOf(between).writesTo == 3);
         QVERIFY(!effectsOf(between).boundToStudy);
+        EvolveContour contour{.segment = 4};
+        QVERIFY(effectsOf(contour).fills.label == 4 && effectsOf(contour).writesTo == 4);
+        QVERIFY(!effectsOf(contour).boundToStudy);
+        contour.bubbleLps = glm::dvec3(0.0);
+        QVERIFY(effectsOf(contour).boundToStudy); // it names a place
         ThresholdSegment threshold{.segment = 5};
         QVERIFY(effectsOf(threshold).fills.label == 5 && effectsOf(threshold).writesTo == 5);
         QVERIFY(!effectsOf(threshold).boundToStudy && effectsOf(threshold).standsOpen);
