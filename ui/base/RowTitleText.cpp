@@ -264,6 +264,10 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Fill '%1' between slices");
     case RowTitleCode::MirrorSegment:
         return tr("Mirror '%1'");
+    case RowTitleCode::ContourEvolved:
+        return tr("Evolve the contour of '%1'");
+    case RowTitleCode::ContourFromBubble:
+        return tr("Evolve the contour of '%1' from a bubble");
     case RowTitleCode::FloodSlice:
         return tr("Flood fill '%1' in a slice");
     case RowTitleCode::FloodVolume:

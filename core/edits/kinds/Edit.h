@@ -32,6 +32,7 @@ struct CutPiece;
 struct DivideSegment;
 struct DrillStroke;
 struct DropSurface;
+struct EvolveContour;
 struct FillBetweenSlices;
 struct FillOutline;
 struct FloodFill;
@@ -92,7 +93,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
     SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
     FillBetweenSlices, FloodFill, ThresholdSegment, Annotate, MoveMeasurement, SegmentScissors,
-    MirrorSegment>;
+    MirrorSegment, EvolveContour>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

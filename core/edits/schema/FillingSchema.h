@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
@@ -102,6 +103,47 @@ template <class Visitor> void visitFields(Visitor& visit, MirrorSegment& edit)
         "the middle of the volume");
     visit.field("keep", Presence::Optional, edit.keep, editFields::Flag{},
         "whether the segment keeps what it has, beside its mirror image");
+}
+
+template <> inline constexpr const char* editName<EvolveContour> = "evolveContour";
+template <>
+inline constexpr const char* editMeaning<EvolveContour> =
+    "Lets the contour of a segment that is not locked evolve generation by generation, from the "
+    "segment as it stands or from a bubble: outwards where values lie in an interval, inwards "
+    "where they do not, kept at edges and kept smooth. Evolving again goes on where it stopped.";
+template <class Visitor> void visitFields(Visitor& visit, EvolveContour& edit)
+{
+    using namespace editFields;
+    constexpr WholeNumber share{0, 100};
+    visitSegment(visit, edit.segment);
+    visit.maybe("lower", edit.lower, modalityValue,
+        "where the interval of values begins, inclusive", "no least value");
+    visit.maybe("upper", edit.upper, modalityValue, "where the interval of values ends, inclusive",
+        "no greatest value");
+    visit.field("softness", Presence::Optional, edit.softness,
+        Number{"modality units", 0.0, quantum::unbounded},
+        "how far within the interval, and beyond it, values count in full");
+    visit.field("region", Presence::Optional, edit.region, share, "how much values count");
+    visit.field("edge", Presence::Optional, edit.edge, share,
+        "how much shorter a contour counts along edges");
+    visit.when(edit.edge > 0, [&] {
+        visit.field("edgeGradient", Presence::Required, edit.edgeGradient,
+            Number{"modality units/mm", 0.0, quantum::unbounded},
+            "the gradient of an edge that counts half (where edges count)");
+    });
+    visit.field("smoothness", Presence::Optional, edit.smoothness, share,
+        "how much a short contour counts");
+    visit.maybe("bubbleLps", edit.bubbleLps, positionLps,
+        "the segment first receives a ball around this place, patient coordinates (LPS)",
+        "it begins with the segment as it stands");
+    visit.when(edit.bubbleLps.has_value(), [&] {
+        visit.field("bubbleMm", Presence::Required, edit.bubbleMm, brushRadius,
+            "radius of that ball (of a bubble)");
+    });
+    visit.field("generations", Presence::Optional, edit.generations,
+        WholeNumber{1, mostContourGenerations},
+        "how many voxels the contour moves at most; it stops earlier where nothing changes");
+    visitOverwrite(visit, edit.overwriteUnlocked);
 }
 
 } // namespace core::editSchema

@@ -4,6 +4,7 @@
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
@@ -205,6 +206,15 @@ private Q_SLOTS:
         QVERIFY(between && across);
         QVERIFY(!between->get<FillBetweenSlices>().axis);
         QVERIFY(across->get<FillBetweenSlices>().axis == SliceAxis::J);
+        const Result<Edit> contour = editFromJson(parse("{'edit':'evolveContour','segment':2}"));
+        const Result<Edit> bubble = editFromJson(
+            parse("{'edit':'evolveContour','segment':2,'lower':1,'edge':50,'edgeGradient':30,"
+                  "'bubbleLps':[1,2,3],'bubbleMm':4,'generations':7}"));
+        QVERIFY(contour && bubble);
+        QVERIFY(contour->get<EvolveContour>() == EvolveContour{.segment = 2});
+        QVERIFY(bubble->get<EvolveContour>().bubbleLps == glm::dvec3(1.0, 2.0, 3.0));
+        QCOMPARE(bubble->get<EvolveContour>().generations, 7);
+        QVERIFY(bubble->get<EvolveContour>().lower == 1.0 && !bubble->get<EvolveContour>().upper);
         const Result<Edit> flood = editFromJson(parse("{'edit':'floodFill','segment':2,"
                                                       "'placeLps':[1,2,3],'tolerance':40}"));
         const Result<Edit> away =
@@ -252,7 +262,7 @@ private Q_SLOTS:
         QVERIFY(!editToJson(*distance).contains(QStringLiteral("projected")));
         for (const Edit& edit : {*angle, *note, *onSlab, *distance, *carved, *seen, *inverted,
                  *cleaned, *given, *merged, *swapped, *grown, *shell, *between, *across, *flood,
-                 *away, *threshold, *everything})
+                 *contour, *bubble, *away, *threshold, *everything})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -284,6 +294,12 @@ private Q_SLOTS:
                 "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'tolerance':-1}",
                 "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'erase':true,'tolerance':1}",
                 "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'tolerance':1,'within':'x'}",
+                "{'edit':'evolveContour','segment':2,'smoothness':101}",
+                "{'edit':'evolveContour','segment':2,'edge':10}",
+                "{'edit':'evolveContour','segment':2,'edgeGradient':10}",
+                "{'edit':'evolveContour','segment':2,'bubbleMm':10}",
+                "{'edit':'evolveContour','segment':2,'bubbleLps':[1,2,3]}",
+                "{'edit':'evolveContour','segment':2,'generations':0}",
                 "{'edit':'fillBetweenSlices'}",
                 "{'edit':'fillBetweenSlices','segment':2,'axis':'axial'}",
                 "{'edit':'fillBetweenSlices','segment':2,'axis':1}", "{'edit':'thresholdSegment'}",

@@ -83,6 +83,11 @@ private Q_SLOTS:
         QVERIFY(effectsOf(scissors).boundToStudy); // it names places
         scissors.erase = true;
         QVERIFY(!effectsOf(scissors).fills.label && effectsOf(scissors).writesTo == 6);
+        EvolveContour contour{.segment = 4};
+        QVERIFY(effectsOf(contour).fills.label == 4 && effectsOf(contour).writesTo == 4);
+        QVERIFY(!effectsOf(contour).boundToStudy);
+        contour.bubbleLps = glm::dvec3(0.0);
+        QVERIFY(effectsOf(contour).boundToStudy); // it names a place
         ThresholdSegment threshold{.segment = 5};
         QVERIFY(effectsOf(threshold).fills.label == 5 && effectsOf(threshold).writesTo == 5);
         QVERIFY(!effectsOf(threshold).boundToStudy && effectsOf(threshold).standsOpen);

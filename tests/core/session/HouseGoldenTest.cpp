@@ -65,6 +65,7 @@ private Q_SLOTS:
         kinds.insert(editPlace<Annotate>);
         kinds.insert(editPlace<CleanSegment>);
         kinds.insert(editPlace<CombineSegments>);
+        kinds.insert(editPlace<EvolveContour>);
         kinds.insert(editPlace<FillBetweenSlices>);
         kinds.insert(editPlace<FloodFill>);
         kinds.insert(editPlace<FillOutline>);

@@ -61,7 +61,7 @@ private Q_SLOTS:
                  "cleanSegment remove small", "cleanSegment keep clicked",
                  "cleanSegment remove clicked", "cleanSegment give clicked", "fillOutline",
                  "reshapeSegment", "fillBetweenSlices", "floodFill", "thresholdSegment",
-                 "segmentScissors", "undo", "redo", "goTo", "reopen", "given up"})
+                 "segmentScissors", "evolveContour", "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done[QLatin1String(kind)] > 0, kind);
     }
 

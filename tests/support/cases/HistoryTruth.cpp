@@ -48,6 +48,7 @@
 #include "core/growth/SeedWord.h"
 #include "core/sessionfile/records/StateHash.h"
 #include "tests/reference/BetweenSlices.h"
+#include "tests/reference/Contour.h"
 #include "tests/reference/ElementPlane.h"
 #include "tests/reference/FloodFill.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -126,7 +127,7 @@ bool changesLabels(const Edit& edit)
         || edit.is<ImportMask>() || edit.is<InvertSegment>() || edit.is<CombineSegments>()
         || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>()
         || edit.is<FillBetweenSlices>() || edit.is<FloodFill>() || edit.is<ThresholdSegment>()
-        || edit.is<SegmentScissors>() || edit.is<MirrorSegment>();
+        || edit.is<SegmentScissors>() || edit.is<MirrorSegment>() || edit.is<EvolveContour>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -238,6 +239,25 @@ HistoryTruth::Bricks HistoryTruth::flooded(
                                    .value();
     return relabelled(before, target, reference::floodedVoxels(edit, m_study, labelsOf(before)),
         edit.erase ? RelabelListed::take : RelabelListed::give);
+}
+
+HistoryTruth::Bricks HistoryTruth::evolved(
+    const Bricks& before, const EvolveContour& edit, const Document& document) const
+{
+    const LabelTarget target =
+        labelTarget({.segment = edit.segment, .name = {}}, edit.overwriteUnlocked, document)
+            .value();
+    const std::vector<std::uint8_t> labels = labelsOf(before);
+    std::vector<bool> gained = reference::evolvedContour(edit, contourRule(edit, document).value(),
+        m_study, labels, [&](int label) { return target.overwritable[std::size_t(label)]; });
+    std::vector<bool> lost(gained.size(), false);
+    for (std::size_t voxel = 0; voxel < gained.size(); ++voxel) {
+        const bool isOwn = labels[voxel] == edit.segment;
+        lost[voxel] = isOwn && !gained[voxel];
+        gained[voxel] = gained[voxel] && !isOwn;
+    }
+    return relabelled(
+        relabelled(before, target, lost, RelabelListed::take), target, gained, RelabelListed::give);
 }
 
 HistoryTruth::Bricks HistoryTruth::relabelled(const Bricks& before, const LabelTarget& target,
@@ -387,6 +407,8 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return filledBetween(before, *between, document);
     if (const auto* flood = edit.as<FloodFill>())
         return flooded(before, *flood, document);
+    if (const auto* contour = edit.as<EvolveContour>())
+        return evolved(before, *contour, document);
     if (const auto* outline = edit.as<FillOutline>())
         return after(before, *labelOutlined(*outline, document), {}, nullptr);
     if (const auto* threshold = edit.as<ThresholdSegment>())

@@ -3,6 +3,7 @@
 
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
@@ -86,6 +87,8 @@ private:
         const core::Document& document) const;
     [[nodiscard]] Bricks flooded(
         const Bricks& before, const core::FloodFill& edit, const core::Document& document) const;
+    [[nodiscard]] Bricks evolved(const Bricks& before, const core::EvolveContour& edit,
+        const core::Document& document) const;
     /// Gives a label to voxels of the whole volume, or takes it from them.
     /// @param asked RelabelListed::give or take
     [[nodiscard]] Bricks relabelled(const Bricks& before, const core::LabelTarget& target,

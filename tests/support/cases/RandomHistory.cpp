@@ -3,6 +3,7 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
@@ -397,6 +398,8 @@ private:
             return randomSnip(document);
         if (m_session->history().rows().size() % 16 == 10)
             return randomMirror(document);
+        if (m_session->history().rows().size() % 16 == 4)
+            return randomContour(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
@@ -810,6 +813,36 @@ private:
             flood.overwriteUnlocked = chance(40);
         }
         return flood;
+    }
+    /// Of a segment as it stands, or from a bubble at any voxel.
+    EvolveContour randomContour(const Document& document)
+    {
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        EvolveContour contour{.segment = any(document.segments).label};
+        const double lower = between(-300, 800);
+        if (chance(80))
+            contour.lower = lower;
+        if (chance(80))
+            contour.upper = lower + between(0, 600);
+        contour.softness = between(0, 100);
+        contour.region = between(0, 100);
+        contour.smoothness = between(0, 100);
+        if (chance(50)) {
+            contour.edge = between(1, 100);
+            contour.edgeGradient = between(1, 200);
+        }
+        if (chance(60)) {
+            const glm::ivec3 last = geometry.size - 1;
+            const glm::dvec3 middle{
+                double(between(0, last.x)), double(between(0, last.y)), double(between(0, last.z))};
+            const glm::dvec3 spacing = geometry.spacingMm();
+            contour.bubbleLps = geometry.toWorld(middle);
+            // No distance between two voxels: rounding decides nothing.
+            contour.bubbleMm = (between(1, 4) + 0.13) * std::max({spacing.x, spacing.y, spacing.z});
+        }
+        contour.generations = between(1, 6);
+        contour.overwriteUnlocked = chance(40);
+        return contour;
     }
     ThresholdSegment randomThreshold(const Document& document)
     {
