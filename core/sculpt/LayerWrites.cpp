@@ -84,6 +84,8 @@ Result<void> checkSound(const RelabelListed& edit, const BrickGrid& grid)
         [](const RelabelListed::Brick& brick) { return areKnown(brick.asked); });
     if (!known || !areSound(edit.bricks, &RelabelListed::Brick::asked, grid.brickCount()))
         return unsoundBricks();
+    if (const Result<void> sound = checkSound(edit.editable); !sound)
+        return sound;
     return checkLabel(edit.target.label);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/morphology/SegmentShape.h"
 
 #include <cstdint>
@@ -22,6 +23,7 @@ struct ReshapeSegment {
     /// The margin, the thickness of the shell, or the radius of the ball.
     double mm = 0.0;
     std::optional<ShellPlace> shell{}; ///< of Hollow alone; none: inside
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const ReshapeSegment& edit, const Document& document);
