@@ -4,6 +4,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
 #include "ui/base/Theme.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/workspace/SegmentActions.h"
@@ -157,6 +158,7 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     layout->addWidget(m_whose);
     layout->addLayout(row);
     layout->addWidget(m_hint);
+    layout->addWidget(new EditableNote(workspace, this));
     layout->addSpacing(theme::smallPadding);
     layout->addLayout(buttons);
     constexpr int watchMs = 100;
