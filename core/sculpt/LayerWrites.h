@@ -42,6 +42,7 @@ struct LabelTarget {
 struct LabelCarved {
     LabelTarget target{};
     std::uint8_t layer = 0;
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 /// Chosen are the voxels that are visible from anywhere: coverage < 128 in all layers that are not
@@ -51,6 +52,7 @@ struct LabelSeen {
     int lowCode = 0;
     int highCode = 65535;
     std::vector<VoxelBound> bounds{};
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 /// Give labels to listed voxels. Each follows the rule of LabelTarget with the label requested for

@@ -107,11 +107,12 @@ bool isEditable(const std::optional<core::EditableVoxels>& editable,
     return is && !holdsOneOf(editable->outside, fields, voxel);
 }
 
-void labelCarved(DenseFields& fields, const core::LabelCarved& edit)
+void labelCarved(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelCarved& edit)
 {
     const DenseArray<std::uint8_t> coverage = fields.coverage(edit.layer);
     forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
-        if (coverage.at(voxel) >= 128)
+        if (coverage.at(voxel) >= 128 && isEditable(edit.editable, codes, fields, voxel))
             give(fields, edit.target, voxel);
     });
 }
@@ -122,7 +123,7 @@ void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uin
     forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
         const int code = codes.at(voxel);
         if (carved.at(voxel) < 128 && code >= edit.lowCode && code <= edit.highCode
-            && within(edit.bounds, voxel))
+            && within(edit.bounds, voxel) && isEditable(edit.editable, codes, fields, voxel))
             give(fields, edit.target, voxel);
     });
 }

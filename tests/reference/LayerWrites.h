@@ -16,7 +16,8 @@ namespace reference {
 [[nodiscard]] bool isEditable(const std::optional<core::EditableVoxels>& editable,
     const DenseArray<std::uint16_t>& codes, DenseFields& fields, const glm::ivec3& voxel);
 
-void labelCarved(DenseFields& fields, const core::LabelCarved& edit);
+void labelCarved(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelCarved& edit);
 /// @param carved coverage of the layers that are not muted, composed
 void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uint8_t>& carved,
     DenseFields& fields, const core::LabelSeen& edit);

@@ -283,9 +283,9 @@ core::Result<Oracle::Work> Oracle::begin(core::CapsuleCut& edit)
 
 core::Result<Oracle::Work> Oracle::begin(core::LabelCarved& edit)
 {
-    if (edit.target.label == 0)
-        return refuse("label", "0 is no segment");
-    labelCarved(m_fields, edit);
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
+    labelCarved(m_codes, m_fields, edit);
     return Done{};
 }
 

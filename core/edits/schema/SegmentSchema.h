@@ -239,6 +239,7 @@ template <class Visitor> void visitFields(Visitor& visit, LayerToSegment& edit)
     visitLayer(visit, edit.layer);
     visitTarget(visit, edit.target);
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<SegmentSeen> = "segmentSeen";
@@ -252,6 +253,7 @@ template <class Visitor> void visitFields(Visitor& visit, SegmentSeen& edit)
     visitOnlyValues(visit, edit.lower, edit.upper);
     visitHidden(visit, edit.hidden);
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<ImportMask> = "importMask";

@@ -160,11 +160,15 @@ std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelCarved& edit)
 {
     BrickField& coverage = fields.coverage(edit.layer);
-    return label(programs.following("CARVED"), fields, before, edit.target, coverage.heldBricks(),
+    BindEditable editable(programs, fields, edit.editable);
+    return label(
+        programs.following("CARVED", edit.editable.has_value()), fields, before, edit.target,
+        coverage.heldBricks(),
         [&coverage](const std::vector<std::uint32_t>&) {
             coverage.atlas().bindUnit(0);
             coverage.pageTable().bindUnit(2);
-        });
+        },
+        &editable);
 }
 
 std::vector<core::BrickKey> write(
@@ -174,15 +178,18 @@ std::vector<core::BrickKey> write(
     for (const core::VoxelBound& bound : edit.bounds)
         bounds.emplace_back(bound.normal, bound.offset);
     const Buffer boundBuffer = bufferOf("bounds", bounds);
-    Program& kernel = programs.following("SEEN");
+    Program& kernel = programs.following("SEEN", edit.editable.has_value());
+    BindEditable editable(programs, fields, edit.editable);
     setCodes(kernel, edit.lowCode, edit.highCode);
     kernel.set("boundCount", unsigned(bounds.size()));
-    return label(kernel, fields, before, edit.target, allBricks(fields),
+    return label(
+        kernel, fields, before, edit.target, allBricks(fields),
         [&](const std::vector<std::uint32_t>&) {
             fields.codes().bindUnit(0);
             fields.radiation().bindUnit(2);
             boundBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
-        });
+        },
+        &editable);
 }
 
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,

@@ -123,11 +123,26 @@ EngineCase randomlyLimited(int number)
     for (std::uint8_t plane = 0; plane < 2; ++plane)
         made.steps.push_back(command(core::SwapBricks{
             bricksOf(labelBoxes(size, 6 - 3 * plane, random), core::Field::Labels, plane)}));
+    Bytes carved = labelBoxes(size, 3, random);
+    for (std::uint8_t& each : carved.values)
+        each = std::uint8_t(each * 60); // less than half, half and more
+    made.steps.push_back(command(core::SwapBricks{bricksOf(carved, core::Field::Coverage, 1)}));
     for (int edit = randomInt(random, 6, 12); edit > 0; --edit) {
         const auto plane = std::uint8_t(random() % 4 ? 0 : 1);
         const core::Ending ending = random() % 5 ? core::Ending::Commit : core::Ending::Rollback;
         const EditableVoxels editable = randomEditable(size, random);
-        switch (random() % 9) {
+        switch (random() % 11) {
+        case 9:
+            appendWhole(made.steps, core::LabelCarved{limitedTarget(plane, random), 1, editable},
+                {}, ending);
+            break;
+        case 10: {
+            core::LabelSeen seen{.target = limitedTarget(plane, random)};
+            seen.lowCode = randomInt(random, 0, tissueCode);
+            seen.editable = editable;
+            appendWhole(made.steps, std::move(seen), {}, ending);
+            break;
+        }
         case 0: {
             core::SeedPlacement seeds{
                 .plane = plane, .label = std::uint8_t(randomInt(random, 1, 4)), .voxels = {}};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/parts/EditableRange.h"
-#include "core/edits/EditJson.h"
 #include "core/edits/engine/EditableRanges.h"
+#include "core/edits/EditJson.h"
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
@@ -9,8 +8,10 @@
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
+#include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/RowDependencies.h"
@@ -22,13 +23,13 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
-#include <QJsonArray>
 #include <QJsonObject>
 #include <QTest>
 
 #include <algorithm>
+#include <utility>
 
-namespace editableRangeTest {
+namespace editableRangesTest {
 
 using namespace core;
 
@@ -49,6 +50,7 @@ struct Bench {
         run(test::paintAt(2, {at({31.0, 17.0, 16.0})}, 6.0));
         run(outline(3, 25.0));
         run(outline(3, 30.0));
+        run(test::carveAt({at({8.0, 17.0, 16.0}), at({19.0, 30.0, 16.0})}, 6.0));
     }
     void run(const Edit& edit)
     {
@@ -127,6 +129,10 @@ std::vector<Edit> someEdits(const Bench& bench)
         .lower = 500.0,
         .mode = ThresholdSegment::Mode::Add,
         .overwriteUnlocked = true});
+    edits.push_back(LayerToSegment{
+        .layer = 1, .target = {.segment = 3, .name = {}}, .overwriteUnlocked = true});
+    edits.push_back(
+        SegmentSeen{.target = {.segment = 2, .name = {}}, .lower = 0.0, .overwriteUnlocked = true});
     return edits;
 }
 
@@ -178,7 +184,7 @@ bool mayChange(const EditableRange& range, double value, const glm::dvec3& index
 
 } // namespace
 
-class EditableRangeTest : public QObject {
+class EditableRangesTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -274,7 +280,7 @@ private Q_SLOTS:
             if (bench.session->apply(edit))
                 static_cast<void>(bench.session->settle());
         }
-        QVERIFY(bench.session->history().rows().size() > std::size_t(14));
+        QVERIFY(bench.session->history().rows().size() > std::size_t(16));
         reference::ReferenceEngine engine;
         const auto again = *EditSession::create(engine, test::smallStudy(), {.file = {}});
         for (const HistoryRow& row : bench.session->history().rows()) {
@@ -374,8 +380,8 @@ private Q_SLOTS:
     }
 };
 
-BURIN_TEST(EditableRangeTest)
+BURIN_TEST(EditableRangesTest)
 
-} // namespace editableRangeTest
+} // namespace editableRangesTest
 
-#include "EditableRangeTest.moc"
+#include "EditableRangesTest.moc"
