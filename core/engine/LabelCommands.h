@@ -5,6 +5,7 @@
 #include "core/brick/BrickGrid.h"
 #include "core/sculpt/CapsuleSweep.h"
 #include "core/sculpt/EdgeRegion.h"
+#include "core/sculpt/EditableVoxels.h"
 
 #include <bitset>
 #include <cstdint>
@@ -48,6 +49,7 @@ struct PaintLabel {
     int highCode = 65535;
     CapsuleFrame frame;
     std::optional<EdgeRule> edges{};
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 [[nodiscard]] Result<void> checkSound(const EraseLabel& edit, const BrickGrid& grid);

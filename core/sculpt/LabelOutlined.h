@@ -40,6 +40,7 @@ struct LabelOutlined {
     Fixed3 perK{};
     std::int32_t halfThickness = 0; ///< mm16
     std::vector<glm::ivec2> corners{}; ///< mm16, at least three
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 [[nodiscard]] Result<void> checkSound(const LabelOutlined& edit, const BrickGrid& grid);

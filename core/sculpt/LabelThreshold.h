@@ -29,6 +29,7 @@ struct LabelThreshold {
     int highCode = 65535;
     bool onlyVisible = false;
     std::optional<VoxelBox> box{}; ///< none: the whole volume
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 [[nodiscard]] Result<void> checkSound(const LabelThreshold& edit, const BrickGrid& grid);

@@ -4,6 +4,7 @@
 #include "core/base/Result.h"
 #include "core/base/TypeList.h"
 #include "core/brick/BrickGrid.h"
+#include "core/sculpt/EditableVoxels.h"
 
 #include <glm/glm.hpp>
 
@@ -41,6 +42,7 @@ struct LabelTarget {
 struct LabelCarved {
     LabelTarget target{};
     std::uint8_t layer = 0;
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 /// Chosen are the voxels that are visible from anywhere: coverage < 128 in all layers that are not
@@ -50,6 +52,7 @@ struct LabelSeen {
     int lowCode = 0;
     int highCode = 65535;
     std::vector<VoxelBound> bounds{};
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 /// Give labels to listed voxels. Each follows the rule of LabelTarget with the label requested for
@@ -79,6 +82,7 @@ struct RelabelListed {
     };
     LabelTarget target{};
     std::vector<Brick> bricks{}; ///< ascending, each once
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 [[nodiscard]] constexpr std::array<std::uint8_t, 256> everyLabelItself()
@@ -96,6 +100,7 @@ struct RelabelListed {
 struct MapLabels {
     std::uint8_t plane = 0;
     std::array<std::uint8_t, 256> becomes = everyLabelItself();
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 /// Coverage of the layer = 255 wherever the plane holds the label; or, with `outside`, wherever in
@@ -120,9 +125,9 @@ struct FoldLayer {
 [[nodiscard]] Result<void> checkSound(const LabelListed& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const RelabelListed& edit, const BrickGrid& grid);
 /// There is no table that is not.
-[[nodiscard]] inline Result<void> checkSound(const MapLabels&, const BrickGrid&)
+[[nodiscard]] inline Result<void> checkSound(const MapLabels& edit, const BrickGrid&)
 {
-    return {};
+    return checkSound(edit.editable);
 }
 [[nodiscard]] Result<void> checkSound(const CoverLabel& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const FoldLayer& edit, const BrickGrid& grid);

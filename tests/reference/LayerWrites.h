@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/growth/GrowthCommands.h"
+#include "core/sculpt/EditableVoxels.h"
 #include "core/sculpt/LabelOutlined.h"
 #include "core/sculpt/LabelScissors.h"
 #include "core/sculpt/LabelThreshold.h"
@@ -12,12 +13,18 @@ namespace reference {
 
 // What passes between layers and segments (core/sculpt/LayerWrites.h), voxel by voxel.
 
-void labelCarved(DenseFields& fields, const core::LabelCarved& edit);
+/// core/sculpt/EditableVoxels.h. Of no such rule: every voxel is.
+[[nodiscard]] bool isEditable(const std::optional<core::EditableVoxels>& editable,
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const glm::ivec3& voxel);
+
+void labelCarved(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelCarved& edit);
 /// @param carved coverage of the layers that are not muted, composed
 void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uint8_t>& carved,
     DenseFields& fields, const core::LabelSeen& edit);
 void labelListed(DenseFields& fields, const core::LabelListed& edit);
-void relabelListed(DenseFields& fields, const core::RelabelListed& edit);
+void relabelListed(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::RelabelListed& edit);
 /// core/sculpt/LabelOutlined.h.
 void labelOutlined(
     const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelOutlined& edit);
@@ -28,7 +35,8 @@ void labelScissors(
 /// @param carved as above
 void labelThreshold(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uint8_t>& carved,
     DenseFields& fields, const core::LabelThreshold& edit);
-void mapLabels(DenseFields& fields, const core::MapLabels& edit);
+void mapLabels(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::MapLabels& edit);
 /// Of growth (core/growth/GrowthCommands.h), listed in the same way.
 void writeBarriers(DenseFields& fields, const core::BarrierListed& edit);
 void coverLabel(DenseFields& fields, const core::CoverLabel& edit);

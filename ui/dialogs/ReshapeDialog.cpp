@@ -4,6 +4,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
 #include "ui/base/Theme.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/workspace/SegmentActions.h"
@@ -202,6 +203,7 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     QWidget* sides = sideFields();
     layout->addWidget(sides);
     connect(m_bySides, &QCheckBox::toggled, this, &ReshapeDialog::showSides);
+    layout->addWidget(new EditableNote(workspace, this));
     layout->addSpacing(theme::smallPadding);
     layout->addLayout(buttons);
     constexpr int watchMs = 100;

@@ -2,6 +2,7 @@
 #include "ui/workspace/SegmentActions.h"
 
 #include "core/document/SegmentColours.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
@@ -112,7 +113,8 @@ void invertSegment(Workspace& workspace, int label)
     core::EditSession* session = workspace.session();
     if (!session)
         return;
-    if (const auto inverted = session->apply(core::InvertSegment{.segment = label}); !inverted)
+    const core::InvertSegment edit{.segment = label, .editable = workspace.editableRange()};
+    if (const auto inverted = session->apply(edit); !inverted)
         return workspace.fail(inverted.error());
     workspace.say(QObject::tr("Inverted '%1'; Ctrl+Z takes it back")
                       .arg(session->foreseenDocument().segment(label)->name));
@@ -163,12 +165,21 @@ void tellOf(Workspace& workspace, std::size_t kind, const QString& nothing,
     });
 }
 
-/// The same for an edit as a whole.
-void carryOut(Workspace& workspace, const core::Edit& edit, const QString& nothing)
+/// What is told if nothing came of an edit; where editing is limited that may be why.
+QString nothingText(const Workspace& workspace, const QString& nothing)
+{
+    const QString editable = workspace.editableText();
+    return editable.isEmpty() ? nothing : QObject::tr("%1 (%2)").arg(nothing, editable);
+}
+
+/// The same for an edit as a whole, which keeps to the editable range.
+void carryOut(Workspace& workspace, core::Edit edit, const QString& nothing)
 {
     if (core::EditSession* session = workspace.session())
         session->closeGrowth();
-    tellOf(workspace, edit.kind(), nothing,
+    if (std::optional<core::EditableRange>* const range = core::editableRangeOf(edit))
+        *range = workspace.editableRange();
+    tellOf(workspace, edit.kind(), nothingText(workspace, nothing),
         [&edit](core::EditSession& session) { return session.apply(edit); });
 }
 
@@ -286,10 +297,11 @@ void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, boo
         QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment));
     if (!isShown)
         return carryOut(workspace, edit, nothing);
-    tellOf(workspace, core::Edit(edit).kind(), nothing, [](core::EditSession& session) {
-        session.end(core::Ending::Commit);
-        return core::Result<void>();
-    });
+    tellOf(workspace, core::Edit(edit).kind(), nothingText(workspace, nothing),
+        [](core::EditSession& session) {
+            session.end(core::Ending::Commit);
+            return core::Result<void>();
+        });
 }
 
 void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps)

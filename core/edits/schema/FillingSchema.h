@@ -25,6 +25,7 @@ template <class Visitor> void visitFields(Visitor& visit, FillBetweenSlices& edi
     visit.maybe("axis", edit.axis, sliceAxisNames,
         "the index axis across the slices: i for columns, j for rows, k for the acquired slices",
         "the one across which the smallest share of slices has voxels of the segment");
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<FloodFill> = "floodFill";
@@ -52,6 +53,7 @@ template <class Visitor> void visitFields(Visitor& visit, FloodFill& edit)
             "how far values may differ from the one at the place (not to erase)");
         visitOverwrite(visit, edit.overwriteUnlocked);
     });
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<SegmentScissors> = "segmentScissors";

@@ -79,6 +79,7 @@ inline constexpr const char* editMeaning<InvertSegment> =
 template <class Visitor> void visitFields(Visitor& visit, InvertSegment& edit)
 {
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<CleanSegment> = "cleanSegment";
@@ -103,6 +104,7 @@ template <class Visitor> void visitFields(Visitor& visit, CleanSegment& edit)
     visit.maybe("to", edit.to, segmentNumber,
         "of giveClicked: the segment that receives the island; it must not be locked either",
         "no island is given away");
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<CombineSegments> = "combineSegments";
@@ -118,6 +120,7 @@ template <class Visitor> void visitFields(Visitor& visit, CombineSegments& edit)
         editFields::Choice<CombineSegments::How, 2>{{"merge", "swap"}},
         "the other's voxels become the segment's, and it stays in the list, empty; or each "
         "receives those of the other");
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<ReshapeSegment> = "reshapeSegment";
@@ -159,6 +162,7 @@ template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
     side("posteriorMm", edit.sides.posteriorMm);
     side("inferiorMm", edit.sides.inferiorMm);
     side("superiorMm", edit.sides.superiorMm);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<ThresholdSegment> = "thresholdSegment";
@@ -178,6 +182,7 @@ template <class Visitor> void visitFields(Visitor& visit, ThresholdSegment& edit
     visit.maybe("box", edit.box, editFields::CornerPair{positionLps},
         "two opposite corners: only voxels between them change", "the whole volume");
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<PaintStroke> = "paint";
@@ -200,6 +205,7 @@ template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)
         "path begins (the median of the voxels around it), and that are joined to the path by "
         "such voxels under the brush",
         "all that is under the brush");
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<FillOutline> = "fillOutline";
@@ -226,6 +232,7 @@ template <class Visitor> void visitFields(Visitor& visit, FillOutline& edit)
         "whether voxels of the segment are taken away instead");
     visitOnlyValues(visit, edit.lower, edit.upper);
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitEditable(visit, edit.editable);
 }
 
 /// The segment that receives voxels.
@@ -251,6 +258,7 @@ template <class Visitor> void visitFields(Visitor& visit, LayerToSegment& edit)
     visitLayer(visit, edit.layer);
     visitTarget(visit, edit.target);
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<SegmentSeen> = "segmentSeen";
@@ -264,6 +272,7 @@ template <class Visitor> void visitFields(Visitor& visit, SegmentSeen& edit)
     visitOnlyValues(visit, edit.lower, edit.upper);
     visitHidden(visit, edit.hidden);
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<ImportMask> = "importMask";

@@ -33,11 +33,37 @@ std::vector<std::uint32_t> runOver(
     return found;
 }
 
+/// Binds which voxels of bricks may change, if not all may.
+class BindEditable {
+public:
+    BindEditable(LabelPrograms& programs, VoxelFields& fields,
+        const std::optional<core::EditableVoxels>& editable)
+        : m_programs(programs)
+        , m_fields(fields)
+        , m_editable(editable)
+    {
+    }
+    void operator()(const std::vector<std::uint32_t>& bricks)
+    {
+        if (!m_editable)
+            return;
+        m_bits = m_programs.editable().find(*m_editable, m_fields, bricks);
+        m_bits.bindBase(GL_SHADER_STORAGE_BUFFER, EditableBits::binding);
+    }
+
+private:
+    LabelPrograms& m_programs;
+    VoxelFields& m_fields;
+    const std::optional<core::EditableVoxels>& m_editable;
+    Buffer m_bits;
+};
+
 /// @param bindSource binds what voxels of these bricks are chosen by
+/// @param editable binds first what they may change
 template <class Bind>
 std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeImages& before,
     const core::LabelTarget& target, const std::vector<std::uint32_t>& bricks,
-    const Bind& bindSource)
+    const Bind& bindSource, BindEditable* editable = nullptr)
 {
     kernel.set("volumeSize", fields.grid().volumeSize)
         .set("volumeBricks", fields.grid().bricks())
@@ -45,6 +71,8 @@ std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeIm
         .set("overwritable", target.overwritable);
     BrickField& seedWords = fields.seedWords(target.plane);
     const auto bind = [&](const std::vector<std::uint32_t>& listed) {
+        if (editable)
+            (*editable)(listed);
         bindSource(listed);
         seedWords.pageTable().bindUnit(1);
         fields.labels(target.plane).bindImage(0, GL_READ_WRITE);
@@ -176,11 +204,15 @@ std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelCarved& edit)
 {
     BrickField& coverage = fields.coverage(edit.layer);
-    return label(programs.following("CARVED"), fields, before, edit.target, coverage.heldBricks(),
+    BindEditable editable(programs, fields, edit.editable);
+    return label(
+        programs.following("CARVED", edit.editable.has_value()), fields, before, edit.target,
+        coverage.heldBricks(),
         [&coverage](const std::vector<std::uint32_t>&) {
             coverage.atlas().bindUnit(0);
             coverage.pageTable().bindUnit(2);
-        });
+        },
+        &editable);
 }
 
 std::vector<core::BrickKey> write(
@@ -190,15 +222,18 @@ std::vector<core::BrickKey> write(
     for (const core::VoxelBound& bound : edit.bounds)
         bounds.emplace_back(bound.normal, bound.offset);
     const Buffer boundBuffer = bufferOf("bounds", bounds);
-    Program& kernel = programs.following("SEEN");
+    Program& kernel = programs.following("SEEN", edit.editable.has_value());
+    BindEditable editable(programs, fields, edit.editable);
     setCodes(kernel, edit.lowCode, edit.highCode);
     kernel.set("boundCount", unsigned(bounds.size()));
-    return label(kernel, fields, before, edit.target, allBricks(fields),
+    return label(
+        kernel, fields, before, edit.target, allBricks(fields),
         [&](const std::vector<std::uint32_t>&) {
             fields.codes().bindUnit(0);
             fields.radiation().bindUnit(2);
             boundBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
-        });
+        },
+        &editable);
 }
 
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
@@ -215,8 +250,10 @@ std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::RelabelListed& edit)
 {
-    return label(programs.following("RELABELLED"), fields, before, edit.target,
-        numbersOf(edit.bricks), AskedBytes(edit.bricks, &core::RelabelListed::Brick::asked));
+    BindEditable editable(programs, fields, edit.editable);
+    return label(programs.following("RELABELLED", edit.editable.has_value()), fields, before,
+        edit.target, numbersOf(edit.bricks),
+        AskedBytes(edit.bricks, &core::RelabelListed::Brick::asked), &editable);
 }
 
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
@@ -224,13 +261,16 @@ std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
 {
     const std::vector<core::RelabelListed::Brick> bricks = core::voxelsWithin(edit, fields.grid());
     const AskedBytes asked(bricks, &core::RelabelListed::Brick::asked);
-    Program& kernel = programs.following("OUTLINED");
+    Program& kernel = programs.following("OUTLINED", edit.editable.has_value());
+    BindEditable editable(programs, fields, edit.editable);
     setCodes(kernel, edit.lowCode, edit.highCode);
-    return label(kernel, fields, before, edit.target, numbersOf(bricks),
+    return label(
+        kernel, fields, before, edit.target, numbersOf(bricks),
         [&](const std::vector<std::uint32_t>& listed) {
             asked(listed);
             fields.codes().bindUnit(0);
-        });
+        },
+        &editable);
 }
 
 std::vector<core::BrickKey> write(
@@ -240,20 +280,27 @@ std::vector<core::BrickKey> write(
         "mapped labels", std::vector<std::uint32_t>(edit.becomes.begin(), edit.becomes.end()));
     core::LabelTarget target{.plane = edit.plane};
     target.overwritable.set(); // the table alone says who keeps a voxel
-    return label(programs.following("MAPPED"), fields, before, target, allBricks(fields),
+    BindEditable editable(programs, fields, edit.editable);
+    return label(
+        programs.following("MAPPED", edit.editable.has_value()), fields, before, target,
+        allBricks(fields),
         [&becomes](
-            const std::vector<std::uint32_t>&) { becomes.bindBase(GL_SHADER_STORAGE_BUFFER, 2); });
+            const std::vector<std::uint32_t>&) { becomes.bindBase(GL_SHADER_STORAGE_BUFFER, 2); },
+        &editable);
 }
 
 } // namespace
 
-Program& LabelPrograms::following(const char* rule)
+Program& LabelPrograms::following(const char* rule, bool editable)
 {
-    Program& known = m_known[rule];
+    Program& known = m_known[std::string(rule) + (editable ? " EDITABLE" : "")];
     if (!known) {
         const char* path = "kernels/labels/chooseLabel.comp";
+        ShaderDefines defines{{rule, 1}};
+        if (editable)
+            defines.push_back({"EDITABLE", 1});
         known = Program(
-            m_library, ComputeProgramOptions{.label = path, .path = path, .defines = {{rule, 1}}});
+            m_library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
     }
     return known;
 }
@@ -289,7 +336,8 @@ std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields&
     BeforeImages& before, const core::LabelThreshold& edit,
     const std::vector<std::uint32_t>& bricks)
 {
-    Program& kernel = programs.following("THRESHOLD");
+    Program& kernel = programs.following("THRESHOLD", edit.editable.has_value());
+    BindEditable editable(programs, fields, edit.editable);
     setCodes(kernel, edit.lowCode, edit.highCode);
     const core::VoxelBox box =
         edit.box.value_or(core::VoxelBox{glm::ivec3(0), fields.grid().volumeSize});
@@ -298,11 +346,13 @@ std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields&
         .set("boxFrom", box.minimum)
         .set("boxTo", box.maximum);
     return label(
-        kernel, fields, before, edit.target, bricks, [&fields](const std::vector<std::uint32_t>&) {
+        kernel, fields, before, edit.target, bricks,
+        [&fields](const std::vector<std::uint32_t>&) {
             fields.codes().bindUnit(0);
             fields.radiation().bindUnit(2);
             fields.codeRanges().bindUnit(3);
-        });
+        },
+        &editable);
 }
 
 std::vector<std::uint32_t> bricksConcerned(VoxelFields& fields, const core::LabelScissors& edit)

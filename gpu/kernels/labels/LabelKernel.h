@@ -6,6 +6,7 @@
 #include "core/sculpt/LayerWrites.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
+#include "gpu/kernels/labels/EditableBits.h"
 
 #include <map>
 #include <string>
@@ -20,16 +21,20 @@ public:
     /// @param library outlives the programs
     explicit LabelPrograms(const ShaderLibrary& library)
         : m_library(library)
+        , m_editable(library)
     {
     }
     /// @param rule by which the shader goes: "SEEN"
-    [[nodiscard]] Program& following(const char* rule);
     [[nodiscard]] Program& scissorsCast();
+    /// @param editable some voxels must not change
+    [[nodiscard]] Program& following(const char* rule, bool editable = false);
+    [[nodiscard]] EditableBits& editable() { return m_editable; }
 
 private:
     const ShaderLibrary& m_library;
     std::map<std::string, Program> m_known; ///< by rule
     Program m_scissorsCast;
+    EditableBits m_editable;
 };
 
 /// Carries out one of LabelWrites (core/sculpt/LayerWrites.h). Bricks in which something changes

@@ -1,7 +1,8 @@
 // Gives a label to chosen voxels of listed bricks, or takes it from them, by one of LabelWrites
 // (core/sculpt/LayerWrites.h, LabelOutlined.h), by their values (LabelThreshold.h), or by where they
 // lie on a view (LabelScissors.h). Tells what changes in each; writes only where it is told to. One
-// work-group a brick, each voxel written by one invocation.
+// work-group a brick, each voxel written by one invocation. With EDITABLE it leaves alone what bits do
+// not allow (EditableBits.h).
 
 layout(local_size_x = 64) in;
 
@@ -52,6 +53,9 @@ layout(binding = 0) uniform usampler3D coverage; // atlas
 layout(binding = 2) uniform usampler3D coveragePages;
 #else
 #error by which rule?
+#endif
+#ifdef EDITABLE
+layout(binding = 7, std430) readonly buffer Editable { uint editable[]; }; // EditableBits.h
 #endif
 layout(binding = 1) uniform usampler3D pageTable; // of the seed words
 layout(binding = 0, r8ui) uniform uimage3D labels;
@@ -166,6 +170,17 @@ bool isChosen(ivec3 voxel)
 }
 #endif
 
+/// Whether the edit may change it at all.
+bool isEditable(int offset)
+{
+#ifdef EDITABLE
+    uint word = editable[gl_WorkGroupID.x * 128u + uint(offset >> 5)];
+    return (word >> uint(offset & 31) & 1u) != 0u;
+#else
+    return true;
+#endif
+}
+
 /// 0: nothing is asked for. @param held the label that is there
 uint labelFor(ivec3 voxel, int offset, uint held)
 {
@@ -232,7 +247,7 @@ void main()
 #endif
     for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
         ivec3 voxel = brick * brickSide + voxelInBrick(offset);
-        if (!inside(voxel, volumeSize))
+        if (!inside(voxel, volumeSize) || !isEditable(offset))
             continue;
         uint held = imageLoad(labels, voxel).r;
         uint wanted = labelFor(voxel, offset, held);

@@ -3,6 +3,7 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
@@ -135,6 +136,14 @@ bool isOf(const BrickKey& key, bool coverage)
     return (key.field == Field::Coverage) == coverage;
 }
 
+/// Whom it gives to and what it may change; not which voxels are meant.
+RelabelListed withoutBricks(Result<RelabelListed> relabel)
+{
+    RelabelListed like = std::move(relabel).value();
+    like.bricks.clear();
+    return like;
+}
+
 /// Of a member.
 std::uint32_t greatestGeneration(const std::map<BrickKey, std::vector<std::uint8_t>>& bricks)
 {
@@ -216,7 +225,7 @@ HistoryTruth::Bricks HistoryTruth::cleaned(
 {
     const std::vector<std::uint8_t> labels = labelsOf(before);
     const bool gives = edit.rule == IslandRule::FillHoles || edit.rule == IslandRule::GiveClicked;
-    return relabelled(before, relabelListed(edit, document, labels, {}).value().target,
+    return relabelled(before, withoutBricks(relabelListed(edit, document, labels, {})),
         islandVoxels(edit, m_study.volume.geometry, labels),
         gives ? RelabelListed::give : RelabelListed::take);
 }
@@ -225,7 +234,7 @@ HistoryTruth::Bricks HistoryTruth::filledBetween(
     const Bricks& before, const FillBetweenSlices& edit, const Document& document) const
 {
     const std::vector<std::uint8_t> labels = labelsOf(before);
-    return relabelled(before, relabelListed(edit, document, labels, {}).value().target,
+    return relabelled(before, withoutBricks(relabelListed(edit, document, labels, {})),
         reference::voxelsBetween(
             labels, m_study.volume.geometry, std::uint8_t(edit.segment), edit.axis),
         RelabelListed::give);
@@ -237,7 +246,9 @@ HistoryTruth::Bricks HistoryTruth::flooded(
     const LabelTarget target = labelTarget(
         {.segment = edit.segment, .name = {}}, edit.overwriteUnlocked && !edit.erase, document)
                                    .value();
-    return relabelled(before, target, reference::floodedVoxels(edit, m_study, labelsOf(before)),
+    const RelabelListed like{
+        .target = target, .editable = editableVoxels(edit.editable, document, "floodFill").value()};
+    return relabelled(before, like, reference::floodedVoxels(edit, m_study, labelsOf(before)),
         edit.erase ? RelabelListed::take : RelabelListed::give);
 }
 
@@ -256,15 +267,15 @@ HistoryTruth::Bricks HistoryTruth::evolved(
         lost[voxel] = isOwn && !gained[voxel];
         gained[voxel] = gained[voxel] && !isOwn;
     }
+    const RelabelListed like{.target = target};
     return relabelled(
-        relabelled(before, target, lost, RelabelListed::take), target, gained, RelabelListed::give);
+        relabelled(before, like, lost, RelabelListed::take), like, gained, RelabelListed::give);
 }
 
-HistoryTruth::Bricks HistoryTruth::relabelled(const Bricks& before, const LabelTarget& target,
+HistoryTruth::Bricks HistoryTruth::relabelled(const Bricks& before, RelabelListed like,
     const std::vector<bool>& meant, std::uint8_t asked) const
 {
     const glm::ivec3& size = m_study.volume.geometry.size;
-    RelabelListed relabel{.target = target};
     const BrickGrid grid{size};
     std::map<std::uint32_t, std::vector<std::uint8_t>> bricks;
     std::size_t at = 0;
@@ -281,8 +292,8 @@ HistoryTruth::Bricks HistoryTruth::relabelled(const Bricks& before, const LabelT
         }
     }
     for (const auto& [brick, each] : bricks)
-        relabel.bricks.push_back({brick, each});
-    return after(before, relabel, {}, nullptr);
+        like.bricks.push_back({brick, each});
+    return after(before, like, {}, nullptr);
 }
 
 std::vector<RowId> HistoryTruth::standingAt(RowId row) const

@@ -90,8 +90,9 @@ private:
     [[nodiscard]] Bricks evolved(const Bricks& before, const core::EvolveContour& edit,
         const core::Document& document) const;
     /// Gives a label to voxels of the whole volume, or takes it from them.
+    /// @param like without bricks: whom it gives to, and what it may change
     /// @param asked RelabelListed::give or take
-    [[nodiscard]] Bricks relabelled(const Bricks& before, const core::LabelTarget& target,
+    [[nodiscard]] Bricks relabelled(const Bricks& before, core::RelabelListed like,
         const std::vector<bool>& meant, std::uint8_t asked) const;
 
     core::LoadedVolume m_study;

@@ -3,6 +3,7 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
@@ -27,6 +28,7 @@
 #include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
@@ -79,8 +81,9 @@ namespace {
 
 class HastyUser {
 public:
-    HastyUser(EditEngine& engine, std::uint32_t seed)
+    HastyUser(EditEngine& engine, std::uint32_t seed, bool limited)
         : m_engine(engine)
+        , m_limited(limited)
         , m_random(seed)
         , m_truth(goldenStudy())
     {
@@ -172,8 +175,14 @@ private:
             if (m_result.done[kindOf(other)] < m_result.done[kindOf(edit)])
                 edit = std::move(other);
         }
+        std::optional<EditableRange>* const range = m_limited ? editableRangeOf(edit) : nullptr;
+        const bool isLimited = range && chance(70);
+        if (isLimited)
+            *range = randomRange();
         const std::size_t rows = m_session->history().rows().size();
         const QString kind = note(kindOf(edit), m_session->apply(edit), rows);
+        if (isLimited && m_session->history().rows().size() > rows)
+            ++m_result.done[QStringLiteral("editable")];
         const bool counted = edit.is<Annotate>() || edit.is<MoveMeasurement>();
         if (counted && m_session->history().rows().size() > rows)
             ++m_result.done[editName(edit)];
@@ -334,6 +343,36 @@ private:
         return randomRevert(rows);
     }
 
+    EditableRange randomRange()
+    {
+        const Document& document = m_session->document();
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        const auto voxel = [&] {
+            return geometry.toWorld({between(0, geometry.size.x - 1),
+                between(0, geometry.size.y - 1), between(0, geometry.size.z - 1)});
+        };
+        const auto some = [&](int percent) {
+            std::vector<int> segments;
+            for (const Segment& segment : document.segments) {
+                if (chance(percent))
+                    segments.push_back(segment.label);
+            }
+            std::sort(segments.begin(), segments.end());
+            return segments;
+        };
+        EditableRange range;
+        if (chance(40))
+            range.lower = between(-1200, 60);
+        if (chance(40))
+            range.upper = between(0, 1200) + 60;
+        if (chance(30))
+            range.box = GrowBox{voxel(), voxel()};
+        if (chance(30))
+            range.inside = some(70);
+        if (chance(30))
+            range.outside = some(40);
+        return range;
+    }
     QString randomName() { return QStringLiteral("Name %1").arg(between(1, 9)); }
     Edit randomChange(const Document& document)
     {
@@ -998,6 +1037,7 @@ private:
     }
 
     EditEngine& m_engine;
+    bool m_limited = false;
     std::mt19937 m_random;
     QTemporaryDir m_folder;
     HistoryTruth m_truth;
@@ -1011,10 +1051,10 @@ private:
 
 } // namespace
 
-RandomHistory runRandomHistory(
-    EditEngine& engine, int commands, std::uint32_t seed, const std::function<void(bool)>& acting)
+RandomHistory runRandomHistory(EditEngine& engine, int commands, std::uint32_t seed,
+    const std::function<void(bool)>& acting, bool limited)
 {
-    return HastyUser(engine, seed).run(commands, acting);
+    return HastyUser(engine, seed, limited).run(commands, acting);
 }
 
 } // namespace test

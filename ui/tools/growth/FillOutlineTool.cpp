@@ -418,7 +418,7 @@ void FillOutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) c
         lines += levelText();
     else if (m_shape == Shape::Level && isRagged())
         lines += tr("too ragged to be filled");
-    if (const QString limits = intervalText(m_workspace); !limits.isEmpty())
+    if (const QString limits = limitsText(m_workspace); !limits.isEmpty())
         lines += limits;
     drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines);
 }

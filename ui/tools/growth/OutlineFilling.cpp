@@ -62,6 +62,7 @@ bool fillOutline(Workspace& workspace, const SliceOutline& outline, bool erases)
         edit.lower = std::min(limits.lower, limits.upper);
         edit.upper = std::max(limits.lower, limits.upper);
     }
+    edit.editable = workspace.editableRange();
     if (const auto applied = workspace.session()->apply(edit); !applied)
         return refused(applied.error());
     return true;

@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
@@ -189,6 +190,8 @@ Result<void> check(const ReshapeSegment& edit, const Document& document)
 {
     if (const std::optional<Error> error = fieldAtFaultIn(edit, document.volumes.front().geometry))
         return tl::unexpected(*error);
+    if (const auto editable = editableVoxels(edit.editable, document, "reshapeSegment"); !editable)
+        return tl::unexpected(editable.error());
     if (edit.with)
         return discardValue(together(edit, document));
     return discardValue(labelTarget({.segment = edit.segment, .name = {}}, false, document));
@@ -204,7 +207,8 @@ EditEffects effects(const ReshapeSegment& edit)
     return {.task = EditTask::Islands,
         .standsOpen = false,
         .writesTo = edit.segment,
-        .fills = {.label = edit.segment}};
+        .fills = {.label = edit.segment},
+        .boundToStudy = namesPlaces(edit.editable)};
 }
 
 RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row)
@@ -220,7 +224,7 @@ RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row)
 /// Every voxel of the plane may decide what is near another.
 EditDependencies dependencies(const ReshapeSegment& edit, const DependencyFacts& row)
 {
-    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+    return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
 }
 
 Result<RelabelListed> relabelListed(const ReshapeSegment& edit, const Document& document,
@@ -239,7 +243,13 @@ Result<RelabelListed> relabelListed(const ReshapeSegment& edit, const Document& 
     ListedRuns listed(geometry.size);
     listed.add(change->given, RelabelListed::give);
     listed.add(change->taken, RelabelListed::take);
-    return listed.relabel(*std::move(target));
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "reshapeSegment");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    RelabelListed relabel = listed.relabel(*std::move(target));
+    relabel.editable = *std::move(editable);
+    return relabel;
 }
 
 Result<LabelListed> labelListed(const ReshapeSegment& edit, const Document& document,

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/morphology/SegmentShape.h"
 
 #include <array>
@@ -46,6 +47,7 @@ struct ReshapeSegment {
     /// it (jointGaussianChange()).
     std::optional<std::vector<int>> with{};
     SideMargins sides{}; ///< of Grow and Shrink alone (core/morphology/SidedMargin.h)
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const ReshapeSegment& edit, const Document& document);
