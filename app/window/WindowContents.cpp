@@ -48,11 +48,11 @@
 #include "ui/tools/view/UndoHereTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
-#include "ui/window/display/DisplayState.h"
 #include "ui/window/KeyframeRecorder.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/PieceActions.h"
 #include "ui/window/SpaceSteering.h"
+#include "ui/window/display/DisplayState.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 

@@ -74,20 +74,21 @@ const std::vector<EngineCase>& EngineConformanceGlTest::cases()
     static const std::vector<EngineCase> collected = [] {
         const bool all = test::longRun();
         std::vector<EngineCase> made = test::growthCases(all ? 400 : 20);
-        for (auto more : {test::growLimitCases(all ? 400 : 16),
-                 test::seedGroupCases(all ? 400 : 16), test::intervalCases(all ? 300 : 12),
-                 test::backwardCases(all ? 300 : 16), test::overwrittenCases(all ? 400 : 24),
-                 test::wideGrowthCases(all ? 300 : 24), test::passageCases(all ? 300 : 8),
-                 test::drillCases(all ? 400 : 20), test::peelCases(all ? 640 : 20),
-                 test::scissorsCases(all ? 240 : 8), test::laserCases(all ? 520 : 20),
-                 test::carveCases(all ? 240 : 8), test::pickCases(all ? 150 : 8),
-                 test::eraseCases(all ? 300 : 12), test::layerCases(all ? 300 : 12),
-                 test::capsuleCases(all ? 400 : 20), test::layerWriteCases(all ? 400 : 20),
-                 test::relabelCases(all ? 400 : 20), test::outlineCases(all ? 400 : 20),
-                 test::thresholdCases(all ? 400 : 20), test::segmentScissorsCases(all ? 400 : 24),
-                 test::mapCases(all ? 400 : 20), test::editableCases(all ? 400 : 24), test::barrierCases(all ? 400 : 20),
-                 test::protectedCases(all ? 200 : 20), test::spreadCases(all ? 400 : 20),
-                 test::toleranceCases(all ? 300 : 16), test::refusalCases()})
+        for (auto more :
+            {test::growLimitCases(all ? 400 : 16), test::seedGroupCases(all ? 400 : 16),
+                test::intervalCases(all ? 300 : 12), test::backwardCases(all ? 300 : 16),
+                test::overwrittenCases(all ? 400 : 24), test::wideGrowthCases(all ? 300 : 24),
+                test::passageCases(all ? 300 : 8), test::drillCases(all ? 400 : 20),
+                test::peelCases(all ? 640 : 20), test::scissorsCases(all ? 240 : 8),
+                test::laserCases(all ? 520 : 20), test::carveCases(all ? 240 : 8),
+                test::pickCases(all ? 150 : 8), test::eraseCases(all ? 300 : 12),
+                test::layerCases(all ? 300 : 12), test::capsuleCases(all ? 400 : 20),
+                test::layerWriteCases(all ? 400 : 20), test::relabelCases(all ? 400 : 20),
+                test::outlineCases(all ? 400 : 20), test::thresholdCases(all ? 400 : 20),
+                test::segmentScissorsCases(all ? 400 : 24), test::mapCases(all ? 400 : 20),
+                test::editableCases(all ? 400 : 24), test::barrierCases(all ? 400 : 20),
+                test::protectedCases(all ? 200 : 20), test::spreadCases(all ? 400 : 20),
+                test::toleranceCases(all ? 300 : 16), test::refusalCases()})
             made.insert(made.end(), more.begin(), more.end());
         return made;
     }();

@@ -184,7 +184,8 @@ std::vector<EngineCase> cases()
              test::layerCases(count), test::capsuleCases(count), test::layerWriteCases(count),
              test::relabelCases(count), test::outlineCases(count), test::thresholdCases(count),
              test::segmentScissorsCases(count), test::mapCases(count), test::barrierCases(count),
-             test::protectedCases(count), test::spreadCases(count), test::toleranceCases(count), test::editableCases(count)})
+             test::protectedCases(count), test::spreadCases(count), test::toleranceCases(count),
+             test::editableCases(count)})
         made.insert(made.end(), more.begin(), more.end());
     if (test::longRun())
         return made;

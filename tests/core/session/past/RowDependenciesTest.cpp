@@ -224,11 +224,10 @@ private Q_SLOTS:
         QVERIFY(removal.covers({Field::SeedWords, 0, 3}));
         QVERIFY(removal.covers({Field::Labels, 0, 3}));
         QVERIFY(!removal.covers({Field::Coverage, 1, 3}));
-        for (const Edit& wholePlane :
-            std::vector<Edit>{InvertSegment{.segment = 1}, CombineSegments{.segment = 1, .with = 2},
-                ReshapeSegment{.segment = 1, .mm = 1.0}, FillBetweenSlices{.segment = 1},
-                MirrorSegment{.segment = 1}, EvolveContour{.segment = 1},
-                ThresholdSegment{.segment = 1}}) {
+        for (const Edit& wholePlane : std::vector<Edit>{InvertSegment{.segment = 1},
+                 CombineSegments{.segment = 1, .with = 2}, ReshapeSegment{.segment = 1, .mm = 1.0},
+                 FillBetweenSlices{.segment = 1}, MirrorSegment{.segment = 1},
+                 EvolveContour{.segment = 1}, ThresholdSegment{.segment = 1}}) {
             const RowDependencies whole(wholePlane, document, {});
             QVERIFY(whole.covers({Field::SeedWords, 0, 3}));
             QVERIFY(whole.covers({Field::Labels, 0, 3}));
