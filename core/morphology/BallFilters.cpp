@@ -103,7 +103,7 @@ namespace {
 /// Finds what is not enclosed, run by run along x.
 class OutsideFlood {
 public:
-    explicit OutsideFlood(BoxMask& mask)
+    explicit OutsideFlood(ByteMask& mask)
         : m_mask(mask)
     {
         for (int z = 0; z < mask.size.z; ++z) {
@@ -170,7 +170,7 @@ private:
         }
     }
 
-    BoxMask& m_mask;
+    ByteMask& m_mask;
     std::vector<glm::ivec3> m_waiting;
 };
 
@@ -210,7 +210,7 @@ Result<void> keepMajority(ByteMask& mask, const MillimetreBall& ball, const Filt
     return keepCounted(mask, ball, voxelCount(ball) / 2 + 1, stage);
 }
 
-Result<void> fillEnclosed(BoxMask& mask, const Progress& progress)
+Result<void> fillEnclosed(ByteMask& mask, const Progress& progress)
 {
     OutsideFlood flood(mask);
     constexpr int betweenLooks = 1024;

@@ -49,6 +49,6 @@ struct FilterStage {
 
 /// Sets every voxel from which no way over faces of unset ones leads to the border of the box.
 /// @param progress is only asked whether it was cancelled
-[[nodiscard]] Result<void> fillEnclosed(BoxMask& mask, const Progress& progress);
+[[nodiscard]] Result<void> fillEnclosed(ByteMask& mask, const Progress& progress);
 
 } // namespace core

@@ -55,11 +55,11 @@ public:
         }
     }
     /// Which voxels of the box have the label, or have not.
-    [[nodiscard]] BoxMask mask(
+    [[nodiscard]] ByteMask mask(
         std::span<const std::uint8_t> labels, std::uint8_t label, bool own = true) const
     {
         const glm::ivec3 size = boxSize();
-        BoxMask mask{.size = size,
+        ByteMask mask{.size = size,
             .voxels = std::vector<std::uint8_t>(
                 std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))};
         forEach([&](std::size_t of, std::size_t in, std::size_t width) {

@@ -153,7 +153,7 @@ double gaussianBytes(const glm::ivec3& size)
     return 3.0 * double(size.x) * rows + 2.0 * std::min(threads, rows) * slice;
 }
 
-Result<BoxValues> blurred(const BoxMask& mask, const GridGaussian& gaussian, const ImageEnds& ends,
+Result<BoxValues> blurred(const ByteMask& mask, const GridGaussian& gaussian, const ImageEnds& ends,
     const FilterStage& stage)
 {
     const glm::ivec3& size = mask.size;

@@ -39,7 +39,7 @@ struct BoxValues {
 /// On all cores; it asks for each row whether it was cancelled (Cancelled). Cost ∝ voxels of the
 /// box × weights along y and z, and × runs of the mask along x. Any thread that is no
 /// parallelFor's.
-[[nodiscard]] Result<BoxValues> blurred(const BoxMask& mask, const GridGaussian& gaussian,
+[[nodiscard]] Result<BoxValues> blurred(const ByteMask& mask, const GridGaussian& gaussian,
     const ImageEnds& ends, const FilterStage& stage);
 
 } // namespace core

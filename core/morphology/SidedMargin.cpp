@@ -93,7 +93,7 @@ private:
 /// from slice to slice. A sum that is more than the whole is none.
 class SidedSpread {
 public:
-    SidedSpread(BoxMask& mask, const SidedBall& ball)
+    SidedSpread(ByteMask& mask, const SidedBall& ball)
         : m_mask(mask)
         , m_ball(ball)
         , m_none(ball.whole + 1)
@@ -220,7 +220,7 @@ private:
             std::upper_bound(upTo.begin(), upTo.end(), m_ball.whole - sum) - upTo.begin());
     }
 
-    BoxMask& m_mask;
+    ByteMask& m_mask;
     const SidedBall& m_ball;
     std::int64_t m_none;
     std::array<std::vector<std::int64_t>, 2> m_upTo; ///< of so many slices, as far as it matters
@@ -236,7 +236,7 @@ double spreadBytes(const glm::ivec3& size)
     return bytes * slice * double(size.z) + 8.0 * slice * std::min(threads, double(size.z));
 }
 
-Result<void> spread(BoxMask& mask, const SidedBall& ball, const Progress& progress)
+Result<void> spread(ByteMask& mask, const SidedBall& ball, const Progress& progress)
 {
     const FilterStage stage{.progress = progress};
     StageCounter counter(stage, std::int64_t(mask.size.y) + mask.size.z);
@@ -340,7 +340,7 @@ Result<ShapeChange> sidedMarginChange(std::span<const std::uint8_t> labels, cons
         return tl::unexpected(enough.error());
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
-    BoxMask mask = rows.mask(labels, label, grows);
+    ByteMask mask = rows.mask(labels, label, grows);
     // A voxel is lost by what lies on its own side of the border: seen from there the step is
     // backwards.
     if (const Result<void> done = spread(mask, grows ? ball : reversed(ball), progress); !done)
