@@ -7,7 +7,7 @@ namespace gpu {
 
 namespace {
 
-constexpr std::size_t wordsPerBrick = core::BrickGrid::voxelsPerBrick / 32;
+constexpr std::size_t bitWordsPerBrick = core::BrickGrid::voxelsPerBrick / 32;
 
 Program compiled(const ShaderLibrary& library, const ShaderDefines& defines)
 {
@@ -20,8 +20,8 @@ Program compiled(const ShaderLibrary& library, const ShaderDefines& defines)
 Buffer EditableBits::find(const core::EditableVoxels& editable, VoxelFields& fields,
     const std::vector<std::uint32_t>& bricks)
 {
-    Buffer bits =
-        bufferOf("editable voxels", std::vector<std::uint32_t>(bricks.size() * wordsPerBrick, 0u));
+    Buffer bits = bufferOf(
+        "editable voxels", std::vector<std::uint32_t>(bricks.size() * bitWordsPerBrick, 0u));
     if (bricks.empty() || (editable.inside && editable.inside->empty()))
         return bits;
     if (!m_values)
