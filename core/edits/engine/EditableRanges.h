@@ -4,7 +4,7 @@
 #include "core/base/Result.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/parts/EditableRange.h"
-#include "core/sculpt/EditableVoxels.h"
+#include "core/sculpt/labels/EditableVoxels.h"
 
 #include <optional>
 

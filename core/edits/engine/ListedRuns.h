@@ -3,7 +3,7 @@
 
 #include "core/brick/BrickGrid.h"
 #include "core/brick/VoxelRuns.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <bitset>
 #include <cstdint>

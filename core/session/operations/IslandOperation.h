@@ -3,7 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 #include "core/session/operations/AbortableOperation.h"
 #include "core/session/operations/Relabelling.h"
 #include "core/session/past/LabelReader.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/sculpt/EditableVoxels.h"
+#include "core/sculpt/labels/EditableVoxels.h"
 #include "gpu/fields/VoxelFields.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/labels/LabelKernel.h"
 
-#include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/labels/LabelOutlined.h"
 #include "gpu/fields/bricks/HiddenBricks.h"
 #include "gpu/kernels/labels/ChosenBricks.h"
 

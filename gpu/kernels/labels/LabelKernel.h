@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/sculpt/LabelScissors.h"
-#include "core/sculpt/LabelThreshold.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LabelScissors.h"
+#include "core/sculpt/labels/LabelThreshold.h"
+#include "core/sculpt/labels/LayerWrites.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
 #include "gpu/kernels/labels/EditableBits.h"
@@ -37,10 +37,10 @@ private:
     EditableBits m_editable;
 };
 
-/// Carries out one of LabelWrites (core/sculpt/LayerWrites.h). Bricks in which something changes
-/// are looked for first; only those are captured and written. Returns the keys of what changed.
-/// Cost ∝ the bricks that it looks at: those that a layer holds or that are listed, or the volume.
-/// Engine thread only.
+/// Carries out one of LabelWrites (core/sculpt/labels/LayerWrites.h). Bricks in which something
+/// changes are looked for first; only those are captured and written. Returns the keys of what
+/// changed. Cost ∝ the bricks that it looks at: those that a layer holds or that are listed, or the
+/// volume. Engine thread only.
 std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, core::LabelWrites::Pointer edit);
 

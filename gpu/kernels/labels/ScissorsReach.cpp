@@ -10,7 +10,7 @@ namespace {
 
 using core::fixedPoint::round14;
 
-/// Of samples of a ray those that lie in the volume: rule 4 of core/sculpt/LabelScissors.h.
+/// Of samples of a ray those that lie in the volume: rule 4 of core/sculpt/labels/LabelScissors.h.
 core::SeenSamples samplesInVolume(core::SeenSamples samples, const glm::ivec3& origin,
     const glm::ivec3& step, const glm::ivec3& volumeSize)
 {

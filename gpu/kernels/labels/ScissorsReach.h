@@ -10,9 +10,9 @@
 
 namespace gpu {
 
-/// How far each element of scissors reaches (core/sculpt/LabelScissors.h, rules 1 and 4), found by
-/// a ray for each where that depends on what they meet (scissorsCast.comp). No label may change
-/// before all are cast. Engine thread only.
+/// How far each element of scissors reaches (core/sculpt/labels/LabelScissors.h, rules 1 and 4),
+/// found by a ray for each where that depends on what they meet (scissorsCast.comp). No label may
+/// change before all are cast. Engine thread only.
 class ScissorsReach {
 public:
     /// @param edit outlives it

@@ -1,5 +1,5 @@
 // Gives a label to chosen voxels of listed bricks, or takes it from them, by one of LabelWrites
-// (core/sculpt/LayerWrites.h, LabelOutlined.h), by their values (LabelThreshold.h), or by where they
+// (core/sculpt/labels/LayerWrites.h, LabelOutlined.h), by their values (LabelThreshold.h), or by where they
 // lie on a view (LabelScissors.h). Tells what changes in each; writes only where it is told to. One
 // work-group a brick, each voxel written by one invocation. With EDITABLE it leaves alone what bits do
 // not allow (EditableBits.h).

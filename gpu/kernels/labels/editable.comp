@@ -1,5 +1,5 @@
 // Which voxels of listed bricks an edit of labels may change, as bits, by the rules of
-// core/sculpt/EditableVoxels.h. Each run asks one question of all of them, by VALUES or by one plane of labels, and joins the
+// core/sculpt/labels/EditableVoxels.h. Each run asks one question of all of them, by VALUES or by one plane of labels, and joins the
 // answer to what earlier runs found. One work-group a brick, one invocation a word of 32 voxels.
 
 layout(local_size_x = 128) in;

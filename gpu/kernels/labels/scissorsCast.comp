@@ -1,4 +1,4 @@
-// Finds what the rays of scissors meet first (core/sculpt/LabelScissors.h, rule 4). One invocation
+// Finds what the rays of scissors meet first (core/sculpt/labels/LabelScissors.h, rule 4). One invocation
 // per ray.
 
 layout(local_size_x = 64) in;

@@ -1,7 +1,7 @@
 // Paints or erases a label in the candidate bricks of a brush (PaintLabel in
 // core/engine/LabelCommands.h). One work-group per brick; each voxel is written by one invocation.
 // With MEMBERS it does so where bits say so, those of the members of a brush that follows edges.
-// With EDITABLE it leaves alone what bits do not allow (core/sculpt/EditableVoxels.h).
+// With EDITABLE it leaves alone what bits do not allow (core/sculpt/labels/EditableVoxels.h).
 
 layout(local_size_x = 64) in;
 

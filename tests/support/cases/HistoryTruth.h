@@ -10,7 +10,7 @@
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 #include "core/volume/Volume.h"
 
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/FillOutlineTool.h"
 
-#include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/labels/LabelOutlined.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/CursorLabel.h"

@@ -2,7 +2,7 @@
 #include "ui/tools/growth/OutlineFilling.h"
 
 #include "core/edits/kinds/segments/FillOutline.h"
-#include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/labels/LabelOutlined.h"
 #include "core/session/EditSession.h"
 #include "ui/tools/aim/DrillMask.h"
 #include "ui/tools/common/SliceOutline.h"

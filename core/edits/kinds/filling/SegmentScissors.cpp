@@ -8,7 +8,7 @@
 #include "core/edits/engine/CutFrames.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/OutlinedPlane.h"
-#include "core/sculpt/LabelScissors.h"
+#include "core/sculpt/labels/LabelScissors.h"
 
 #include <algorithm>
 #include <utility>

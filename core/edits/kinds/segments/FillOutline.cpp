@@ -9,7 +9,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SlicePlane.h"
-#include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/labels/LabelOutlined.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
-#include "core/sculpt/LabelThreshold.h"
+#include "core/sculpt/labels/LabelThreshold.h"
 
 namespace core {
 

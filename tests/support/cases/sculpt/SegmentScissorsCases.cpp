@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/filling/SegmentScissors.h"
-#include "core/sculpt/LabelScissors.h"
+#include "core/sculpt/labels/LabelScissors.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/RandomEdits.h"
 

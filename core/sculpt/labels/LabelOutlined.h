@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/sculpt/CutFrame.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <glm/glm.hpp>
 

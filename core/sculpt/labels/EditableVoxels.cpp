@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sculpt/EditableVoxels.h"
+#include "core/sculpt/labels/EditableVoxels.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/sculpt/CutFrame.h"
-#include "core/sculpt/LayerWrites.h"
 #include "core/sculpt/OutlineRaster.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <bitset>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/labels/LabelOutlined.h"
 
 #include <algorithm>
 #include <array>

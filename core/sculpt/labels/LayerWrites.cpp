@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <algorithm>
 

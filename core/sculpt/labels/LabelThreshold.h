@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sculpt/LabelThreshold.h"
+#include "core/sculpt/labels/LabelThreshold.h"
 
 namespace core {
 

@@ -4,7 +4,7 @@
 #include "core/base/Result.h"
 #include "core/base/TypeList.h"
 #include "core/brick/BrickGrid.h"
-#include "core/sculpt/EditableVoxels.h"
+#include "core/sculpt/labels/EditableVoxels.h"
 
 #include <glm/glm.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sculpt/LabelScissors.h"
+#include "core/sculpt/labels/LabelScissors.h"
 
 #include <algorithm>
 #include <cstdlib>
