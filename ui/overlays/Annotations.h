@@ -38,6 +38,11 @@ void paintScaleBar(QPainter& painter, const QRect& view, int baseline, double mm
 void paintCrosshair(QPainter& painter, const QRect& view, const QPointF& centre,
     const QColor& horizontal, const QColor& vertical);
 
+/// Draws one such line in any direction.
+/// @param direction on the screen, of length 1
+void paintCrosshairLine(QPainter& painter, const QRect& view, const QPointF& centre,
+    const QPointF& direction, const QColor& colour);
+
 /// Draws text that stays readable on any picture.
 void paintText(
     QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& colour);

@@ -34,6 +34,8 @@ namespace {
 constexpr double fitMarginPixels = 26.0; // room for the letters at the edges
 constexpr double leastMmPerPixel = 1e-3;
 constexpr double greatestMmPerPixel = 100.0;
+constexpr double handleShare = 0.4; // of the shorter side: from the crosshair to its handles
+constexpr double handleReachPixels = 9.0;
 constexpr int greatestSlabReach = 100; // slices on either side
 constexpr Qt::KeyboardModifiers slabKeys = Qt::ControlModifier | Qt::ShiftModifier;
 
@@ -115,6 +117,101 @@ SliceView::SliceView(Workspace& workspace, gpu::ViewId view, const SliceAxes& ax
     connect(&workspace.chunks(), &Chunks::pictureChanged, this, &SliceView::requestMovingFrame);
     connect(&workspace.plane(), &CuttingPlane::changed, this, qOverload<>(&SliceView::update));
     openVolume();
+}
+
+SliceView::SliceView(Workspace& workspace, gpu::ViewId view, SliceOrientation orientation,
+    MprPlanes& planes, QWidget* parent)
+    : SliceView(workspace, view, orientation, parent)
+{
+    m_orientation = orientation;
+    m_planes = &planes;
+    setReferencePlanes(planes);
+    connect(&planes, &MprPlanes::changed, this, [this, orientation] {
+        setAxes(m_planes->axes(orientation));
+        requestMovingFrame();
+    });
+}
+
+void SliceView::setReferencePlanes(const MprPlanes& planes)
+{
+    m_referencePlanes = &planes;
+    connect(&planes, &MprPlanes::changed, this, qOverload<>(&SliceView::update));
+}
+
+bool SliceView::isPatientPlane() const
+{
+    return m_axes.normalLps == sliceAxes(*m_orientation).normalLps;
+}
+
+bool SliceView::turnsCrosshair() const
+{
+    return m_planes && !workspace().activeTool() && workspace().viewOptions().showCrosshair;
+}
+
+QPointF SliceView::directionOf(SliceOrientation plane, const ViewContext& view) const
+{
+    const auto& slice = std::get<gpu::SliceScene>(view.scene);
+    const glm::dvec3 along = glm::cross(m_axes.normalLps, m_planes->axes(plane).normalLps);
+    const double length = glm::length(along);
+    if (length < 1e-6)
+        return {1.0, 0.0}; // they are one plane, which no turn makes them
+    return {glm::dot(along, slice.rightLps) / length, glm::dot(along, slice.downLps) / length};
+}
+
+std::vector<SliceView::Handle> SliceView::handles(const ViewContext& view) const
+{
+    if (!turnsCrosshair())
+        return {};
+    std::vector<Handle> found;
+    const QPointF cross = view.toPixel(throughLps());
+    const double away = handleShare * std::min(width(), height());
+    for (const SliceOrientation each : MprPlanes::all) {
+        if (each == m_orientation)
+            continue;
+        for (const double side : {-1.0, 1.0})
+            found.push_back({each, cross + side * away * directionOf(each, view)});
+    }
+    return found;
+}
+
+std::optional<SliceOrientation> SliceView::grabbedAt(const QPointF& at) const
+{
+    for (const Handle& each : handles(context())) {
+        const QPointF way = at - each.at;
+        if (std::hypot(way.x(), way.y()) <= handleReachPixels)
+            return each.plane;
+    }
+    return std::nullopt;
+}
+
+void SliceView::turnCrosshair(const QPointF& from, const QPointF& to, bool alone)
+{
+    if (!m_grabbed)
+        m_grabbed = grabbedAt(from);
+    if (!m_grabbed)
+        return;
+    const QPointF cross = context().toPixel(throughLps());
+    const QPointF before = from - cross;
+    const QPointF after = to - cross;
+    double radians = std::atan2(before.x() * after.y() - before.y() * after.x(),
+        before.x() * after.x() + before.y() * after.y());
+    if (m_turn.mirrored)
+        radians = -radians; // clockwise on the screen is the other way round in the patient
+    if (alone)
+        m_planes->turnOne(*m_orientation, *m_grabbed, radians);
+    else
+        m_planes->turnOthers(*m_orientation, radians);
+}
+
+void SliceView::paintHandles(QPainter& painter, const ViewContext& shown) const
+{
+    for (const Handle& each : handles(shown)) {
+        painter.setPen(QPen(QColor(0, 0, 0, 160), 3.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(each.at, 5.0, 5.0);
+        painter.setPen(QPen(colourOf(each.plane), 1.4));
+        painter.drawEllipse(each.at, 5.0, 5.0);
+    }
 }
 
 void SliceView::openVolume()
@@ -298,7 +395,7 @@ bool SliceView::ownsWheel(Qt::KeyboardModifiers modifiers) const
 }
 
 ImageView::Gesture SliceView::gestureFor(
-    Qt::MouseButton button, Qt::KeyboardModifiers keys, bool toolWorksHere) const
+    Qt::MouseButton button, const PointerSample& sample, bool toolWorksHere) const
 {
     switch (button) {
     case Qt::LeftButton:
@@ -306,12 +403,14 @@ ImageView::Gesture SliceView::gestureFor(
             return Gesture::Box;
         if (toolWorksHere)
             return Gesture::Tool;
+        if (grabbedAt(sample.position))
+            return (sample.modifiers & Qt::ControlModifier) ? Gesture::TurnOne : Gesture::Turn;
         // A stroke that misses its view must not change the grey scale (UX §4.2).
         return workspace().activeTool() ? Gesture::Pan : Gesture::Window;
     case Qt::MiddleButton:
         return Gesture::Pan;
     case Qt::RightButton:
-        if (keys & Qt::ControlModifier)
+        if (sample.modifiers & Qt::ControlModifier)
             return Gesture::Box;
         return workspace().activeTool() ? Gesture::Window : Gesture::Zoom;
     default:
@@ -337,6 +436,10 @@ void SliceView::dragged(Gesture gesture, const QPointF& from, const QPointF& to)
     case Gesture::Zoom:
         zoomBy(std::exp(-moved.y() * 0.008), rect().toRectF().center());
         break;
+    case Gesture::Turn:
+    case Gesture::TurnOne:
+        turnCrosshair(from, to, gesture == Gesture::TurnOne);
+        break;
     case Gesture::Box:
         if (!m_box)
             m_box = QRectF(from, from);
@@ -350,6 +453,7 @@ void SliceView::dragged(Gesture gesture, const QPointF& from, const QPointF& to)
 
 void SliceView::dragEnded(Gesture gesture)
 {
+    m_grabbed.reset();
     if (gesture != Gesture::Box || !m_box)
         return;
     const QRectF box = std::exchange(m_box, std::nullopt)->normalized();
@@ -415,7 +519,8 @@ void SliceView::hovered(const PointerSample& sample)
 {
     if (sample.modifiers & Qt::ShiftModifier)
         workspace().setCrosshairLps(context().toLps(sample.position));
-    if (workspace().activeTool())
+    // The cursor of a tool moves, and handles come with the pointer.
+    if (workspace().activeTool() || turnsCrosshair())
         update();
 }
 
@@ -486,6 +591,14 @@ QString SliceView::windowText() const
 
 void SliceView::paintCross(QPainter& painter, const ViewContext& shown)
 {
+    if (m_planes && !m_planes->alongPatient()) {
+        for (const SliceOrientation each : MprPlanes::all) {
+            if (each != m_orientation)
+                paintCrosshairLine(painter, rect(), shown.toPixel(throughLps()),
+                    directionOf(each, shown), colourOf(each));
+        }
+        return;
+    }
     // Each line is another standard plane, seen from its edge: it lies across the other line.
     const auto& slice = std::get<gpu::SliceScene>(shown.scene);
     paintCrosshair(painter, rect(), shown.toPixel(throughLps()), colourAcross(slice.downLps),
@@ -498,7 +611,8 @@ void SliceView::paintOtherSlices(QPainter& painter, const ViewContext& shown) co
     for (const SliceOrientation each :
         {SliceOrientation::Axial, SliceOrientation::Sagittal, SliceOrientation::Coronal})
         planes.push_back({.pointLps = workspace().crosshairLps(),
-            .normalLps = sliceAxes(each).normalLps,
+            .normalLps =
+                (m_referencePlanes ? m_referencePlanes->axes(each) : sliceAxes(each)).normalLps,
             .colour = colourOf(each)});
     paintReferenceLines(
         painter, shown, planes, shownVolume()->geometry, shown.toPixel(workspace().crosshairLps()));
@@ -521,6 +635,8 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         paintOtherSlices(painter, shown);
     if (options.showCrosshair)
         paintCross(painter, shown);
+    if (penOverPicture() && !early())
+        paintHandles(painter, shown);
     paintEdgeLetters(painter, rect(), slice.rightLps, slice.downLps);
 
     const double position = glm::dot(slice.centreLps, m_axes.normalLps);
@@ -541,6 +657,8 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         texts.bottomLeft.append(slabText(slice.slab));
     if (const QString caution = workspace().refinement().caution(); !early() && !caution.isEmpty())
         texts.bottomLeft.append(caution);
+    if (m_planes && !isPatientPlane())
+        texts.bottomLeft.append(tr("oblique"));
     if (m_turn.mirrored)
         texts.bottomLeft.append(tr("mirrored"));
     texts.bottomRight = {QStringLiteral("%1 / %2 · %3 %4 mm")
