@@ -37,6 +37,19 @@ void paintLines(QPainter& painter, const QRect& view, int firstY, int step, int 
 
 } // namespace
 
+QColor sliceColour(SliceOrientation orientation)
+{
+    switch (orientation) {
+    case SliceOrientation::Axial:
+        return theme::axial;
+    case SliceOrientation::Sagittal:
+        return theme::sagittal;
+    case SliceOrientation::Coronal:
+        break;
+    }
+    return theme::coronal;
+}
+
 void paintText(
     QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& colour)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/geometry/SlicePlane.h"
+
 #include <QColor>
 #include <QRect>
 #include <QStringList>
@@ -10,6 +12,9 @@
 class QPainter;
 
 namespace ui {
+
+/// The colour of a standard plane: of its view's bar, and of the lines in which others show it.
+[[nodiscard]] QColor sliceColour(SliceOrientation orientation);
 
 /// The texts in the four corners of a view. Each list of lines starts at the edge of the view:
 /// upper lists run downwards, lower ones upwards.

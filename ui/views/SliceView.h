@@ -98,6 +98,9 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    static constexpr double leastMmPerPixel = 1e-3;
+    static constexpr double greatestMmPerPixel = 100.0;
+    static constexpr int greatestSlabReach = 100; ///< slices on either side
     /// Where the line of a plane is taken hold of.
     struct Handle {
         SliceOrientation plane;
