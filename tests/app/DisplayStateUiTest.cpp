@@ -195,6 +195,8 @@ private:
         workspace.chunks().setLook(chunks);
         workspace.plane().cutAcross({1.0, 2.0, 118.0}, {0.3, 1.0, 0.4});
         workspace.plane().setLook({.shown = true, .opacity = 0.4f, .clipsAbove = true});
+        views.planes().turnOthers(ui::SliceOrientation::Axial, 0.3);
+        views.planes().turnOne(ui::SliceOrientation::Coronal, ui::SliceOrientation::Sagittal, -0.2);
         views.sagittal().setTurn({true, 3});
         views.coronal().setPlace({.centreLps = {0.0, 0.0, 130.0}, .mmPerPixel = 0.08});
         for (ui::Tool* tool : application.window().findChildren<ui::Tool*>()) {

@@ -26,6 +26,7 @@ const Binding bindings[] = {
     {"Left drag or pen, with a tool", "the tool", "the tool, on the surface that is seen"},
     {"Space + left drag", "pan", "turn"},
     {"Click, no tool", "crosshair here", "on the cube: look from that side"},
+    {"Drag a ring on the crosshair, no tool", "turns the other slices; Ctrl: only that one", ""},
     {"Shift + move", "crosshair follows", ""},
     {"Middle drag", "pan", "pan"},
     {"Right drag", "zoom; grey scale with a tool", "zoom"},

@@ -13,6 +13,8 @@ namespace ui {
 
 namespace {
 
+constexpr double crosshairGap = 14.0; // pixels
+
 constexpr int lineHeight = 17;
 constexpr int topMargin = 9;
 constexpr int bottomMargin = 9;
@@ -34,6 +36,19 @@ void paintLines(QPainter& painter, const QRect& view, int firstY, int step, int 
 }
 
 } // namespace
+
+QColor sliceColour(SliceOrientation orientation)
+{
+    switch (orientation) {
+    case SliceOrientation::Axial:
+        return theme::axial;
+    case SliceOrientation::Sagittal:
+        return theme::sagittal;
+    case SliceOrientation::Coronal:
+        break;
+    }
+    return theme::coronal;
+}
 
 void paintText(
     QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& colour)
@@ -118,10 +133,29 @@ void paintScaleBar(QPainter& painter, const QRect& view, int baseline, double mm
     painter.restore();
 }
 
+void paintCrosshairLine(QPainter& painter, const QRect& view, const QPointF& centre,
+    const QPointF& direction, const QColor& colour)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor soft = colour;
+    soft.setAlpha(210);
+    QPen pen(soft, 1.2);
+    pen.setDashPattern({5.0, 4.0});
+    painter.setPen(pen);
+    const double far = std::hypot(view.width(), view.height()) + 1e-3;
+    // As far as the picture may be away from the crosshair, but no farther than a painter draws.
+    const double away = std::hypot(centre.x(), centre.y());
+    for (const double side : {-1.0, 1.0})
+        painter.drawLine(centre + side * crosshairGap * direction,
+            centre + side * std::min(far + away, 1e5) * direction);
+    painter.restore();
+}
+
 void paintCrosshair(QPainter& painter, const QRect& view, const QPointF& centre,
     const QColor& horizontal, const QColor& vertical)
 {
-    constexpr double gap = 14.0;
+    constexpr double gap = crosshairGap;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing, false);
     const auto line = [&](QColor colour, const QPointF& from, const QPointF& to) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/geometry/SlicePlane.h"
+
 #include <QColor>
 #include <QRect>
 #include <QStringList>
@@ -10,6 +12,9 @@
 class QPainter;
 
 namespace ui {
+
+/// The colour of a standard plane: of its view's bar, and of the lines in which others show it.
+[[nodiscard]] QColor sliceColour(SliceOrientation orientation);
 
 /// The texts in the four corners of a view. Each list of lines starts at the edge of the view:
 /// upper lists run downwards, lower ones upwards.
@@ -37,6 +42,11 @@ void paintScaleBar(QPainter& painter, const QRect& view, int baseline, double mm
 /// they mark.
 void paintCrosshair(QPainter& painter, const QRect& view, const QPointF& centre,
     const QColor& horizontal, const QColor& vertical);
+
+/// Draws one such line in any direction.
+/// @param direction on the screen, of length 1
+void paintCrosshairLine(QPainter& painter, const QRect& view, const QPointF& centre,
+    const QPointF& direction, const QColor& colour);
 
 /// Draws text that stays readable on any picture.
 void paintText(

@@ -5,6 +5,10 @@
 #include "ui/geometry/SlicePlane.h"
 #include "ui/geometry/SliceTurn.h"
 #include "ui/views/ImageView.h"
+#include "ui/views/MprPlanes.h"
+
+#include <optional>
+#include <vector>
 
 class QMenu;
 
@@ -18,6 +22,9 @@ class SliceView : public ImageView {
 public:
     SliceView(Workspace& workspace, gpu::ViewId view, SliceOrientation orientation,
         QWidget* parent = nullptr);
+    /// One of three whose planes are turned by handles on the crosshair's lines.
+    SliceView(Workspace& workspace, gpu::ViewId view, SliceOrientation orientation,
+        MprPlanes& planes, QWidget* parent = nullptr);
 
     /// Whether this view's plane is that of an early slice.
     [[nodiscard]] bool looksAt(const core::EarlySlice& early) const;
@@ -37,6 +44,8 @@ public:
     };
     [[nodiscard]] std::optional<Place> place() const;
     void setPlace(const Place& place);
+    /// Whose lines are drawn as reference lines; without, those of the patient's planes.
+    void setReferencePlanes(const MprPlanes& planes);
     /// Zooms and pans so that the same part of the patient is seen as in another view, as far as
     /// this one's plane goes: what lies across the other one's plane stays.
     void lookWhereLooks(const SliceView& other);
@@ -72,7 +81,7 @@ protected:
 
     [[nodiscard]] gpu::Scene scene() const override;
     [[nodiscard]] Gesture gestureFor(
-        Qt::MouseButton button, Qt::KeyboardModifiers keys, bool toolWorksHere) const override;
+        Qt::MouseButton button, const PointerSample& sample, bool toolWorksHere) const override;
     void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
     void dragEnded(Gesture gesture) override;
     void dragAbandoned() override;
@@ -89,7 +98,23 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    static constexpr double leastMmPerPixel = 1e-3;
+    static constexpr double greatestMmPerPixel = 100.0;
+    static constexpr int greatestSlabReach = 100; ///< slices on either side
+    /// Where the line of a plane is taken hold of.
+    struct Handle {
+        SliceOrientation plane;
+        QPointF at;
+    };
     void openVolume();
+    [[nodiscard]] bool turnsCrosshair() const;
+    [[nodiscard]] bool isPatientPlane() const;
+    /// Of the line in which another plane is seen, on the screen.
+    [[nodiscard]] QPointF directionOf(SliceOrientation plane, const ViewContext& view) const;
+    [[nodiscard]] std::vector<Handle> handles(const ViewContext& view) const;
+    [[nodiscard]] std::optional<SliceOrientation> grabbedAt(const QPointF& at) const;
+    void turnCrosshair(const QPointF& from, const QPointF& to, bool alone);
+    void paintHandles(QPainter& painter, const ViewContext& shown) const;
     void zoomBy(double factor, const QPointF& at);
     /// The slab that the user wants, its samples on the slices of the stack.
     [[nodiscard]] gpu::SceneSlab slab() const;
@@ -105,6 +130,10 @@ private:
     void paintOtherSlices(QPainter& painter, const ViewContext& shown) const;
 
     SliceAxes m_axes; ///< upright
+    MprPlanes* m_planes = nullptr; ///< null: this plane is not one of them
+    const MprPlanes* m_referencePlanes = nullptr;
+    std::optional<SliceOrientation> m_orientation; ///< which one
+    std::optional<SliceOrientation> m_grabbed; ///< the plane whose line is being turned
     SliceTurn m_turn;
     std::optional<QRectF> m_box; ///< what is being drawn, from the press to the pointer
     bool m_awaitsBox = false;

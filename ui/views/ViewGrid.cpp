@@ -17,10 +17,10 @@ ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
     , m_workspace(workspace)
     , m_inbox(workspace.frames())
     , m_boxWindow(workspace)
-    , m_axial(new SliceView(workspace, 1, SliceOrientation::Axial, this))
+    , m_axial(new SliceView(workspace, 1, SliceOrientation::Axial, m_planes, this))
     , m_volume(new VolumeView(workspace, 2, this))
-    , m_sagittal(new SliceView(workspace, 3, SliceOrientation::Sagittal, this))
-    , m_coronal(new SliceView(workspace, 4, SliceOrientation::Coronal, this))
+    , m_sagittal(new SliceView(workspace, 3, SliceOrientation::Sagittal, m_planes, this))
+    , m_coronal(new SliceView(workspace, 4, SliceOrientation::Coronal, m_planes, this))
     , m_plane(new PlaneView(workspace, 5, this))
     , m_current(m_axial)
 {
@@ -52,7 +52,11 @@ ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
         });
         connect(slice, &SliceView::boxAbandoned, this, [this] { awaitBox(false); });
     }
-    connect(&workspace, &Workspace::sessionChanged, this, [this] { awaitBox(false); });
+    m_plane->setReferencePlanes(m_planes);
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        awaitBox(false);
+        m_planes.reset();
+    });
     connect(&m_inbox, &FrameInbox::arrived, this, &ViewGrid::give);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         if (auto* view = qobject_cast<ImageView*>(now);
@@ -183,6 +187,7 @@ bool ViewGrid::eventFilter(QObject* watched, QEvent* event)
 
 void ViewGrid::resetViews()
 {
+    m_planes.reset();
     for (ImageView* view : views())
         view->resetView();
 }

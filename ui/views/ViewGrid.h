@@ -30,6 +30,9 @@ public:
     [[nodiscard]] PlaneView& plane() const { return *m_plane; }
     [[nodiscard]] std::array<ImageView*, 5> views() const;
     [[nodiscard]] std::array<SliceView*, 4> slices() const; ///< all but the 3D view
+    /// How axial, sagittal and coronal slices lie.
+    [[nodiscard]] MprPlanes& planes() { return m_planes; }
+    [[nodiscard]] const MprPlanes& planes() const { return m_planes; }
     /// The view that has the keyboard, or had it last.
     [[nodiscard]] ImageView& current() const { return *m_current; }
 
@@ -78,6 +81,7 @@ private:
 
     FrameInbox m_inbox;
     BoxWindow m_boxWindow;
+    MprPlanes m_planes;
     std::shared_ptr<const core::EarlySlice> m_early;
     SliceView* m_axial;
     VolumeView* m_volume;

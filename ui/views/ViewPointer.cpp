@@ -86,7 +86,7 @@ void ViewPointer::pressed(const PointerReading& reading)
     }
     m_crosshairBeforePressLps = m_workspace.crosshairLps();
     const bool tools = toolWorksHere() && m_tool->takes(reading.sample, m_view.context());
-    m_gesture = m_view.gestureFor(reading.button, reading.sample.modifiers, tools);
+    m_gesture = m_view.gestureFor(reading.button, reading.sample, tools);
     if (m_navigateKey && reading.button == Qt::LeftButton && m_gesture == Gesture::Window)
         m_gesture = Gesture::Pan;
     m_gestureButton = reading.button;

@@ -22,11 +22,11 @@ class Workspace;
 class PointedView {
 public:
     /// What a drag does.
-    enum class Gesture { None, Tool, Window, Pan, Zoom, Rotate, Box };
+    enum class Gesture { None, Tool, Window, Pan, Zoom, Rotate, Box, Turn, TurnOne };
 
     [[nodiscard]] virtual ViewContext context() const = 0;
     [[nodiscard]] virtual Gesture gestureFor(
-        Qt::MouseButton button, Qt::KeyboardModifiers keys, bool toolWorksHere) const = 0;
+        Qt::MouseButton button, const PointerSample& sample, bool toolWorksHere) const = 0;
     virtual void dragged(Gesture gesture, const QPointF& from, const QPointF& to) = 0;
     /// The button was released after a drag.
     virtual void dragEnded(Gesture) { }

@@ -259,7 +259,7 @@ void VolumeView::hideEvent(QHideEvent* event)
 }
 
 ImageView::Gesture VolumeView::gestureFor(
-    Qt::MouseButton button, Qt::KeyboardModifiers, bool toolWorksHere) const
+    Qt::MouseButton button, const PointerSample&, bool toolWorksHere) const
 {
     const bool grey = Workspace::greyWindow(workspace().volumeDisplay().mode) != nullptr;
     switch (button) {

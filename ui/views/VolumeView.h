@@ -48,7 +48,7 @@ Q_SIGNALS:
 protected:
     [[nodiscard]] gpu::Scene scene() const override;
     [[nodiscard]] Gesture gestureFor(
-        Qt::MouseButton button, Qt::KeyboardModifiers keys, bool toolWorksHere) const override;
+        Qt::MouseButton button, const PointerSample& sample, bool toolWorksHere) const override;
     void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
     void clicked(const QPointF& at) override;
     void menuAsked(const QPointF& at) override;

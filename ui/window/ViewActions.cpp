@@ -103,6 +103,15 @@ void addTurns(MainWindow& window)
     }
 }
 
+void addPlanesReset(MainWindow& window)
+{
+    window.actionTable().add({.id = QStringLiteral("view.alongPatient"),
+        .text = QStringLiteral("Slices along the patient again"),
+        .tip = QStringLiteral("Turns the crosshair back whose handles were dragged"),
+        .run = [&window] { window.views().planes().reset(); },
+        .possible = [&window] { return window.workspace().volume() != nullptr; }});
+}
+
 void addPresetActions(MainWindow& window)
 {
     Workspace& workspace = window.workspace();
@@ -148,6 +157,7 @@ void addViewActions(MainWindow& window)
 {
     Actions& actions = window.actionTable();
     addTurns(window);
+    addPlanesReset(window);
     actions.add({.id = QStringLiteral("view.four"),
         .text = QStringLiteral("Four views"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+1"))},

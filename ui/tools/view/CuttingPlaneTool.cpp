@@ -145,15 +145,27 @@ void CuttingPlaneTool::turnInPenView(const PointerSample& sample, const ViewCont
 {
     CuttingPlane& plane = m_workspace.plane();
     const QPointF moved = sample.position - m_drag->last;
+    const auto& slice = std::get<gpu::SliceScene>(view.scene);
+    // The view may be flipped and turned by quarters: its axes, of those of the plane.
+    const auto ofPose = [&plane](const glm::dvec3& direction) {
+        return glm::round(glm::dvec2(
+            glm::dot(direction, plane.pose().rightLps), glm::dot(direction, plane.pose().downLps)));
+    };
+    const auto axisOf = [&plane](const glm::dvec2& shares) {
+        return shares.x * plane.pose().rightLps + shares.y * plane.pose().downLps;
+    };
+    const glm::dvec2 right = ofPose(slice.rightLps);
+    const glm::dvec2 down = ofPose(slice.downLps);
     if (!(sample.modifiers & Qt::ControlModifier)) {
         // What is seen goes with the pointer, as in the 3D view.
-        plane.turn(plane.pose().downLps, moved.x() * degreesPerPixel);
-        plane.turn(plane.pose().rightLps, -moved.y() * degreesPerPixel);
+        plane.turn(axisOf(down), moved.x() * degreesPerPixel);
+        plane.turn(axisOf(right), -moved.y() * degreesPerPixel);
         return;
     }
     const QPointF middle(view.sizePixels.width() / 2, view.sizePixels.height() / 2);
-    plane.turn(
-        plane.pose().normalLps(), -glm::degrees(turnAround(middle, m_drag->last, sample.position)));
+    const double fromFront = right.x * down.y - right.y * down.x; // −1: the view is mirrored
+    plane.turn(plane.pose().normalLps(),
+        -fromFront * glm::degrees(turnAround(middle, m_drag->last, sample.position)));
 }
 
 void CuttingPlaneTool::release(const PointerSample& sample, const ViewContext& view)

@@ -111,7 +111,8 @@ bool showsPlaneItself(const ViewContext& view, const CuttingPlane& plane)
     if (!slice)
         return false;
     const glm::dvec3 normal = plane.pose().normalLps();
-    return glm::dot(glm::cross(slice->rightLps, slice->downLps), normal) > 0.9999
+    // A view that is mirrored shows it from behind.
+    return std::abs(glm::dot(glm::cross(slice->rightLps, slice->downLps), normal)) > 0.9999
         && std::abs(glm::dot(slice->centreLps - plane.pose().centreLps, normal)) < 1e-3;
 }
 

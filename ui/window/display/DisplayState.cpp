@@ -56,6 +56,33 @@ void apply(const QJsonValue& json, SliceView& view)
         view.setPlace(place);
 }
 
+constexpr std::array<const char*, 3> planeNames{
+    "axial", "sagittal", "coronal"}; ///< in the order of MprPlanes::all
+
+QJsonObject toJson(const MprPlanes& planes)
+{
+    QJsonObject object;
+    for (std::size_t i = 0; i < planeNames.size(); ++i) {
+        const SliceAxes& axes = planes.axes(MprPlanes::all[i]);
+        object[QLatin1String(planeNames[i])] =
+            QJsonObject{{QStringLiteral("rightLps"), toJson(axes.rightLps)},
+                {QStringLiteral("downLps"), toJson(axes.downLps)}};
+    }
+    return object;
+}
+
+void apply(const QJsonValue& json, MprPlanes& planes)
+{
+    for (std::size_t i = 0; i < planeNames.size(); ++i) {
+        SliceAxes axes = planes.axes(MprPlanes::all[i]);
+        const QJsonValue plane = json[QLatin1String(planeNames[i])];
+        read(plane[QLatin1String("rightLps")], axes.rightLps);
+        read(plane[QLatin1String("downLps")], axes.downLps);
+        if (plane.isObject() && atRightAngles(axes.rightLps, axes.downLps))
+            planes.set(MprPlanes::all[i], axes.rightLps, axes.downLps);
+    }
+}
+
 QJsonObject toJson(const SliceTurn& turn)
 {
     return {
@@ -199,6 +226,8 @@ QJsonObject DisplayState::composedViews() const
         object[QStringLiteral("referenceLines")] = true;
     if (options.linkedPlaces)
         object[QStringLiteral("linkedPlaces")] = true;
+    if (!m_views.planes().alongPatient())
+        object[QStringLiteral("oblique")] = toJson(m_views.planes());
     QJsonObject turned;
     for (const auto& [name, view] : namedViews(m_views)) {
         if (view == m_views.maximised())
@@ -274,6 +303,7 @@ void DisplayState::applyTools(const QJsonObject& state)
 
 void DisplayState::applyViews(const QJsonObject& state)
 {
+    ui::apply(state[QLatin1String("oblique")], m_views.planes());
     ImageView* alone = nullptr;
     for (const auto& [name, view] : namedViews(m_views)) {
         if (auto* slice = qobject_cast<SliceView*>(view)) {
