@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/filling/MirrorSegment.h"
 
+#include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"

@@ -131,11 +131,9 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"muted layer to a segment", volume, {layer, drill, mute}, carved});
     cases.push_back({"segment to layer", volume, {first, seeds, some, layer, drill, other}, cover});
     cases.push_back({"empty segment to layer", volume, {first, layer}, cover});
-    const core::SegmentToLayer mask{.segment = 1, .layer = 2, .outside = true};
+    const core::SegmentToLayer allBut{.segment = 1, .layer = 2, .outside = true};
     cases.push_back(
-        {"all but a segment to layer", volume, {first, seeds, some, layer, drill, other}, mask});
-    cases.push_back({"undo only all but a segment", volume,
-        {first, seeds, some, layer, mask, other}, core::RevertRows{{5}}});
+        {"all but a segment to layer", volume, {first, seeds, some, layer, drill, other}, allBut});
     cases.push_back({"segment what is seen", volume, {first, paint, drill}, seen});
     cases.push_back(
         {"segment what is seen in a clip region", volume, {first, second, taker, peel}, clipped});
@@ -288,6 +286,8 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
         {layer, drill, core::ChangeLayer{.layer = 2, .solo = true}}, other});
     cases.push_back({"undo only a segment to layer", volume,
         {first, seeds, all, layer, cover, lock}, core::RevertRows{{5}}});
+    cases.push_back({"undo only all but a segment", volume,
+        {first, seeds, all, layer, allBut, lock}, core::RevertRows{{5}}});
     cases.push_back({"undo only a layer to segment", volume,
         {first, drill, core::LayerToSegment{.layer = 1, .target = toFirst}, drillBack},
         core::RevertRows{{3}}});

@@ -3,6 +3,8 @@
 #include "ui/panels/lists/SegmentsPanel.h"
 #include "ui/workspace/LayerActions.h"
 
+#include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -159,6 +161,40 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().document().segment(1)->voxels, voxels);
         fixture.apply(test::lockSegment(1));
         QVERIFY(!action.isEnabled());
+    }
+
+    /// Mirrored twice about the same plane, all is where it was, but for what lay beside the
+    /// images.
+    void mirroringIsOneStep()
+    {
+        Fixture fixture;
+        const auto before = fixture.session().questions().labels(0);
+        QVERIFY(before);
+        QAction& action = fixture.window.actionTable()[QStringLiteral("segments.mirror")];
+        QCOMPARE(action.text(), QStringLiteral("Mirror 'Brain' left and right"));
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const std::size_t rows = fixture.session().history().rows().size();
+        action.trigger();
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 1);
+        const bool changed = fixture.session().history().rows().size() == rows + 1;
+        QCOMPARE(
+            said.front().front().toString().startsWith(QStringLiteral("Mirror 'Brain'")), changed);
+        const auto after = fixture.session().questions().labels(0);
+        QVERIFY(after);
+        const glm::ivec3 size = fixture.session().document().volumes.front().geometry.size;
+        for (std::size_t voxel = 0; voxel < after->size(); ++voxel) {
+            const std::size_t x = voxel % std::size_t(size.x);
+            const std::size_t image = voxel - x + (std::size_t(size.x) - 1 - x);
+            if ((*before)[voxel] == 0 || (*before)[voxel] == 1)
+                QCOMPARE(int((*after)[voxel]), (*before)[image] == 1 ? 1 : 0);
+        }
+        fixture.workspace.setCrosshairLps(
+            fixture.workspace.volume()->geometry.toWorld({12.0, 10.0, 10.0}));
+        fixture.window.actionTable()[QStringLiteral("segments.mirrorAtCrosshair")].trigger();
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.session().history().rows().back().edit.is<core::MirrorSegment>());
+        QVERIFY(fixture.session().history().rows().back().edit.get<core::MirrorSegment>().placeLps);
     }
 
     /// What is cleaned is one step; where there is nothing to clean, that is told.
