@@ -32,6 +32,7 @@
 #include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/growth/SeedTool.h"
+#include "ui/tools/growth/SegmentScissorsTool.h"
 #include "ui/tools/growth/ShrinkTool.h"
 #include "ui/tools/refine/ChunkTool.h"
 #include "ui/tools/refine/RefineTool.h"
@@ -47,11 +48,11 @@
 #include "ui/tools/view/UndoHereTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/views/VolumeView.h"
-#include "ui/window/DisplayState.h"
 #include "ui/window/KeyframeRecorder.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/PieceActions.h"
 #include "ui/window/SpaceSteering.h"
+#include "ui/window/display/DisplayState.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -80,6 +81,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     auto* paint = new ui::PaintTool(workspace, &window);
     auto* outline = new ui::FillOutlineTool(workspace, &window);
     auto* flood = new ui::FloodFillTool(workspace, &window);
+    auto* snip = new ui::SegmentScissorsTool(workspace, &window);
     auto* barrier = new ui::BarrierTool(workspace, &window);
     auto* refine = new ui::RefineTool(workspace, &window);
     auto* plane = new ui::CuttingPlaneTool(workspace, &window);
@@ -106,6 +108,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
     window.addTool(*outline, window.growMenu(), QKeySequence(QStringLiteral("D")));
     window.addTool(*flood, window.growMenu(), QKeySequence(QStringLiteral("Shift+D")));
+    window.addTool(*snip, window.growMenu(), QKeySequence(QStringLiteral("Shift+K")));
     window.addTool(*barrier, window.growMenu(), QKeySequence(QStringLiteral("Shift+B")));
     window.addToolGroup();
     window.addTool(*refine, window.refineMenu(), QKeySequence(QStringLiteral("F")));
@@ -116,7 +119,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
     return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, outline, flood,
-        barrier, refine, plane, chunks, measure, undoHere};
+        snip, barrier, refine, plane, chunks, measure, undoHere};
 }
 
 void addDoctor(ui::MainWindow& window)

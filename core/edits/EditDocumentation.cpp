@@ -54,6 +54,16 @@ public:
         visitInside(inside);
     }
 
+    template <class Value, class Inside>
+    void maybeGroup(const char* name, std::optional<Value>&, const char* meaning,
+        const char* absent, const Inside& visitInside)
+    {
+        add(name, QStringLiteral("object"), {}, QLatin1String(absent), meaning);
+        Describer inside(m_prefix + QLatin1String(name) + QLatin1Char('.'), m_fields);
+        Value some;
+        visitInside(inside, some);
+    }
+
     template <class Inside> void when(bool, const Inside& visitInside) { visitInside(); }
 
 private:

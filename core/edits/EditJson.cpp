@@ -40,6 +40,13 @@ public:
         visitInside(writer);
         m_object.insert(QLatin1String(name), writer.m_object);
     }
+    template <class Value, class Inside>
+    void maybeGroup(const char* name, std::optional<Value>& value, const char* meaning, const char*,
+        const Inside& visitInside)
+    {
+        if (value)
+            group(name, meaning, [&](Writer& inside) { visitInside(inside, *value); });
+    }
     template <class Inside> void when(bool condition, const Inside& visitInside)
     {
         if (condition)
@@ -91,6 +98,13 @@ public:
         reader.refuseTheRest();
         if (!m_error)
             m_error = reader.m_error;
+    }
+    template <class Value, class Inside>
+    void maybeGroup(const char* name, std::optional<Value>& value, const char* meaning, const char*,
+        const Inside& visitInside)
+    {
+        if (m_object.contains(QLatin1String(name)))
+            group(name, meaning, [&](Reader& inside) { visitInside(inside, value.emplace()); });
     }
     template <class Inside> void when(bool condition, const Inside& visitInside)
     {
@@ -164,6 +178,13 @@ public:
         visitInside(inside);
         if (!m_error)
             m_error = inside.m_error;
+    }
+    template <class Value, class Inside>
+    void maybeGroup(const char* name, std::optional<Value>& value, const char* meaning, const char*,
+        const Inside& visitInside)
+    {
+        if (value)
+            group(name, meaning, [&](Checker& inside) { visitInside(inside, *value); });
     }
     template <class Inside> void when(bool condition, const Inside& visitInside)
     {

@@ -12,12 +12,13 @@
 #include "core/growth/GrowthProgress.h"
 #include "core/growth/SeedSpread.h"
 #include "core/sculpt/DrillCut.h"
-#include "core/sculpt/LabelOutlined.h"
-#include "core/sculpt/LabelThreshold.h"
 #include "core/sculpt/LaserCut.h"
-#include "core/sculpt/LayerWrites.h"
 #include "core/sculpt/OutlineCut.h"
 #include "core/sculpt/ShellPeel.h"
+#include "core/sculpt/labels/LabelOutlined.h"
+#include "core/sculpt/labels/LabelScissors.h"
+#include "core/sculpt/labels/LabelThreshold.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <variant>
 
@@ -33,10 +34,12 @@ using GrowthEdits = TypeList<SeedPlacement, GrowBurst, ShrinkGrowth, CutGrowth, 
 /// LaserCut: along the surface's normals. CapsuleCut, PaintLabel, PaintBarrier: with a brush.
 using StrokeEdits =
     TypeList<DrillCut, LaserCut, ShellPeel, OutlineCut, CapsuleCut, PaintLabel, PaintBarrier>;
-/// Of whole labels and layers, of places that are listed, and of values (sculpt/LabelThreshold.h).
-/// CoverLabel, FoldLayer: sculpt/LayerWrites.h, as LabelWrites, which give labels to voxels (and
-/// LabelOutlined.h).
-using WholeEdits = TypeList<EraseLabel, CoverLabel, FoldLayer, BarrierListed, LabelThreshold>;
+/// Of whole labels and layers, of places that are listed, of values
+/// (sculpt/labels/LabelThreshold.h), and of what lies under a curve
+/// (sculpt/labels/LabelScissors.h). CoverLabel, FoldLayer: sculpt/labels/LayerWrites.h, as
+/// LabelWrites, which give labels to voxels (and LabelOutlined.h).
+using WholeEdits =
+    TypeList<EraseLabel, CoverLabel, FoldLayer, BarrierListed, LabelThreshold, LabelScissors>;
 
 using EngineEditVariant =
     JoinedTypes<GrowthEdits, StrokeEdits, WholeEdits, LabelWrites>::List::Variant;

@@ -22,7 +22,7 @@ Result<void> checkSound(const PaintLabel& edit, const BrickGrid& grid)
     if (edit.edges && !isSound(*edit.edges, grid))
         return failure(
             ErrorCode::InvalidField, QStringLiteral("edges"), QStringLiteral("is not sound"));
-    return {};
+    return checkSound(edit.editable);
 }
 
 } // namespace core

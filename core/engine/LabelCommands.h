@@ -5,6 +5,7 @@
 #include "core/brick/BrickGrid.h"
 #include "core/sculpt/CapsuleSweep.h"
 #include "core/sculpt/EdgeRegion.h"
+#include "core/sculpt/labels/EditableVoxels.h"
 
 #include <bitset>
 #include <cstdint>
@@ -13,7 +14,7 @@
 namespace core {
 
 // Edits of one label, as an engine sees them: integers only, everything they read is in them.
-// Further ones: sculpt/LayerWrites.h.
+// Further ones: sculpt/labels/LayerWrites.h.
 
 /// Remove a label from its plane: every voxel that holds it becomes 0, and every seed word that has
 /// it, of a member or a pending seed, becomes seedWord::unvisited. So no growth continues from it;
@@ -48,6 +49,7 @@ struct PaintLabel {
     int highCode = 65535;
     CapsuleFrame frame;
     std::optional<EdgeRule> edges{};
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 [[nodiscard]] Result<void> checkSound(const EraseLabel& edit, const BrickGrid& grid);

@@ -4,6 +4,7 @@
 #include "core/brick/BrickGrid.h"
 #include "core/sculpt/PickRay.h"
 
+#include <bitset>
 #include <cstdint>
 #include <vector>
 
@@ -34,11 +35,14 @@ struct ProbeVoxels {
 /// an open stroke has cut so far. Opacity: each sample that is inside and not carved adds o =
 /// opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from T =
 /// 65535; visible when T ≤ 32767. BrightestVoxel: Z over samples that are inside and not carved.
+/// Segment: the first sample that is inside and whose nearest voxel has one of `segments`.
 struct PickVoxels {
     std::vector<PickRay> rays{};
     SeenBy seenBy = SeenBy::Surface;
     int thresholdCode = 0;
     std::vector<std::uint32_t> opacityOfCode{}; ///< 256 entries, only for Opacity
+    std::bitset<256> segments{}; ///< labels, only for Segment
+    std::uint8_t plane = 0; ///< of the labels
 };
 
 } // namespace core

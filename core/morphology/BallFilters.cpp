@@ -16,7 +16,7 @@ namespace {
 /// are added up from its beginning, so that a row of the ball costs two of these sums.
 class CountInBall {
 public:
-    CountInBall(BoxMask& mask, const MillimetreBall& ball)
+    CountInBall(ByteMask& mask, const MillimetreBall& ball)
         : m_mask(mask)
         , m_rows(ballRows(ball, mask.size))
         , m_width(std::size_t(mask.size.x))
@@ -73,14 +73,14 @@ private:
             counts[std::size_t(x)] += sign * before[width];
     }
 
-    BoxMask& m_mask;
+    ByteMask& m_mask;
     std::vector<BallRow> m_rows;
     std::size_t m_width;
     std::vector<std::uint16_t> m_before; ///< voxels of the mask in its row before each, and in all
 };
 
 Result<void> keepCounted(
-    BoxMask& mask, const MillimetreBall& ball, std::int64_t atLeast, const FilterStage& stage)
+    ByteMask& mask, const MillimetreBall& ball, std::int64_t atLeast, const FilterStage& stage)
 {
     CountInBall count(mask, ball);
     StageCounter counter(stage, count.rows());
@@ -98,13 +98,91 @@ Result<void> keepCounted(
 
 } // namespace
 
+namespace {
+
+/// Finds what is not enclosed, run by run along x.
+class OutsideFlood {
+public:
+    explicit OutsideFlood(ByteMask& mask)
+        : m_mask(mask)
+    {
+        for (int z = 0; z < mask.size.z; ++z) {
+            for (int y = 0; y < mask.size.y; ++y) {
+                const bool isBorderRow =
+                    y == 0 || z == 0 || y == mask.size.y - 1 || z == mask.size.z - 1;
+                for (int x = 0; x < mask.size.x;
+                     x += isBorderRow ? 1 : std::max(1, mask.size.x - 1))
+                    wait({x, y, z});
+            }
+        }
+    }
+
+    [[nodiscard]] bool isDone() const { return m_waiting.empty(); }
+    void step()
+    {
+        const glm::ivec3 at = m_waiting.back();
+        m_waiting.pop_back();
+        if (voxel(at) != 0)
+            return;
+        int begin = at.x;
+        int end = at.x + 1;
+        while (begin > 0 && voxel({begin - 1, at.y, at.z}) == 0)
+            --begin;
+        while (end < m_mask.size.x && voxel({end, at.y, at.z}) == 0)
+            ++end;
+        std::fill_n(&voxel({begin, at.y, at.z}), end - begin, outside);
+        for (const glm::ivec2& step :
+            {glm::ivec2(-1, 0), glm::ivec2(1, 0), glm::ivec2(0, -1), glm::ivec2(0, 1)})
+            lookAlong(begin, end, at.y + step.x, at.z + step.y);
+    }
+    /// What the flood has not reached is set.
+    void settle()
+    {
+        for (std::uint8_t& each : m_mask.voxels)
+            each = each == outside ? 0 : 1;
+    }
+
+private:
+    static constexpr std::uint8_t outside = 2;
+
+    [[nodiscard]] std::uint8_t& voxel(const glm::ivec3& at)
+    {
+        return m_mask.voxels[(std::size_t(at.z) * std::size_t(m_mask.size.y) + std::size_t(at.y))
+                * std::size_t(m_mask.size.x)
+            + std::size_t(at.x)];
+    }
+    void wait(const glm::ivec3& at)
+    {
+        if (voxel(at) == 0)
+            m_waiting.push_back(at);
+    }
+    /// The first voxel of each run of a neighbouring row waits.
+    void lookAlong(int begin, int end, int y, int z)
+    {
+        if (y < 0 || z < 0 || y >= m_mask.size.y || z >= m_mask.size.z)
+            return;
+        bool isRun = false;
+        for (int x = begin; x < end; ++x) {
+            const bool isFree = voxel({x, y, z}) == 0;
+            if (isFree && !isRun)
+                m_waiting.emplace_back(x, y, z);
+            isRun = isFree;
+        }
+    }
+
+    ByteMask& m_mask;
+    std::vector<glm::ivec3> m_waiting;
+};
+
+} // namespace
+
 double filterBytes(const glm::ivec3& size)
 {
     const double rows = double(size.y) * double(size.z);
     return 3.0 * double(size.x) * rows + 2.0 * rows;
 }
 
-Result<void> dilate(BoxMask& mask, const MillimetreBall& ball, const FilterStage& stage)
+Result<void> dilate(ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage)
 {
     if (!ball.isStraight())
         return keepCounted(mask, ball, 1, stage);
@@ -127,9 +205,22 @@ Result<void> dilate(BoxMask& mask, const MillimetreBall& ball, const FilterStage
     return {};
 }
 
-Result<void> keepMajority(BoxMask& mask, const MillimetreBall& ball, const FilterStage& stage)
+Result<void> keepMajority(ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage)
 {
     return keepCounted(mask, ball, voxelCount(ball) / 2 + 1, stage);
+}
+
+Result<void> fillEnclosed(ByteMask& mask, const Progress& progress)
+{
+    OutsideFlood flood(mask);
+    constexpr int betweenLooks = 1024;
+    for (int steps = 0; !flood.isDone(); ++steps) {
+        if (steps % betweenLooks == 0 && progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        flood.step();
+    }
+    flood.settle();
+    return {};
 }
 
 } // namespace core

@@ -19,7 +19,7 @@ struct MillimetreBall;
 // mask is undefined), and need filterBytes() at most. Any thread that is no parallelFor's.
 
 /// Voxels of a box, x fastest: 1 or 0. What lies beyond the box is no voxel.
-struct BoxMask {
+struct ByteMask {
     glm::ivec3 size{0};
     std::vector<std::uint8_t> voxels;
 };
@@ -40,11 +40,15 @@ struct FilterStage {
 /// by lower envelopes of parabolas along columns, and each voxel reaches so many slices. On a
 /// sheared grid the voxels of the ball are counted as below.
 [[nodiscard]] Result<void> dilate(
-    BoxMask& mask, const MillimetreBall& ball, const FilterStage& stage);
+    ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage);
 
 /// Sets the voxels with more than half of the whole ball around them in the mask, and no other.
 /// Cost ∝ voxels of the box × rows of the ball.
 [[nodiscard]] Result<void> keepMajority(
-    BoxMask& mask, const MillimetreBall& ball, const FilterStage& stage);
+    ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage);
+
+/// Sets every voxel from which no way over faces of unset ones leads to the border of the box.
+/// @param progress is only asked whether it was cancelled
+[[nodiscard]] Result<void> fillEnclosed(ByteMask& mask, const Progress& progress);
 
 } // namespace core

@@ -85,7 +85,7 @@ private:
 
 } // namespace
 
-ReachOfMask::ReachOfMask(BoxMask& mask, const MillimetreBall& ball)
+ReachOfMask::ReachOfMask(ByteMask& mask, const MillimetreBall& ball)
     : m_mask(mask)
     , m_ball(ball)
     , m_reach(mask.voxels.size())

@@ -21,7 +21,7 @@ class StageCounter;
 /// a voxel's reach and that of its neighbour less one.
 class ReachOfMask {
 public:
-    ReachOfMask(BoxMask& mask, const MillimetreBall& ball);
+    ReachOfMask(ByteMask& mask, const MillimetreBall& ball);
 
     /// Independent for each z.
     void lookAlongSlice(int z);
@@ -36,7 +36,7 @@ private:
     }
     bool measureRows(int z, std::vector<int>& steps) const;
 
-    BoxMask& m_mask;
+    ByteMask& m_mask;
     const MillimetreBall& m_ball;
     std::vector<std::int64_t> m_upTo; ///< squared length of so many slices, as far as it matters
     std::vector<std::uint16_t> m_reach;

@@ -61,6 +61,7 @@ public:
         for (std::uint8_t& voxel : m_mask.voxels)
             voxel = voxel == 0 ? 1 : 0;
     }
+    Result<void> fillEnclosed() { return core::fillEnclosed(m_mask, m_progress); }
     Result<void> spread() { return dilate(m_mask, m_ball, nextStage()); }
     Result<void> vote() { return keepMajority(m_mask, m_ball, nextStage()); }
 
@@ -114,7 +115,7 @@ private:
     int m_stages;
     int m_stage = 0;
     glm::ivec3 m_first{0}; ///< of the box in the volume
-    BoxMask m_mask;
+    ByteMask m_mask;
 };
 
 int stagesOf(ShapeOperation operation, ShellPlace place)
@@ -128,7 +129,10 @@ int stagesOf(ShapeOperation operation, ShellPlace place)
     case ShapeOperation::Open:
     case ShapeOperation::Close:
     case ShapeOperation::Median:
+    case ShapeOperation::Wrap:
         return 2;
+    case ShapeOperation::Gaussian:
+        break;
     }
     return 1;
 }
@@ -176,6 +180,22 @@ Result<ShapeChange> openedOrClosed(Reshaping& work, Side first)
     return ShapeChange{.given = work.freeIn(), .taken = {}};
 }
 
+/// Where the ball's centre can come from outside is what the segment, grown by the ball, does not
+/// enclose; the ball there reaches all but what is wrapped.
+Result<ShapeChange> wrapped(Reshaping& work)
+{
+    work.fill(Side::Segment);
+    if (const Result<void> done = work.spread(); !done)
+        return tl::unexpected(done.error());
+    if (const Result<void> done = work.fillEnclosed(); !done)
+        return tl::unexpected(done.error());
+    work.invert();
+    if (const Result<void> done = work.spread(); !done)
+        return tl::unexpected(done.error());
+    work.invert();
+    return ShapeChange{.given = work.freeIn(), .taken = {}};
+}
+
 Result<ShapeChange> smoothed(Reshaping& work)
 {
     ShapeChange change;
@@ -203,8 +223,8 @@ Result<ShapeChange> shapeChange(std::span<const std::uint8_t> labels, const glm:
         return failure(ErrorCode::Cancelled);
     Reshaping work(labels, size, label, ball, progress, stagesOf(operation, place));
     const bool isNear = looksOnlyInside(operation, place) && ball.isStraight();
-    if (const Result<void> begun = work.begin(
-            own, isNear ? glm::ivec3(1) : ball.extent, operation == ShapeOperation::Close);
+    if (const Result<void> begun = work.begin(own, isNear ? glm::ivec3(1) : ball.extent,
+            operation == ShapeOperation::Close || operation == ShapeOperation::Wrap);
         !begun)
         return tl::unexpected(begun.error());
     switch (operation) {
@@ -216,6 +236,10 @@ Result<ShapeChange> shapeChange(std::span<const std::uint8_t> labels, const glm:
         return openedOrClosed(work, Side::Segment);
     case ShapeOperation::Median:
         return smoothed(work);
+    case ShapeOperation::Wrap:
+        return wrapped(work);
+    case ShapeOperation::Gaussian:
+        return ShapeChange();
     case ShapeOperation::Grow:
     case ShapeOperation::Shrink:
         break;

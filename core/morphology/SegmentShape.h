@@ -29,6 +29,13 @@ enum class ShapeOperation : std::uint8_t {
     /// Voxels change sides if more than half of the whole ball around them lies on the other one.
     /// What lies beyond the image's border counts for neither.
     Median,
+    /// What the ball, rolled around the segment from outside, cannot get into becomes its own:
+    /// holes, and all that lies behind openings that are narrower than the ball. Like a closing it
+    /// does not depend on the image's border; voxels hang together by faces.
+    Wrap,
+    /// Voxels change sides if more than half of a Gaussian around them lies on the other one. No
+    /// ball does that: see GaussianShape.h.
+    Gaussian,
 };
 
 /// Where a shell lies that remains of a segment, from its border, which is halfway between voxels.
@@ -48,6 +55,7 @@ struct ShapeChange {
 /// two passes over the volume and a few over the box around the segment with the ball
 /// (BallFilters.h), of any size of ball. Any thread that is no parallelFor's.
 /// @param labels of the whole volume in the segment's plane, x fastest
+/// @param operation not Gaussian
 /// @param place of Hollow
 /// Errors: OutOfMemory if filterBytes() of that box are more than checkBytes() allows, Cancelled.
 [[nodiscard]] Result<ShapeChange> shapeChange(std::span<const std::uint8_t> labels,

@@ -48,6 +48,13 @@ public:
     {
         visitInside(*this);
     }
+    template <class Value, class Inside>
+    void maybeGroup(const char*, std::optional<Value>& value, const char*, const char*,
+        const Inside& visitInside)
+    {
+        if (value)
+            visitInside(*this, *value);
+    }
     template <class Inside> void when(bool condition, const Inside& visitInside)
     {
         if (condition)

@@ -156,10 +156,10 @@ RepairLattice repairLattice(const VolumeGeometry& slices, const SeriesRepair& re
     return lattice;
 }
 
-std::vector<SlicePart> gapParts(const VolumeGeometry& slices)
+std::vector<SliceRun> gapParts(const VolumeGeometry& slices)
 {
     const std::vector<double> gaps = sliceGapsMm(slices);
-    std::vector<SlicePart> parts{{.first = 0, .count = 1}};
+    std::vector<SliceRun> parts{{.first = 0, .count = 1}};
     for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
         const double before = gap > 0 ? gaps[gap - 1] : gaps[gap];
         const double after = gap + 1 < gaps.size() ? gaps[gap + 1] : gaps[gap];
@@ -171,7 +171,7 @@ std::vector<SlicePart> gapParts(const VolumeGeometry& slices)
     return parts;
 }
 
-VolumeGeometry geometryOfPart(const VolumeGeometry& slices, const SlicePart& part)
+VolumeGeometry geometryOfPart(const VolumeGeometry& slices, const SliceRun& part)
 {
     if (part.count == slices.size.z)
         return slices;
@@ -200,7 +200,7 @@ QString repairObstacle(const VolumeGeometry& slices, const SeriesRepair& repair)
 {
     VolumeGeometry part = slices;
     if (repair.part != 0) {
-        const std::vector<SlicePart> parts = gapParts(slices);
+        const std::vector<SliceRun> parts = gapParts(slices);
         if (repair.part > int(parts.size()))
             return parts.size() == 1
                 ? QStringLiteral("it has no gap to be split at")

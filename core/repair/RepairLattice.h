@@ -45,14 +45,14 @@ struct RepairLattice {
 /// The parts that gap=split:N numbers, as first slice and count. The series is split where a
 /// distance is more than one and a half times that of the slices on either side. One part if there
 /// is no such place.
-struct SlicePart {
+struct SliceRun {
     int first = 0; ///< 0-based
     int count = 0;
 };
-[[nodiscard]] std::vector<SlicePart> gapParts(const VolumeGeometry& slices);
+[[nodiscard]] std::vector<SliceRun> gapParts(const VolumeGeometry& slices);
 
 /// The geometry of some of the slices alone.
-[[nodiscard]] VolumeGeometry geometryOfPart(const VolumeGeometry& slices, const SlicePart& part);
+[[nodiscard]] VolumeGeometry geometryOfPart(const VolumeGeometry& slices, const SliceRun& part);
 
 /// Distances between neighbouring slices along their normal.
 [[nodiscard]] std::vector<double> sliceGapsMm(const VolumeGeometry& slices);

@@ -155,7 +155,7 @@ int outsideCode(const LoadedVolume& loaded)
     return std::max(loaded.padding->lowest, 0);
 }
 
-void keepPart(LoadedVolume& loaded, const SlicePart& part)
+void keepPart(LoadedVolume& loaded, const SliceRun& part)
 {
     Volume& volume = loaded.volume;
     const std::size_t size =

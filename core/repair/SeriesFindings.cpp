@@ -52,11 +52,11 @@ RepairOffer evenOffer(const VolumeGeometry& slices)
 
 void offerParts(const VolumeGeometry& slices, std::vector<RepairOffer>& offers)
 {
-    const std::vector<SlicePart> parts = gapParts(slices);
+    const std::vector<SliceRun> parts = gapParts(slices);
     if (parts.size() < 2 || parts.size() > mostParts)
         return;
     for (std::size_t index = 0; index < parts.size(); ++index) {
-        const SlicePart& part = parts[index];
+        const SliceRun& part = parts[index];
         RepairOffer only = offer(RepairOffer::Kind::Part, slices, {.part = int(index) + 1});
         only.first = part.first + 1;
         only.last = part.first + part.count;

@@ -21,7 +21,7 @@ WayBack::WayBack(const Volume& volume)
 {
     const SeriesRepair repair = *SeriesRepair::fromText(volume.repair);
     const SeriesAsIs& asIs = *volume.asIs;
-    SlicePart part{.first = 0, .count = asIs.geometry.size.z};
+    SliceRun part{.first = 0, .count = asIs.geometry.size.z};
     if (repair.part != 0)
         part = gapParts(asIs.geometry)[std::size_t(repair.part - 1)];
     // On these nothing was moved.

@@ -12,6 +12,7 @@ enum class SeenBy : std::uint8_t {
     Surface, ///< first sample that is material (CutFrame.h rule 3)
     Opacity, ///< first sample where accumulated opacity reaches one half
     BrightestVoxel, ///< greatest interpolated value along the ray; the first of equals
+    Segment, ///< first sample in a voxel of some segments, carved or not
 };
 
 /// A ray as a row of samples through the volume, to find the voxel that the user sees.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/Guarded.h"
 #include "core/session/EditSession.h"
+#include "core/session/RestoreSession.h"
 #include "core/session/operations/OperationQueue.h"
-#include "core/session/operations/RestoreSession.h"
 #include "core/sessionfile/records/SessionUse.h"
 #include "core/study/SourceFiles.h"
 

@@ -16,7 +16,7 @@ public:
     void setSegmentVisible(int label, bool visible);
 
     /// The state of the window when the session was last displayed: an object that core does not
-    /// interpret (ui/window/DisplayState). Empty: none was kept.
+    /// interpret (ui/window/display/DisplayState). Empty: none was kept.
     [[nodiscard]] const QJsonObject& kept() const;
     /// Writes it to the file if it has changed. Not meant to be called for every mouse movement.
     void keep(const QJsonObject& display);

@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
@@ -225,6 +226,11 @@ void KernelWarmUp::runRelabelling()
     run(outlined, {});
     // An interval of values that follows a slider.
     run(core::LabelThreshold{.target = relabel.target, .lowCode = matter}, {});
+    // Scissors of segments, with their rays.
+    core::SegmentScissors scissors{.segment = label, .view = fromFront(), .polygonMm = outline};
+    scissors.depthMm = 2.0;
+    if (const auto snip = core::labelScissors(scissors, m_document))
+        run(*snip, {});
 }
 
 void KernelWarmUp::runBarriers()

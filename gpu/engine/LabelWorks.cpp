@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/engine/BeginWork.h"
 #include "gpu/kernels/cut/LayerWriter.h"
+#include "gpu/kernels/labels/ScissorsReach.h"
 
 #include <algorithm>
 #include <utility>
@@ -56,6 +57,43 @@ private:
     std::vector<core::BrickKey> m_keys;
 };
 
+/// The same for scissors, which first look how far they reach.
+class ScissorsWork final : public EditWork {
+public:
+    ScissorsWork(const core::LabelScissors& edit, const WorkContext& context)
+        : m_edit(edit)
+        , m_context(context)
+        , m_reach(context.programs.label, context.fields, m_edit)
+        , m_bricks(bricksConcerned(context.fields, edit))
+    {
+    }
+    bool hasStepsLeft() const override { return m_done < m_bricks.size(); }
+    void advance(int rings) override
+    {
+        constexpr std::size_t elementsPerRing = 2048;
+        constexpr std::size_t bricksPerRing = 64;
+        if (!m_reach.isKnown())
+            return m_reach.advance(elementsPerRing * std::size_t(rings));
+        const std::size_t end =
+            std::min(m_done + bricksPerRing * std::size_t(rings), m_bricks.size());
+        const std::vector<std::uint32_t> next(
+            m_bricks.begin() + std::ptrdiff_t(m_done), m_bricks.begin() + std::ptrdiff_t(end));
+        const std::vector<core::BrickKey> changed = writeScissors(m_context.programs.label,
+            m_context.fields, m_context.before, m_edit, m_reach.buffer(), next);
+        m_keys.insert(m_keys.end(), changed.begin(), changed.end());
+        m_done = end;
+    }
+    std::vector<core::BrickKey> touchedKeys() const override { return m_keys; }
+
+private:
+    core::LabelScissors m_edit;
+    WorkContext m_context;
+    ScissorsReach m_reach;
+    std::vector<std::uint32_t> m_bricks; ///< all that may change
+    std::size_t m_done = 0; ///< of these
+    std::vector<core::BrickKey> m_keys;
+};
+
 BegunWork done(std::vector<core::BrickKey> keys)
 {
     return std::make_unique<WholeWork>(std::move(keys));
@@ -79,6 +117,11 @@ BegunWork begun(const core::CoverLabel& edit, const WorkContext& context)
 BegunWork begun(const core::LabelThreshold& edit, const WorkContext& context)
 {
     return std::make_unique<ThresholdWork>(edit, context);
+}
+
+BegunWork begun(const core::LabelScissors& edit, const WorkContext& context)
+{
+    return std::make_unique<ScissorsWork>(edit, context);
 }
 
 BegunWork begun(const core::FoldLayer& edit, const WorkContext& context)

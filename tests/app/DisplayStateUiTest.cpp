@@ -14,12 +14,13 @@
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/tools/growth/FillOutlineTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
+#include "ui/tools/growth/SegmentScissorsTool.h"
 #include "ui/tools/sculpt/PeelTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/tools/view/MeasureTool.h"
 #include "ui/views/ViewGrid.h"
-#include "ui/window/DisplayState.h"
 #include "ui/window/MainWindow.h"
+#include "ui/window/display/DisplayState.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/LayerLooks.h"
@@ -127,7 +128,9 @@ private:
             .showBarriers = false,
             .inverted = true,
             .slabMode = gpu::SlabMode::Minimum,
-            .slabMm = 12.25});
+            .slabMm = 12.25,
+            .referenceLines = true,
+            .linkedPlaces = true});
         ui::Workspace::VolumeDisplay volume = workspace.volumeDisplay();
         volume.mode = gpu::RenderMode::Dvr;
         volume.surfaceThreshold = 444.0;
@@ -161,6 +164,8 @@ private:
             {.in3D = true, .corners = true, .tolerance = 72.0});
         application.window().findChild<ui::ScissorsTool*>()->setSettings(
             {.limited = true, .depthMm = 33.0, .firstLayerOnly = true});
+        application.window().findChild<ui::SegmentScissorsTool*>()->setSettings(
+            {.does = ui::SegmentScissorsTool::Does::FillInside, .depthMm = 4.5});
         workspace.setBrushSettings(ui::Workspace::Brush::Paint,
             {.radiusMm = 6.5,
                 .disc = false,
@@ -190,6 +195,7 @@ private:
         workspace.chunks().setLook(chunks);
         workspace.plane().cutAcross({1.0, 2.0, 118.0}, {0.3, 1.0, 0.4});
         workspace.plane().setLook({.shown = true, .opacity = 0.4f, .clipsAbove = true});
+        views.sagittal().setTurn({true, 3});
         views.coronal().setPlace({.centreLps = {0.0, 0.0, 130.0}, .mmPerPixel = 0.08});
         for (ui::Tool* tool : application.window().findChildren<ui::Tool*>()) {
             if (tool->iconName() == QLatin1String("seed"))
@@ -262,6 +268,9 @@ private Q_SLOTS:
             == ui::FloodFillTool::Settings{.in3D = true, .corners = true, .tolerance = 72.0}));
         const auto& scissors = application->window().findChild<ui::ScissorsTool*>()->settings();
         QVERIFY(scissors.limited && scissors.depthMm == 33.0 && scissors.firstLayerOnly);
+        QVERIFY((application->window().findChild<ui::SegmentScissorsTool*>()->settings()
+            == ui::SegmentScissorsTool::Settings{
+                .does = ui::SegmentScissorsTool::Does::FillInside, .depthMm = 4.5}));
         const auto& paint = workspace.brushSettings(ui::Workspace::Brush::Paint);
         QVERIFY((paint
             == ui::Workspace::BrushSettings{.radiusMm = 6.5,

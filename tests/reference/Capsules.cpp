@@ -4,6 +4,7 @@
 #include "core/growth/SeedWord.h"
 #include "tests/reference/ElementPlane.h"
 #include "tests/reference/Growth.h"
+#include "tests/reference/LayerWrites.h"
 #include "tests/reference/Rays.h"
 
 #include <algorithm>
@@ -220,7 +221,8 @@ void Capsules::cut(
 void Capsules::paint(const core::PaintLabel& paint, const glm::ivec3& voxel)
 {
     const int code = m_codes.at(voxel);
-    if (code < paint.lowCode || code > paint.highCode)
+    if (code < paint.lowCode || code > paint.highCode
+        || !isEditable(paint.editable, m_codes, m_fields, voxel))
         return;
     std::uint8_t& held = m_fields.labels(paint.plane).at(voxel);
     std::uint32_t& word = m_fields.seedWords(paint.plane).at(voxel);

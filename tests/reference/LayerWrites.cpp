@@ -79,13 +79,40 @@ bool outlineHolds(const std::vector<glm::ivec2>& corners, std::int64_t x, std::i
     return winding != 0;
 }
 
+bool holdsOneOf(const std::vector<core::EditableVoxels::PlaneLabels>& listed, DenseFields& fields,
+    const glm::ivec3& voxel)
+{
+    bool holds = false;
+    for (const core::EditableVoxels::PlaneLabels& each : listed) {
+        const std::uint8_t label = fields.labels(each.plane).at(voxel);
+        holds = holds || (label != 0 && each.labels[label]);
+    }
+    return holds;
+}
+
 } // namespace
 
-void labelCarved(DenseFields& fields, const core::LabelCarved& edit)
+bool isEditable(const std::optional<core::EditableVoxels>& editable,
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const glm::ivec3& voxel)
+{
+    if (!editable)
+        return true;
+    const int code = codes.at(voxel);
+    bool is = code >= editable->lowCode && code <= editable->highCode;
+    for (int axis = 0; axis < 3 && editable->box; ++axis)
+        is = is && editable->box->minimum[axis] <= voxel[axis]
+            && editable->box->maximum[axis] > voxel[axis];
+    if (editable->inside)
+        is = is && holdsOneOf(*editable->inside, fields, voxel);
+    return is && !holdsOneOf(editable->outside, fields, voxel);
+}
+
+void labelCarved(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelCarved& edit)
 {
     const DenseArray<std::uint8_t> coverage = fields.coverage(edit.layer);
     forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
-        if (coverage.at(voxel) >= 128)
+        if (coverage.at(voxel) >= 128 && isEditable(edit.editable, codes, fields, voxel))
             give(fields, edit.target, voxel);
     });
 }
@@ -96,7 +123,7 @@ void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uin
     forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
         const int code = codes.at(voxel);
         if (carved.at(voxel) < 128 && code >= edit.lowCode && code <= edit.highCode
-            && within(edit.bounds, voxel))
+            && within(edit.bounds, voxel) && isEditable(edit.editable, codes, fields, voxel))
             give(fields, edit.target, voxel);
     });
 }
@@ -110,15 +137,21 @@ void labelListed(DenseFields& fields, const core::LabelListed& edit)
             const glm::ivec3 voxel = box.minimum + within;
             const std::uint8_t asked =
                 brick.labels[std::size_t(core::BrickGrid::offsetInBrick(voxel))];
-            if (asked != 0)
+            const std::uint8_t held = fields.labels(edit.plane).at(voxel);
+            if (asked != 0 && asked != edit.frees)
                 give(fields, {edit.plane, asked, edit.overwritable}, voxel);
+            else if (asked != 0 && held != 0 && edit.overwritable[held])
+                take(fields, {.plane = edit.plane, .label = held}, voxel);
         });
     }
 }
 
-void relabelListed(DenseFields& fields, const core::RelabelListed& edit)
+void relabelListed(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::RelabelListed& edit)
 {
     forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
+        if (!isEditable(edit.editable, codes, fields, voxel))
+            return;
         for (const core::RelabelListed::Brick& brick : edit.bricks) {
             if (int(brick.brick) != core::BrickGrid{fields.size()}.brickOf(voxel))
                 continue;
@@ -142,7 +175,8 @@ void labelOutlined(
         };
         const int code = codes.at(voxel);
         if (std::abs(along(2)) > edit.halfThickness || code < edit.lowCode || code > edit.highCode
-            || !outlineHolds(edit.corners, along(0), along(1)))
+            || !outlineHolds(edit.corners, along(0), along(1))
+            || !isEditable(edit.editable, codes, fields, voxel))
             return;
         if (edit.erase)
             take(fields, edit.target, voxel);
@@ -164,6 +198,8 @@ void labelThreshold(const DenseArray<std::uint16_t>& codes, const DenseArray<std
         }
         if (edit.onlyVisible && carved.at(voxel) >= 128)
             return;
+        if (!isEditable(edit.editable, codes, fields, voxel))
+            return;
         const int code = codes.at(voxel);
         const bool chosen = edit.lowCode <= code && code <= edit.highCode;
         if (chosen && edit.how != How::Subtract)
@@ -173,13 +209,16 @@ void labelThreshold(const DenseArray<std::uint16_t>& codes, const DenseArray<std
     });
 }
 
-void mapLabels(DenseFields& fields, const core::MapLabels& edit)
+void mapLabels(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::MapLabels& edit)
 {
     std::bitset<256> all;
     all.set();
     forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {
         const std::uint8_t held = fields.labels(edit.plane).at(voxel);
         const std::uint8_t next = edit.becomes[held];
+        if (!isEditable(edit.editable, codes, fields, voxel))
+            return;
         if (next != held && next != 0)
             give(fields, {edit.plane, next, all}, voxel);
         else if (next != held)
@@ -203,7 +242,8 @@ void coverLabel(DenseFields& fields, const core::CoverLabel& edit)
     const DenseArray<std::uint8_t> labels = fields.labels(edit.plane);
     DenseArray<std::uint8_t>& coverage = fields.coverage(edit.layer);
     for (std::size_t i = 0; i < labels.values.size(); ++i) {
-        if (labels.values[i] == edit.label)
+        const std::uint8_t held = labels.values[i];
+        if (edit.outside ? held != edit.label && !edit.spared[held] : held == edit.label)
             coverage.values[i] = 255;
     }
 }

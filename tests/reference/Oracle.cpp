@@ -267,6 +267,8 @@ core::Result<Oracle::Work> Oracle::begin(core::PaintLabel& edit)
         return refuse("frame", "is not sound");
     if (edit.edges && !core::isSound(*edit.edges, core::BrickGrid{m_codes.size}))
         return refuse("edges", "is not sound");
+    if (const auto checked = core::checkSound(edit.editable); !checked)
+        return tl::unexpected(checked.error());
     return Capsules(m_codes, m_fields, edit);
 }
 
@@ -281,9 +283,9 @@ core::Result<Oracle::Work> Oracle::begin(core::CapsuleCut& edit)
 
 core::Result<Oracle::Work> Oracle::begin(core::LabelCarved& edit)
 {
-    if (edit.target.label == 0)
-        return refuse("label", "0 is no segment");
-    labelCarved(m_fields, edit);
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
+    labelCarved(m_codes, m_fields, edit);
     return Done{};
 }
 
@@ -307,7 +309,7 @@ core::Result<Oracle::Work> Oracle::begin(core::RelabelListed& edit)
 {
     if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
         return tl::unexpected(checked.error());
-    relabelListed(m_fields, edit);
+    relabelListed(m_codes, m_fields, edit);
     return Done{};
 }
 
@@ -321,15 +323,25 @@ core::Result<Oracle::Work> Oracle::begin(core::LabelOutlined& edit)
 
 core::Result<Oracle::Work> Oracle::begin(core::LabelThreshold& edit)
 {
-    if (edit.target.label == 0)
-        return refuse("label", "0 is no segment");
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
     labelThreshold(m_codes, m_fields.composedCoverage(m_muted), m_fields, edit);
+    return Done{};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::LabelScissors& edit)
+{
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
+    labelScissors(m_codes, m_fields, edit);
     return Done{};
 }
 
 core::Result<Oracle::Work> Oracle::begin(core::MapLabels& edit)
 {
-    mapLabels(m_fields, edit);
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
+    mapLabels(m_codes, m_fields, edit);
     return Done{};
 }
 

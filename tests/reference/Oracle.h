@@ -102,6 +102,7 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::RelabelListed& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelOutlined& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelThreshold& edit);
+    [[nodiscard]] core::Result<Work> begin(core::LabelScissors& edit);
     [[nodiscard]] core::Result<Work> begin(core::MapLabels& edit);
     [[nodiscard]] core::Result<Work> begin(core::CoverLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::FoldLayer& edit);

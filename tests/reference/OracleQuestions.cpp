@@ -70,8 +70,14 @@ Oracle::Outcome Oracle::carryOut(core::PickVoxels& command)
 {
     if (command.seenBy == core::SeenBy::Opacity && command.opacityOfCode.size() != 256)
         return refuse("opacityOfCode", "has 256 entries");
-    const DenseArray<std::uint8_t> seen = carved();
     core::EngineResult result;
+    if (command.seenBy == core::SeenBy::Segment) {
+        const DenseArray<std::uint8_t>& labels = m_fields.labels(command.plane);
+        for (const core::PickRay& ray : command.rays)
+            result.picks.push_back(pickSegment(labels, command, ray));
+        return result;
+    }
+    const DenseArray<std::uint8_t> seen = carved();
     for (const core::PickRay& ray : command.rays)
         result.picks.push_back(pick({m_codes, seen}, command, ray));
     return result;

@@ -38,8 +38,11 @@ struct Tissue {
 [[nodiscard]] bool hidesPosition(
     const std::vector<core::IntegerHalfSpace>& hidden, const Index16& position);
 
-/// The voxel that one ray of a pick finds.
+/// The voxel that one ray of a pick finds; by what is seen of the volume.
 [[nodiscard]] std::optional<glm::ivec3> pick(
     const Tissue& tissue, const core::PickVoxels& pick, const core::PickRay& ray);
+/// By the segments.
+[[nodiscard]] std::optional<glm::ivec3> pickSegment(
+    const DenseArray<std::uint8_t>& labels, const core::PickVoxels& pick, const core::PickRay& ray);
 
 } // namespace reference

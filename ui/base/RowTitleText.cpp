@@ -84,6 +84,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("%1 mL");
     case RowTitleCode::Millimetres:
         return tr("%1 mm");
+    case RowTitleCode::MillimetresDeep:
+        return tr("%1 mm deep");
     case RowTitleCode::SeedStroke:
         return tr("Seed stroke for '%1'");
     case RowTitleCode::MoveSeeds:
@@ -236,6 +238,10 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Grow '%1' by %2 mm");
     case RowTitleCode::ShrinkByMargin:
         return tr("Shrink '%1' by %2 mm");
+    case RowTitleCode::GrowBySides:
+        return tr("Grow '%1' by margins of up to %2 mm");
+    case RowTitleCode::ShrinkBySides:
+        return tr("Shrink '%1' by margins of up to %2 mm");
     case RowTitleCode::HollowInside:
         return tr("Hollow '%1', %2 mm inside its border");
     case RowTitleCode::HollowCentred:
@@ -248,8 +254,20 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Close '%1' by %2 mm");
     case RowTitleCode::SmoothShape:
         return tr("Smooth '%1' by %2 mm");
+    case RowTitleCode::WrapShape:
+        return tr("Wrap '%1' by %2 mm");
+    case RowTitleCode::GaussianShape:
+        return tr("Smooth '%1' by a Gaussian of %2 mm");
+    case RowTitleCode::JointGaussian:
+        return tr("Smooth '%1' and others together by a Gaussian of %2 mm");
     case RowTitleCode::FillBetweenSlices:
         return tr("Fill '%1' between slices");
+    case RowTitleCode::MirrorSegment:
+        return tr("Mirror '%1'");
+    case RowTitleCode::ContourEvolved:
+        return tr("Evolve the contour of '%1'");
+    case RowTitleCode::ContourFromBubble:
+        return tr("Evolve the contour of '%1' from a bubble");
     case RowTitleCode::FloodSlice:
         return tr("Flood fill '%1' in a slice");
     case RowTitleCode::FloodVolume:
@@ -258,6 +276,18 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Erase a region of '%1' in a slice");
     case RowTitleCode::FloodEraseVolume:
         return tr("Erase a region of '%1' in 3D");
+    case RowTitleCode::ScissorsErase:
+        return tr("Scissors erase '%1' inside");
+    case RowTitleCode::ScissorsEraseOutside:
+        return tr("Scissors erase '%1' outside");
+    case RowTitleCode::ScissorsEraseMany:
+        return tr("Scissors erase %1 segments inside", nullptr, count);
+    case RowTitleCode::ScissorsEraseManyOutside:
+        return tr("Scissors erase %1 segments outside", nullptr, count);
+    case RowTitleCode::ScissorsFill:
+        return tr("Scissors fill '%1' inside");
+    case RowTitleCode::ScissorsFillOutside:
+        return tr("Scissors fill '%1' outside");
     case RowTitleCode::ThresholdReplace:
         return tr("Threshold '%1' to %2");
     case RowTitleCode::ThresholdAdd:
@@ -278,6 +308,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Merge layer '%1' into '%2'");
     case RowTitleCode::SegmentToLayer:
         return tr("Segment '%1' to layer '%2'");
+    case RowTitleCode::OutsideToLayer:
+        return tr("All but segment '%1' to layer '%2'");
     case RowTitleCode::RenameLayer:
         return tr("Rename layer '%1' to '%2'");
     case RowTitleCode::SoloLayer:

@@ -6,6 +6,7 @@
 #include "ui/base/CountText.h"
 #include "ui/base/Theme.h"
 #include "ui/geometry/SlicePlane.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/workspace/SegmentActions.h"
@@ -121,6 +122,7 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
     layout->addWidget(m_axis);
     layout->addWidget(m_drawn);
     layout->addWidget(m_result);
+    layout->addWidget(new EditableNote(workspace, this));
     layout->addSpacing(theme::smallPadding);
     layout->addLayout(buttons);
     constexpr int watchMs = 100;

@@ -29,6 +29,7 @@ const Binding bindings[] = {
     {"Shift + move", "crosshair follows", ""},
     {"Middle drag", "pan", "pan"},
     {"Right drag", "zoom; grey scale with a tool", "zoom"},
+    {"Ctrl + right drag", "grey scale from the values in a box", ""},
     {"Right click", "menu of the place and its segment", "the same, where one is seen"},
     {"Wheel", "slices; Shift: five at a time", "zoom"},
     {"Ctrl + wheel", "zoom", "zoom"},

@@ -4,13 +4,16 @@
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
 #include "ui/base/Theme.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -34,6 +37,7 @@ struct Reshaping {
     QString text{};
     QString hint{}; ///< what it does, and what the millimetres are
     double usualMm = 2.0;
+    bool isJoint = false; ///< all segments that are seen and not locked take part
 };
 
 const std::vector<Reshaping>& reshapings()
@@ -70,6 +74,18 @@ const std::vector<Reshaping>& reshapings()
             .hint =
                 ReshapeDialog::tr("Each voxel follows most of those that are nearer than this."),
             .usualMm = 1.5},
+        {.key = "gaussian",
+            .operation = ShapeOperation::Gaussian,
+            .text = ReshapeDialog::tr("Smooth by a Gaussian"),
+            .hint = ReshapeDialog::tr("Rounds what is smaller than this standard deviation."),
+            .usualMm = 1.0},
+        {.key = "joint",
+            .operation = ShapeOperation::Gaussian,
+            .text = ReshapeDialog::tr("Smooth all shown segments together"),
+            .hint =
+                ReshapeDialog::tr("As by a Gaussian; neighbours stay neighbours. Not the locked."),
+            .usualMm = 1.0,
+            .isJoint = true},
         {.key = "open",
             .operation = ShapeOperation::Open,
             .text = ReshapeDialog::tr("Smooth by opening"),
@@ -80,8 +96,32 @@ const std::vector<Reshaping>& reshapings()
             .text = ReshapeDialog::tr("Smooth by closing"),
             .hint = ReshapeDialog::tr("Fills what is narrower than a ball of this radius."),
             .usualMm = 1.5},
+        {.key = "wrap",
+            .operation = ShapeOperation::Wrap,
+            .text = ReshapeDialog::tr("Wrap and make solid"),
+            .hint = ReshapeDialog::tr("Fills what a ball of this radius cannot get into."),
+            .usualMm = 3.0},
     };
     return all;
+}
+
+/// The other segments of its plane that are shown and may be changed, by label; none: there is
+/// none.
+std::optional<std::vector<int>> segmentsBeside(const Workspace& workspace, int label)
+{
+    const core::EditSession* session = workspace.session();
+    if (!session)
+        return std::nullopt;
+    const core::Document document = session->foreseenDocument();
+    const core::Segment* segment = document.segment(label);
+    std::vector<int> others;
+    for (const core::Segment& each : document.segments) {
+        if (segment && each.label != label && each.plane == segment->plane && each.visible
+            && !each.locked)
+            others.push_back(each.label);
+    }
+    std::sort(others.begin(), others.end());
+    return others.empty() ? std::nullopt : std::optional(others);
 }
 
 QString settingOf(const Reshaping& reshaping)
@@ -97,6 +137,7 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     , m_whose(new FittingLabel(Qt::AlignLeft, this))
     , m_operation(new QComboBox(this))
     , m_mm(new QDoubleSpinBox(this))
+    , m_bySides(new QCheckBox(tr("not the same on all sides"), this))
     , m_hint(new QLabel(this))
     , m_progress(new QProgressBar(this))
     , m_abort(new QPushButton(tr("Abort"), this))
@@ -157,6 +198,12 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     layout->addWidget(m_whose);
     layout->addLayout(row);
     layout->addWidget(m_hint);
+    m_bySides->setObjectName(QStringLiteral("reshapeBySides"));
+    layout->addWidget(m_bySides);
+    QWidget* sides = sideFields();
+    layout->addWidget(sides);
+    connect(m_bySides, &QCheckBox::toggled, this, &ReshapeDialog::showSides);
+    layout->addWidget(new EditableNote(workspace, this));
     layout->addSpacing(theme::smallPadding);
     layout->addLayout(buttons);
     constexpr int watchMs = 100;
@@ -189,11 +236,59 @@ void ReshapeDialog::ask(int label, core::ShapeOperation first)
     m_mm->selectAll();
 }
 
+/// A field for each of the patient's sides, two by two.
+QWidget* ReshapeDialog::sideFields()
+{
+    auto* sides = new QWidget(this);
+    sides->setObjectName(QStringLiteral("reshapeSides"));
+    auto* grid = new QGridLayout(sides);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(theme::smallPadding);
+    const QStringList names{
+        tr("Right"), tr("Left"), tr("Anterior"), tr("Posterior"), tr("Inferior"), tr("Superior")};
+    constexpr double mostMm = 100.0;
+    for (int side = 0; side < int(names.size()); ++side) {
+        auto* mm = new QDoubleSpinBox(sides);
+        mm->setObjectName(QStringLiteral("reshapeSide%1").arg(side));
+        mm->setAccessibleName(names[side]);
+        mm->setRange(0.0, mostMm);
+        mm->setDecimals(2);
+        mm->setSingleStep(0.5);
+        mm->setSuffix(tr(" mm"));
+        mm->setAlignment(Qt::AlignRight);
+        auto* name = new QLabel(names[side], sides);
+        name->setBuddy(mm);
+        grid->addWidget(name, side / 2, side % 2 * 2);
+        grid->addWidget(mm, side / 2, side % 2 * 2 + 1);
+        m_sides.push_back(mm);
+    }
+    return sides;
+}
+
+/// The fields begin with the margin that has held for all sides so far.
+void ReshapeDialog::showSides()
+{
+    const core::ShapeOperation operation =
+        reshapings()[std::size_t(m_operation->currentIndex())].operation;
+    const bool isMargin =
+        operation == core::ShapeOperation::Grow || operation == core::ShapeOperation::Shrink;
+    auto* fields = findChild<QWidget*>(QStringLiteral("reshapeSides"));
+    const bool show = isMargin && m_bySides->isChecked();
+    if (show && fields->isHidden()) {
+        for (QDoubleSpinBox* side : qAsConst(m_sides))
+            side->setValue(m_mm->value());
+    }
+    m_bySides->setVisible(isMargin);
+    fields->setVisible(show);
+    m_mm->setEnabled(!show);
+}
+
 void ReshapeDialog::chooseOperation()
 {
     const Reshaping& reshaping = reshapings()[std::size_t(m_operation->currentIndex())];
     m_hint->setText(reshaping.hint);
     m_mm->setValue(QSettings().value(settingOf(reshaping), reshaping.usualMm).toDouble());
+    showSides();
 }
 
 void ReshapeDialog::showState()
@@ -210,10 +305,20 @@ void ReshapeDialog::showState()
 core::ReshapeSegment ReshapeDialog::chosen() const
 {
     const Reshaping& reshaping = reshapings()[std::size_t(m_operation->currentIndex())];
-    return {.segment = m_label,
+    core::ReshapeSegment edit{.segment = m_label,
         .operation = reshaping.operation,
         .mm = m_mm->value(),
         .shell = reshaping.shell};
+    if (reshaping.isJoint)
+        edit.with = segmentsBeside(m_workspace, m_label);
+    if (m_bySides->isVisibleTo(this) && m_bySides->isChecked())
+        edit.sides = {.rightMm = m_sides[0]->value(),
+            .leftMm = m_sides[1]->value(),
+            .anteriorMm = m_sides[2]->value(),
+            .posteriorMm = m_sides[3]->value(),
+            .inferiorMm = m_sides[4]->value(),
+            .superiorMm = m_sides[5]->value()};
+    return edit;
 }
 
 void ReshapeDialog::carryOut()

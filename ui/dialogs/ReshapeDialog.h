@@ -4,10 +4,12 @@
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 
 #include <QDialog>
+#include <QList>
 #include <QTimer>
 
 #include <optional>
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -21,7 +23,8 @@ class Workspace;
 
 /// Asks how far a segment is grown, shrunk, hollowed out or smoothed, and has it done. It stays
 /// open beside the window, so that one looks at the result, takes it back and tries another size.
-/// Of each operation the last size is remembered.
+/// Of each operation the last size is remembered. Margins may be others on each of the patient's
+/// sides; these begin with the one margin and are not remembered.
 class ReshapeDialog : public QDialog {
     Q_OBJECT
 
@@ -33,7 +36,9 @@ public:
     void ask(int label, core::ShapeOperation first);
 
 private:
+    [[nodiscard]] QWidget* sideFields();
     void chooseOperation();
+    void showSides();
     void showState();
     void carryOut();
     void watch();
@@ -45,6 +50,8 @@ private:
     FittingLabel* m_whose;
     QComboBox* m_operation;
     QDoubleSpinBox* m_mm;
+    QCheckBox* m_bySides;
+    QList<QDoubleSpinBox*> m_sides; ///< right, left, anterior, posterior, inferior, superior
     QLabel* m_hint;
     QProgressBar* m_progress;
     QPushButton* m_abort;

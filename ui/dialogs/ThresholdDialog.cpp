@@ -6,6 +6,7 @@
 #include "ui/base/Theme.h"
 #include "ui/dialogs/IntervalSuggestions.h"
 #include "ui/dialogs/ThresholdTrial.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/settings/GrowSettings.h"
 #include "ui/widgets/FittingLabel.h"
@@ -59,6 +60,8 @@ ThresholdDialog::ThresholdDialog(Workspace& workspace, QWidget* parent)
         if (isVisible() && m_boxed->isChecked())
             follow();
     });
+    connect(&workspace, &Workspace::editableChanged, this, &ThresholdDialog::follow);
+    connect(m_limit, &QPushButton::clicked, this, &ThresholdDialog::limitEditing);
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_isFresh = true;
         reject();
@@ -93,6 +96,10 @@ void ThresholdDialog::build()
     m_now->setObjectName(QStringLiteral("thresholdNow"));
     m_now->setFont(theme::smallFont());
     m_now->setProperty("role", QStringLiteral("secondary"));
+    m_limit = new QPushButton(tr("As editable range"), this);
+    m_limit->setObjectName(QStringLiteral("thresholdAsRange"));
+    m_limit->setToolTip(tr("From now on all tools change only voxels with these values"));
+    m_limit->setAutoDefault(false);
     m_apply = new QPushButton(tr("Apply"), this);
     m_apply->setObjectName(QStringLiteral("applyThreshold"));
     m_apply->setDefault(true);
@@ -113,6 +120,7 @@ void ThresholdDialog::build()
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(theme::smallPadding);
     buttons->addWidget(m_now, 1);
+    buttons->addWidget(m_limit);
     buttons->addWidget(m_apply);
     buttons->addWidget(close);
     auto* layout = new QVBoxLayout(this);
@@ -124,6 +132,7 @@ void ThresholdDialog::build()
     layout->addWidget(m_suggestions);
     layout->addLayout(mode);
     layout->addLayout(limits);
+    layout->addWidget(new EditableNote(m_workspace, this));
     layout->addSpacing(theme::smallPadding);
     layout->addLayout(buttons);
 }
@@ -184,6 +193,7 @@ core::ThresholdSegment ThresholdDialog::chosen() const
     const core::ClipRegion::Box& clip = m_workspace.clip().box;
     if (m_boxed->isChecked() && clip.on)
         edit.box = growBoxFrom(clip, m_workspace.volume()->geometry);
+    edit.editable = m_workspace.editableRange();
     return edit;
 }
 
@@ -193,6 +203,18 @@ void ThresholdDialog::follow()
         m_trial->show(chosen());
     else
         m_trial->drop();
+}
+
+void ThresholdDialog::limitEditing()
+{
+    EditableSettings settings = m_workspace.editableSettings();
+    settings.on = true;
+    settings.byValue = true;
+    settings.lower = m_range->lower();
+    settings.upper = m_range->upper();
+    reject(); // seen through the range that it has chosen, it would show no difference
+    m_workspace.setEditableSettings(settings);
+    m_workspace.say(tr("%1; it is switched off beside the tool").arg(m_workspace.editableText()));
 }
 
 void ThresholdDialog::carryOut()

@@ -37,6 +37,7 @@ private:
     void showState();
     void follow(); ///< the trial shows what is chosen
     void carryOut();
+    void limitEditing(); ///< to the values of the interval
     [[nodiscard]] core::ThresholdSegment chosen() const;
 
     Workspace& m_workspace;
@@ -52,6 +53,7 @@ private:
     QCheckBox* m_boxed = nullptr;
     QCheckBox* m_preview = nullptr;
     QLabel* m_now = nullptr; ///< how much the segment is
+    QPushButton* m_limit = nullptr;
     QPushButton* m_apply = nullptr;
 };
 

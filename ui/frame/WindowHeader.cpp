@@ -101,14 +101,19 @@ void WindowHeader::fillViewMenu(
     auto* layouts = new QMenu(m_layouts);
     actions.fill(*layouts, layoutIds());
     m_layouts->setMenu(layouts);
-    actions.fill(*view, ids({"", "view.reset", "view.resetAll", "", "view.bookmark"}));
+    actions.fill(
+        *view, ids({"", "view.reset", "view.resetAll", "view.linkedPlaces", "", "view.bookmark"}));
     m_bookmarksMenu = view->addMenu(QStringLiteral("Bookmarks"));
     view->addSeparator();
     QMenu* grey = view->addMenu(QStringLiteral("Grey scale"));
     for (int number = 1; number <= 9; ++number)
         grey->addAction(&actions[QStringLiteral("window.preset%1").arg(number)]);
     grey->addSeparator();
+    grey->addAction(&actions[QStringLiteral("window.box")]);
     grey->addAction(&actions[QStringLiteral("view.inverted")]);
+    actions.fill(*view->addMenu(QStringLiteral("Flip and turn slice")),
+        ids({"view.flipLeftRight", "view.flipTopBottom", "view.turnRight", "view.turnLeft", "",
+            "view.upright"}));
     actions.fill(*view->addMenu(QStringLiteral("Slab")),
         ids({"view.slabOff", "view.slabMip", "view.slabMinip", "view.slabMean"}));
     QMenu* volume = view->addMenu(QStringLiteral("3D"));
@@ -121,8 +126,8 @@ void WindowHeader::fillViewMenu(
     actions.fill(*view->addMenu(QStringLiteral("Cutting plane")), plane);
     view->addSeparator();
     actions.fill(*view,
-        ids({"view.crosshair", "view.patient", "view.segments", "view.carved", "view.hole",
-            "view.barriers", ""}));
+        ids({"view.crosshair", "view.referenceLines", "view.patient", "view.segments",
+            "view.carved", "view.hole", "view.barriers", ""}));
     m_panelsMenu = view->addMenu(QStringLiteral("Panels"));
     actions.fill(*m_panelsMenu, ids({"view.panels", "view.resetPanels", ""}));
     actions.fill(*view, ids({"view.fullScreen"}));

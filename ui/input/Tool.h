@@ -38,6 +38,8 @@ public:
     using QObject::QObject;
 
     [[nodiscard]] virtual QString name() const = 0; ///< short, under the icon: "Drill"
+    /// In menus and lists, where another tool is called the same.
+    [[nodiscard]] virtual QString longName() const { return name(); }
     [[nodiscard]] virtual QString iconName() const = 0; ///< resources/icons/<name>.svg
     /// What it expects next, shown in the status line.
     [[nodiscard]] virtual QString hint() const = 0;

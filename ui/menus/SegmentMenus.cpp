@@ -3,6 +3,7 @@
 
 #include "core/session/EditSession.h"
 #include "ui/base/MenuText.h"
+#include "ui/measure/DistanceOfSegments.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -12,12 +13,13 @@ namespace ui {
 
 namespace {
 
-/// One of the two, as it is when the menu opens.
+/// One of the three, as it is when the menu opens.
 struct Combination {
     QMenu* menu = nullptr;
     QString text;
     QString named; ///< with the segment's name
     void (*run)(Workspace& workspace, int label, int other) = nullptr;
+    bool changes = true; ///< locked segments cannot be chosen
 
     void list(Workspace& workspace, int label, bool isNamed) const
     {
@@ -25,13 +27,15 @@ struct Combination {
         const core::Segment* segment = session ? session->document().segment(label) : nullptr;
         menu->clear();
         menu->setTitle(isNamed && segment ? named.arg(menuText(segment->name)) : text);
-        QString why = whyUnchangeable(segment);
+        QString why = changes || !segment ? whyUnchangeable(segment) : QString();
         if (why.isEmpty())
-            why = listOtherSegments(*menu, session->document(), label,
+            why = listOtherSegments(
+                *menu, session->document(), label,
                 [&workspace, session, label, combine = run](int other) {
                     if (workspace.session() == session)
                         combine(workspace, label, other);
-                });
+                },
+                changes);
         // Where one is locked, the list shows which.
         menu->menuAction()->setEnabled(!menu->isEmpty());
         menu->menuAction()->setToolTip(why);
@@ -47,8 +51,8 @@ QString whyUnchangeable(const core::Segment* segment)
     return segment->locked ? QObject::tr("'%1' is locked").arg(segment->name) : QString();
 }
 
-QString listOtherSegments(
-    QMenu& menu, const core::Document& document, int but, const std::function<void(int)>& choose)
+QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
+    const std::function<void(int)>& choose, bool changes)
 {
     menu.setToolTipsVisible(true);
     QString why = QObject::tr("there is no other segment");
@@ -59,7 +63,7 @@ QString listOtherSegments(
         QAction* entry = menu.addAction(menuText(each.name));
         QObject::connect(entry, &QAction::triggered, &menu,
             [choose, label = int(each.label)] { choose(label); });
-        const QString locked = whyUnchangeable(&each);
+        const QString locked = changes ? whyUnchangeable(&each) : QString();
         entry->setEnabled(locked.isEmpty());
         entry->setToolTip(locked);
         possible = possible || locked.isEmpty();
@@ -82,9 +86,12 @@ void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
         QObject::tr("Merge '%1' into"), &mergeSegments};
     const Combination swap{add("swapSegments"), QObject::tr("Swap with"),
         QObject::tr("Swap '%1' with"), &swapSegments};
-    const auto list = [&workspace, merge, swap, label, named] {
+    const Combination distance{add("distanceOfSegments"), QObject::tr("Measure distance to"),
+        QObject::tr("Measure distance from '%1' to"), &measureDistance, false};
+    const auto list = [&workspace, merge, swap, distance, label, named] {
         merge.list(workspace, label(), named);
         swap.list(workspace, label(), named);
+        distance.list(workspace, label(), named);
     };
     QObject::connect(&menu, &QMenu::aboutToShow, merge.menu, list);
     list();

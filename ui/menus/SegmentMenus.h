@@ -26,11 +26,13 @@ class Workspace;
 
 /// Fills a menu with all segments but one, in the order of their list.
 /// @param choose is called with the label of the chosen one
+/// @param changes whether something is done to that one, which must not be locked then
 /// @return why none of them can be chosen; empty if one can
-QString listOtherSegments(
-    QMenu& menu, const core::Document& document, int but, const std::function<void(int)>& choose);
+QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
+    const std::function<void(int)>& choose, bool changes = true);
 
-/// Adds "Merge into" and "Swap with" to a menu. They are listed anew whenever the menu opens.
+/// Adds "Merge into", "Swap with" and "Measure distance to" to a menu. They are listed anew
+/// whenever the menu opens.
 /// @param before the action that they stand before; null: at the end
 /// @param label of the segment that the menu is about then
 /// @param named whether they say that segment's name, since no list shows whose they are

@@ -97,6 +97,8 @@ void VoxelMenu::open(const PointedVoxel& pointed)
     connect(&m_workspace, &Workspace::sessionChanged, menu, &QMenu::close);
     addEntries(*menu, pointed.label, pointed.centreLps);
     addPlaceEntries(*menu, m_workspace, pointed);
+    if (m_more)
+        m_more(*menu);
     menu->popup(m_at);
 }
 

@@ -6,6 +6,9 @@
 
 #include <glm/glm.hpp>
 
+#include <functional>
+#include <utility>
+
 class QMenu;
 class QWidget;
 
@@ -30,6 +33,8 @@ public:
     /// Opens the menu when the session has answered; outside the volume there is none.
     /// @param placeLps the voxel nearest to it is meant
     void openAbout(const glm::dvec3& placeLps);
+    /// What the view offers besides, below the entries about the voxel.
+    void addAtEnd(std::function<void(QMenu&)> more) { m_more = std::move(more); }
     [[nodiscard]] bool withdrawn() const { return m_withdrawn; }
     void withdraw();
 
@@ -44,6 +49,7 @@ private:
     Workspace& m_workspace;
     QWidget& m_view;
     QPoint m_at;
+    std::function<void(QMenu&)> m_more; ///< empty: nothing
     bool m_withdrawn = false;
 };
 

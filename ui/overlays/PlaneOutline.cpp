@@ -11,19 +11,15 @@
 
 namespace ui {
 
-std::optional<std::pair<glm::dvec3, glm::dvec3>> planeLine(
-    const ViewContext& view, const CuttingPlane& plane)
+std::optional<std::pair<glm::dvec3, glm::dvec3>> lineAcross(
+    const ViewContext& view, const std::vector<glm::dvec3>& section)
 {
     const auto& slice = std::get<gpu::SliceScene>(view.scene);
     const glm::dvec3 normal = glm::cross(slice.rightLps, slice.downLps);
-    // Nearly the same plane: a line would jump about.
-    if (!plane.look().shown || std::abs(glm::dot(normal, plane.pose().normalLps())) > 0.9999)
-        return std::nullopt;
-    const std::vector<glm::dvec3> corners = plane.section();
     std::vector<glm::dvec3> ends;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const glm::dvec3& from = corners[i];
-        const glm::dvec3& to = corners[(i + 1) % corners.size()];
+    for (std::size_t i = 0; i < section.size(); ++i) {
+        const glm::dvec3& from = section[i];
+        const glm::dvec3& to = section[(i + 1) % section.size()];
         const double before = glm::dot(from - slice.centreLps, normal);
         const double after = glm::dot(to - slice.centreLps, normal);
         if ((before < 0.0) != (after < 0.0))
@@ -32,6 +28,17 @@ std::optional<std::pair<glm::dvec3, glm::dvec3>> planeLine(
     if (ends.size() != 2)
         return std::nullopt;
     return std::pair(ends[0], ends[1]);
+}
+
+std::optional<std::pair<glm::dvec3, glm::dvec3>> planeLine(
+    const ViewContext& view, const CuttingPlane& plane)
+{
+    const auto& slice = std::get<gpu::SliceScene>(view.scene);
+    const glm::dvec3 normal = glm::cross(slice.rightLps, slice.downLps);
+    // Nearly the same plane: a line would jump about.
+    if (!plane.look().shown || std::abs(glm::dot(normal, plane.pose().normalLps())) > 0.9999)
+        return std::nullopt;
+    return lineAcross(view, plane.section());
 }
 
 void paintPlaneLine(QPainter& painter, const ViewContext& view, const CuttingPlane& plane)

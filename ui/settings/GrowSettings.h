@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 #include "core/volume/ClipRegion.h"
 #include "core/volume/Volume.h"
 

@@ -5,11 +5,13 @@
 #include "ui/base/Theme.h"
 #include "ui/base/TimeText.h"
 #include "ui/geometry/OrientationLetters.h"
+#include "ui/menus/SliceTurnEntries.h"
 #include "ui/menus/VoxelMenu.h"
 #include "ui/overlays/Annotations.h"
 #include "ui/overlays/ClipOutline.h"
 #include "ui/overlays/MeasurementLines.h"
 #include "ui/overlays/PlaneOutline.h"
+#include "ui/overlays/ReferenceLines.h"
 #include "ui/views/EarlyPicture.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/CuttingPlane.h"
@@ -17,10 +19,13 @@
 #include "ui/workspace/Refinement.h"
 
 #include <QKeyEvent>
+#include <QMenu>
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace ui {
 
@@ -129,6 +134,7 @@ void SliceView::setAxes(const SliceAxes& axes)
 void SliceView::resetView()
 {
     m_fitted = true;
+    m_turn = {};
     if (const core::Volume* volume = shownVolume()) {
         m_centreLps = volume->geometry.toWorld(0.5 * glm::dvec3(volume->geometry.size - 1));
         m_mmPerPixel = fittingMmPerPixel();
@@ -151,16 +157,36 @@ void SliceView::setPlace(const Place& place)
     requestFrame();
 }
 
+void SliceView::lookWhereLooks(const SliceView& other)
+{
+    m_fitted = false;
+    m_mmPerPixel = other.m_mmPerPixel;
+    const glm::dvec3& across = other.m_axes.normalLps;
+    m_centreLps = other.m_centreLps + across * glm::dot(m_centreLps - other.m_centreLps, across);
+    requestMovingFrame();
+}
+
+void SliceView::setTurn(const SliceTurn& turn)
+{
+    if (turn == m_turn)
+        return;
+    m_turn = turn;
+    if (m_fitted)
+        m_mmPerPixel = fittingMmPerPixel();
+    requestFrame();
+}
+
 double SliceView::fittingMmPerPixel() const
 {
     const core::Volume* volume = shownVolume();
     if (!volume)
         return 1.0;
+    const SliceAxes onScreen = axesOnScreen();
     glm::dvec2 half(0.0);
     for (const glm::dvec3& corner : volume->geometry.cornersLps()) {
         const glm::dvec3 offset = corner - m_centreLps;
-        half.x = std::max(half.x, std::abs(glm::dot(offset, m_axes.rightLps)));
-        half.y = std::max(half.y, std::abs(glm::dot(offset, m_axes.downLps)));
+        half.x = std::max(half.x, std::abs(glm::dot(offset, onScreen.rightLps)));
+        half.y = std::max(half.y, std::abs(glm::dot(offset, onScreen.downLps)));
     }
     const double across = std::max(width() - 2.0 * fitMarginPixels, 32.0);
     const double along = std::max(height() - 2.0 * fitMarginPixels, 32.0);
@@ -218,8 +244,9 @@ gpu::Scene SliceView::scene() const
     // The pan decides where in the plane, the place that it passes through which plane.
     const double depth = glm::dot(throughLps() - m_centreLps, m_axes.normalLps);
     scene.centreLps = m_centreLps + depth * m_axes.normalLps;
-    scene.rightLps = m_axes.rightLps;
-    scene.downLps = m_axes.downLps;
+    const SliceAxes onScreen = axesOnScreen();
+    scene.rightLps = onScreen.rightLps;
+    scene.downLps = onScreen.downLps;
     scene.mmPerPixel = m_mmPerPixel;
     scene.window = windowLevel();
     scene.inverted = early() ? early()->volume.displayInverted : workspace().viewOptions().inverted;
@@ -244,7 +271,7 @@ gpu::SceneSlab SliceView::slab() const
     return {.mode = options.slabMode,
         .reach = int(std::clamp(std::round(beside), 1.0, double(greatestSlabReach))),
         .stepMm = m_stack.stepMm,
-        .offsetMm = glm::dot(onSlice - here, m_axes.normalLps)};
+        .offsetMm = glm::dot(onSlice - here, axesOnScreen().normalLps)};
 }
 
 void SliceView::thickenSlab(double steps)
@@ -270,10 +297,13 @@ bool SliceView::ownsWheel(Qt::KeyboardModifiers modifiers) const
     return (modifiers & slabKeys) == slabKeys;
 }
 
-ImageView::Gesture SliceView::gestureFor(Qt::MouseButton button, bool toolWorksHere) const
+ImageView::Gesture SliceView::gestureFor(
+    Qt::MouseButton button, Qt::KeyboardModifiers keys, bool toolWorksHere) const
 {
     switch (button) {
     case Qt::LeftButton:
+        if (m_awaitsBox)
+            return Gesture::Box;
         if (toolWorksHere)
             return Gesture::Tool;
         // A stroke that misses its view must not change the grey scale (UX §4.2).
@@ -281,6 +311,8 @@ ImageView::Gesture SliceView::gestureFor(Qt::MouseButton button, bool toolWorksH
     case Qt::MiddleButton:
         return Gesture::Pan;
     case Qt::RightButton:
+        if (keys & Qt::ControlModifier)
+            return Gesture::Box;
         return workspace().activeTool() ? Gesture::Window : Gesture::Zoom;
     default:
         return Gesture::None;
@@ -290,21 +322,56 @@ ImageView::Gesture SliceView::gestureFor(Qt::MouseButton button, bool toolWorksH
 void SliceView::dragged(Gesture gesture, const QPointF& from, const QPointF& to)
 {
     const QPointF moved = to - from;
+    const SliceAxes onScreen = axesOnScreen();
     switch (gesture) {
     case Gesture::Window:
         workspace().setWindowLevel(windowAfterDrag(workspace().windowLevel(), moved));
         break;
     case Gesture::Pan:
         m_fitted = false;
-        m_centreLps -= (m_axes.rightLps * moved.x() + m_axes.downLps * moved.y()) * m_mmPerPixel;
+        m_centreLps -=
+            (onScreen.rightLps * moved.x() + onScreen.downLps * moved.y()) * m_mmPerPixel;
         requestMovingFrame();
+        Q_EMIT placeChanged();
         break;
     case Gesture::Zoom:
         zoomBy(std::exp(-moved.y() * 0.008), rect().toRectF().center());
         break;
+    case Gesture::Box:
+        if (!m_box)
+            m_box = QRectF(from, from);
+        m_box->setBottomRight(to);
+        update();
+        break;
     default:
         break;
     }
+}
+
+void SliceView::dragEnded(Gesture gesture)
+{
+    if (gesture != Gesture::Box || !m_box)
+        return;
+    const QRectF box = std::exchange(m_box, std::nullopt)->normalized();
+    update();
+    if (box.width() < 2.0 || box.height() < 2.0)
+        return Q_EMIT boxAbandoned();
+    const ViewContext view = context();
+    Q_EMIT boxDrawn({.kind = core::Measurement::Kind::Rectangle,
+        .pointsLps = {
+            view.toLps(box.topLeft()), view.toLps(box.topRight()), view.toLps(box.bottomLeft())}});
+}
+
+void SliceView::dragAbandoned()
+{
+    m_box.reset();
+    update();
+    Q_EMIT boxAbandoned();
+}
+
+void SliceView::setAwaitsBox(bool awaits)
+{
+    m_awaitsBox = awaits;
 }
 
 void SliceView::zoomBy(double factor, const QPointF& at)
@@ -314,18 +381,34 @@ void SliceView::zoomBy(double factor, const QPointF& at)
     m_mmPerPixel = std::clamp(m_mmPerPixel / factor, leastMmPerPixel, greatestMmPerPixel);
     m_centreLps += held - context().toLps(at);
     requestMovingFrame();
+    Q_EMIT placeChanged();
 }
 
 void SliceView::clicked(const QPointF& at)
 {
-    if (!workspace().activeTool())
+    if (m_awaitsBox)
+        Q_EMIT boxAbandoned();
+    else if (!workspace().activeTool())
         workspace().setCrosshairLps(context().toLps(at));
 }
 
 void SliceView::menuAsked(const QPointF& at)
 {
     auto* menu = new VoxelMenu(workspace(), *this, mapToGlobal(at.toPoint()));
+    menu->addAtEnd([this](QMenu& more) { listTurns(more); });
     menu->openAbout(context().toLps(at));
+}
+
+void SliceView::listTurns(QMenu& menu)
+{
+    menu.addSeparator();
+    QMenu* turns = menu.addMenu(tr("Flip and turn this view"));
+    turns->setObjectName(QStringLiteral("turnsOfView"));
+    for (const SliceTurnEntry& each : sliceTurnEntries()) {
+        QAction* action =
+            turns->addAction(each.text, this, [this, &each] { setTurn(each.after(m_turn)); });
+        action->setEnabled(each.after(m_turn) != m_turn);
+    }
 }
 
 void SliceView::hovered(const PointerSample& sample)
@@ -357,6 +440,11 @@ void SliceView::wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifie
 void SliceView::keyPressEvent(QKeyEvent* event)
 {
     switch (event->key()) {
+    case Qt::Key_Escape:
+        // A box that is being drawn is the pointer's.
+        if (!m_awaitsBox || m_box)
+            return ImageView::keyPressEvent(event);
+        return Q_EMIT boxAbandoned();
     case Qt::Key_Up:
         return goToSlice(sliceNumber() - 1);
     case Qt::Key_Down:
@@ -399,8 +487,21 @@ QString SliceView::windowText() const
 void SliceView::paintCross(QPainter& painter, const ViewContext& shown)
 {
     // Each line is another standard plane, seen from its edge: it lies across the other line.
-    paintCrosshair(painter, rect(), shown.toPixel(throughLps()), colourAcross(m_axes.downLps),
-        colourAcross(m_axes.rightLps));
+    const auto& slice = std::get<gpu::SliceScene>(shown.scene);
+    paintCrosshair(painter, rect(), shown.toPixel(throughLps()), colourAcross(slice.downLps),
+        colourAcross(slice.rightLps));
+}
+
+void SliceView::paintOtherSlices(QPainter& painter, const ViewContext& shown) const
+{
+    std::vector<ReferencePlane> planes;
+    for (const SliceOrientation each :
+        {SliceOrientation::Axial, SliceOrientation::Sagittal, SliceOrientation::Coronal})
+        planes.push_back({.pointLps = workspace().crosshairLps(),
+            .normalLps = sliceAxes(each).normalLps,
+            .colour = colourOf(each)});
+    paintReferenceLines(
+        painter, shown, planes, shownVolume()->geometry, shown.toPixel(workspace().crosshairLps()));
 }
 
 void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
@@ -416,6 +517,8 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         paintMeasurements(painter, shown, workspace());
         paintPlaneLine(painter, shown, workspace().plane());
     }
+    if (options.referenceLines && !early())
+        paintOtherSlices(painter, shown);
     if (options.showCrosshair)
         paintCross(painter, shown);
     paintEdgeLetters(painter, rect(), slice.rightLps, slice.downLps);
@@ -438,12 +541,21 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         texts.bottomLeft.append(slabText(slice.slab));
     if (const QString caution = workspace().refinement().caution(); !early() && !caution.isEmpty())
         texts.bottomLeft.append(caution);
+    if (m_turn.mirrored)
+        texts.bottomLeft.append(tr("mirrored"));
     texts.bottomRight = {QStringLiteral("%1 / %2 · %3 %4 mm")
                              .arg(number + 1)
                              .arg(m_stack.count)
                              .arg(directionLetters(side), numberText(std::abs(position), 1))};
     paintCorners(painter, rect(), texts);
     paintScaleBar(painter, rect(), height() - 34, slice.mmPerPixel);
+    if (m_box) {
+        for (const QPen& pen :
+            {QPen(QColor(0, 0, 0, 140), 3.0), QPen(theme::accent, 1.0, Qt::DashLine)}) {
+            painter.setPen(pen);
+            painter.drawRect(m_box->normalized());
+        }
+    }
 }
 
 } // namespace ui

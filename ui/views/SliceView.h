@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/document/Measurement.h"
 #include "ui/geometry/SlicePlane.h"
+#include "ui/geometry/SliceTurn.h"
 #include "ui/views/ImageView.h"
+
+class QMenu;
 
 namespace ui {
 
@@ -33,6 +37,21 @@ public:
     };
     [[nodiscard]] std::optional<Place> place() const;
     void setPlace(const Place& place);
+    /// Zooms and pans so that the same part of the patient is seen as in another view, as far as
+    /// this one's plane goes: what lies across the other one's plane stays.
+    void lookWhereLooks(const SliceView& other);
+    /// How the slice is laid on the screen. A new study, and resetView(), lay it upright again.
+    [[nodiscard]] const SliceTurn& turn() const { return m_turn; }
+    void setTurn(const SliceTurn& turn);
+    /// Whether the left button draws the next box, whatever the tool.
+    [[nodiscard]] bool awaitsBox() const { return m_awaitsBox; }
+    void setAwaitsBox(bool awaits);
+
+Q_SIGNALS:
+    void placeChanged(); ///< the user has zoomed or panned here
+    /// The user has drawn a box from whose values the grey scale is to be set.
+    void boxDrawn(const core::Measurement& box);
+    void boxAbandoned(); ///< the user no longer wants to draw one
 
 protected:
     /// @param colour of the bar that names the view
@@ -42,6 +61,8 @@ protected:
     /// Turns the plane; its middle and its scale stay.
     void setAxes(const SliceAxes& axes);
     [[nodiscard]] const SliceAxes& axes() const { return m_axes; }
+    /// The axes as they lie on the screen.
+    [[nodiscard]] SliceAxes axesOnScreen() const { return m_turn.of(m_axes); }
     /// A point through which the plane passes.
     [[nodiscard]] virtual glm::dvec3 throughLps() const;
     /// Moves the plane to pass through a point, without turning it.
@@ -50,8 +71,11 @@ protected:
     [[nodiscard]] const SliceStack& stack() const { return m_stack; }
 
     [[nodiscard]] gpu::Scene scene() const override;
-    [[nodiscard]] Gesture gestureFor(Qt::MouseButton button, bool toolWorksHere) const override;
+    [[nodiscard]] Gesture gestureFor(
+        Qt::MouseButton button, Qt::KeyboardModifiers keys, bool toolWorksHere) const override;
     void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
+    void dragEnded(Gesture gesture) override;
+    void dragAbandoned() override;
     void clicked(const QPointF& at) override;
     void menuAsked(const QPointF& at) override;
     void hovered(const PointerSample& sample) override;
@@ -75,8 +99,15 @@ private:
     [[nodiscard]] core::WindowLevel windowLevel() const;
     [[nodiscard]] double fittingMmPerPixel() const;
     [[nodiscard]] QString windowText() const;
+    /// Adds the ways to lay the slice to the context menu.
+    void listTurns(QMenu& menu);
+    /// Where axial, sagittal and coronal slices cut this one.
+    void paintOtherSlices(QPainter& painter, const ViewContext& shown) const;
 
-    SliceAxes m_axes;
+    SliceAxes m_axes; ///< upright
+    SliceTurn m_turn;
+    std::optional<QRectF> m_box; ///< what is being drawn, from the press to the pointer
+    bool m_awaitsBox = false;
     QString m_title;
     QColor m_colour;
     SliceStack m_stack;

@@ -16,6 +16,7 @@ ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
     , m_inbox(workspace.frames())
+    , m_boxWindow(workspace)
     , m_axial(new SliceView(workspace, 1, SliceOrientation::Axial, this))
     , m_volume(new VolumeView(workspace, 2, this))
     , m_sagittal(new SliceView(workspace, 3, SliceOrientation::Sagittal, this))
@@ -43,6 +44,15 @@ ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
             [this, view] { maximise(m_maximised ? nullptr : view); });
         connect(view, &ImageView::qualityChanged, this, &ViewGrid::pictureChanged);
     }
+    for (SliceView* slice : slices()) {
+        connect(slice, &SliceView::placeChanged, this, [this, slice] { leadBy(*slice); });
+        connect(slice, &SliceView::boxDrawn, this, [this](const core::Measurement& box) {
+            awaitBox(false);
+            m_boxWindow.setFrom(box);
+        });
+        connect(slice, &SliceView::boxAbandoned, this, [this] { awaitBox(false); });
+    }
+    connect(&workspace, &Workspace::sessionChanged, this, [this] { awaitBox(false); });
     connect(&m_inbox, &FrameInbox::arrived, this, &ViewGrid::give);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         if (auto* view = qobject_cast<ImageView*>(now);
@@ -54,6 +64,32 @@ ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
 std::array<ImageView*, 5> ViewGrid::views() const
 {
     return {m_axial, m_volume, m_sagittal, m_coronal, m_plane};
+}
+
+std::array<SliceView*, 4> ViewGrid::slices() const
+{
+    return {m_axial, m_sagittal, m_coronal, m_plane};
+}
+
+void ViewGrid::awaitBox(bool awaits)
+{
+    if (awaits == awaitsBox())
+        return;
+    for (SliceView* slice : slices())
+        slice->setAwaitsBox(awaits);
+    if (awaits)
+        m_workspace.say(tr("Drag a box over a slice: its values set the grey scale. Esc: no box."));
+    Q_EMIT awaitsBoxChanged();
+}
+
+void ViewGrid::leadBy(const SliceView& leader)
+{
+    if (!m_workspace.viewOptions().linkedPlaces)
+        return;
+    for (SliceView* slice : slices()) {
+        if (slice != &leader)
+            slice->lookWhereLooks(leader);
+    }
 }
 
 void ViewGrid::give(const gpu::Frame& frame)

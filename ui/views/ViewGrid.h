@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/measure/BoxWindow.h"
 #include "ui/views/FrameInbox.h"
 #include "ui/views/PlaneView.h"
 #include "ui/views/SliceView.h"
@@ -28,6 +29,7 @@ public:
     [[nodiscard]] VolumeView& volume() const { return *m_volume; }
     [[nodiscard]] PlaneView& plane() const { return *m_plane; }
     [[nodiscard]] std::array<ImageView*, 5> views() const;
+    [[nodiscard]] std::array<SliceView*, 4> slices() const; ///< all but the 3D view
     /// The view that has the keyboard, or had it last.
     [[nodiscard]] ImageView& current() const { return *m_current; }
 
@@ -43,6 +45,12 @@ public:
     void setPenApart(bool apart);
     [[nodiscard]] bool isPenApart() const { return m_penWindow != nullptr; }
     void resetViews();
+    /// Has the next box that is drawn on a slice with the left button set the grey scale. Ctrl and
+    /// the right button draw one at any time.
+    void awaitBox(bool awaits);
+    [[nodiscard]] bool awaitsBox() const { return m_axial->awaitsBox(); }
+    /// Whether the values in a box are being read.
+    [[nodiscard]] bool readsBox() const { return m_boxWindow.busy(); }
     /// Shows a slice of a study that is being loaded, until one is open; null ends that.
     /// @return whether the plane of any view is that slice; the other views have nothing to show
     /// yet
@@ -53,6 +61,7 @@ public:
 
 Q_SIGNALS:
     void layoutChanged();
+    void awaitsBoxChanged();
     void pictureChanged(); ///< some view's quality changed
     void frameTimed(double milliseconds);
 
@@ -61,11 +70,14 @@ protected:
 
 private:
     void give(const gpu::Frame& frame);
+    /// Where places are linked, the other slices follow the one that was zoomed or panned.
+    void leadBy(const SliceView& leader);
     void place();
 
     Workspace& m_workspace;
 
     FrameInbox m_inbox;
+    BoxWindow m_boxWindow;
     std::shared_ptr<const core::EarlySlice> m_early;
     SliceView* m_axial;
     VolumeView* m_volume;

@@ -86,7 +86,7 @@ void ViewPointer::pressed(const PointerReading& reading)
     }
     m_crosshairBeforePressLps = m_workspace.crosshairLps();
     const bool tools = toolWorksHere() && m_tool->takes(reading.sample, m_view.context());
-    m_gesture = m_view.gestureFor(reading.button, tools);
+    m_gesture = m_view.gestureFor(reading.button, reading.sample.modifiers, tools);
     if (m_navigateKey && reading.button == Qt::LeftButton && m_gesture == Gesture::Window)
         m_gesture = Gesture::Pan;
     m_gestureButton = reading.button;
@@ -140,16 +140,28 @@ void ViewPointer::released(const PointerReading& reading)
     if (gesture == Gesture::Tool) {
         if (m_tool)
             m_tool->release(reading.sample, m_view.context());
-    } else if (click && reading.button == Qt::LeftButton) {
+    } else if (!click) {
+        m_view.dragEnded(gesture);
+    } else if (reading.button == Qt::LeftButton) {
         m_view.clicked(reading.sample.position);
-    } else if (click && reading.button == Qt::RightButton) {
+    } else if (reading.button == Qt::RightButton) {
         m_view.menuAsked(reading.sample.position);
     }
     m_view.refresh();
 }
 
+void ViewPointer::abandonBox()
+{
+    m_gesture = Gesture::None;
+    m_gestureButton = Qt::NoButton;
+    m_dragging = false;
+    m_view.dragAbandoned();
+}
+
 void ViewPointer::loseStroke()
 {
+    if (m_gesture == Gesture::Box)
+        return abandonBox();
     if (m_gesture != Gesture::Tool)
         return;
     m_gesture = Gesture::None;
@@ -226,6 +238,8 @@ bool ViewPointer::pressKey(const QKeyEvent& event)
     if (event.key() == Qt::Key_Space && !event.isAutoRepeat()) {
         m_navigateKey = true;
         m_widget.setCursor(Qt::OpenHandCursor);
+    } else if (event.key() == Qt::Key_Escape && m_gesture == Gesture::Box) {
+        abandonBox();
     } else if (event.key() == Qt::Key_Escape && m_gesture == Gesture::Tool) {
         loseStroke();
     } else if (event.key() == Qt::Key_Escape && m_tool) {

@@ -22,11 +22,16 @@ class Workspace;
 class PointedView {
 public:
     /// What a drag does.
-    enum class Gesture { None, Tool, Window, Pan, Zoom, Rotate };
+    enum class Gesture { None, Tool, Window, Pan, Zoom, Rotate, Box };
 
     [[nodiscard]] virtual ViewContext context() const = 0;
-    [[nodiscard]] virtual Gesture gestureFor(Qt::MouseButton button, bool toolWorksHere) const = 0;
+    [[nodiscard]] virtual Gesture gestureFor(
+        Qt::MouseButton button, Qt::KeyboardModifiers keys, bool toolWorksHere) const = 0;
     virtual void dragged(Gesture gesture, const QPointF& from, const QPointF& to) = 0;
+    /// The button was released after a drag.
+    virtual void dragEnded(Gesture) { }
+    /// A drag that does something only at its end was given up.
+    virtual void dragAbandoned() { }
     /// A left click without a drag and without a tool.
     virtual void clicked(const QPointF&) { }
     /// A right click without a drag.
@@ -78,6 +83,7 @@ private:
     void moved(const PointerReading& reading);
     void released(const PointerReading& reading);
     [[nodiscard]] bool toolWorksHere() const;
+    void abandonBox();
 
     Workspace& m_workspace;
     PointedView& m_view;

@@ -258,7 +258,8 @@ void VolumeView::hideEvent(QHideEvent* event)
     m_otherEye = {};
 }
 
-ImageView::Gesture VolumeView::gestureFor(Qt::MouseButton button, bool toolWorksHere) const
+ImageView::Gesture VolumeView::gestureFor(
+    Qt::MouseButton button, Qt::KeyboardModifiers, bool toolWorksHere) const
 {
     const bool grey = Workspace::greyWindow(workspace().volumeDisplay().mode) != nullptr;
     switch (button) {

@@ -47,7 +47,8 @@ Q_SIGNALS:
 
 protected:
     [[nodiscard]] gpu::Scene scene() const override;
-    [[nodiscard]] Gesture gestureFor(Qt::MouseButton button, bool toolWorksHere) const override;
+    [[nodiscard]] Gesture gestureFor(
+        Qt::MouseButton button, Qt::KeyboardModifiers keys, bool toolWorksHere) const override;
     void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
     void clicked(const QPointF& at) override;
     void menuAsked(const QPointF& at) override;

@@ -134,6 +134,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     connect(&workspace, &Workspace::windowLevelChanged, this, refresh);
     connect(&workspace, &Workspace::clipChanged, this, refresh);
     connect(m_views, &ViewGrid::layoutChanged, this, refresh);
+    connect(m_views, &ViewGrid::awaitsBoxChanged, this, refresh);
     connect(m_panels, &PanelColumn::changed, this, refresh);
     connect(m_views, &ViewGrid::frameTimed, m_status, &StatusLine::showFrameTime);
     connect(&workspace, &Workspace::sessionChanged, this, &MainWindow::showSession);
@@ -271,7 +272,7 @@ void MainWindow::connectOpener()
 void MainWindow::addTool(Tool& tool, QMenu& menu, const QKeySequence& key)
 {
     QAction& action = m_actions.add({.id = QStringLiteral("tool.") + tool.iconName(),
-        .text = tool.name(),
+        .text = tool.longName(),
         .keys = {key},
         .icon = tool.iconName(),
         .run =

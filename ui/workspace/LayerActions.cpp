@@ -134,12 +134,13 @@ void layerToSegment(Workspace& workspace, int layer, std::optional<int> label)
     core::LayerToSegment edit{.layer = layer, .target = {.segment = label}};
     if (!label)
         edit.target = newSegment(document, source->name);
+    edit.editable = workspace.editableRange();
     give(workspace, edit, label);
 }
 
-void segmentToLayer(Workspace& workspace, int label, int layer)
+void segmentToLayer(Workspace& workspace, int label, int layer, bool outside)
 {
-    apply(workspace, core::SegmentToLayer{.segment = label, .layer = layer});
+    apply(workspace, core::SegmentToLayer{.segment = label, .layer = layer, .outside = outside});
 }
 
 void segmentWhatIsSeen(Workspace& workspace, std::optional<int> label)
@@ -154,6 +155,7 @@ void segmentWhatIsSeen(Workspace& workspace, std::optional<int> label)
     edit.hidden = core::clipHalfSpaces(workspace.clip(), workspace.volume()->geometry);
     if (!label)
         edit.target = newSegment(workspace.session()->foreseenDocument(), {});
+    edit.editable = workspace.editableRange();
     give(workspace, edit, label);
 }
 

@@ -27,8 +27,8 @@ void mergeLayers(Workspace& workspace, int from, int into);
 /// Makes what a layer has carved voxels of a segment.
 /// @param label none: of a new segment with the layer's name
 void layerToSegment(Workspace& workspace, int layer, std::optional<int> label);
-/// Carves the voxels of a segment into a layer.
-void segmentToLayer(Workspace& workspace, int label, int layer);
+/// Carves the voxels of a segment into a layer, or all others.
+void segmentToLayer(Workspace& workspace, int label, int layer, bool outside = false);
 /// "Segment what I see": segments what the 3D view shows, whatever its camera.
 /// @param label none: a new segment
 void segmentWhatIsSeen(Workspace& workspace, std::optional<int> label);

@@ -2,8 +2,10 @@
 #include "ui/workspace/SegmentActions.h"
 
 #include "core/document/SegmentColours.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
@@ -111,7 +113,8 @@ void invertSegment(Workspace& workspace, int label)
     core::EditSession* session = workspace.session();
     if (!session)
         return;
-    if (const auto inverted = session->apply(core::InvertSegment{.segment = label}); !inverted)
+    const core::InvertSegment edit{.segment = label, .editable = workspace.editableRange()};
+    if (const auto inverted = session->apply(edit); !inverted)
         return workspace.fail(inverted.error());
     workspace.say(QObject::tr("Inverted '%1'; Ctrl+Z takes it back")
                       .arg(session->foreseenDocument().segment(label)->name));
@@ -162,12 +165,21 @@ void tellOf(Workspace& workspace, std::size_t kind, const QString& nothing,
     });
 }
 
-/// The same for an edit as a whole.
-void carryOut(Workspace& workspace, const core::Edit& edit, const QString& nothing)
+/// What is told if nothing came of an edit; where editing is limited that may be why.
+QString nothingText(const Workspace& workspace, const QString& nothing)
+{
+    const QString editable = workspace.editableText();
+    return editable.isEmpty() ? nothing : QObject::tr("%1 (%2)").arg(nothing, editable);
+}
+
+/// The same for an edit as a whole, which keeps to the editable range.
+void carryOut(Workspace& workspace, core::Edit edit, const QString& nothing)
 {
     if (core::EditSession* session = workspace.session())
         session->closeGrowth();
-    tellOf(workspace, edit.kind(), nothing,
+    if (std::optional<core::EditableRange>* const range = core::editableRangeOf(edit))
+        *range = workspace.editableRange();
+    tellOf(workspace, edit.kind(), nothingText(workspace, nothing),
         [&edit](core::EditSession& session) { return session.apply(edit); });
 }
 
@@ -240,6 +252,23 @@ void askBetweenSlices(Workspace& workspace, int label)
     workspace.askToFillBetween(label);
 }
 
+/// @param placeLps in the plane; none: the middle of the images
+void mirror(Workspace& workspace, int label, const std::optional<glm::dvec3>& placeLps)
+{
+    carryOut(workspace, core::MirrorSegment{.segment = label, .placeLps = placeLps},
+        QObject::tr("'%1' is its own mirror image").arg(nameOfSegment(workspace, label)));
+}
+
+void mirrorAtMiddle(Workspace& workspace, int label)
+{
+    mirror(workspace, label, std::nullopt);
+}
+
+void mirrorAtCrosshair(Workspace& workspace, int label)
+{
+    mirror(workspace, label, workspace.crosshairLps());
+}
+
 } // namespace
 
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit)
@@ -268,10 +297,11 @@ void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, boo
         QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment));
     if (!isShown)
         return carryOut(workspace, edit, nothing);
-    tellOf(workspace, core::Edit(edit).kind(), nothing, [](core::EditSession& session) {
-        session.end(core::Ending::Commit);
-        return core::Result<void>();
-    });
+    tellOf(workspace, core::Edit(edit).kind(), nothingText(workspace, nothing),
+        [](core::EditSession& session) {
+            session.end(core::Ending::Commit);
+            return core::Result<void>();
+        });
 }
 
 void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps)
@@ -349,6 +379,14 @@ const std::vector<SegmentAction>& segmentActions()
             .text = QObject::tr("Fill between slices …"),
             .named = QObject::tr("Fill between slices of '%1' …"),
             .run = &askBetweenSlices},
+        {.id = "segments.mirror",
+            .text = QObject::tr("Mirror left and right"),
+            .named = QObject::tr("Mirror '%1' left and right"),
+            .run = &mirrorAtMiddle},
+        {.id = "segments.mirrorAtCrosshair",
+            .text = QObject::tr("Mirror left and right at the crosshair"),
+            .named = QObject::tr("Mirror '%1' left and right at the crosshair"),
+            .run = &mirrorAtCrosshair},
         {.id = "segments.invert", .text = QObject::tr("Invert segment"), .run = &invertSegment},
         {.id = "segments.remove",
             .text = QObject::tr("Delete segment"),

@@ -75,6 +75,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     m_warnAfter.reset();
     m_pointedLps.reset();
     m_atTolerance.reset();
+    m_editable = {};
     m_measured.clear();
     m_activeSegment = 0;
     m_activeLayer = 0;
@@ -95,6 +96,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     Q_EMIT windowLevelChanged();
     Q_EMIT volumeDisplayChanged();
     Q_EMIT clipChanged();
+    Q_EMIT editableChanged();
     Q_EMIT viewOptionsChanged();
     Q_EMIT activeSegmentChanged();
     Q_EMIT activeLayerChanged();
@@ -210,6 +212,8 @@ void Workspace::setClip(const core::ClipRegion& clip)
         return;
     m_clip = clip;
     Q_EMIT clipChanged();
+    if (m_editable.boxed)
+        Q_EMIT editableChanged();
 }
 
 gpu::SegmentDisplay Workspace::segmentDisplay() const
@@ -272,6 +276,41 @@ void Workspace::setGrowSettings(const GrowSettings& settings)
         return;
     m_grow = settings;
     Q_EMIT growSettingsChanged();
+    if (m_editable.boxed)
+        Q_EMIT editableChanged();
+}
+
+void Workspace::setEditableSettings(const EditableSettings& settings)
+{
+    if (settings == m_editable)
+        return;
+    m_editable = settings;
+    Q_EMIT editableChanged();
+}
+
+std::optional<EditableBox> Workspace::editableBox() const
+{
+    const core::Volume* opened = volume();
+    if (!opened)
+        return std::nullopt;
+    if (m_clip.box.on)
+        return EditableBox{.box = growBoxFrom(m_clip.box, opened->geometry), .isClip = true};
+    if (growBoxOf(m_grow, opened->geometry))
+        return EditableBox{.box = *m_grow.box, .isClip = false};
+    return std::nullopt;
+}
+
+std::optional<core::EditableRange> Workspace::editableRange() const
+{
+    if (!m_session || !m_editable.on)
+        return std::nullopt;
+    return ui::editableRange(m_editable, m_session->foreseenDocument(), editableBox());
+}
+
+QString Workspace::editableText() const
+{
+    return m_session ? ui::editableText(m_editable, m_session->document(), editableBox())
+                     : QString();
 }
 
 void Workspace::setViewOptions(const ViewOptions& options)

@@ -6,6 +6,7 @@
 #include "core/session/EditSession.h"
 #include "gpu/frame/FrameSource.h"
 #include "ui/geometry/ToolMaskOutline.h"
+#include "ui/settings/EditableSettings.h"
 #include "ui/settings/GrowSettings.h"
 
 #include <QObject>
@@ -112,6 +113,8 @@ public:
         bool inverted = false; ///< inverts the grey scale of slices
         gpu::SlabMode slabMode = gpu::SlabMode::Off; ///< of all slices
         double slabMm = 10.0; ///< thickness; each view rounds it to an odd number of its slices
+        bool referenceLines = false; ///< in slices: where the other slices cut them
+        bool linkedPlaces = false; ///< slices are zoomed and panned together
         bool operator==(const ViewOptions&) const = default;
     };
 
@@ -177,6 +180,15 @@ public:
     [[nodiscard]] const GrowSettings& growSettings() const { return m_grow; }
     void setGrowSettings(const GrowSettings& settings);
 
+    /// Which voxels tools that write labels may change at all; a new session begins without.
+    [[nodiscard]] const EditableSettings& editableSettings() const { return m_editable; }
+    void setEditableSettings(const EditableSettings& settings);
+    /// The box that it may be limited to: the clip box, else that of growth; none: neither is on.
+    [[nodiscard]] std::optional<EditableBox> editableBox() const;
+    /// What an edit that is made now has to keep to.
+    [[nodiscard]] std::optional<core::EditableRange> editableRange() const;
+    [[nodiscard]] QString editableText() const; ///< the same in words; empty while it is off
+
     [[nodiscard]] const ViewOptions& viewOptions() const { return m_viewOptions; }
     void setViewOptions(const ViewOptions& options);
     /// Whether the user has accepted the problems of the open volume's geometry; until then every
@@ -229,6 +241,7 @@ Q_SIGNALS:
     void drillSettingsChanged();
     void brushSettingsChanged();
     void growSettingsChanged();
+    void editableChanged(); ///< the settings, or what they come to
     void atToleranceChanged();
     void viewOptionsChanged(); ///< or the warning of setWarnAfter()
     void cautionAcceptedChanged();
@@ -268,6 +281,7 @@ private:
     BrushSettings m_carve;
     BrushSettings m_barrier;
     GrowSettings m_grow;
+    EditableSettings m_editable;
     std::optional<gpu::ToleranceDisplay> m_atTolerance;
     ViewOptions m_viewOptions;
     bool m_cautionAccepted = false;

@@ -3,6 +3,7 @@
 
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 namespace core {
 
@@ -73,6 +74,34 @@ EditDependencies DependencyFacts::labelled(
 EditDependencies DependencyFacts::labelled(const BrushPath& path, std::uint8_t plane) const
 {
     return labelled(under(path), plane);
+}
+
+EditDependencies DependencyFacts::alsoReading(
+    const std::optional<EditableRange>& range, EditDependencies own) const
+{
+    if (!range)
+        return own;
+    std::bitset<256> planes;
+    for (const auto* listed : {&range->inside, &range->outside}) {
+        for (const int label : listed->value_or(std::vector<int>()))
+            planes.set(planeOf(label));
+    }
+    dependsOn::Any& any = own;
+    auto* const bricks = std::get_if<dependsOn::Bricks>(&any);
+    if (!bricks) {
+        own.labelPlanes |= planes;
+        return own;
+    }
+    std::set<std::uint32_t> numbers;
+    for (const BrickKey& key : bricks->keys)
+        numbers.insert(key.brick);
+    for (std::size_t plane = 0; plane < planes.size(); ++plane) {
+        for (const std::uint32_t brick : numbers) {
+            if (planes.test(plane))
+                bricks->keys.insert({Field::Labels, std::uint8_t(plane), brick});
+        }
+    }
+    return own;
 }
 
 } // namespace core

@@ -17,6 +17,7 @@
 namespace core {
 
 struct BrushPath;
+struct EditableRange;
 
 /// What is known of how a row was carried out, in addition to its edit.
 struct RowTrace {
@@ -67,6 +68,7 @@ using Any = std::variant<Bricks, Plane, Growth, SweptMask, Fields>;
 /// (core/session/past/RowDependencies.h).
 struct EditDependencies : dependsOn::Any {
     using dependsOn::Any::variant;
+    std::bitset<256> labelPlanes{}; ///< planes of which labels are read in addition, anywhere
 };
 
 /// What such a set is computed from, in addition to the edit.
@@ -92,6 +94,10 @@ struct DependencyFacts {
     [[nodiscard]] EditDependencies labelled(
         const std::set<std::uint32_t>& bricks, std::uint8_t plane) const;
     [[nodiscard]] EditDependencies labelled(const BrushPath& path, std::uint8_t plane) const;
+    /// In addition to what an edit reads anyway, the segments that its editable range names: in the
+    /// same bricks if it keeps to some, else in their whole planes.
+    [[nodiscard]] EditDependencies alsoReading(
+        const std::optional<EditableRange>& range, EditDependencies own) const;
 };
 
 } // namespace core

@@ -43,4 +43,13 @@ RelabelListed ListedRuns::relabel(LabelTarget target)
     return relabel;
 }
 
+LabelListed ListedRuns::label(
+    std::uint8_t plane, const std::bitset<256>& overwritable, std::uint8_t frees)
+{
+    LabelListed label{.plane = plane, .overwritable = overwritable, .bricks = {}, .frees = frees};
+    for (auto& [brick, each] : std::exchange(m_bricks, {}))
+        label.bricks.push_back({brick, std::move(each)});
+    return label;
+}
+
 } // namespace core

@@ -32,6 +32,7 @@ struct CutPiece;
 struct DivideSegment;
 struct DrillStroke;
 struct DropSurface;
+struct EvolveContour;
 struct FillBetweenSlices;
 struct FillOutline;
 struct FloodFill;
@@ -60,11 +61,13 @@ struct RemoveMeasurement;
 struct RemovePiece;
 struct RemoveSegment;
 struct ReshapeSegment;
+struct MirrorSegment;
 struct ResumeGrowth;
 struct RevertRows;
 struct ReviseStroke;
 struct ScissorsCut;
 struct SeedStroke;
+struct SegmentScissors;
 struct SegmentSeen;
 struct SegmentToLayer;
 struct SendPiecesHome;
@@ -89,7 +92,8 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks, SpherePush, PlaneScrape,
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
     SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
-    FillBetweenSlices, FloodFill, ThresholdSegment, Annotate, MoveMeasurement>;
+    FillBetweenSlices, FloodFill, ThresholdSegment, Annotate, MoveMeasurement, SegmentScissors,
+    MirrorSegment, EvolveContour>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

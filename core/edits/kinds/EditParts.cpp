@@ -22,6 +22,9 @@ template <class E>
 concept hasBrushPath = std::is_same_v<decltype(E::path), BrushPath>;
 
 template <class E>
+concept hasEditableRange = std::is_same_v<decltype(E::editable), std::optional<EditableRange>>;
+
+template <class E>
 concept hasCriteria = std::is_same_v<decltype(E::criteria), GrowCriteria>;
 
 template <class E>
@@ -99,6 +102,23 @@ const BrushPath* brushPathOf(const Edit& edit)
 BrushPath* brushPathOf(Edit& edit)
 {
     return const_cast<BrushPath*>(brushPathOf(std::as_const(edit)));
+}
+
+const std::optional<EditableRange>* editableRangeOf(const Edit& edit)
+{
+    return visitEdit(
+        [](const auto& known) -> const std::optional<EditableRange>* {
+            if constexpr (hasEditableRange<std::decay_t<decltype(known)>>)
+                return &known.editable;
+            else
+                return nullptr;
+        },
+        edit);
+}
+
+std::optional<EditableRange>* editableRangeOf(Edit& edit)
+{
+    return const_cast<std::optional<EditableRange>*>(editableRangeOf(std::as_const(edit)));
 }
 
 const GrowCriteria* growCriteriaOf(const Edit& edit)

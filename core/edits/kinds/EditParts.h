@@ -10,6 +10,7 @@ namespace core {
 
 class DrillPathSampler;
 struct BrushPath;
+struct EditableRange;
 struct EngineEdit;
 struct GrowCriteria;
 struct GrowGuard;
@@ -33,6 +34,10 @@ struct PenSample;
 /// The way of a brush that paints, carves or shuts voxels to growth.
 [[nodiscard]] BrushPath* brushPathOf(Edit& edit);
 [[nodiscard]] const BrushPath* brushPathOf(const Edit& edit);
+
+/// Which voxels an edit of labels may change at all; null: of an edit that keeps to no such range.
+[[nodiscard]] std::optional<EditableRange>* editableRangeOf(Edit& edit);
+[[nodiscard]] const std::optional<EditableRange>* editableRangeOf(const Edit& edit);
 
 // A growth says what it goes by and how far it goes: GrowSteps and ChangeInterval. One that goes on
 // (ResumeGrowth) has these only when it is named (RecentGrowth.h).

@@ -304,6 +304,10 @@ QJsonValue SegmentList::write(const Value& value) const
 
 QString SegmentList::read(const QJsonValue& json, Value& value) const
 {
+    if (mayBeEmpty && json.isArray() && json.toArray().isEmpty()) {
+        value.clear();
+        return {};
+    }
     RowList::Value numbers;
     if (!RowList().read(json, numbers).isEmpty())
         return QStringLiteral("must be a list of segments, whole numbers from 1 on");
@@ -315,6 +319,8 @@ QString SegmentList::read(const QJsonValue& json, Value& value) const
 
 QString SegmentList::check(const Value& value) const
 {
+    if (mayBeEmpty && value.empty())
+        return {};
     if (const QString reason = checkLength(value.size()); !reason.isEmpty())
         return reason;
     if (value.front() < 1 || value.back() > 255)

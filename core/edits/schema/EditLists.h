@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/edits/fields/EditFields.h"
-#include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 
 #include <cstdint>
@@ -126,9 +126,10 @@ struct CornerPair {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
-/// [segment, …]: numbers of segments, at least one, ascending.
+/// [segment, …]: numbers of segments, at least one unless it may be empty, ascending.
 struct SegmentList {
     using Value = std::vector<int>;
+    bool mayBeEmpty = false;
 
     [[nodiscard]] QString type() const { return QStringLiteral("[segment, …]"); }
     [[nodiscard]] QString unit() const { return {}; }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/schema/SchemaParts.h"
 
 namespace core::editSchema {
@@ -22,6 +25,7 @@ template <class Visitor> void visitFields(Visitor& visit, FillBetweenSlices& edi
     visit.maybe("axis", edit.axis, sliceAxisNames,
         "the index axis across the slices: i for columns, j for rows, k for the acquired slices",
         "the one across which the smallest share of slices has voxels of the segment");
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<FloodFill> = "floodFill";
@@ -49,6 +53,99 @@ template <class Visitor> void visitFields(Visitor& visit, FloodFill& edit)
             "how far values may differ from the one at the place (not to erase)");
         visitOverwrite(visit, edit.overwriteUnlocked);
     });
+    visitEditable(visit, edit.editable);
+}
+
+template <> inline constexpr const char* editName<SegmentScissors> = "segmentScissors";
+template <>
+inline constexpr const char* editMeaning<SegmentScissors> =
+    "Gives a segment what lies under a closed curve along the view, or takes it away there; or the "
+    "same with all that does not lie under it.";
+template <class Visitor> void visitFields(Visitor& visit, SegmentScissors& edit)
+{
+    visitSegment(visit, edit.segment);
+    visitView(visit, edit.view);
+    visit.field("polygonMm", Presence::Required, edit.polygonMm, viewOutline,
+        "a closed curve in the view plane, relative to the target: right, up");
+    visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
+        "whether voxels of the segment are taken away instead");
+    visit.field("outside", Presence::Optional, edit.outside, editFields::Flag{},
+        "whether it is about what does not lie under the curve");
+    visit.when(!edit.outside, [&] {
+        visit.maybe("depthMm", edit.depthMm, drillDepth,
+            "only so far behind what each line of sight meets first: of the segments while "
+            "erasing, else of the values (not outside)",
+            "through everything");
+    });
+    visit.when(edit.erase, [&] {
+        visit.maybe("others", edit.others, editFields::SegmentList{},
+            "further segments that are erased; none of them is locked (only to erase)", "none");
+    });
+    visitOnlyValues(visit, edit.lower, edit.upper);
+    visit.when(!edit.erase, [&] { visitOverwrite(visit, edit.overwriteUnlocked); });
+    visitHidden(visit, edit.hidden);
+}
+
+template <> inline constexpr const char* editName<MirrorSegment> = "mirrorSegment";
+template <>
+inline constexpr const char* editMeaning<MirrorSegment> =
+    "Mirrors a segment that is not locked about a plane across the grid's axis that is nearest to "
+    "a "
+    "direction of the patient. Takes only voxels that no segment has.";
+template <class Visitor> void visitFields(Visitor& visit, MirrorSegment& edit)
+{
+    visitSegment(visit, edit.segment);
+    visit.field("sides", Presence::Required, edit.sides,
+        editFields::Choice<MirroredSides, 3>{
+            {"rightLeft", "anteriorPosterior", "inferiorSuperior"}},
+        "which sides of the patient change places");
+    visit.maybe("placeLps", edit.placeLps, positionLps,
+        "a place in the plane, patient coordinates (LPS); the plane goes through the nearest "
+        "voxel's centre or halfway between two",
+        "the middle of the volume");
+    visit.field("keep", Presence::Optional, edit.keep, editFields::Flag{},
+        "whether the segment keeps what it has, beside its mirror image");
+}
+
+template <> inline constexpr const char* editName<EvolveContour> = "evolveContour";
+template <>
+inline constexpr const char* editMeaning<EvolveContour> =
+    "Lets the contour of a segment that is not locked evolve generation by generation, from the "
+    "segment as it stands or from a bubble: outwards where values lie in an interval, inwards "
+    "where they do not, kept at edges and kept smooth. Evolving again goes on where it stopped.";
+template <class Visitor> void visitFields(Visitor& visit, EvolveContour& edit)
+{
+    using namespace editFields;
+    constexpr WholeNumber share{0, 100};
+    visitSegment(visit, edit.segment);
+    visit.maybe("lower", edit.lower, modalityValue,
+        "where the interval of values begins, inclusive", "no least value");
+    visit.maybe("upper", edit.upper, modalityValue, "where the interval of values ends, inclusive",
+        "no greatest value");
+    visit.field("softness", Presence::Optional, edit.softness,
+        Number{"modality units", 0.0, quantum::unbounded},
+        "how far within the interval, and beyond it, values count in full");
+    visit.field("region", Presence::Optional, edit.region, share, "how much values count");
+    visit.field("edge", Presence::Optional, edit.edge, share,
+        "how much shorter a contour counts along edges");
+    visit.when(edit.edge > 0, [&] {
+        visit.field("edgeGradient", Presence::Required, edit.edgeGradient,
+            Number{"modality units/mm", 0.0, quantum::unbounded},
+            "the gradient of an edge that counts half (where edges count)");
+    });
+    visit.field("smoothness", Presence::Optional, edit.smoothness, share,
+        "how much a short contour counts");
+    visit.maybe("bubbleLps", edit.bubbleLps, positionLps,
+        "the segment first receives a ball around this place, patient coordinates (LPS)",
+        "it begins with the segment as it stands");
+    visit.when(edit.bubbleLps.has_value(), [&] {
+        visit.field("bubbleMm", Presence::Required, edit.bubbleMm, brushRadius,
+            "radius of that ball (of a bubble)");
+    });
+    visit.field("generations", Presence::Optional, edit.generations,
+        WholeNumber{1, mostContourGenerations},
+        "how many voxels the contour moves at most; it stops earlier where nothing changes");
+    visitOverwrite(visit, edit.overwriteUnlocked);
 }
 
 } // namespace core::editSchema

@@ -70,12 +70,14 @@ template <class Visitor> void visitFields(Visitor& visit, MergeLayers& edit)
 template <> inline constexpr const char* editName<SegmentToLayer> = "segmentToLayer";
 template <>
 inline constexpr const char* editMeaning<SegmentToLayer> =
-    "Carves what a segment holds, whole, into a sculpt layer.";
+    "Carves what a segment holds, whole, into a sculpt layer, or all that it does not hold.";
 template <class Visitor> void visitFields(Visitor& visit, SegmentToLayer& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("layer", Presence::Required, edit.layer, layerNumber,
         "the sculpt layer that is carved; not a muted one");
+    visit.field("outside", Presence::Optional, edit.outside, editFields::Flag{},
+        "whether all is carved that neither it nor a protected segment holds");
 }
 
 } // namespace core::editSchema

@@ -6,6 +6,7 @@
 #include "core/edits/fields/Quantum.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/edits/kinds/parts/ProtectedSegments.h"
 #include "core/edits/schema/EditLists.h"
 
@@ -22,6 +23,8 @@ enum class Presence { Required, Optional };
 //                                                  that means, by itself "unchanged"
 //   constant(name, presence, json, meaning)        only this value is known
 //   group(name, meaning, visitInside)              an object of its own
+//   maybeGroup(name, std::optional value, meaning, absent, visitInside)  one that may be left out;
+//                                                  visitInside(visitor, value)
 //   when(condition, visitInside)                   fields that are there only then
 //
 // editName<E> is the value of "edit" in JSON, editMeaning<E> its line in the documentation.
@@ -38,6 +41,10 @@ inline constexpr editFields::Number millimetres{
     "mm", -quantum::reachMm, quantum::reachMm, quantum::perMillimetre};
 inline constexpr editFields::Point positionLps{millimetres};
 inline constexpr editFields::Number brushRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
+inline constexpr editFields::Number drillDepth{"mm", 0.0, 500.0, quantum::perMillimetre};
+/// A curve in the plane of a view.
+inline constexpr editFields::Outline viewOutline{
+    editFields::Number{"mm", -2000.0, 2000.0, quantum::perMillimetre}};
 inline constexpr editFields::Number peelDepth{"mm", 0.0, 60.0, quantum::perMillimetre};
 
 /// The segment that an edit is about.
@@ -71,6 +78,24 @@ void visitOnlyValues(Visitor& visit, std::optional<double>& lower, std::optional
 {
     visit.maybe("lower", lower, modalityValue, "only voxels from this value on, inclusive", "any");
     visit.maybe("upper", upper, modalityValue, "only voxels up to this value, inclusive", "any");
+}
+
+/// Which voxels may change at all, in every edit of labels that keeps to such a range.
+template <class Visitor> void visitEditable(Visitor& visit, std::optional<EditableRange>& editable)
+{
+    visit.maybeGroup("editable", editable,
+        "which voxels may change at all, whatever the edit is about; every part that is given "
+        "narrows it",
+        "any voxel", [](auto& inside, EditableRange& range) {
+            constexpr editFields::SegmentList segments{.mayBeEmpty = true};
+            visitOnlyValues(inside, range.lower, range.upper);
+            inside.maybe("box", range.box, editFields::CornerPair{positionLps},
+                "two opposite corners: only voxels between them", "the whole volume");
+            inside.maybe("inside", range.inside, segments,
+                "only voxels of one of these segments, of an empty list none", "any");
+            inside.maybe(
+                "outside", range.outside, segments, "only voxels of none of these segments", "any");
+        });
 }
 
 /// A camera, in every edit that has one.

@@ -16,9 +16,6 @@
 namespace core::editSchema {
 
 inline constexpr editFields::Number drillRadius{"mm", 0.01, 200.0, quantum::perMillimetre};
-inline constexpr editFields::Number drillDepth{"mm", 0.0, 500.0, quantum::perMillimetre};
-inline constexpr editFields::Outline viewOutline{
-    editFields::Number{"mm", -2000.0, 2000.0, quantum::perMillimetre}};
 inline constexpr editFields::Number maskSide{"mm", 0.02, 400.0, quantum::perMillimetre};
 inline constexpr editFields::Number maskSoftness{"mm", 0.0, 200.0, quantum::perMillimetre};
 inline constexpr editFields::Outline maskOutline{

@@ -79,6 +79,7 @@ inline constexpr const char* editMeaning<InvertSegment> =
 template <class Visitor> void visitFields(Visitor& visit, InvertSegment& edit)
 {
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<CleanSegment> = "cleanSegment";
@@ -103,6 +104,7 @@ template <class Visitor> void visitFields(Visitor& visit, CleanSegment& edit)
     visit.maybe("to", edit.to, segmentNumber,
         "of giveClicked: the segment that receives the island; it must not be locked either",
         "no island is given away");
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<CombineSegments> = "combineSegments";
@@ -118,28 +120,49 @@ template <class Visitor> void visitFields(Visitor& visit, CombineSegments& edit)
         editFields::Choice<CombineSegments::How, 2>{{"merge", "swap"}},
         "the other's voxels become the segment's, and it stays in the list, empty; or each "
         "receives those of the other");
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<ReshapeSegment> = "reshapeSegment";
 template <>
 inline constexpr const char* editMeaning<ReshapeSegment> =
     "Grows or shrinks a segment that is not locked by a margin, leaves a shell of it, opens, "
-    "closes or smooths it, with a ball of millimetres. Takes only voxels that no segment has.";
+    "closes or smooths it, with a ball or a Gaussian of millimetres. Takes only voxels that no "
+    "segment has.";
 template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("operation", Presence::Required, edit.operation,
-        editFields::Choice<ShapeOperation, 6>{
-            {"grow", "shrink", "hollow", "open", "close", "median"}},
+        editFields::Choice<ShapeOperation, 8>{
+            {"grow", "shrink", "hollow", "open", "close", "median", "wrap", "gaussian"}},
         "grow and shrink by a margin; hollow leaves a shell; open removes what no ball within the "
         "segment holds, close adds what no ball beside it holds; median gives each voxel to the "
-        "side on which more than half of the ball around it lies");
+        "side on which more than half of the ball around it lies, gaussian the same with a "
+        "Gaussian; wrap adds holes and all that lies behind openings narrower than the ball");
     visit.field("mm", Presence::Required, edit.mm,
         editFields::Number{"mm", 0.01, 100.0, quantum::perMillimetre},
-        "the margin, the thickness of the shell, or the radius of the ball");
+        "the margin, the thickness of the shell, the radius of the ball, or the standard deviation "
+        "of the Gaussian");
     visit.maybe("shell", edit.shell,
         editFields::Choice<ShellPlace, 3>{{"inside", "centred", "outside"}},
         "of hollow alone: where the shell lies, from the segment's border", "inside");
+    visit.maybe("with", edit.with, editFields::SegmentList{},
+        "of gaussian alone: others, not locked either, that are smoothed together with it: each "
+        "voxel that one of them or none has becomes the one's that is most around it, so that no "
+        "gap opens between them",
+        "it alone");
+    const auto side = [&](const char* name, std::optional<double>& mm) {
+        visit.maybe(name, mm, editFields::Number{"mm", 0.0, 100.0, quantum::perMillimetre},
+            "of grow and shrink alone: the margin on this side of the patient; 0: none there",
+            "as mm");
+    };
+    side("rightMm", edit.sides.rightMm);
+    side("leftMm", edit.sides.leftMm);
+    side("anteriorMm", edit.sides.anteriorMm);
+    side("posteriorMm", edit.sides.posteriorMm);
+    side("inferiorMm", edit.sides.inferiorMm);
+    side("superiorMm", edit.sides.superiorMm);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<ThresholdSegment> = "thresholdSegment";
@@ -159,6 +182,7 @@ template <class Visitor> void visitFields(Visitor& visit, ThresholdSegment& edit
     visit.maybe("box", edit.box, editFields::CornerPair{positionLps},
         "two opposite corners: only voxels between them change", "the whole volume");
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<PaintStroke> = "paint";
@@ -181,6 +205,7 @@ template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)
         "path begins (the median of the voxels around it), and that are joined to the path by "
         "such voxels under the brush",
         "all that is under the brush");
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<FillOutline> = "fillOutline";
@@ -207,6 +232,7 @@ template <class Visitor> void visitFields(Visitor& visit, FillOutline& edit)
         "whether voxels of the segment are taken away instead");
     visitOnlyValues(visit, edit.lower, edit.upper);
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitEditable(visit, edit.editable);
 }
 
 /// The segment that receives voxels.
@@ -232,6 +258,7 @@ template <class Visitor> void visitFields(Visitor& visit, LayerToSegment& edit)
     visitLayer(visit, edit.layer);
     visitTarget(visit, edit.target);
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<SegmentSeen> = "segmentSeen";
@@ -245,6 +272,7 @@ template <class Visitor> void visitFields(Visitor& visit, SegmentSeen& edit)
     visitOnlyValues(visit, edit.lower, edit.upper);
     visitHidden(visit, edit.hidden);
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<ImportMask> = "importMask";

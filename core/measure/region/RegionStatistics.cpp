@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace core {
 
@@ -42,6 +43,19 @@ std::optional<RegionStatistics> RegionTally::statistics(const VoxelEncoding& enc
     found.minimum = encoding.value(least);
     found.maximum = encoding.value(greatest);
     return found;
+}
+
+std::optional<double> RegionTally::percentile(int percent, const VoxelEncoding& encoding) const
+{
+    const std::int64_t all = std::accumulate(m_ofCode.begin(), m_ofCode.end(), std::int64_t(0));
+    if (all == 0)
+        return std::nullopt;
+    const std::int64_t rank = std::max<std::int64_t>((all * percent + 99) / 100, 1);
+    std::int64_t counted = 0;
+    int code = -1;
+    while (counted < rank)
+        counted += m_ofCode[std::size_t(++code)];
+    return encoding.value(code);
 }
 
 std::optional<RegionStatistics> regionStatistics(

@@ -28,6 +28,12 @@ public:
     /// None if nothing was counted.
     [[nodiscard]] std::optional<RegionStatistics> statistics(const VoxelEncoding& encoding) const;
 
+    /// The least value that is as great as so many percent of what was counted, at least; one of
+    /// those values. None if nothing was counted.
+    /// @param percent 0 … 100
+    [[nodiscard]] std::optional<double> percentile(
+        int percent, const VoxelEncoding& encoding) const;
+
 private:
     std::vector<std::int64_t> m_ofCode = std::vector<std::int64_t>(VoxelEncoding::codeCount, 0);
 };

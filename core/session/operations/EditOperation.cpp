@@ -4,13 +4,16 @@
 #include "core/edits/EditTask.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/session/operations/ChunkOperation.h"
+#include "core/session/operations/ContourOperation.h"
 #include "core/session/operations/DocumentOperation.h"
 #include "core/session/operations/FloodOperation.h"
 #include "core/session/operations/IslandOperation.h"
@@ -41,8 +44,12 @@ std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
             return std::make_unique<IslandOperation>(*reshape, again);
         if (const auto* flood = edit.as<FloodFill>())
             return std::make_unique<FloodOperation>(*flood, again);
+        if (const auto* contour = edit.as<EvolveContour>())
+            return std::make_unique<ContourOperation>(*contour, again);
         if (const auto* between = edit.as<FillBetweenSlices>())
             return std::make_unique<IslandOperation>(*between, again);
+        if (const auto* mirror = edit.as<MirrorSegment>())
+            return std::make_unique<IslandOperation>(*mirror, again);
         return std::make_unique<IslandOperation>(edit.get<CleanSegment>(), again);
     case EditTask::Engine:
         break;

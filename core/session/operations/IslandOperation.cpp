@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/engine/EngineCommands.h"
@@ -24,7 +25,9 @@ IslandOperation::IslandOperation(const CleanSegment& edit, RowId again)
     : IslandOperation(
         edit, edit.segment,
         [edit](const Document& document, std::span<const std::uint8_t> labels,
-            const Progress& progress) { return relabelListed(edit, document, labels, progress); },
+            const Progress& progress) -> Result<Listed> {
+            return relabelListed(edit, document, labels, progress);
+        },
         again)
 {
 }
@@ -33,7 +36,11 @@ IslandOperation::IslandOperation(const ReshapeSegment& edit, RowId again)
     : IslandOperation(
         edit, edit.segment,
         [edit](const Document& document, std::span<const std::uint8_t> labels,
-            const Progress& progress) { return relabelListed(edit, document, labels, progress); },
+            const Progress& progress) -> Result<Listed> {
+            if (edit.with)
+                return labelListed(edit, document, labels, progress);
+            return relabelListed(edit, document, labels, progress);
+        },
         again)
 {
 }
@@ -42,7 +49,20 @@ IslandOperation::IslandOperation(const FillBetweenSlices& edit, RowId again)
     : IslandOperation(
         edit, edit.segment,
         [edit](const Document& document, std::span<const std::uint8_t> labels,
-            const Progress& progress) { return relabelListed(edit, document, labels, progress); },
+            const Progress& progress) -> Result<Listed> {
+            return relabelListed(edit, document, labels, progress);
+        },
+        again)
+{
+}
+
+IslandOperation::IslandOperation(const MirrorSegment& edit, RowId again)
+    : IslandOperation(
+        edit, edit.segment,
+        [edit](const Document& document, std::span<const std::uint8_t> labels,
+            const Progress& progress) -> Result<Listed> {
+            return relabelListed(edit, document, labels, progress);
+        },
         again)
 {
 }
@@ -77,23 +97,23 @@ void IslandOperation::readNext(SessionState& state)
     state.side->post(
         [this, workOut = m_workOut, work = m_work, document = state.document,
             reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
-            auto relabel = std::make_shared<Result<RelabelListed>>(
+            auto listed = std::make_shared<Result<Listed>>(
                 workOut(document, reader->takeLabels(), work->progress));
             return SideThread::Sequel(
-                [this, relabel](SessionState& known) { write(known, std::move(*relabel)); });
+                [this, listed](SessionState& known) { write(known, std::move(*listed)); });
         },
         [this](SessionState& known, const Error& error) { m_relabelling.giveUp(known, error); });
     m_reader.reset();
 }
 
-void IslandOperation::write(SessionState& state, Result<RelabelListed>&& relabel)
+void IslandOperation::write(SessionState& state, Result<Listed>&& listed)
 {
-    if (!relabel)
-        return m_relabelling.giveUp(state, relabel.error());
+    if (!listed)
+        return m_relabelling.giveUp(state, listed.error());
     if (m_work->progress.cancelled())
         return m_relabelling.giveUp(state, {ErrorCode::Cancelled, {}});
     m_isWriting = true;
-    m_relabelling.write(state, m_edit, *std::move(relabel));
+    std::visit([&](auto& known) { m_relabelling.write(state, m_edit, std::move(known)); }, *listed);
 }
 
 void IslandOperation::takeResult(SessionState& state, EngineResult&& result)

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/sculpt/labels/LayerWrites.h"
 #include "core/session/operations/AbortableOperation.h"
 #include "core/session/operations/Relabelling.h"
 #include "core/session/past/LabelReader.h"
@@ -12,19 +13,21 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace core {
 
 /// An edit of a segment as a whole that is worked out from all labels of its plane (CleanSegment,
-/// ReshapeSegment, FillBetweenSlices): it reads them, works out on the side thread which voxels are
-/// meant, and lets the engine write them; one row if it changed anything.
+/// ReshapeSegment, FillBetweenSlices, MirrorSegment): it reads them, works out on the side thread
+/// which voxels are meant, and lets the engine write them; one row if it changed anything.
 class IslandOperation final : public AbortableOperation {
 public:
     /// @param again as in VoxelOperation
     explicit IslandOperation(const CleanSegment& edit, RowId again = 0);
     explicit IslandOperation(const ReshapeSegment& edit, RowId again = 0);
     explicit IslandOperation(const FillBetweenSlices& edit, RowId again = 0);
+    explicit IslandOperation(const MirrorSegment& edit, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
@@ -41,12 +44,14 @@ private:
         std::atomic<int> percent = -1;
         Progress progress;
     };
-    using LabelWork = std::function<Result<RelabelListed>(
+    /// What is to be written; several segments may receive voxels, or one.
+    using Listed = std::variant<RelabelListed, LabelListed>;
+    using LabelWork = std::function<Result<Listed>(
         const Document& document, std::span<const std::uint8_t> labels, const Progress& progress)>;
 
     IslandOperation(Edit edit, int segment, LabelWork workOut, RowId again);
     void readNext(SessionState& state);
-    void write(SessionState& state, Result<RelabelListed>&& relabel);
+    void write(SessionState& state, Result<Listed>&& listed);
 
     Edit m_edit;
     int m_segment; ///< label

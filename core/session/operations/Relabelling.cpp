@@ -12,13 +12,23 @@ Relabelling::Relabelling(RowId again)
 {
 }
 
-void Relabelling::write(SessionState& state, Edit edit, RelabelListed&& relabel)
+template <class Listed> void Relabelling::begin(SessionState& state, Edit&& edit, Listed&& listed)
 {
-    if (relabel.bricks.empty())
+    if (listed.bricks.empty())
         return leaveNoRow(state);
     m_edit = std::move(edit);
-    m_begun = state.engine.submit(BeginEdit{std::move(relabel)});
+    m_begun = state.engine.submit(BeginEdit{std::forward<Listed>(listed)});
     m_ended = state.engine.submit(EndEdit{});
+}
+
+void Relabelling::write(SessionState& state, Edit edit, RelabelListed&& relabel)
+{
+    begin(state, std::move(edit), std::move(relabel));
+}
+
+void Relabelling::write(SessionState& state, Edit edit, LabelListed&& label)
+{
+    begin(state, std::move(edit), std::move(label));
 }
 
 void Relabelling::takeResult(SessionState& state, EngineResult&& result)

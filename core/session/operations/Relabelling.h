@@ -8,6 +8,7 @@
 
 namespace core {
 
+struct LabelListed;
 struct RelabelListed;
 
 /// How operations end that work out voxel by voxel what to relabel: one engine transaction, and one
@@ -21,6 +22,7 @@ public:
     /// @param edit what its row says
     /// @param relabel without bricks there is nothing to be done
     void write(SessionState& state, Edit edit, RelabelListed&& relabel);
+    void write(SessionState& state, Edit edit, LabelListed&& label);
     /// Ends without having written.
     void leaveNoRow(SessionState& state);
     void giveUp(SessionState& state, const Error& error);
@@ -29,6 +31,7 @@ public:
     [[nodiscard]] bool done() const { return m_done; }
 
 private:
+    template <class Listed> void begin(SessionState& state, Edit&& edit, Listed&& listed);
     void finish(SessionState& state, EngineResult&& result);
 
     RowId m_again;

@@ -88,6 +88,8 @@ RowDependencies::RowDependencies(const Edit& edit, const Document& document,
 
 bool RowDependencies::covers(const BrickKey& key) const
 {
+    if (key.field == Field::Labels && m_dependencies.labelPlanes.test(key.plane))
+        return true;
     const dependsOn::Any& any = m_dependencies;
     return std::visit(
         [&key](const auto& dependencies) { return isCovered(dependencies, key); }, any);

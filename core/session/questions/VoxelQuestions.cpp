@@ -50,7 +50,8 @@ void VoxelQuestions::pick(
     m_line.ask(PickVoxels{.rays = std::move(question.rays),
                    .seenBy = question.seenBy,
                    .thresholdCode = question.thresholdCode,
-                   .opacityOfCode = std::move(question.opacityOfCode)},
+                   .opacityOfCode = std::move(question.opacityOfCode),
+                   .segments = question.segments},
         answerWith(&EngineResult::picks, std::move(answer)));
 }
 

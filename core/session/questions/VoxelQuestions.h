@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include <bitset>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -31,6 +32,7 @@ struct PickQuestion {
     int thresholdCode = 0; ///< codes from this one on are material; for Surface
     /// by code >> 8, in 65535ths per sample; for Opacity
     std::vector<std::uint32_t> opacityOfCode{};
+    std::bitset<256> segments{}; ///< labels; for Segment
 };
 
 /// Everything that can be asked about the voxels of a session; nothing here changes them.

@@ -3,7 +3,7 @@
 
 #include "core/brick/VoxelRuns.h"
 #include "core/growth/GrowthCommands.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 #include "core/session/surface/SurfaceAgreement.h"
 
 #include <cstdint>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 namespace gpu {
 
@@ -54,11 +55,56 @@ std::vector<core::BrickKey> cover(VoxelFields& fields, BeforeImages& before,
     return changed;
 }
 
+/// All that has another label, so many bricks at once that their bytes need little memory.
+std::vector<core::BrickKey> coverOutside(
+    VoxelFields& fields, BeforeImages& before, const core::CoverLabel& edit)
+{
+    constexpr std::uint32_t atOnce = 1024;
+    const core::BrickGrid& grid = fields.grid();
+    const auto count = std::uint32_t(grid.brickCount());
+    std::vector<core::BrickKey> changed;
+    for (std::uint32_t first = 0; first < count; first += atOnce) {
+        std::vector<std::uint32_t> bricks(std::min(atOnce, count - first));
+        std::iota(bricks.begin(), bricks.end(), first);
+        const std::vector<core::BrickKey> keys = keysOf(core::Field::Coverage, edit.layer, bricks);
+        before.capture(core::Field::Coverage, edit.layer, bricks);
+        const std::vector<Bytes> labels =
+            readImages(fields, keysOf(core::Field::Labels, edit.plane, bricks));
+        const std::vector<Bytes> held = readImages(fields, keys);
+        std::vector<core::BrickImage> images;
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            Bytes now = held[i].empty() ? Bytes(core::BrickGrid::voxelsPerBrick, 0) : held[i];
+            bool any = false;
+            const core::VoxelBox box = grid.boxOf(int(bricks[i]));
+            for (int z = box.minimum.z; z < box.maximum.z; ++z) {
+                for (int y = box.minimum.y; y < box.maximum.y; ++y) {
+                    for (int x = box.minimum.x; x < box.maximum.x; ++x) {
+                        const auto at = std::size_t(core::BrickGrid::offsetInBrick({x, y, z}));
+                        const std::uint8_t label = labels[i].empty() ? 0 : labels[i][at];
+                        if (label == edit.label || edit.spared[label] || now[at] == 255)
+                            continue;
+                        now[at] = 255;
+                        any = true;
+                    }
+                }
+            }
+            if (!any)
+                continue;
+            changed.push_back(keys[i]);
+            images.push_back({keys[i], std::move(now)});
+        }
+        writeImages(fields, std::move(images));
+    }
+    return changed;
+}
+
 } // namespace
 
 std::vector<core::BrickKey> coverLabel(ErasePrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::CoverLabel& edit)
 {
+    if (edit.outside)
+        return coverOutside(fields, before, edit);
     const std::vector<std::uint32_t> holders =
         labelHolders(programs, fields, edit.plane, edit.label);
     return cover(fields, before, keysOf(core::Field::Labels, edit.plane, holders), edit.layer,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
 #include "gpu/kernels/labels/EraseKernel.h"
@@ -10,11 +10,12 @@
 
 namespace gpu {
 
-// Writes the coverage of whole sculpt layers (core/sculpt/LayerWrites.h). This is seldom needed, so
-// bricks are read, computed on the processor and written, as undo does it. Both functions return
-// the keys of the bricks that changed. Engine thread only.
+// Writes the coverage of whole sculpt layers (core/sculpt/labels/LayerWrites.h). This is seldom
+// needed, so bricks are read, computed on the processor and written, as undo does it. Both
+// functions return the keys of the bricks that changed. Engine thread only.
 
-/// Sets the coverage of a layer to 255 wherever a label is. Cost ∝ the bricks of the segment.
+/// Sets the coverage of a layer to 255 wherever a label is, or is not. Cost ∝ the bricks of the
+/// segment, or those of the volume.
 /// @param programs finds these bricks
 std::vector<core::BrickKey> coverLabel(ErasePrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::CoverLabel& edit);

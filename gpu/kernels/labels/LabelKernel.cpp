@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/labels/LabelKernel.h"
 
-#include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/labels/LabelOutlined.h"
+#include "gpu/fields/bricks/HiddenBricks.h"
 #include "gpu/kernels/labels/ChosenBricks.h"
 
 #include <algorithm>
@@ -32,11 +33,37 @@ std::vector<std::uint32_t> runOver(
     return found;
 }
 
+/// Binds which voxels of bricks may change, if not all may.
+class BindEditable {
+public:
+    BindEditable(LabelPrograms& programs, VoxelFields& fields,
+        const std::optional<core::EditableVoxels>& editable)
+        : m_programs(programs)
+        , m_fields(fields)
+        , m_editable(editable)
+    {
+    }
+    void operator()(const std::vector<std::uint32_t>& bricks)
+    {
+        if (!m_editable)
+            return;
+        m_bits = m_programs.editable().find(*m_editable, m_fields, bricks);
+        m_bits.bindBase(GL_SHADER_STORAGE_BUFFER, EditableBits::binding);
+    }
+
+private:
+    LabelPrograms& m_programs;
+    VoxelFields& m_fields;
+    const std::optional<core::EditableVoxels>& m_editable;
+    Buffer m_bits;
+};
+
 /// @param bindSource binds what voxels of these bricks are chosen by
+/// @param editable binds first what they may change
 template <class Bind>
 std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeImages& before,
     const core::LabelTarget& target, const std::vector<std::uint32_t>& bricks,
-    const Bind& bindSource)
+    const Bind& bindSource, BindEditable* editable = nullptr)
 {
     kernel.set("volumeSize", fields.grid().volumeSize)
         .set("volumeBricks", fields.grid().bricks())
@@ -44,6 +71,8 @@ std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeIm
         .set("overwritable", target.overwritable);
     BrickField& seedWords = fields.seedWords(target.plane);
     const auto bind = [&](const std::vector<std::uint32_t>& listed) {
+        if (editable)
+            (*editable)(listed);
         bindSource(listed);
         seedWords.pageTable().bindUnit(1);
         fields.labels(target.plane).bindImage(0, GL_READ_WRITE);
@@ -128,15 +157,62 @@ void setCodes(Program& kernel, int lowCode, int highCode)
         .set("highCode", none ? 0u : unsigned(highCode));
 }
 
+/// Binds where listed bricks lie on the plane of a view, and what is hidden of them.
+class BrickPlaces {
+public:
+    BrickPlaces(const core::CutFrame& frame, const core::BrickGrid& grid)
+        : m_frame(frame)
+        , m_grid(grid)
+    {
+    }
+
+    void operator()(const std::vector<std::uint32_t>& numbers) const
+    {
+        std::vector<glm::ivec4> bases;
+        bases.reserve(numbers.size());
+        for (const std::uint32_t number : numbers)
+            bases.emplace_back(core::planeBase(m_frame, m_grid.boxOf(int(number)).minimum), 0);
+        m_bases = bufferOf("plane bases", bases);
+        m_hidden = hiddenBases(m_frame.hidden, m_grid, numbers);
+        m_bases.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+        m_hidden.bindBase(GL_SHADER_STORAGE_BUFFER, 6);
+    }
+
+private:
+    const core::CutFrame& m_frame;
+    core::BrickGrid m_grid;
+    mutable Buffer m_bases;
+    mutable Buffer m_hidden;
+};
+
+/// Those of these bricks in which something may be held that can be lost.
+std::vector<std::uint32_t> heldAmong(
+    VoxelFields& fields, std::uint8_t plane, const std::vector<std::uint32_t>& bricks)
+{
+    const std::vector<std::uint32_t> labelled = fields.labelledBricks();
+    const std::vector<std::uint32_t> seeded = fields.seedWords(plane).heldBricks();
+    std::vector<std::uint32_t> held;
+    std::set_union(
+        labelled.begin(), labelled.end(), seeded.begin(), seeded.end(), std::back_inserter(held));
+    std::vector<std::uint32_t> both;
+    std::set_intersection(
+        bricks.begin(), bricks.end(), held.begin(), held.end(), std::back_inserter(both));
+    return both;
+}
+
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelCarved& edit)
 {
     BrickField& coverage = fields.coverage(edit.layer);
-    return label(programs.following("CARVED"), fields, before, edit.target, coverage.heldBricks(),
+    BindEditable editable(programs, fields, edit.editable);
+    return label(
+        programs.following("CARVED", edit.editable.has_value()), fields, before, edit.target,
+        coverage.heldBricks(),
         [&coverage](const std::vector<std::uint32_t>&) {
             coverage.atlas().bindUnit(0);
             coverage.pageTable().bindUnit(2);
-        });
+        },
+        &editable);
 }
 
 std::vector<core::BrickKey> write(
@@ -146,15 +222,18 @@ std::vector<core::BrickKey> write(
     for (const core::VoxelBound& bound : edit.bounds)
         bounds.emplace_back(bound.normal, bound.offset);
     const Buffer boundBuffer = bufferOf("bounds", bounds);
-    Program& kernel = programs.following("SEEN");
+    Program& kernel = programs.following("SEEN", edit.editable.has_value());
+    BindEditable editable(programs, fields, edit.editable);
     setCodes(kernel, edit.lowCode, edit.highCode);
     kernel.set("boundCount", unsigned(bounds.size()));
-    return label(kernel, fields, before, edit.target, allBricks(fields),
+    return label(
+        kernel, fields, before, edit.target, allBricks(fields),
         [&](const std::vector<std::uint32_t>&) {
             fields.codes().bindUnit(0);
             fields.radiation().bindUnit(2);
             boundBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
-        });
+        },
+        &editable);
 }
 
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
@@ -162,15 +241,19 @@ std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
 {
     const core::LabelTarget target{
         .plane = edit.plane, .label = 0, .overwritable = edit.overwritable};
-    return label(programs.following("LISTED"), fields, before, target, numbersOf(edit.bricks),
+    Program& kernel = programs.following("LISTED");
+    kernel.set("frees", unsigned(edit.frees));
+    return label(kernel, fields, before, target, numbersOf(edit.bricks),
         AskedBytes(edit.bricks, &core::LabelListed::Brick::labels));
 }
 
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::RelabelListed& edit)
 {
-    return label(programs.following("RELABELLED"), fields, before, edit.target,
-        numbersOf(edit.bricks), AskedBytes(edit.bricks, &core::RelabelListed::Brick::asked));
+    BindEditable editable(programs, fields, edit.editable);
+    return label(programs.following("RELABELLED", edit.editable.has_value()), fields, before,
+        edit.target, numbersOf(edit.bricks),
+        AskedBytes(edit.bricks, &core::RelabelListed::Brick::asked), &editable);
 }
 
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
@@ -178,13 +261,16 @@ std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
 {
     const std::vector<core::RelabelListed::Brick> bricks = core::voxelsWithin(edit, fields.grid());
     const AskedBytes asked(bricks, &core::RelabelListed::Brick::asked);
-    Program& kernel = programs.following("OUTLINED");
+    Program& kernel = programs.following("OUTLINED", edit.editable.has_value());
+    BindEditable editable(programs, fields, edit.editable);
     setCodes(kernel, edit.lowCode, edit.highCode);
-    return label(kernel, fields, before, edit.target, numbersOf(bricks),
+    return label(
+        kernel, fields, before, edit.target, numbersOf(bricks),
         [&](const std::vector<std::uint32_t>& listed) {
             asked(listed);
             fields.codes().bindUnit(0);
-        });
+        },
+        &editable);
 }
 
 std::vector<core::BrickKey> write(
@@ -194,22 +280,39 @@ std::vector<core::BrickKey> write(
         "mapped labels", std::vector<std::uint32_t>(edit.becomes.begin(), edit.becomes.end()));
     core::LabelTarget target{.plane = edit.plane};
     target.overwritable.set(); // the table alone says who keeps a voxel
-    return label(programs.following("MAPPED"), fields, before, target, allBricks(fields),
+    BindEditable editable(programs, fields, edit.editable);
+    return label(
+        programs.following("MAPPED", edit.editable.has_value()), fields, before, target,
+        allBricks(fields),
         [&becomes](
-            const std::vector<std::uint32_t>&) { becomes.bindBase(GL_SHADER_STORAGE_BUFFER, 2); });
+            const std::vector<std::uint32_t>&) { becomes.bindBase(GL_SHADER_STORAGE_BUFFER, 2); },
+        &editable);
 }
 
 } // namespace
 
-Program& LabelPrograms::following(const char* rule)
+Program& LabelPrograms::following(const char* rule, bool editable)
 {
-    Program& known = m_known[rule];
+    Program& known = m_known[std::string(rule) + (editable ? " EDITABLE" : "")];
     if (!known) {
         const char* path = "kernels/labels/chooseLabel.comp";
+        ShaderDefines defines{{rule, 1}};
+        if (editable)
+            defines.push_back({"EDITABLE", 1});
         known = Program(
-            m_library, ComputeProgramOptions{.label = path, .path = path, .defines = {{rule, 1}}});
+            m_library, ComputeProgramOptions{.label = path, .path = path, .defines = defines});
     }
     return known;
+}
+
+Program& LabelPrograms::scissorsCast()
+{
+    if (!m_scissorsCast) {
+        const char* path = "kernels/labels/scissorsCast.comp";
+        m_scissorsCast =
+            Program(m_library, ComputeProgramOptions{.label = path, .path = path, .defines = {}});
+    }
+    return m_scissorsCast;
 }
 
 std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fields,
@@ -226,23 +329,15 @@ std::vector<std::uint32_t> bricksConcerned(VoxelFields& fields, const core::Labe
         core::bricksMeeting(edit.box.value_or(whole), fields.grid());
     if (edit.how != core::LabelThreshold::How::Subtract)
         return met;
-    // Only where something may be held can it be lost.
-    const std::vector<std::uint32_t> labelled = fields.labelledBricks();
-    const std::vector<std::uint32_t> seeded = fields.seedWords(edit.target.plane).heldBricks();
-    std::vector<std::uint32_t> held;
-    std::set_union(
-        labelled.begin(), labelled.end(), seeded.begin(), seeded.end(), std::back_inserter(held));
-    std::vector<std::uint32_t> both;
-    std::set_intersection(
-        met.begin(), met.end(), held.begin(), held.end(), std::back_inserter(both));
-    return both;
+    return heldAmong(fields, edit.target.plane, met);
 }
 
 std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelThreshold& edit,
     const std::vector<std::uint32_t>& bricks)
 {
-    Program& kernel = programs.following("THRESHOLD");
+    Program& kernel = programs.following("THRESHOLD", edit.editable.has_value());
+    BindEditable editable(programs, fields, edit.editable);
     setCodes(kernel, edit.lowCode, edit.highCode);
     const core::VoxelBox box =
         edit.box.value_or(core::VoxelBox{glm::ivec3(0), fields.grid().volumeSize});
@@ -251,10 +346,44 @@ std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields&
         .set("boxFrom", box.minimum)
         .set("boxTo", box.maximum);
     return label(
-        kernel, fields, before, edit.target, bricks, [&fields](const std::vector<std::uint32_t>&) {
+        kernel, fields, before, edit.target, bricks,
+        [&fields](const std::vector<std::uint32_t>&) {
             fields.codes().bindUnit(0);
             fields.radiation().bindUnit(2);
             fields.codeRanges().bindUnit(3);
+        },
+        &editable);
+}
+
+std::vector<std::uint32_t> bricksConcerned(VoxelFields& fields, const core::LabelScissors& edit)
+{
+    std::vector<std::uint32_t> near = core::bricksNear(edit, fields.grid());
+    return edit.erases() ? heldAmong(fields, edit.target.plane, near) : near;
+}
+
+std::vector<core::BrickKey> writeScissors(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelScissors& edit, const Buffer& reach,
+    const std::vector<std::uint32_t>& bricks)
+{
+    using core::fixedPoint::round14;
+    Program& kernel = programs.following("SCISSORS");
+    setCodes(kernel, edit.lowCode, edit.highCode);
+    setHidden(kernel, edit.frame.hidden);
+    kernel.set("planePerI", round14(edit.frame.planePerI))
+        .set("planePerJ", round14(edit.frame.planePerJ))
+        .set("planePerK", round14(edit.frame.planePerK))
+        .set("pitch", edit.frame.pitch)
+        .set("maskFirst", edit.mask.first)
+        .set("maskSize", edit.mask.size)
+        .set("outside", edit.outside)
+        .set("erases", edit.erases())
+        .set("erased", edit.erased);
+    const BrickPlaces places(edit.frame, fields.grid());
+    return label(
+        kernel, fields, before, edit.target, bricks, [&](const std::vector<std::uint32_t>& listed) {
+            places(listed);
+            reach.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
+            fields.codes().bindUnit(0);
         });
 }
 

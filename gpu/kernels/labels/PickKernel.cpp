@@ -40,13 +40,15 @@ std::vector<std::optional<glm::ivec3>> PickKernel::pick(
     Buffer hitBuffer({.label = "pick hits", .bytes = rays.size() * sizeof(glm::ivec4)});
     fields.codes().bindUnit(0);
     fields.radiation().bindUnit(1);
+    fields.labels(command.plane).bindUnit(2);
     rayBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     hitBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
     opacityBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
     m_pick.set("volumeSize", fields.grid().volumeSize)
         .set("rayCount", unsigned(rays.size()))
         .set("seenBy", int(command.seenBy))
-        .set("thresholdCode", command.thresholdCode);
+        .set("thresholdCode", command.thresholdCode)
+        .set("segments", command.segments);
     m_pick.dispatch({groupsFor(rays.size()), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     std::vector<glm::ivec4> hits(rays.size());

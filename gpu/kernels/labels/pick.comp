@@ -4,6 +4,7 @@ layout(local_size_x = 64) in;
 
 layout(binding = 0) uniform usampler3D codes;
 layout(binding = 1) uniform usampler3D radiation;
+layout(binding = 2) uniform usampler3D labels;
 struct Ray {
     ivec4 origin;   // index16; w: samples
     ivec4 perSample; // index16
@@ -16,6 +17,7 @@ uniform ivec3 volumeSize;
 uniform uint rayCount;
 uniform int seenBy; // core::SeenBy
 uniform int thresholdCode;
+uniform uint segments[8]; // one bit per label
 
 uint codeAt(ivec3 voxel)
 {
@@ -28,6 +30,12 @@ uint radiationAt(ivec3 voxel)
 }
 
 #include "kernels/cut/interpolate.glsl"
+
+bool ofSegments(ivec3 voxel)
+{
+    uint label = texelFetch(labels, voxel, 0).r;
+    return (segments[label >> 5] >> (label & 31u) & 1u) != 0u;
+}
 
 void main()
 {
@@ -46,6 +54,8 @@ void main()
         bool seen = false;
         if (seenBy == 0) {
             seen = material(p, thresholdCode);
+        } else if (seenBy == 3) {
+            seen = ofSegments((p + (1 << 15)) >> 16);
         } else {
             uint code = interpolatedCode(p);
             if (carved(p))

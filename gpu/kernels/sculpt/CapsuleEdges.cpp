@@ -59,7 +59,7 @@ void CapsuleKernel::paintMembers(const core::PaintLabel& paint)
     const auto write = [&] {
         const Buffer buffer = bufferOf("brush members", members);
         buffer.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
-        writeLabels(m_programs.paintMembers(), paint.plane, paint.seeds && !paint.erase, batch, {});
+        writeLabels(painting(paint), paint.plane, paint.seeds && !paint.erase, batch, {});
         batch = {};
         members.clear();
     };

@@ -58,11 +58,12 @@ std::vector<std::uint32_t> withoutPage(
 } // namespace
 
 CapsulePrograms::CapsulePrograms(const ShaderLibrary& library)
-    : paint(program(library, "kernels/sculpt/capsulePaint.comp"))
-    , barrier(program(library, "kernels/sculpt/capsuleBarrier.comp"))
+    : barrier(program(library, "kernels/sculpt/capsuleBarrier.comp"))
     , cut(program(library, "kernels/sculpt/capsuleCut.comp"))
     , m_library(library)
+    , m_editable(library)
 {
+    m_paint[0] = program(library, "kernels/sculpt/capsulePaint.comp");
 }
 
 Program& CapsulePrograms::givingBarrier()
@@ -80,11 +81,18 @@ Program& CapsulePrograms::alike()
     return m_alike;
 }
 
-Program& CapsulePrograms::paintMembers()
+Program& CapsulePrograms::paint(bool members, bool editable)
 {
-    if (!m_paintMembers)
-        m_paintMembers = program(m_library, "kernels/sculpt/capsulePaint.comp", {{"MEMBERS", 1}});
-    return m_paintMembers;
+    Program& painting = m_paint.at((members ? 1u : 0u) + (editable ? 2u : 0u));
+    if (!painting) {
+        ShaderDefines defines;
+        if (members)
+            defines.push_back({"MEMBERS", 1});
+        if (editable)
+            defines.push_back({"EDITABLE", 1});
+        painting = program(m_library, "kernels/sculpt/capsulePaint.comp", defines);
+    }
+    return painting;
 }
 
 CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
@@ -95,10 +103,10 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
     , m_edit(paint)
     , m_frame(paint.frame)
 {
-    Program& painting = paint.edges ? m_programs.paintMembers() : m_programs.paint;
-    setFrame(painting);
+    Program& program = painting(paint);
+    setFrame(program);
     const bool none = paint.lowCode > paint.highCode || paint.highCode < 0;
-    painting.set("label", unsigned(paint.label))
+    program.set("label", unsigned(paint.label))
         .set("overwritable", paint.overwritable)
         .set("erase", paint.erase)
         .set("seeds", paint.seeds)
@@ -155,6 +163,11 @@ void CapsuleKernel::setFrame(Program& each) const
         .set("radius", m_frame.radius)
         .set("reach", m_frame.reach)
         .set("shift", m_frame.shift);
+}
+
+Program& CapsuleKernel::painting(const core::PaintLabel& paint) const
+{
+    return m_programs.paint(paint.edges.has_value(), paint.editable.has_value());
 }
 
 core::Result<void> CapsuleKernel::extend(const core::EngineExtension& extension)
@@ -277,7 +290,7 @@ void CapsuleKernel::write(const core::PaintLabel& paint, const Candidates& candi
         findAlike(candidates, capsules);
     else
         writeLabels(
-            m_programs.paint, paint.plane, paint.seeds && !paint.erase, candidates, capsules);
+            painting(paint), paint.plane, paint.seeds && !paint.erase, candidates, capsules);
 }
 
 void CapsuleKernel::write(const core::PaintBarrier& barrier, const Candidates& candidates,
@@ -303,6 +316,12 @@ void CapsuleKernel::writeLabels(Program& program, std::uint8_t plane, bool newWo
     if (newWords) {
         fresh = withoutPage(seedWords, candidates.bricks);
         seedWords.ensure(fresh);
+    }
+    Buffer editable;
+    const auto* paint = std::get_if<core::PaintLabel>(&m_edit);
+    if (paint && paint->editable) {
+        editable = m_programs.editable().find(*paint->editable, m_fields, candidates.bricks);
+        editable.bindBase(GL_SHADER_STORAGE_BUFFER, EditableBits::binding);
     }
     m_fields.codes().bindUnit(0);
     seedWords.pageTable().bindUnit(1);

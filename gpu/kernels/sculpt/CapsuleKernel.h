@@ -7,8 +7,10 @@
 #include "core/sculpt/EdgeRegion.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
+#include "gpu/kernels/labels/EditableBits.h"
 #include "gpu/kernels/work/EditWork.h"
 
+#include <array>
 #include <optional>
 #include <set>
 #include <variant>
@@ -22,22 +24,25 @@ struct CapsulePrograms {
     /// @param library outlives the programs
     explicit CapsulePrograms(const ShaderLibrary& library);
 
-    Program paint;
     Program barrier;
     Program cut;
     /// The kernel of barriers that also restores labels kept as overwritten; compiled when it is
     /// first needed.
     [[nodiscard]] Program& givingBarrier();
-    /// Of a brush that follows edges, also compiled when they are first needed: which voxels are
-    /// alike (capsuleAlike.comp), and the kernel that paints its members.
+    /// Of a brush that follows edges, also compiled when it is first needed: which voxels are
+    /// alike (capsuleAlike.comp).
     [[nodiscard]] Program& alike();
-    [[nodiscard]] Program& paintMembers();
+    /// The kernel that paints; those for the members of a brush that follows edges, and for strokes
+    /// that must leave some voxels alone, are compiled when they are first needed, too.
+    [[nodiscard]] Program& paint(bool members, bool editable);
+    [[nodiscard]] EditableBits& editable() { return m_editable; }
 
 private:
     const ShaderLibrary& m_library;
     Program m_givingBarrier;
     Program m_alike;
-    Program m_paintMembers;
+    std::array<Program, 4> m_paint; ///< members: 1, editable: 2
+    EditableBits m_editable;
 };
 
 /// One stroke of a brush while the pen is down: it paints a label (PaintLabel), closes voxels to
@@ -84,6 +89,7 @@ private:
     [[nodiscard]] bool nothingFor(const core::CapsuleCut& cut, std::uint32_t brick) const;
     [[nodiscard]] bool has(core::Field field, std::uint8_t plane, std::uint32_t brick) const;
     void setFrame(Program& program) const;
+    [[nodiscard]] Program& painting(const core::PaintLabel& paint) const;
     /// Runs a kernel whose textures are bound; returns its flag for each candidate.
     [[nodiscard]] std::vector<std::uint32_t> run(
         Program& program, const Candidates& candidates, const std::vector<core::Capsule>& capsules);

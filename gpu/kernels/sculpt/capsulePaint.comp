@@ -1,6 +1,7 @@
 // Paints or erases a label in the candidate bricks of a brush (PaintLabel in
 // core/engine/LabelCommands.h). One work-group per brick; each voxel is written by one invocation.
 // With MEMBERS it does so where bits say so, those of the members of a brush that follows edges.
+// With EDITABLE it leaves alone what bits do not allow (core/sculpt/labels/EditableVoxels.h).
 
 layout(local_size_x = 64) in;
 
@@ -20,6 +21,9 @@ uniform bool seeds;
 uniform uint lowCode;
 uniform uint highCode;
 
+#ifdef EDITABLE
+layout(binding = 7, std430) readonly buffer Editable { uint editable[]; }; // EditableBits.h
+#endif
 #ifdef MEMBERS
 layout(binding = 4, std430) readonly buffer Members { uint members[]; };
 #endif
@@ -57,6 +61,16 @@ bool isChosen(Candidate candidate, int offset)
 #endif
 }
 
+bool isEditable(int offset)
+{
+#ifdef EDITABLE
+    uint word = editable[gl_WorkGroupID.x * 128u + uint(offset >> 5)];
+    return (word >> uint(offset & 31) & 1u) != 0u;
+#else
+    return true;
+#endif
+}
+
 void main()
 {
     Candidate candidate = candidates[gl_WorkGroupID.x];
@@ -65,7 +79,7 @@ void main()
     uint found = 0u;
     for (int offset = int(gl_LocalInvocationID.x); offset < 4096; offset += 64) {
         ivec3 voxel = origin + voxelInBrick(offset);
-        if (!inside(voxel, volumeSize) || !isChosen(candidate, offset))
+        if (!inside(voxel, volumeSize) || !isChosen(candidate, offset) || !isEditable(offset))
             continue;
         uint code = texelFetch(codes, voxel, 0).r;
         if (code < lowCode || code > highCode)

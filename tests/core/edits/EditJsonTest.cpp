@@ -4,8 +4,11 @@
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
@@ -170,11 +173,32 @@ private Q_SLOTS:
         QCOMPARE(quantised(*grown).get<ReshapeSegment>().mm, 1.5);
         QVERIFY(shell->get<ReshapeSegment>().operation == ShapeOperation::Hollow);
         QVERIFY(shell->get<ReshapeSegment>().shell == ShellPlace::Outside);
-        for (const char* operation : {"shrink", "open", "close", "median"})
+        const Result<Edit> sided =
+            editFromJson(parse("{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':3,"
+                               "'leftMm':0,'superiorMm':4.00001}"));
+        QVERIFY(sided);
+        const SideMargins sides = quantised(*sided).get<ReshapeSegment>().sides;
+        QCOMPARE(sides.leftMm.value_or(-1.0), 0.0);
+        QCOMPARE(sides.superiorMm.value_or(-1.0), 4.0);
+        const Result<Edit> joint =
+            editFromJson(parse("{'edit':'reshapeSegment','segment':2,'operation':'gaussian','mm':1,"
+                               "'with':[1,5]}"));
+        QVERIFY(joint);
+        QCOMPARE(joint->get<ReshapeSegment>().with.value_or(std::vector<int>()),
+            (std::vector<int>{1, 5}));
+        QVERIFY(!sides.rightMm && !sides.anteriorMm && !sides.posteriorMm && !sides.inferiorMm);
+        for (const char* operation : {"shrink", "open", "close", "median", "wrap", "gaussian"})
             QVERIFY(
                 editFromJson(parse(qPrintable(QStringLiteral("{'edit':'reshapeSegment','segment':2,"
                                                              "'operation':'%1','mm':2}")
                                                   .arg(QLatin1String(operation))))));
+        const Result<Edit> mirror =
+            editFromJson(parse("{'edit':'mirrorSegment','segment':2,'sides':'inferiorSuperior',"
+                               "'placeLps':[1,2,3.00001],'keep':true}"));
+        QVERIFY(mirror);
+        QVERIFY(mirror->get<MirrorSegment>().sides == MirroredSides::InferiorSuperior);
+        QVERIFY(mirror->get<MirrorSegment>().keep);
+        QVERIFY(quantised(*mirror).get<MirrorSegment>().placeLps == glm::dvec3(1.0, 2.0, 3.0));
         const Result<Edit> between =
             editFromJson(parse("{'edit':'fillBetweenSlices','segment':2}"));
         const Result<Edit> across =
@@ -182,6 +206,15 @@ private Q_SLOTS:
         QVERIFY(between && across);
         QVERIFY(!between->get<FillBetweenSlices>().axis);
         QVERIFY(across->get<FillBetweenSlices>().axis == SliceAxis::J);
+        const Result<Edit> contour = editFromJson(parse("{'edit':'evolveContour','segment':2}"));
+        const Result<Edit> bubble = editFromJson(
+            parse("{'edit':'evolveContour','segment':2,'lower':1,'edge':50,'edgeGradient':30,"
+                  "'bubbleLps':[1,2,3],'bubbleMm':4,'generations':7}"));
+        QVERIFY(contour && bubble);
+        QVERIFY(contour->get<EvolveContour>() == EvolveContour{.segment = 2});
+        QVERIFY(bubble->get<EvolveContour>().bubbleLps == glm::dvec3(1.0, 2.0, 3.0));
+        QCOMPARE(bubble->get<EvolveContour>().generations, 7);
+        QVERIFY(bubble->get<EvolveContour>().lower == 1.0 && !bubble->get<EvolveContour>().upper);
         const Result<Edit> flood = editFromJson(parse("{'edit':'floodFill','segment':2,"
                                                       "'placeLps':[1,2,3],'tolerance':40}"));
         const Result<Edit> away =
@@ -229,7 +262,7 @@ private Q_SLOTS:
         QVERIFY(!editToJson(*distance).contains(QStringLiteral("projected")));
         for (const Edit& edit : {*angle, *note, *onSlab, *distance, *carved, *seen, *inverted,
                  *cleaned, *given, *merged, *swapped, *grown, *shell, *between, *across, *flood,
-                 *away, *threshold, *everything})
+                 *contour, *bubble, *away, *threshold, *everything})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -245,17 +278,28 @@ private Q_SLOTS:
                 "{'edit':'combineSegments','segment':2,'how':'merge'}",
                 "{'edit':'combineSegments','segment':2,'with':0,'how':'merge'}",
                 "{'edit':'combineSegments','segment':2,'with':1,'how':'subtract'}",
+                "{'edit':'mirrorSegment','segment':2}",
+                "{'edit':'mirrorSegment','segment':2,'sides':'upDown'}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow'}",
                 "{'edit':'reshapeSegment','segment':2,'mm':1}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':0}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':100.5}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'polish','mm':1}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'grow','mm':1,'leftMm':-1}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'gaussian','mm':1,'with':[5,1]}",
+                "{'edit':'reshapeSegment','segment':2,'operation':'gaussian','mm':1,'with':[]}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'hollow','mm':1,'shell':'on'}",
                 "{'edit':'floodFill','segment':2,'placeLps':[1,2,3]}",
                 "{'edit':'floodFill','segment':2,'tolerance':1}",
                 "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'tolerance':-1}",
                 "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'erase':true,'tolerance':1}",
                 "{'edit':'floodFill','segment':2,'placeLps':[1,2,3],'tolerance':1,'within':'x'}",
+                "{'edit':'evolveContour','segment':2,'smoothness':101}",
+                "{'edit':'evolveContour','segment':2,'edge':10}",
+                "{'edit':'evolveContour','segment':2,'edgeGradient':10}",
+                "{'edit':'evolveContour','segment':2,'bubbleMm':10}",
+                "{'edit':'evolveContour','segment':2,'bubbleLps':[1,2,3]}",
+                "{'edit':'evolveContour','segment':2,'generations':0}",
                 "{'edit':'fillBetweenSlices'}",
                 "{'edit':'fillBetweenSlices','segment':2,'axis':'axial'}",
                 "{'edit':'fillBetweenSlices','segment':2,'axis':1}", "{'edit':'thresholdSegment'}",
@@ -380,6 +424,44 @@ private Q_SLOTS:
             QVERIFY2(!editFromJson(parse(
                          qPrintable(QStringLiteral("{%1,%2}").arg(known, QLatin1String(wrong))))),
                 wrong);
+    }
+
+    void readsSegmentScissors()
+    {
+        const QString known = QStringLiteral(
+            "'edit':'segmentScissors','segment':2,'view':{'eyeLps':[0,-300,0],'targetLps':[0,0,0],"
+            "'up':[0,0,1],'heightMm':200},'polygonMm':[[0,0],[4,0.0001],[-1,3]]");
+        const auto read = [&known](const char* rest) {
+            return editFromJson(
+                parse(qPrintable(QStringLiteral("{%1%2}").arg(known, QLatin1String(rest)))));
+        };
+        const Result<Edit> plain = read("");
+        QVERIFY(plain);
+        const auto& filling = plain->get<SegmentScissors>();
+        QCOMPARE(filling.segment, 2);
+        QVERIFY(filling.view.eyeLps == glm::dvec3(0.0, -300.0, 0.0));
+        QVERIFY(!filling.erase && !filling.outside && !filling.depthMm && !filling.others);
+        QVERIFY(!filling.lower && !filling.upper && !filling.overwriteUnlocked && !filling.hidden);
+        QCOMPARE(quantised(*plain).get<SegmentScissors>().polygonMm.at(1).y, 0.0);
+        const Result<Edit> deep =
+            read(",'erase':true,'depthMm':12.5,'others':[1,5],'lower':-5,'upper':7");
+        QVERIFY(deep);
+        const auto& erasing = deep->get<SegmentScissors>();
+        QVERIFY(erasing.erase && erasing.depthMm == 12.5);
+        QVERIFY(erasing.others == (std::vector<int>{1, 5}));
+        QVERIFY(erasing.lower == -5.0 && erasing.upper == 7.0);
+        const Result<Edit> beside = read(",'outside':true,'overwriteUnlocked':true,"
+                                         "'hidden':[[0,0,1,5]]");
+        QVERIFY(beside);
+        QVERIFY(beside->get<SegmentScissors>().outside);
+        QVERIFY(beside->get<SegmentScissors>().overwriteUnlocked);
+        QCOMPARE(beside->get<SegmentScissors>().hidden->size(), std::size_t(1));
+        for (const Edit& edit : {*plain, *deep, *beside})
+            QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
+        for (const char* wrong :
+            {",'outside':true,'depthMm':3", ",'others':[1]", ",'erase':true,'others':[5,1]",
+                ",'erase':true,'overwriteUnlocked':true", ",'depthMm':-1", ",'layer':1"})
+            QVERIFY2(!read(wrong), wrong);
     }
 
     void readsBrushes()

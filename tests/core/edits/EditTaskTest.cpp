@@ -70,9 +70,24 @@ private Q_SLOTS:
         QVERIFY(effectsOf(flood).boundToStudy); // it names a place
         flood.erase = true;
         QVERIFY(!effectsOf(flood).fills.label && effectsOf(flood).writesTo == 5);
+        MirrorSegment mirror{.segment = 2};
+        QVERIFY(effectsOf(mirror).fills.label == 2 && effectsOf(mirror).writesTo == 2);
+        QVERIFY(!effectsOf(mirror).boundToStudy);
+        mirror.placeLps = glm::dvec3(0.0);
+        QVERIFY(effectsOf(mirror).boundToStudy); // it names a place
         const FillBetweenSlices between{.segment = 3};
         QVERIFY(effectsOf(between).fills.label == 3 && effectsOf(between).writesTo == 3);
         QVERIFY(!effectsOf(between).boundToStudy);
+        SegmentScissors scissors{.segment = 6};
+        QVERIFY(effectsOf(scissors).fills.label == 6 && effectsOf(scissors).writesTo == 6);
+        QVERIFY(effectsOf(scissors).boundToStudy); // it names places
+        scissors.erase = true;
+        QVERIFY(!effectsOf(scissors).fills.label && effectsOf(scissors).writesTo == 6);
+        EvolveContour contour{.segment = 4};
+        QVERIFY(effectsOf(contour).fills.label == 4 && effectsOf(contour).writesTo == 4);
+        QVERIFY(!effectsOf(contour).boundToStudy);
+        contour.bubbleLps = glm::dvec3(0.0);
+        QVERIFY(effectsOf(contour).boundToStudy); // it names a place
         ThresholdSegment threshold{.segment = 5};
         QVERIFY(effectsOf(threshold).fills.label == 5 && effectsOf(threshold).writesTo == 5);
         QVERIFY(!effectsOf(threshold).boundToStudy && effectsOf(threshold).standsOpen);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
-#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/DelayedEngine.h"

@@ -65,11 +65,14 @@ private Q_SLOTS:
         kinds.insert(editPlace<Annotate>);
         kinds.insert(editPlace<CleanSegment>);
         kinds.insert(editPlace<CombineSegments>);
+        kinds.insert(editPlace<EvolveContour>);
         kinds.insert(editPlace<FillBetweenSlices>);
         kinds.insert(editPlace<FloodFill>);
         kinds.insert(editPlace<FillOutline>);
+        kinds.insert(editPlace<MirrorSegment>);
         kinds.insert(editPlace<MoveMeasurement>);
         kinds.insert(editPlace<ReshapeSegment>);
+        kinds.insert(editPlace<SegmentScissors>);
         kinds.insert(editPlace<ThresholdSegment>);
         QCOMPARE(kinds.size(), AllEdits::count);
     }

@@ -6,6 +6,7 @@
 #include "core/edits/kinds/layers/RemoveLayer.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/session/EditSession.h"
@@ -17,6 +18,8 @@
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
+
+#include <algorithm>
 
 namespace layerPassagesTest {
 
@@ -128,6 +131,28 @@ private Q_SLOTS:
         const std::vector<std::uint8_t> covered = bench.coverage(2);
         for (std::size_t i = 0; i < labels.size(); ++i)
             QCOMPARE(int(covered[i]), labels[i] == 1 ? 255 : 0);
+    }
+
+    /// All but a segment is carved, to the corners of the volume; what is protected is not.
+    void allButASegmentIsCarved()
+    {
+        Bench bench({drillInto(1), LayerToSegment{.layer = 1, .target = toNew}});
+        bench.run(second);
+        bench.run(test::addSegment("Spared"));
+        bench.run(test::paintAt(2, test::pointsInBone(), 1.5));
+        bench.run(ChangeSegment{.segment = 2, .uncarvable = true});
+        bench.run(SegmentToLayer{.segment = 1, .layer = 2, .outside = true});
+        QVERIFY2(bench.lastName().startsWith(
+                     QStringLiteral("All but segment 'Carved' to layer 'Approach', ")),
+            qPrintable(bench.lastName()));
+        const std::vector<std::uint8_t> labels = bench.labels();
+        const std::vector<std::uint8_t> covered = bench.coverage(2);
+        QVERIFY(std::count(labels.begin(), labels.end(), 2) > 0);
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            QCOMPARE(int(covered[i]), labels[i] == 0 ? 255 : 0);
+        QVERIFY(bench.session->undo() && bench.session->settle());
+        const std::vector<std::uint8_t> before = bench.coverage(2);
+        QVERIFY(std::all_of(before.begin(), before.end(), [](int each) { return each == 0; }));
     }
 
     void othersKeepTheirVoxels()

@@ -61,8 +61,26 @@ private Q_SLOTS:
                 "cleanSegment keep largest", "cleanSegment remove small",
                 "cleanSegment keep clicked", "cleanSegment remove clicked",
                 "cleanSegment give clicked", "fillOutline", "reshapeSegment", "fillBetweenSlices",
-                "floodFill", "thresholdSegment", "undo", "redo", "goTo", "reopen", "given up"})
+                "floodFill", "thresholdSegment", "segmentScissors", "mirrorSegment",
+                "evolveContour", "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done[QLatin1String(kind)] > 0, kind);
+    }
+
+    /// Edits of labels that keep to an editable range, in histories of their own.
+    void withEditableRanges_data()
+    {
+        QTest::addColumn<uint>("seed");
+        const bool isLong = qEnvironmentVariableIsSet("BURIN_LONG");
+        for (uint seed = 101; seed < (isLong ? 111u : 102u); ++seed)
+            QTest::addRow("seed %u", seed) << seed;
+    }
+    void withEditableRanges()
+    {
+        QFETCH(uint, seed);
+        reference::ReferenceEngine engine;
+        test::RandomHistory history = test::runRandomHistory(engine, 200, seed, {}, true);
+        QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
+        QVERIFY(history.done[QStringLiteral("editable")] > 3);
     }
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
@@ -220,6 +221,23 @@ private Q_SLOTS:
                    .shell = ShellPlace::Outside}
             << qint64(4 * 12 * 8)
             << QStringLiteral("Hollow 'Matter 1', 1 mm outside its border, +384 −1 152 voxels");
+        // Only to the left, which is along x.
+        QTest::newRow("by sides") << ReshapeSegment{.segment = 1,
+            .mm = 3.0,
+            .sides = {.rightMm = 0.0,
+                .anteriorMm = 0.0,
+                .posteriorMm = 0.0,
+                .inferiorMm = 0.0,
+                .superiorMm = 0.0}}
+                                  << qint64(blockVoxels + 3 * 12 * 8)
+                                  << QStringLiteral(
+                                         "Grow 'Matter 1' by margins of up to 3 mm, +288 voxels");
+        // The four edges along z, each of 8 voxels, have less than one half.
+        QTest::newRow("Gaussian") << ReshapeSegment{.segment = 1,
+            .operation = ShapeOperation::Gaussian,
+            .mm = 1.0} << qint64(blockVoxels - 4 * 8)
+                                  << QStringLiteral(
+                                         "Smooth 'Matter 1' by a Gaussian of 1 mm, −32 voxels");
         QTest::newRow("open") << ReshapeSegment{.segment = 1, .operation = Open, .mm = 20.0}
                               << qint64(0)
                               << QStringLiteral("Open 'Matter 1' by 20 mm, −1 152 voxels");
@@ -289,9 +307,9 @@ private Q_SLOTS:
         const ImportMask matter = randomMatter(random);
         Bench bench(false, matter);
         const std::size_t begun = bench.rows().size();
-        for (int step = 0; step < 8; ++step) {
+        for (int step = 0; step < 10; ++step) {
             ReshapeSegment edit{.segment = 1 + int(random() % 2)};
-            edit.operation = ShapeOperation(step % 6);
+            edit.operation = ShapeOperation(step % 8);
             edit.mm = double(1024 + random() % 3000) / 1024.0;
             if (edit.operation == ShapeOperation::Hollow)
                 edit.shell = ShellPlace(random() % 3);
@@ -322,6 +340,49 @@ private Q_SLOTS:
         QCOMPARE(anew.session->stateHash(), bench.session->stateHash());
     }
 
+    /// Two blocks that touch: their common border stays closed, the outer edges are rounded, undo
+    /// brings all back, and a locked one is left out of it.
+    void smoothedTogether()
+    {
+        VoxelRuns left;
+        VoxelRuns right;
+        for (int z = 10; z < 18; ++z) {
+            for (int y = 10; y < 22; ++y) {
+                left.append(indexOf({10, y, z}), y % 2 == 0 ? 6 : 7);
+                right.append(indexOf({y % 2 == 0 ? 16 : 17, y, z}), y % 2 == 0 ? 7 : 6);
+            }
+        }
+        for (const bool delayed : {false, true}) {
+            Bench bench(delayed, importOf({left, right}));
+            const Labels before = bench.labels();
+            const QByteArray hash = bench.session->stateHash();
+            const ReshapeSegment joint{.segment = 1,
+                .operation = ShapeOperation::Gaussian,
+                .mm = 1.0,
+                .with = std::vector<int>{2}};
+            QCOMPARE(bench.tried(joint), QString());
+            QVERIFY(bench.rows().back().name.startsWith(
+                QStringLiteral("Smooth 'Matter 1' and others together by a Gaussian of 1 mm, ")));
+            const Labels after = bench.labels();
+            for (int z = 12; z < 16; ++z) {
+                for (int y = 13; y < 19; ++y) {
+                    // The teeth are one voxel long; none of their voxels is nobody's, and within
+                    // one voxel of them no border has moved farther.
+                    QVERIFY(after[indexOf({16, y, z})] == 1 || after[indexOf({16, y, z})] == 2);
+                    QCOMPARE(int(after[indexOf({15, y, z})]), 1);
+                    QCOMPARE(int(after[indexOf({17, y, z})]), 2);
+                }
+            }
+            QCOMPARE(int(after[indexOf({10, 10, 10})]), 0);
+            QCOMPARE(int(after[indexOf({22, 10, 10})]), 0);
+            QVERIFY(bench.session->undo() && bench.session->settle());
+            QVERIFY(bench.labels() == before);
+            QCOMPARE(bench.session->stateHash(), hash);
+            QCOMPARE(bench.tried(ChangeSegment{.segment = 2, .locked = true}), QString());
+            QVERIFY(!bench.tried(joint).isEmpty());
+        }
+    }
+
     /// Nothing is taken from a segment that is there already, locked or not.
     void othersKeepTheirVoxels()
     {
@@ -349,6 +410,19 @@ private Q_SLOTS:
         refused({.segment = 1, .mm = -1.0}, "mm");
         refused({.segment = 1, .mm = 5000.0}, "mm");
         refused({.segment = 1, .mm = 1.0, .shell = ShellPlace::Inside}, "shell");
+        const auto sidesAreRefused = [&](ShapeOperation operation, const SideMargins& sides) {
+            refused({.segment = 1, .operation = operation, .mm = 1.0, .sides = sides}, "sides");
+        };
+        refused({.segment = 1, .mm = 1.0, .with = std::vector<int>{1}}, "with");
+        refused({.segment = 1,
+                    .operation = ShapeOperation::Gaussian,
+                    .mm = 1.0,
+                    .with = std::vector<int>{1}},
+            "with");
+        sidesAreRefused(ShapeOperation::Open, {.leftMm = 1.0});
+        sidesAreRefused(ShapeOperation::Grow, {.leftMm = -1.0});
+        sidesAreRefused(ShapeOperation::Grow, {.superiorMm = 5000.0});
+        sidesAreRefused(ShapeOperation::Shrink, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
         // Of a ball that is allowed, voxels may be too many.
         Document fine = bench.session->document();
         fine.volumes.front().geometry.indexToWorld = glm::dmat4(glm::dmat3(0.01));

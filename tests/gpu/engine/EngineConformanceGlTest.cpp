@@ -85,7 +85,8 @@ const std::vector<EngineCase>& EngineConformanceGlTest::cases()
                 test::layerCases(all ? 300 : 12), test::capsuleCases(all ? 400 : 20),
                 test::layerWriteCases(all ? 400 : 20), test::relabelCases(all ? 400 : 20),
                 test::outlineCases(all ? 400 : 20), test::thresholdCases(all ? 400 : 20),
-                test::mapCases(all ? 400 : 20), test::barrierCases(all ? 400 : 20),
+                test::segmentScissorsCases(all ? 400 : 24), test::mapCases(all ? 400 : 20),
+                test::editableCases(all ? 400 : 24), test::barrierCases(all ? 400 : 20),
                 test::protectedCases(all ? 200 : 20), test::spreadCases(all ? 400 : 20),
                 test::toleranceCases(all ? 300 : 16), test::refusalCases()})
             made.insert(made.end(), more.begin(), more.end());

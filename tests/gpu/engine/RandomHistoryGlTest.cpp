@@ -35,6 +35,16 @@ private Q_SLOTS:
         QCOMPARE(test::runRandomHistory(oracle, commands, seed).hashes, history.hashes);
     }
 
+    void withEditableRanges()
+    {
+        const int commands = test::longRun() ? 400 : 80;
+        const test::RandomHistory history =
+            test::runRandomHistory(m_gpu.engine(), commands, 103, {}, true);
+        QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
+        reference::ReferenceEngine oracle;
+        QCOMPARE(test::runRandomHistory(oracle, commands, 103, {}, true).hashes, history.hashes);
+    }
+
 private:
     test::EditEngineFixture m_gpu;
 };

@@ -183,8 +183,9 @@ std::vector<EngineCase> cases()
              test::carveCases(count), test::pickCases(count), test::eraseCases(count),
              test::layerCases(count), test::capsuleCases(count), test::layerWriteCases(count),
              test::relabelCases(count), test::outlineCases(count), test::thresholdCases(count),
-             test::mapCases(count), test::barrierCases(count), test::protectedCases(count),
-             test::spreadCases(count), test::toleranceCases(count)})
+             test::segmentScissorsCases(count), test::mapCases(count), test::barrierCases(count),
+             test::protectedCases(count), test::spreadCases(count), test::toleranceCases(count),
+             test::editableCases(count)})
         made.insert(made.end(), more.begin(), more.end());
     if (test::longRun())
         return made;

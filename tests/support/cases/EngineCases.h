@@ -46,6 +46,10 @@ void appendSeeds(std::vector<EngineStep>& steps, core::SeedPlacement seeds, int 
 [[nodiscard]] std::vector<EngineCase> outlineCases(int randomCount);
 /// Labels given and taken by values.
 [[nodiscard]] std::vector<EngineCase> thresholdCases(int randomCount);
+/// Labels given and taken under a curve on a view.
+[[nodiscard]] std::vector<EngineCase> segmentScissorsCases(int randomCount);
+/// Edits of labels that may change only some voxels.
+[[nodiscard]] std::vector<EngineCase> editableCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> mapCases(int randomCount); ///< whole labels for others
 [[nodiscard]] std::vector<EngineCase> barrierCases(int randomCount); ///< voxels closed to growth
 /// Protected labels, for every tool that carves.

@@ -3,7 +3,10 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
@@ -46,6 +49,7 @@
 #include "core/growth/SeedWord.h"
 #include "core/sessionfile/records/StateHash.h"
 #include "tests/reference/BetweenSlices.h"
+#include "tests/reference/Contour.h"
 #include "tests/reference/ElementPlane.h"
 #include "tests/reference/FloodFill.h"
 #include "tests/reference/ReferenceEngine.h"
@@ -123,12 +127,21 @@ bool changesLabels(const Edit& edit)
         || edit.is<RemoveSegment>() || edit.is<LayerToSegment>() || edit.is<SegmentSeen>()
         || edit.is<ImportMask>() || edit.is<InvertSegment>() || edit.is<CombineSegments>()
         || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>()
-        || edit.is<FillBetweenSlices>() || edit.is<FloodFill>() || edit.is<ThresholdSegment>();
+        || edit.is<FillBetweenSlices>() || edit.is<FloodFill>() || edit.is<ThresholdSegment>()
+        || edit.is<SegmentScissors>() || edit.is<MirrorSegment>() || edit.is<EvolveContour>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
 {
     return (key.field == Field::Coverage) == coverage;
+}
+
+/// Whom it gives to and what it may change; not which voxels are meant.
+RelabelListed withoutBricks(Result<RelabelListed> relabel)
+{
+    RelabelListed like = std::move(relabel).value();
+    like.bricks.clear();
+    return like;
 }
 
 /// Of a member.
@@ -212,7 +225,7 @@ HistoryTruth::Bricks HistoryTruth::cleaned(
 {
     const std::vector<std::uint8_t> labels = labelsOf(before);
     const bool gives = edit.rule == IslandRule::FillHoles || edit.rule == IslandRule::GiveClicked;
-    return relabelled(before, relabelListed(edit, document, labels, {}).value().target,
+    return relabelled(before, withoutBricks(relabelListed(edit, document, labels, {})),
         islandVoxels(edit, m_study.volume.geometry, labels),
         gives ? RelabelListed::give : RelabelListed::take);
 }
@@ -221,7 +234,7 @@ HistoryTruth::Bricks HistoryTruth::filledBetween(
     const Bricks& before, const FillBetweenSlices& edit, const Document& document) const
 {
     const std::vector<std::uint8_t> labels = labelsOf(before);
-    return relabelled(before, relabelListed(edit, document, labels, {}).value().target,
+    return relabelled(before, withoutBricks(relabelListed(edit, document, labels, {})),
         reference::voxelsBetween(
             labels, m_study.volume.geometry, std::uint8_t(edit.segment), edit.axis),
         RelabelListed::give);
@@ -233,15 +246,36 @@ HistoryTruth::Bricks HistoryTruth::flooded(
     const LabelTarget target = labelTarget(
         {.segment = edit.segment, .name = {}}, edit.overwriteUnlocked && !edit.erase, document)
                                    .value();
-    return relabelled(before, target, reference::floodedVoxels(edit, m_study, labelsOf(before)),
+    const RelabelListed like{
+        .target = target, .editable = editableVoxels(edit.editable, document, "floodFill").value()};
+    return relabelled(before, like, reference::floodedVoxels(edit, m_study, labelsOf(before)),
         edit.erase ? RelabelListed::take : RelabelListed::give);
 }
 
-HistoryTruth::Bricks HistoryTruth::relabelled(const Bricks& before, const LabelTarget& target,
+HistoryTruth::Bricks HistoryTruth::evolved(
+    const Bricks& before, const EvolveContour& edit, const Document& document) const
+{
+    const LabelTarget target =
+        labelTarget({.segment = edit.segment, .name = {}}, edit.overwriteUnlocked, document)
+            .value();
+    const std::vector<std::uint8_t> labels = labelsOf(before);
+    std::vector<bool> gained = reference::evolvedContour(edit, contourRule(edit, document).value(),
+        m_study, labels, [&](int label) { return target.overwritable[std::size_t(label)]; });
+    std::vector<bool> lost(gained.size(), false);
+    for (std::size_t voxel = 0; voxel < gained.size(); ++voxel) {
+        const bool isOwn = labels[voxel] == edit.segment;
+        lost[voxel] = isOwn && !gained[voxel];
+        gained[voxel] = gained[voxel] && !isOwn;
+    }
+    const RelabelListed like{.target = target};
+    return relabelled(
+        relabelled(before, like, lost, RelabelListed::take), like, gained, RelabelListed::give);
+}
+
+HistoryTruth::Bricks HistoryTruth::relabelled(const Bricks& before, RelabelListed like,
     const std::vector<bool>& meant, std::uint8_t asked) const
 {
     const glm::ivec3& size = m_study.volume.geometry.size;
-    RelabelListed relabel{.target = target};
     const BrickGrid grid{size};
     std::map<std::uint32_t, std::vector<std::uint8_t>> bricks;
     std::size_t at = 0;
@@ -258,8 +292,8 @@ HistoryTruth::Bricks HistoryTruth::relabelled(const Bricks& before, const LabelT
         }
     }
     for (const auto& [brick, each] : bricks)
-        relabel.bricks.push_back({brick, each});
-    return after(before, relabel, {}, nullptr);
+        like.bricks.push_back({brick, each});
+    return after(before, like, {}, nullptr);
 }
 
 std::vector<RowId> HistoryTruth::standingAt(RowId row) const
@@ -384,14 +418,24 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return filledBetween(before, *between, document);
     if (const auto* flood = edit.as<FloodFill>())
         return flooded(before, *flood, document);
+    if (const auto* contour = edit.as<EvolveContour>())
+        return evolved(before, *contour, document);
     if (const auto* outline = edit.as<FillOutline>())
         return after(before, *labelOutlined(*outline, document), {}, nullptr);
     if (const auto* threshold = edit.as<ThresholdSegment>())
         return after(before, *labelThreshold(*threshold, document), {}, nullptr, &document);
-    // What a ball does to a segment is another test's matter; here from which labels, and when.
-    if (const auto* reshape = edit.as<ReshapeSegment>())
+    if (const auto* scissors = edit.as<SegmentScissors>())
+        return after(before, *labelScissors(*scissors, document), {}, nullptr);
+    if (const auto* mirror = edit.as<MirrorSegment>())
         return after(
-            before, *relabelListed(*reshape, document, labelsOf(before), Progress()), {}, nullptr);
+            before, *relabelListed(*mirror, document, labelsOf(before), Progress()), {}, nullptr);
+    // What a ball does to a segment is another test's matter; here from which labels, and when.
+    if (const auto* reshape = edit.as<ReshapeSegment>()) {
+        const std::vector<std::uint8_t> labels = labelsOf(before);
+        if (reshape->with)
+            return after(before, *labelListed(*reshape, document, labels, Progress()), {}, nullptr);
+        return after(before, *relabelListed(*reshape, document, labels, Progress()), {}, nullptr);
+    }
     if (const auto* barrier = edit.as<BarrierStroke>())
         return after(before, *paintBarrier(*barrier, document),
             {CapsulePath{capsules(barrier->path, m_study.volume.geometry)}}, nullptr);

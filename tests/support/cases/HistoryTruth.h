@@ -3,13 +3,14 @@
 
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 #include "core/volume/Volume.h"
 
 #include <QString>
@@ -86,9 +87,12 @@ private:
         const core::Document& document) const;
     [[nodiscard]] Bricks flooded(
         const Bricks& before, const core::FloodFill& edit, const core::Document& document) const;
+    [[nodiscard]] Bricks evolved(const Bricks& before, const core::EvolveContour& edit,
+        const core::Document& document) const;
     /// Gives a label to voxels of the whole volume, or takes it from them.
+    /// @param like without bricks: whom it gives to, and what it may change
     /// @param asked RelabelListed::give or take
-    [[nodiscard]] Bricks relabelled(const Bricks& before, const core::LabelTarget& target,
+    [[nodiscard]] Bricks relabelled(const Bricks& before, core::RelabelListed like,
         const std::vector<bool>& meant, std::uint8_t asked) const;
 
     core::LoadedVolume m_study;

@@ -2,6 +2,7 @@
 #include "tests/support/cases/RandomEdits.h"
 
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
@@ -144,6 +145,36 @@ core::ScissorsCut randomScissors(const core::Document& document, Random& random)
     if (!core::outlineCut(cut, document))
         cut.polygonMm = largeOutline;
     return cut;
+}
+
+core::SegmentScissors randomSegmentScissors(const core::Document& document, Random& random)
+{
+    const core::ScissorsCut from = randomScissors(document, random);
+    const core::Segment& segment =
+        document.segments[std::size_t(randomInt(random, 0, int(document.segments.size()) - 1))];
+    core::SegmentScissors scissors{
+        .segment = segment.label, .view = from.view, .polygonMm = from.polygonMm};
+    scissors.hidden = from.hidden;
+    scissors.erase = random() % 2 == 0;
+    scissors.outside = random() % 4 == 0;
+    if (!scissors.outside && random() % 2)
+        scissors.depthMm = 12.0 * randomUnit(random);
+    scissors.overwriteUnlocked = !scissors.erase && random() % 2 == 0;
+    if (scissors.erase && random() % 2) {
+        std::vector<int> others;
+        for (const core::Segment& other : document.segments) {
+            if (&other != &segment && other.plane == segment.plane && random() % 2)
+                others.push_back(other.label);
+        }
+        std::sort(others.begin(), others.end());
+        if (!others.empty())
+            scissors.others = others;
+    }
+    if (random() % 3 == 0)
+        scissors.lower = randomInt(random, 0, tissueCode);
+    if (random() % 4 == 0)
+        scissors.upper = scissors.lower.value_or(0.0) + randomInt(random, 0, tissueCode);
+    return scissors;
 }
 
 core::ClipHalfSpace beyond(const glm::dvec3& placeLps, const glm::dvec3& normalLps)

@@ -39,6 +39,10 @@ namespace test {
 [[nodiscard]] core::PeelCut randomPeel(const core::Document& document, Random& random);
 [[nodiscard]] core::ScissorsCut randomScissors(const core::Document& document, Random& random);
 
+/// Of one of the segments, which are not locked; every form of it.
+[[nodiscard]] core::SegmentScissors randomSegmentScissors(
+    const core::Document& document, Random& random);
+
 /// The engine's form of a stroke, which must be valid.
 [[nodiscard]] core::DrillCut drillCutOf(const core::Edit& drill, const core::Document& document);
 [[nodiscard]] std::vector<core::DrillSample> drillSamplesOf(

@@ -3,8 +3,12 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
@@ -24,6 +28,7 @@
 #include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
@@ -76,8 +81,9 @@ namespace {
 
 class HastyUser {
 public:
-    HastyUser(EditEngine& engine, std::uint32_t seed)
+    HastyUser(EditEngine& engine, std::uint32_t seed, bool limited)
         : m_engine(engine)
+        , m_limited(limited)
         , m_random(seed)
         , m_truth(goldenStudy())
     {
@@ -169,8 +175,14 @@ private:
             if (m_result.done[kindOf(other)] < m_result.done[kindOf(edit)])
                 edit = std::move(other);
         }
+        std::optional<EditableRange>* const range = m_limited ? editableRangeOf(edit) : nullptr;
+        const bool isLimited = range && chance(70);
+        if (isLimited)
+            *range = randomRange();
         const std::size_t rows = m_session->history().rows().size();
         const QString kind = note(kindOf(edit), m_session->apply(edit), rows);
+        if (isLimited && m_session->history().rows().size() > rows)
+            ++m_result.done[QStringLiteral("editable")];
         const bool counted = edit.is<Annotate>() || edit.is<MoveMeasurement>();
         if (counted && m_session->history().rows().size() > rows)
             ++m_result.done[editName(edit)];
@@ -331,6 +343,36 @@ private:
         return randomRevert(rows);
     }
 
+    EditableRange randomRange()
+    {
+        const Document& document = m_session->document();
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        const auto voxel = [&] {
+            return geometry.toWorld({between(0, geometry.size.x - 1),
+                between(0, geometry.size.y - 1), between(0, geometry.size.z - 1)});
+        };
+        const auto some = [&](int percent) {
+            std::vector<int> segments;
+            for (const Segment& segment : document.segments) {
+                if (chance(percent))
+                    segments.push_back(segment.label);
+            }
+            std::sort(segments.begin(), segments.end());
+            return segments;
+        };
+        EditableRange range;
+        if (chance(40))
+            range.lower = between(-1200, 60);
+        if (chance(40))
+            range.upper = between(0, 1200) + 60;
+        if (chance(30))
+            range.box = GrowBox{voxel(), voxel()};
+        if (chance(30))
+            range.inside = some(70);
+        if (chance(30))
+            range.outside = some(40);
+        return range;
+    }
     QString randomName() { return QStringLiteral("Name %1").arg(between(1, 9)); }
     Edit randomChange(const Document& document)
     {
@@ -391,6 +433,12 @@ private:
             return randomFlood(document);
         if (m_session->history().rows().size() % 16 == 2)
             return randomThreshold(document);
+        if (m_session->history().rows().size() % 8 == 6)
+            return randomSnip(document);
+        if (m_session->history().rows().size() % 16 == 10)
+            return randomMirror(document);
+        if (m_session->history().rows().size() % 16 == 4)
+            return randomContour(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
@@ -746,6 +794,17 @@ private:
             outline.lower = between(-200, 300);
         return outline;
     }
+    MirrorSegment randomMirror(const Document& document)
+    {
+        MirrorSegment mirror{.segment = any(document.segments).label,
+            .sides = MirroredSides(between(0, 2)),
+            .keep = chance(50)};
+        // At or halfway between voxels, and not where rounding decides.
+        if (chance(70))
+            mirror.placeLps = document.volumes.front().geometry.toWorld({0.5 * between(8, 30) + 0.1,
+                0.5 * between(8, 30) + 0.1, 0.5 * between(8, 30) + 0.1});
+        return mirror;
+    }
     /// Of a segment that has empty slices between others, along any axis.
     std::optional<FillBetweenSlices> randomBetween(const Document& document)
     {
@@ -794,6 +853,36 @@ private:
         }
         return flood;
     }
+    /// Of a segment as it stands, or from a bubble at any voxel.
+    EvolveContour randomContour(const Document& document)
+    {
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        EvolveContour contour{.segment = any(document.segments).label};
+        const double lower = between(-300, 800);
+        if (chance(80))
+            contour.lower = lower;
+        if (chance(80))
+            contour.upper = lower + between(0, 600);
+        contour.softness = between(0, 100);
+        contour.region = between(0, 100);
+        contour.smoothness = between(0, 100);
+        if (chance(50)) {
+            contour.edge = between(1, 100);
+            contour.edgeGradient = between(1, 200);
+        }
+        if (chance(60)) {
+            const glm::ivec3 last = geometry.size - 1;
+            const glm::dvec3 middle{
+                double(between(0, last.x)), double(between(0, last.y)), double(between(0, last.z))};
+            const glm::dvec3 spacing = geometry.spacingMm();
+            contour.bubbleLps = geometry.toWorld(middle);
+            // No distance between two voxels: rounding decides nothing.
+            contour.bubbleMm = (between(1, 4) + 0.13) * std::max({spacing.x, spacing.y, spacing.z});
+        }
+        contour.generations = between(1, 6);
+        contour.overwriteUnlocked = chance(40);
+        return contour;
+    }
     ThresholdSegment randomThreshold(const Document& document)
     {
         ThresholdSegment threshold{.segment = any(document.segments).label};
@@ -813,15 +902,59 @@ private:
         }
         return threshold;
     }
+    /// Under a curve that drills reach. What lies beside it is most of the volume, so it is only
+    /// erased, and of some values.
+    SegmentScissors randomSnip(const Document& document)
+    {
+        const DrillStroke stroke = randomDrill();
+        const double half = stroke.mask.radiusMm;
+        const glm::dvec2 middle(stroke.samples.front().xMm, stroke.samples.front().yMm);
+        SegmentScissors scissors{.segment = any(document.segments).label,
+            .view = stroke.view,
+            .polygonMm = {middle - half, middle + glm::dvec2(half, -half),
+                middle + glm::dvec2(-half, half), middle + half + 1.0}};
+        scissors.hidden = stroke.hidden;
+        scissors.erase = chance(50);
+        scissors.outside = scissors.erase && chance(30);
+        if (!scissors.outside && chance(60))
+            scissors.depthMm = stroke.depthMm;
+        scissors.overwriteUnlocked = !scissors.erase && chance(40);
+        if (scissors.outside || chance(30))
+            scissors.lower = between(-200, 300);
+        std::vector<int> others;
+        for (const Segment& other : document.segments) {
+            if (scissors.erase && other.label != scissors.segment && !other.locked && chance(30))
+                others.push_back(other.label);
+        }
+        std::sort(others.begin(), others.end());
+        if (!others.empty())
+            scissors.others = others;
+        return scissors;
+    }
     ReshapeSegment randomReshape(const Document& document)
     {
         const glm::dvec3 spacing = document.volumes.front().geometry.spacingMm();
         // No distance between two voxels: rounding decides nothing.
         ReshapeSegment reshape{.segment = any(document.segments).label,
-            .operation = ShapeOperation(between(0, 5)),
+            .operation = ShapeOperation(between(0, 7)),
             .mm = (between(1, 3) + 0.13) * std::max({spacing.x, spacing.y, spacing.z})};
         if (reshape.operation == ShapeOperation::Hollow && chance(60))
             reshape.shell = ShellPlace(between(0, 2));
+        if (reshape.operation <= ShapeOperation::Shrink && chance(30)) {
+            reshape.sides.leftMm = 0.0;
+            reshape.sides.superiorMm = 1.5 * reshape.mm;
+        }
+        // Beside others of its plane that may be changed.
+        std::vector<int> others;
+        for (const Segment& each : document.segments) {
+            if (!each.locked && each.label != reshape.segment
+                && each.plane == document.segment(reshape.segment)->plane)
+                others.push_back(each.label);
+        }
+        if (reshape.operation == ShapeOperation::Gaussian && !others.empty() && chance(50)) {
+            std::sort(others.begin(), others.end());
+            reshape.with = others;
+        }
         return reshape;
     }
     PaintStroke randomPaint(int segment)
@@ -904,6 +1037,7 @@ private:
     }
 
     EditEngine& m_engine;
+    bool m_limited = false;
     std::mt19937 m_random;
     QTemporaryDir m_folder;
     HistoryTruth m_truth;
@@ -917,10 +1051,10 @@ private:
 
 } // namespace
 
-RandomHistory runRandomHistory(
-    EditEngine& engine, int commands, std::uint32_t seed, const std::function<void(bool)>& acting)
+RandomHistory runRandomHistory(EditEngine& engine, int commands, std::uint32_t seed,
+    const std::function<void(bool)>& acting, bool limited)
 {
-    return HastyUser(engine, seed).run(commands, acting);
+    return HastyUser(engine, seed, limited).run(commands, acting);
 }
 
 } // namespace test

@@ -26,7 +26,9 @@ struct RandomHistory {
 /// @param engine used by nobody else meanwhile; it may refuse memory while the user acts
 /// @param acting called before (true) and after (false) each step; comparisons happen in between,
 /// undisturbed
+/// @param limited most edits of labels are given an editable range, counted as "editable"; else
+/// none is
 [[nodiscard]] RandomHistory runRandomHistory(core::EditEngine& engine, int commands,
-    std::uint32_t seed, const std::function<void(bool)>& acting = {});
+    std::uint32_t seed, const std::function<void(bool)>& acting = {}, bool limited = false);
 
 } // namespace test

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/faults/LosingGl.h"
 
-#include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
 #include <atomic>
 #include <cassert>
-#include <utility>
-#include <vector>
 
 namespace test {
 
@@ -20,12 +17,6 @@ std::atomic<int> gap = 0;
 std::atomic<bool> byStatus = false;
 std::atomic<bool> living = false;
 thread_local bool isLost = false;
-
-/// The driver's own; only in a call that the program makes of it, so that there is a driver.
-template <class Function> Function driversOwn(const char* name)
-{
-    return reinterpret_cast<Function>(eglGetProcAddress(name));
-}
 
 GLenum losingGetError()
 {
@@ -70,26 +61,11 @@ void* losingMap(GLuint buffer, GLintptr offset, GLsizeiptr length, GLbitfield ac
     return isLost ? nullptr : own(buffer, offset, length, access);
 }
 
-/// The loader's pointers as they were, to be put back. Inside a function: it may live before any
-/// global is sure to exist.
-std::vector<std::pair<void**, void*>>& replaced()
-{
-    static std::vector<std::pair<void**, void*>> all;
-    return all;
-}
-
-template <class Function> void replace(Function& pointer, Function ours)
-{
-    auto** place = reinterpret_cast<void**>(&pointer);
-    replaced().emplace_back(place, *place);
-    pointer = ours;
-}
-
 template <int Which, class... Arguments>
-void leaveUndone(void (*&pointer)(Arguments...), const char* name)
+void leaveUndone(RedirectedGl& gl, void (*&pointer)(Arguments...), const char* name)
 {
     Undone<Which, Arguments...>::name = name;
-    replace(pointer, &Undone<Which, Arguments...>::call);
+    gl.lead(pointer, &Undone<Which, Arguments...>::call);
 }
 
 } // namespace
@@ -103,25 +79,22 @@ LosingGl::LosingGl(int first, int every, Tells tells)
     next = first;
     gap = every;
     byStatus = tells == Tells::ByStatus;
-    replace(epoxy_glGetError, &losingGetError);
-    replace(epoxy_glGetGraphicsResetStatus, &losingResetStatus);
-    replace(epoxy_glClientWaitSync, &losingWait);
-    replace(epoxy_glMapNamedBufferRange, &losingMap);
-    leaveUndone<0>(epoxy_glDispatchCompute, "glDispatchCompute");
-    leaveUndone<1>(epoxy_glDispatchComputeIndirect, "glDispatchComputeIndirect");
-    leaveUndone<2>(epoxy_glGetNamedBufferSubData, "glGetNamedBufferSubData");
-    leaveUndone<3>(epoxy_glNamedBufferSubData, "glNamedBufferSubData");
-    leaveUndone<4>(epoxy_glClearNamedBufferSubData, "glClearNamedBufferSubData");
-    leaveUndone<5>(epoxy_glGetTextureSubImage, "glGetTextureSubImage");
-    leaveUndone<6>(epoxy_glTextureSubImage3D, "glTextureSubImage3D");
-    leaveUndone<7>(epoxy_glReadPixels, "glReadPixels");
+    m_gl.lead(epoxy_glGetError, &losingGetError);
+    m_gl.lead(epoxy_glGetGraphicsResetStatus, &losingResetStatus);
+    m_gl.lead(epoxy_glClientWaitSync, &losingWait);
+    m_gl.lead(epoxy_glMapNamedBufferRange, &losingMap);
+    leaveUndone<0>(m_gl, epoxy_glDispatchCompute, "glDispatchCompute");
+    leaveUndone<1>(m_gl, epoxy_glDispatchComputeIndirect, "glDispatchComputeIndirect");
+    leaveUndone<2>(m_gl, epoxy_glGetNamedBufferSubData, "glGetNamedBufferSubData");
+    leaveUndone<3>(m_gl, epoxy_glNamedBufferSubData, "glNamedBufferSubData");
+    leaveUndone<4>(m_gl, epoxy_glClearNamedBufferSubData, "glClearNamedBufferSubData");
+    leaveUndone<5>(m_gl, epoxy_glGetTextureSubImage, "glGetTextureSubImage");
+    leaveUndone<6>(m_gl, epoxy_glTextureSubImage3D, "glTextureSubImage3D");
+    leaveUndone<7>(m_gl, epoxy_glReadPixels, "glReadPixels");
 }
 
 LosingGl::~LosingGl()
 {
-    for (const auto& [place, pointer] : replaced())
-        *place = pointer;
-    replaced().clear();
     living = false;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tests/support/faults/RedirectedGl.h"
+
 namespace test {
 
 /// Simulates a driver that loses a context, as after a reset of the graphics processor: at the n-th
@@ -23,6 +25,9 @@ public:
 
     [[nodiscard]] int looks() const; ///< checks of sound contexts since the beginning
     [[nodiscard]] int lost() const; ///< contexts
+
+private:
+    RedirectedGl m_gl;
 };
 
 } // namespace test

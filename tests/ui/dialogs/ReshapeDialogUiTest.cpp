@@ -12,6 +12,7 @@
 #include "ui/panels/lists/SegmentsPanel.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -173,8 +174,11 @@ private Q_SLOTS:
         row("Hollow: a shell along its border", ShapeOperation::Hollow, int(ShellPlace::Centred));
         row("Hollow: a shell outside its border", ShapeOperation::Hollow, int(ShellPlace::Outside));
         row("Smooth by majority", ShapeOperation::Median);
+        row("Smooth by a Gaussian", ShapeOperation::Gaussian);
+        row("Smooth all shown segments together", ShapeOperation::Gaussian);
         row("Smooth by opening", ShapeOperation::Open);
         row("Smooth by closing", ShapeOperation::Close);
+        row("Wrap and make solid", ShapeOperation::Wrap);
     }
     void eachChoiceIsItsEdit()
     {
@@ -188,7 +192,7 @@ private Q_SLOTS:
         fixture.apply(test::paintAt(1, {glm::dvec3(-18.0, -16.0, 106.0)}, 1.2));
         ui::ReshapeDialog& dialog = fixture.opened("segments.smooth");
         QComboBox& choice = operationOf(dialog);
-        QCOMPARE(choice.count(), 8);
+        QCOMPARE(choice.count(), 11);
         choice.setCurrentText(text);
         QCOMPARE(choice.currentText(), text);
         mmOf(dialog).setValue(2.0);
@@ -202,6 +206,46 @@ private Q_SLOTS:
         QCOMPARE(edit.mm, 2.0);
         QCOMPARE(edit.shell.has_value(), shell >= 0);
         QVERIFY(!edit.shell || int(*edit.shell) == shell);
+        const bool isJoint = text == QStringLiteral("Smooth all shown segments together");
+        QCOMPARE(edit.with.value_or(std::vector<int>()),
+            isJoint ? std::vector<int>{2} : std::vector<int>());
+    }
+
+    /// Margins by side are there for margins alone; they begin with the one margin, and what is set
+    /// is what is done.
+    void marginsBySides()
+    {
+        Fixture fixture;
+        ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
+        auto* bySides = dialog.findChild<QCheckBox*>(QStringLiteral("reshapeBySides"));
+        auto* fields = dialog.findChild<QWidget*>(QStringLiteral("reshapeSides"));
+        QVERIFY(bySides && bySides->isVisible() && fields && !fields->isVisible());
+        mmOf(dialog).setValue(1.5);
+        bySides->setChecked(true);
+        QVERIFY(fields->isVisible() && !mmOf(dialog).isEnabled());
+        const auto sideOf = [&](int side) {
+            return dialog.findChild<QDoubleSpinBox*>(QStringLiteral("reshapeSide%1").arg(side));
+        };
+        for (int side = 0; side < 6; ++side)
+            QCOMPARE(sideOf(side)->value(), 1.5);
+        sideOf(1)->setValue(4.25);
+        sideOf(3)->setValue(0.0);
+        press(buttonOf(dialog, "applyReshape"));
+        QVERIFY(fixture.session().settle());
+        QVERIFY2(fixture.lastRow().name.startsWith(
+                     QLatin1String("Grow 'Brain' by margins of up to 4.25 mm, +")),
+            qPrintable(fixture.lastRow().name));
+        const auto& edit = fixture.lastRow().edit.get<core::ReshapeSegment>();
+        QCOMPARE(edit.sides.rightMm.value_or(-1.0), 1.5);
+        QCOMPARE(edit.sides.leftMm.value_or(-1.0), 4.25);
+        QCOMPARE(edit.sides.posteriorMm.value_or(-1.0), 0.0);
+        QCOMPARE(edit.sides.superiorMm.value_or(-1.0), 1.5);
+        operationOf(dialog).setCurrentText(QStringLiteral("Smooth by closing"));
+        QVERIFY(!bySides->isVisible() && !fields->isVisible() && mmOf(dialog).isEnabled());
+        operationOf(dialog).setCurrentText(QStringLiteral("Shrink by a margin"));
+        QVERIFY(fields->isVisible());
+        bySides->setChecked(false);
+        QVERIFY(!fields->isVisible() && mmOf(dialog).isEnabled());
     }
 
     /// The menu of a row asks about that row's segment, and each entry begins with its operation.

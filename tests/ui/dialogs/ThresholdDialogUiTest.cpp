@@ -376,6 +376,24 @@ private Q_SLOTS:
         QVERIFY(!applyOf(dialog).isEnabled());
         QCOMPARE(applyOf(dialog).toolTip(), QStringLiteral("there is no segment"));
     }
+
+    /// The interval may become that of all tools; the dialog gives way, and nothing is a step.
+    void asTheEditableRange()
+    {
+        Fixture fixture;
+        fixture.addSegments();
+        const std::size_t rows = fixture.rows();
+        ui::ThresholdDialog& dialog = fixture.opened();
+        press(*dialog.findChild<QPushButton*>(QStringLiteral("thresholdAsRange")));
+        QVERIFY(!dialog.isVisible());
+        const ui::EditableSettings& settings = fixture.workspace.editableSettings();
+        QVERIFY(settings.on && settings.byValue);
+        QCOMPARE(settings.lower, 226.0);
+        QCOMPARE(settings.upper, 1000.0);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.voxels(1), std::int64_t(0));
+    }
 };
 
 BURIN_WINDOW_TEST(ThresholdDialogUiTest)

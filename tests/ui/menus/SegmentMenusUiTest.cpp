@@ -2,6 +2,8 @@
 #include "ui/menus/SegmentMenus.h"
 
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/metrics/SegmentGap.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -182,6 +184,37 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().history().rows().back().name,
             QStringLiteral("Swap segments 'Bone' and 'Brain', +%1 −%2 voxels")
                 .arg(spaced(brain), spaced(bone)));
+    }
+
+    /// The distance to another one, locked or not, becomes a measurement between both surfaces.
+    void theDistanceOfTwo()
+    {
+        Fixture fixture;
+        fixture.apply(test::paintAt(3, {glm::dvec3(-18.0, -16.0, 106.0)}, 1.2));
+        fixture.apply(test::lockSegment(3));
+        QMenu& distance = fixture.ofBar("distanceOfSegments");
+        QCOMPARE(distance.title(), QStringLiteral("Measure distance from 'Brain' to"));
+        QVERIFY(distance.menuAction()->isEnabled() && distance.actions().at(1)->isEnabled());
+        const std::size_t rows = fixture.session().history().rows().size();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        distance.actions().at(1)->trigger();
+        QTRY_COMPARE(said.size(), 1);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        const auto labels = fixture.session().questions().labels(0);
+        QVERIFY(labels);
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        const auto gap = core::segmentGap(*labels, 1, *labels, 3, geometry, core::Progress());
+        QVERIFY(gap && *gap);
+        const auto& kept = fixture.session().document().measurements;
+        QCOMPARE(kept.size(), std::size_t(1));
+        QVERIFY(glm::length(kept.front().pointsLps.front() - (*gap)->fromLps) < 0.01);
+        QVERIFY(glm::length(kept.front().pointsLps.back() - (*gap)->toLps) < 0.01);
+        QVERIFY2(said.front().front().toString().startsWith(
+                     QStringLiteral("'Brain' and 'Skin & hair' are ")),
+            qPrintable(said.front().front().toString()));
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QVERIFY(fixture.session().document().measurements.empty());
     }
 
     /// What cannot be chosen says why.

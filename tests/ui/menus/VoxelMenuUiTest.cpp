@@ -231,6 +231,28 @@ private Q_SLOTS:
         menu->close();
     }
 
+    void aSliceOffersToFlipAndTurnIt()
+    {
+        Dabs fixture;
+        ui::SliceView& axial = fixture.window.views().axial();
+        QMenu* menu = fixture.clickedAt({20, 5, 10});
+        QVERIFY(menu);
+        auto* turns = menu->findChild<QMenu*>(QStringLiteral("turnsOfView"));
+        QVERIFY(turns);
+        QCOMPARE(turns->actions().size(), 5);
+        QVERIFY(!turns->actions().back()->isEnabled()); // it is upright
+        choose(*menu, *turns->actions().front());
+        QVERIFY((axial.turn() == ui::SliceTurn{true, 0}));
+        // The menu is about what is seen there now.
+        menu = fixture.clickedAt({10, 10, 10});
+        QVERIFY(menu);
+        QCOMPARE(textsOf(*menu).front(), QStringLiteral("Remove this island of 'Parts'"));
+        turns = menu->findChild<QMenu*>(QStringLiteral("turnsOfView"));
+        QVERIFY(turns->actions().back()->isEnabled());
+        choose(*menu, *turns->actions().back());
+        QVERIFY(axial.turn().isUpright());
+    }
+
     /// Outside the volume there is nothing to ask for, and a drag is no click.
     void noMenuWhereNoneIsMeant()
     {

@@ -8,6 +8,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/base/Actions.h"
+#include "ui/tools/growth/BarrierTool.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/refine/RefineTool.h"
 #include "ui/tools/sculpt/DrillTool.h"
@@ -265,18 +266,21 @@ private Q_SLOTS:
         QCOMPARE(fixture.shown(), Context::Hidden);
     }
 
-    /// What cannot be seen is not worked on: tools for the volume rest in the 3D view.
+    /// What cannot be seen is not worked on: tools for the volume rest in the 3D view. Paint works
+    /// on what segments show there.
     void toolsForTheVolumeRest()
     {
         ContextFixture fixture;
         ui::DrillTool drill(fixture.workspace);
         ui::PaintTool paint(fixture.workspace);
+        ui::BarrierTool barrier(fixture.workspace);
         ui::RefineTool refine(fixture.workspace);
         fixture.show(Context::Translucent);
         QVERIFY(drill.worksIn(fixture.view.context()));
         fixture.show(Context::Hidden);
         QVERIFY(!drill.worksIn(fixture.view.context()));
-        QVERIFY(!paint.worksIn(fixture.view.context()));
+        QVERIFY(!barrier.worksIn(fixture.view.context()));
+        QVERIFY(paint.worksIn(fixture.view.context()));
         QVERIFY(paint.worksIn(fixture.window.views().axial().context()));
         QVERIFY(refine.worksIn(fixture.view.context()));
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/SpreadBar.h"
 
-#include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 #include "ui/base/Theme.h"
 #include "ui/widgets/FoldButton.h"
 #include "ui/workspace/PendingSeeds.h"

@@ -217,6 +217,9 @@ void SegmentsPanel::addPassages(QMenu& menu, const QModelIndex& index)
         [this, label, id] { segmentToLayer(m_workspace, label, id); });
     carve->setEnabled(
         document.carves(*layer) && !index.data(SegmentListModel::ProtectedRole).toBool());
+    QAction* mask = menu.addAction(tr("Carve all but it into layer '%1'").arg(layer->name), this,
+        [this, label, id] { segmentToLayer(m_workspace, label, id, true); });
+    mask->setEnabled(document.carves(*layer));
 }
 
 } // namespace ui

@@ -20,10 +20,11 @@ double distanceToLine(const glm::dvec2& point, const glm::dvec2& from, const glm
 
 } // namespace
 
-SeenSurface::SeenSurface(
-    const gpu::VolumeScene& scene, const core::Volume& volume, double radiusMm, double reachMm)
+SeenSurface::SeenSurface(const gpu::VolumeScene& scene, const core::Volume& volume, double radiusMm,
+    double reachMm, std::optional<std::bitset<256>> segments)
     : m_scene(scene)
     , m_volume(volume)
+    , m_segments(segments)
     , m_radiusMm(radiusMm)
 {
     m_forward = glm::normalize(scene.targetLps - scene.eyeLps);
@@ -56,7 +57,12 @@ core::PickQuestion SeenSurface::question(const std::vector<std::pair<int, int>>&
     planeMm.reserve(cells.size());
     for (const auto& cell : cells)
         planeMm.emplace_back(cell.first * m_stepMm, cell.second * m_stepMm);
-    return pickQuestion(m_scene, planeMm, m_volume);
+    core::PickQuestion question = pickQuestion(m_scene, planeMm, m_volume);
+    if (m_segments) {
+        question.seenBy = core::SeenBy::Segment;
+        question.segments = *m_segments;
+    }
+    return question;
 }
 
 void SeenSurface::take(const std::vector<std::pair<int, int>>& cells, const PickedVoxels& picked)

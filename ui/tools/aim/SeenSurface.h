@@ -3,6 +3,7 @@
 
 #include "ui/tools/aim/PickQuestion.h"
 
+#include <bitset>
 #include <map>
 #include <optional>
 #include <utility>
@@ -17,8 +18,10 @@ namespace ui {
 class SeenSurface {
 public:
     /// @param reachMm how far from the path the stroke may change what is seen
-    SeenSurface(
-        const gpu::VolumeScene& scene, const core::Volume& volume, double radiusMm, double reachMm);
+    /// @param segments labels whose voxels alone are seen, whatever lies around them; none: what
+    /// the view shows of the volume
+    SeenSurface(const gpu::VolumeScene& scene, const core::Volume& volume, double radiusMm,
+        double reachMm, std::optional<std::bitset<256>> segments = std::nullopt);
 
     /// The rays that a straight piece of path needs and that were not requested yet; from now on
     /// they count as requested. Points are in the view plane, mm right of and above the target.
@@ -40,6 +43,7 @@ private:
     glm::dvec3 m_right{0.0};
     glm::dvec3 m_up{0.0};
     glm::dvec3 m_forward{0.0};
+    std::optional<std::bitset<256>> m_segments;
     double m_radiusMm = 0.0;
     double m_stepMm = 0.0;
     double m_reachMm = 0.0;

@@ -16,6 +16,16 @@
 
 namespace ui {
 
+namespace {
+
+/// Whether the volume is not drawn in front of segments.
+bool showsSegmentsFirst(const gpu::VolumeScene& scene)
+{
+    return scene.context == gpu::Context::Hidden || scene.context == gpu::Context::CutAway;
+}
+
+} // namespace
+
 /// From pen-down until the session has been told all of it.
 struct BrushTool::Stroke {
     ViewContext view; ///< of pen-down; holds for the whole stroke
@@ -62,9 +72,24 @@ const Workspace::BrushSettings& BrushTool::settings() const
 bool BrushTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
-    return !scene
-        || (scene->orthographic && scene->context != gpu::Context::Hidden
-            && scene->context != gpu::Context::CutAway);
+    return !scene || (scene->orthographic && (worksOnSegments() || !showsSegmentsFirst(*scene)));
+}
+
+SeenSurface BrushTool::surfaceIn(const gpu::VolumeScene& scene, bool inverted) const
+{
+    const core::Volume& volume = *m_workspace.volume();
+    const double radiusMm = settings().radiusMm;
+    // What is erased is a segment, wherever the volume steps back for it.
+    const bool onSegments = worksOnSegments()
+        && (showsSegmentsFirst(scene) || (inverted && scene.context != gpu::Context::Opaque));
+    if (!onSegments)
+        return SeenSurface(scene, volume, radiusMm, reachMm());
+    const gpu::SegmentDisplay shown = m_workspace.segmentDisplay();
+    std::bitset<256> segments;
+    for (std::size_t label = 1; label < segments.size(); ++label)
+        segments[label] = shown.visible[label];
+    // The stroke changes just what it is drawn on.
+    return SeenSurface(scene, volume, radiusMm, radiusMm, segments);
 }
 
 core::BrushPath BrushTool::pathIn(const ViewContext& view) const
@@ -100,8 +125,7 @@ void BrushTool::press(const PointerSample& sample, const ViewContext& view)
     if (view.isSlice()) {
         goTo(*m_stroke, view.toLps(sample.position), false, pressedShare(sample));
     } else {
-        m_stroke->surface.emplace(std::get<gpu::VolumeScene>(view.scene), *m_workspace.volume(),
-            m_stroke->path.radiusMm, reachMm());
+        m_stroke->surface = surfaceIn(std::get<gpu::VolumeScene>(view.scene), m_stroke->inverted);
         m_stroke->lastAim = {
             .planeMm = view.toViewPlaneMm(sample.position), .pressure = pressedShare(sample)};
         askOnTheWay(m_stroke->lastAim);

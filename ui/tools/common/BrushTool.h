@@ -12,6 +12,8 @@
 
 namespace ui {
 
+class SeenSurface;
+
 /// Base of the brushes (paint, barrier, carve brush): a ball, disc, square or cube follows the pen,
 /// on a slice along its plane and with sides as the view's, in the 3D view a ball along the visible
 /// surface. Ctrl or the pen's eraser end inverts
@@ -53,6 +55,8 @@ protected:
     /// The edit of a stroke that begins now and follows a path.
     [[nodiscard]] virtual core::Result<core::Edit> strokeAlong(
         const core::BrushPath& path, bool inverted, const ViewContext& view) = 0;
+    /// Whether it works on the surface of segments where the volume steps back for them.
+    [[nodiscard]] virtual bool worksOnSegments() const { return false; }
     /// How far around its radius a stroke changes what the 3D view shows, mm.
     [[nodiscard]] virtual double reachMm() const = 0;
 
@@ -66,6 +70,8 @@ private:
 
     [[nodiscard]] static QString shapeText(core::BrushPath::Shape shape);
     [[nodiscard]] core::BrushPath pathIn(const ViewContext& view) const;
+    /// What a stroke in a 3D view lies on.
+    [[nodiscard]] SeenSurface surfaceIn(const gpu::VolumeScene& scene, bool inverted) const;
     /// In a 3D view: asks what is seen along the way to this point, then continues the stroke
     /// there.
     void askOnTheWay(const Aim& to);

@@ -6,32 +6,57 @@
 
 #include <QPainter>
 
+#include <cmath>
+#include <numbers>
+
 namespace ui {
 
 namespace {
 
 constexpr double leastStepPixels = 1.5;
 constexpr double leastSidePixels = 4.0;
+constexpr int ellipseCorners = 256;
 
 } // namespace
 
-void CurveSketch::begin(const QPointF& at, const ViewContext& view)
+void CurveSketch::begin(const QPointF& at, const ViewContext& view, Shape shape)
 {
     m_view = view;
-    m_points = QPolygonF({at});
+    m_shape = shape;
+    m_points = shape == Shape::Freehand ? QPolygonF({at}) : QPolygonF({at, at});
 }
 
 void CurveSketch::extend(const QPointF& at)
 {
+    if (m_shape != Shape::Freehand) {
+        m_points.back() = at;
+        return;
+    }
     const QPointF step = at - m_points.back();
     if (QPointF::dotProduct(step, step) >= leastStepPixels * leastStepPixels)
         m_points << at;
 }
 
+QPolygonF CurveSketch::polygon() const
+{
+    if (m_shape == Shape::Freehand)
+        return m_points;
+    const QRectF box = QRectF(m_points.front(), m_points.back()).normalized();
+    if (m_shape == Shape::Rectangle)
+        return {{box.topLeft(), box.topRight(), box.bottomRight(), box.bottomLeft()}};
+    QPolygonF ellipse;
+    for (int corner = 0; corner < ellipseCorners; ++corner) {
+        const double angle = 2.0 * std::numbers::pi * corner / ellipseCorners;
+        ellipse << box.center()
+                + QPointF(box.width() * std::cos(angle), box.height() * std::sin(angle)) / 2.0;
+    }
+    return ellipse;
+}
+
 std::vector<glm::dvec2> CurveSketch::curveMm() const
 {
     std::vector<glm::dvec2> curve;
-    for (const QPointF& point : m_points)
+    for (const QPointF& point : polygon())
         curve.push_back(m_view->toViewPlaneMm(point));
     return curve;
 }
@@ -39,8 +64,9 @@ std::vector<glm::dvec2> CurveSketch::curveMm() const
 std::vector<glm::dvec2> CurveSketch::finish()
 {
     const QRectF box = m_points.boundingRect();
+    const bool hasCorners = m_shape != Shape::Freehand || m_points.size() >= 3;
     std::vector<glm::dvec2> curve;
-    if (m_points.size() >= 3 && box.width() >= leastSidePixels && box.height() >= leastSidePixels)
+    if (hasCorners && box.width() >= leastSidePixels && box.height() >= leastSidePixels)
         curve = curveMm();
     m_view.reset();
     return curve;
@@ -48,8 +74,10 @@ std::vector<glm::dvec2> CurveSketch::finish()
 
 void CurveSketch::paint(QPainter& painter) const
 {
-    // Where it closes by itself, a thin line says so.
     painter.setRenderHint(QPainter::Antialiasing);
+    if (m_shape != Shape::Freehand)
+        return drawToolOutline(painter, polygon(), true);
+    // Where it closes by itself, a thin line says so.
     painter.setPen(QPen(toolColour(), 1.0, Qt::DotLine));
     painter.drawLine(m_points.back(), m_points.front());
     drawToolOutline(painter, m_points, false);

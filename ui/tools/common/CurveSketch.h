@@ -18,7 +18,13 @@ namespace ui {
 /// itself. The view at pen-down is used until the curve is finished.
 class CurveSketch {
 public:
-    void begin(const QPointF& at, const ViewContext& view);
+    enum class Shape {
+        Freehand,
+        Rectangle, ///< of a drag from corner to corner
+        Ellipse, ///< the one within that rectangle
+    };
+
+    void begin(const QPointF& at, const ViewContext& view, Shape shape = Shape::Freehand);
     void extend(const QPointF& at);
     void drop() { m_view.reset(); }
 
@@ -30,11 +36,15 @@ public:
     /// The same, and ends the drawing. Empty if the curve is too small to be intended.
     [[nodiscard]] std::vector<glm::dvec2> finish();
 
+    /// The same in logical pixels.
+    [[nodiscard]] QPolygonF polygon() const;
+
     void paint(QPainter& painter) const;
 
 private:
+    Shape m_shape = Shape::Freehand;
     std::optional<ViewContext> m_view; ///< set while drawing
-    QPolygonF m_points; ///< logical pixels
+    QPolygonF m_points; ///< logical pixels; of a drag both ends
 };
 
 } // namespace ui

@@ -3,6 +3,7 @@
 
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
+#include "ui/menus/EditableSection.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -48,6 +49,13 @@ QString intervalText(const Workspace& workspace)
             valueText(std::max(settings.lower, settings.upper), volume->unit, span));
 }
 
+QString limitsText(const Workspace& workspace)
+{
+    QStringList limits{intervalText(workspace), workspace.editableText()};
+    limits.removeAll(QString());
+    return limits.join(QStringLiteral(", "));
+}
+
 PaintLimits::PaintLimits(Workspace& workspace, QWidget* parent)
     : QToolButton(parent)
     , m_workspace(workspace)
@@ -77,6 +85,8 @@ PaintLimits::PaintLimits(Workspace& workspace, QWidget* parent)
     rows->setSpacing(theme::smallPadding);
     rows->addLayout(interval);
     rows->addWidget(m_overwrite);
+    rows->addSpacing(theme::smallPadding);
+    rows->addWidget(new EditableSection(workspace, content));
     auto* action = new QWidgetAction(menu);
     action->setDefaultWidget(content);
     menu->addAction(action);
@@ -84,6 +94,7 @@ PaintLimits::PaintLimits(Workspace& workspace, QWidget* parent)
 
     showSettings();
     connect(&m_workspace, &Workspace::brushSettingsChanged, this, &PaintLimits::showSettings);
+    connect(&m_workspace, &Workspace::editableChanged, this, &PaintLimits::showSettings);
     for (QDoubleSpinBox* box : {m_lower, m_upper})
         connect(box, &QDoubleSpinBox::valueChanged, this, &PaintLimits::takeSettings);
     connect(m_onlyBetween, &QCheckBox::clicked, this, &PaintLimits::takeInterval);
@@ -110,6 +121,8 @@ void PaintLimits::showSettings()
         limits += intervalText(m_workspace);
     if (settings.overwriteUnlocked)
         limits += tr("over others");
+    if (const QString editable = m_workspace.editableText(); !editable.isEmpty())
+        limits.prepend(editable);
     const QString text = limits.isEmpty() ? tr("no limits") : limits.join(QStringLiteral(", "));
     setText(fontMetrics().elidedText(text, Qt::ElideRight, longestLimitsPixels));
     setToolTip(tr("Which voxels may change: %1").arg(text));

@@ -13,6 +13,9 @@ namespace ui {
 /// "only 20 … 80 HU": the range of values to which painting is limited; empty if it is not.
 [[nodiscard]] QString intervalText(const Workspace& workspace);
 
+/// The same with the editable range, which limits all tools.
+[[nodiscard]] QString limitsText(const Workspace& workspace);
+
 /// Which voxels may change when a segment is painted or an outline is filled: a button of the
 /// option bar, which has no room for more, with a small window; always in step with
 /// Workspace::brushSettings().

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/FillOutlineTool.h"
 
-#include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/labels/LabelOutlined.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/CursorLabel.h"
@@ -418,7 +418,7 @@ void FillOutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) c
         lines += levelText();
     else if (m_shape == Shape::Level && isRagged())
         lines += tr("too ragged to be filled");
-    if (const QString limits = intervalText(m_workspace); !limits.isEmpty())
+    if (const QString limits = limitsText(m_workspace); !limits.isEmpty())
         lines += limits;
     drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines);
 }

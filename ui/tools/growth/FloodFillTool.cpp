@@ -6,6 +6,7 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/geometry/SlicePlane.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/workspace/SegmentActions.h"
@@ -108,6 +109,7 @@ QWidget* FloodFillTool::createOptions(QWidget* parent)
     layout->addWidget(its.tolerance);
     layout->addWidget(its.corners);
     layout->addWidget(its.overwrite);
+    layout->addWidget(new EditableButton(m_workspace, options));
     const auto show = [this, its] {
         const QSignalBlocker reach(its.reach);
         const QSignalBlocker tolerance(its.tolerance);
@@ -283,6 +285,8 @@ void FloodFillTool::paintOverlay(QPainter& painter, const ViewContext& view) con
                 .arg(valueText(m_settings.tolerance, volume.unit, volume.maximum - volume.minimum),
                     reach);
     }
+    if (const QString editable = m_workspace.editableText(); !editable.isEmpty())
+        lines += editable;
     drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines);
 }
 

@@ -2,7 +2,7 @@
 #include "ui/tools/growth/OutlineFilling.h"
 
 #include "core/edits/kinds/segments/FillOutline.h"
-#include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/labels/LabelOutlined.h"
 #include "core/session/EditSession.h"
 #include "ui/tools/aim/DrillMask.h"
 #include "ui/tools/common/SliceOutline.h"
@@ -62,6 +62,7 @@ bool fillOutline(Workspace& workspace, const SliceOutline& outline, bool erases)
         edit.lower = std::min(limits.lower, limits.upper);
         edit.upper = std::max(limits.lower, limits.upper);
     }
+    edit.editable = workspace.editableRange();
     if (const auto applied = workspace.session()->apply(edit); !applied)
         return refused(applied.error());
     return true;

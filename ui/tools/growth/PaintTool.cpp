@@ -58,7 +58,7 @@ QString PaintTool::action(bool inverted) const
 
 QString PaintTool::limits() const
 {
-    return intervalText(workspace());
+    return limitsText(workspace());
 }
 
 QString PaintTool::edges() const
@@ -94,6 +94,7 @@ core::Result<core::Edit> PaintTool::strokeAlong(
     }
     if (now.followsEdges && view.isSlice())
         stroke.edgeTolerance = now.edgeTolerance;
+    stroke.editable = workspace().editableRange();
     return core::Edit(stroke);
 }
 

@@ -28,6 +28,7 @@ protected:
     [[nodiscard]] QColor colour() const override;
     [[nodiscard]] core::Result<core::Edit> strokeAlong(
         const core::BrushPath& path, bool inverted, const ViewContext& view) override;
+    [[nodiscard]] bool worksOnSegments() const override { return true; }
     [[nodiscard]] double reachMm() const override { return 0.0; }
 };
 

@@ -5,7 +5,7 @@
 #include "core/chunks/ChunkMap.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <map>
 

@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
@@ -16,6 +17,9 @@ using namespace rowWords;
 
 Result<void> check(const FillBetweenSlices& edit, const Document& document)
 {
+    if (const auto editable = editableVoxels(edit.editable, document, "fillBetweenSlices");
+        !editable)
+        return tl::unexpected(editable.error());
     return discardValue(labelTarget({.segment = edit.segment, .name = {}}, false, document));
 }
 
@@ -29,7 +33,8 @@ EditEffects effects(const FillBetweenSlices& edit)
     return {.task = EditTask::Islands,
         .standsOpen = false,
         .writesTo = edit.segment,
-        .fills = {.label = edit.segment}};
+        .fills = {.label = edit.segment},
+        .boundToStudy = namesPlaces(edit.editable)};
 }
 
 RowTitle rowTitle(const FillBetweenSlices& edit, const RowFacts& row)
@@ -44,7 +49,7 @@ RowTitle rowTitle(const FillBetweenSlices& edit, const RowFacts& row)
 /// Every voxel of the plane may decide which slices are drawn.
 EditDependencies dependencies(const FillBetweenSlices& edit, const DependencyFacts& row)
 {
-    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+    return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
 }
 
 Result<RelabelListed> relabelListed(const FillBetweenSlices& edit, const Document& document,
@@ -64,7 +69,13 @@ Result<RelabelListed> relabelListed(const FillBetweenSlices& edit, const Documen
             return tl::unexpected(between.error());
         listed.add(*between, RelabelListed::give);
     }
-    return listed.relabel(*std::move(target));
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "fillBetweenSlices");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    RelabelListed relabel = listed.relabel(*std::move(target));
+    relabel.editable = *std::move(editable);
+    return relabel;
 }
 
 } // namespace core

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/brick/SliceAxis.h"
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 #include <cstdint>
 #include <optional>
@@ -20,6 +21,7 @@ struct RelabelListed;
 struct FillBetweenSlices {
     int segment = 0; ///< label
     std::optional<SliceAxis> axis{}; ///< none: the one across which it was drawn
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const FillBetweenSlices& edit, const Document& document);

@@ -6,6 +6,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 
@@ -32,6 +33,8 @@ Result<void> check(const FloodFill& edit, const Document& document)
             QStringLiteral("is less than nothing"));
     if (const auto first = firstVoxel(edit, document.volumes.front().geometry); !first)
         return tl::unexpected(first.error());
+    if (const auto editable = editableVoxels(edit.editable, document, "floodFill"); !editable)
+        return tl::unexpected(editable.error());
     return discardValue(floodTarget(edit, document));
 }
 
@@ -68,7 +71,7 @@ EditDependencies dependencies(const FloodFill& edit, const DependencyFacts& row)
 {
     const Result<glm::ivec3> first = firstVoxel(edit, row.geometry());
     if (!edit.within || !first)
-        return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+        return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
     const BrickGrid grid = row.grid();
     const int along = alongOf(*edit.within);
     std::set<std::uint32_t> bricks;
@@ -77,7 +80,7 @@ EditDependencies dependencies(const FloodFill& edit, const DependencyFacts& row)
         if (box.minimum[along] <= (*first)[along] && (*first)[along] < box.maximum[along])
             bricks.insert(std::uint32_t(brick));
     }
-    return row.labelled(bricks, row.planeOf(edit.segment));
+    return row.alsoReading(edit.editable, row.labelled(bricks, row.planeOf(edit.segment)));
 }
 
 Result<glm::ivec3> firstVoxel(const FloodFill& edit, const VolumeGeometry& geometry)
@@ -112,6 +115,11 @@ Result<RelabelListed> relabelListed(const FloodFill& edit, const Document& docum
         voxels.forEach([&each, asked](std::size_t voxel) { each[voxel] = asked; });
         relabel.bricks.push_back({brick, std::move(each)});
     }
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "floodFill");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    relabel.editable = *std::move(editable);
     return relabel;
 }
 

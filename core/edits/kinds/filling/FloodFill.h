@@ -3,6 +3,7 @@
 
 #include "core/brick/SliceAxis.h"
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/growth/SeedStatistics.h"
 
 #include <glm/glm.hpp>
@@ -32,6 +33,7 @@ struct FloodFill {
     /// How far values may differ from the one at the place, modality units; erasing asks for none.
     double tolerance = 0.0;
     bool overwriteUnlocked = false;
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const FloodFill& edit, const Document& document);

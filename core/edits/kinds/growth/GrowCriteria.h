@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 
 #include <optional>
 #include <vector>

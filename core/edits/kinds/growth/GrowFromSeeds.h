@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 
 #include <optional>
 #include <vector>

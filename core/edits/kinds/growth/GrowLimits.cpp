@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/growth/GrowLimits.h"
 
-#include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,18 +59,6 @@ GradientScale gradientScale(const Volume& volume)
     const double step = std::abs(volume.encoding.rescaleSlope * volume.encoding.storedStep);
     scale.perUnit = step > 0.0 ? 2.0 * finest * perCode / step : 0.0;
     return scale;
-}
-
-Result<VoxelSpan> voxelsOf(const GrowBox& box, const VolumeGeometry& geometry, const QString& field)
-{
-    const glm::dvec3 a = glm::floor(geometry.toIndex(box.fromLps) + 0.5);
-    const glm::dvec3 b = glm::floor(geometry.toIndex(box.toLps) + 0.5);
-    const glm::dvec3 last(geometry.size - 1);
-    const glm::dvec3 from = glm::max(glm::min(a, b), glm::dvec3(0.0));
-    const glm::dvec3 to = glm::min(glm::max(a, b), last);
-    if (!glm::all(glm::lessThanEqual(from, to)))
-        return failure(ErrorCode::InvalidField, field, QStringLiteral("lies outside the volume"));
-    return VoxelSpan{.from = glm::ivec3(from), .to = glm::ivec3(to)};
 }
 
 double greatestPassageMm(const VolumeGeometry& geometry)

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/edits/engine/BoxVoxels.h"
 #include "core/growth/GrowthCommands.h"
 #include "core/volume/Volume.h"
 
 namespace core {
 
-struct GrowBox;
 struct GrowCriteria;
 
 /// The greatest difference of two codes whose values differ by at most @p bound, found by search;
@@ -21,15 +21,6 @@ struct GradientScale {
     double perUnit = 0.0; ///< magnitude for one modality unit per millimetre
 };
 [[nodiscard]] GradientScale gradientScale(const Volume& volume);
-
-/// The voxels of a box, both corners included. Errors: InvalidField (@p field: no part of the box
-/// lies in the volume).
-struct VoxelSpan {
-    glm::ivec3 from{0};
-    glm::ivec3 to{0};
-};
-[[nodiscard]] Result<VoxelSpan> voxelsOf(
-    const GrowBox& box, const VolumeGeometry& geometry, const QString& field);
 
 /// The greatest passage width that a volume allows, mm.
 [[nodiscard]] double greatestPassageMm(const VolumeGeometry& geometry);

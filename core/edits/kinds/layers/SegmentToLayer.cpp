@@ -35,10 +35,23 @@ Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& docume
     if (!segment)
         return failure(ErrorCode::UnknownSegment, QString::number(edit.segment),
             QStringLiteral("in field 'segmentToLayer.segment'"));
-    if (segment->uncarvable)
-        return failure(ErrorCode::SegmentProtected, segment->name);
-    return CoverLabel{
-        .layer = std::uint8_t(edit.layer), .plane = segment->plane, .label = segment->label};
+    CoverLabel cover{.layer = std::uint8_t(edit.layer),
+        .plane = segment->plane,
+        .label = segment->label,
+        .outside = edit.outside};
+    if (!edit.outside) {
+        if (segment->uncarvable)
+            return failure(ErrorCode::SegmentProtected, segment->name);
+        return cover;
+    }
+    for (const Segment& each : document.segments) {
+        if (!each.uncarvable)
+            continue;
+        if (each.plane != segment->plane)
+            return failure(ErrorCode::SegmentProtected, each.name);
+        cover.spared.set(each.label);
+    }
+    return cover;
 }
 
 Result<EngineEdit> engineEdit(const SegmentToLayer& edit, const Document& document)
@@ -48,7 +61,7 @@ Result<EngineEdit> engineEdit(const SegmentToLayer& edit, const Document& docume
 
 RowTitle rowTitle(const SegmentToLayer& edit, const RowFacts& row)
 {
-    return {.code = RowTitleCode::SegmentToLayer,
+    return {.code = edit.outside ? RowTitleCode::OutsideToLayer : RowTitleCode::SegmentToLayer,
         .arguments = {segmentName(edit.segment, row.document), layerName(edit.layer, row.document)},
         .then = {figure(RowTitleCode::Voxels, row.statistics.voxelsChanged)}};
 }

@@ -7,10 +7,12 @@ namespace core {
 
 struct CoverLabel;
 
-/// Carve all voxels of a segment.
+/// Carve all voxels of a segment; or all others, so that of the volume what it holds is left, and
+/// what segments hold that are protected.
 struct SegmentToLayer {
     int segment = 0; ///< label
     int layer = 0; ///< id
+    bool outside = false; ///< whether all others are carved
 };
 
 [[nodiscard]] Result<void> check(const SegmentToLayer& edit, const Document& document);
@@ -20,7 +22,8 @@ Result<bool> apply(const SegmentToLayer& edit, Document& document);
 [[nodiscard]] EditDependencies dependencies(const SegmentToLayer& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const SegmentToLayer& edit, const Document& document);
 
-/// Errors: UnknownSegment, SegmentProtected.
+/// Errors: UnknownSegment, SegmentProtected (it is; or all others are to be carved, and one is that
+/// lies on another label plane).
 [[nodiscard]] Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& document);
 
 } // namespace core

@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
@@ -98,6 +99,8 @@ Result<void> check(const CleanSegment& edit, const Document& document)
         return tl::unexpected(*error);
     if (const auto clicked = clickedOf(edit, document.volumes.front().geometry); !clicked)
         return tl::unexpected(clicked.error());
+    if (const auto editable = editableVoxels(edit.editable, document, "cleanSegment"); !editable)
+        return tl::unexpected(editable.error());
     return discardValue(targetOf(edit, document));
 }
 
@@ -112,7 +115,7 @@ EditEffects effects(const CleanSegment& edit)
         .standsOpen = false,
         .writesTo = edit.segment,
         .fills = {.label = edit.to.value_or(edit.segment)},
-        .boundToStudy = edit.islandLps.has_value()};
+        .boundToStudy = edit.islandLps.has_value() || namesPlaces(edit.editable)};
 }
 
 RowTitle rowTitle(const CleanSegment& edit, const RowFacts& row)
@@ -148,7 +151,7 @@ RowTitle rowTitle(const CleanSegment& edit, const RowFacts& row)
 /// Every voxel of the plane may decide what hangs together.
 EditDependencies dependencies(const CleanSegment& edit, const DependencyFacts& row)
 {
-    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+    return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
 }
 
 Result<RelabelListed> relabelListed(const CleanSegment& edit, const Document& document,
@@ -171,7 +174,13 @@ Result<RelabelListed> relabelListed(const CleanSegment& edit, const Document& do
     const bool gives = edit.rule == IslandRule::FillHoles || edit.rule == IslandRule::GiveClicked;
     ListedRuns listed(geometry.size);
     listed.add(change->voxels, gives ? RelabelListed::give : RelabelListed::take);
-    return listed.relabel(*target);
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "cleanSegment");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    RelabelListed relabel = listed.relabel(*target);
+    relabel.editable = *std::move(editable);
+    return relabel;
 }
 
 } // namespace core

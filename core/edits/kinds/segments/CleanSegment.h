@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/islands/SegmentIslands.h"
 
 #include <glm/glm.hpp>
@@ -27,6 +28,7 @@ struct CleanSegment {
     /// for them, and for no other rule.
     std::optional<glm::dvec3> islandLps{};
     std::optional<int> to{}; ///< label that receives the island; required for GiveClicked alone
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const CleanSegment& edit, const Document& document);

@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 
 namespace core {
@@ -27,7 +28,8 @@ EditEffects effects(const CombineSegments& edit)
     return {.task = engineTask<CombineSegments>(),
         .standsOpen = false,
         .writesTo = edit.segment,
-        .fills = {.label = edit.segment, .other = swaps ? std::optional(edit.with) : std::nullopt}};
+        .fills = {.label = edit.segment, .other = swaps ? std::optional(edit.with) : std::nullopt},
+        .boundToStudy = namesPlaces(edit.editable)};
 }
 
 Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& document)
@@ -50,6 +52,11 @@ Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& documen
     map.becomes[(*other)->label] = (*segment)->label;
     if (edit.how == CombineSegments::How::Swap)
         map.becomes[(*segment)->label] = (*other)->label;
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "combineSegments");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    map.editable = *std::move(editable);
     return map;
 }
 
@@ -77,7 +84,7 @@ RowTitle rowTitle(const CombineSegments& edit, const RowFacts& row)
 /// What either holds decides, and whose seeds lie there.
 EditDependencies dependencies(const CombineSegments& edit, const DependencyFacts& row)
 {
-    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+    return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
 }
 
 } // namespace core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 #include <cstdint>
 
@@ -20,6 +21,7 @@ struct CombineSegments {
     int segment = 0; ///< label
     int with = 0; ///< label of the other
     How how = How::Merge;
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const CombineSegments& edit, const Document& document);

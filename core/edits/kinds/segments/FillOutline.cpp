@@ -6,9 +6,10 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/CutFrames.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SlicePlane.h"
-#include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/labels/LabelOutlined.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,6 +145,11 @@ Result<LabelOutlined> labelOutlined(const FillOutline& edit, const Document& doc
         outlined->lowCode = volume.encoding.lowestCodeAtLeast(*edit.lower);
     if (edit.upper)
         outlined->highCode = volume.encoding.highestCodeAtMost(*edit.upper);
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "fillOutline");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    outlined->editable = *std::move(editable);
     return outlined;
 }
 
@@ -173,8 +179,8 @@ EditDependencies dependencies(const FillOutline& edit, const DependencyFacts& ro
     if (!outlined)
         return row.whatWasWritten();
     const std::vector<std::uint32_t> near = bricksNear(*outlined, row.grid());
-    return row.labelled(
-        std::set<std::uint32_t>(near.begin(), near.end()), row.planeOf(edit.segment));
+    return row.alsoReading(edit.editable,
+        row.labelled(std::set<std::uint32_t>(near.begin(), near.end()), row.planeOf(edit.segment)));
 }
 
 } // namespace core

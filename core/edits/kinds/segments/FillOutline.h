@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 #include <glm/glm.hpp>
 
@@ -27,6 +28,7 @@ struct FillOutline {
     std::optional<double> lower{}; ///< modality units, inclusive; none: any
     std::optional<double> upper{};
     bool overwriteUnlocked = false;
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const FillOutline& edit, const Document& document);

@@ -4,7 +4,7 @@
 #include "core/base/Result.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/segments/ImportMask.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <vector>
 

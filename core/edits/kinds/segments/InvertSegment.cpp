@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 
 namespace core {
@@ -26,7 +27,8 @@ EditEffects effects(const InvertSegment& edit)
     return {.task = engineTask<InvertSegment>(),
         .standsOpen = false,
         .writesTo = edit.segment,
-        .fills = {.label = edit.segment}};
+        .fills = {.label = edit.segment},
+        .boundToStudy = namesPlaces(edit.editable)};
 }
 
 Result<MapLabels> mapLabels(const InvertSegment& edit, const Document& document)
@@ -39,6 +41,11 @@ Result<MapLabels> mapLabels(const InvertSegment& edit, const Document& document)
     MapLabels map{.plane = segment->plane};
     map.becomes[0] = segment->label;
     map.becomes[segment->label] = 0;
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "invertSegment");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    map.editable = *std::move(editable);
     return map;
 }
 
@@ -59,7 +66,7 @@ RowTitle rowTitle(const InvertSegment& edit, const RowFacts& row)
 /// What other segments hold decides, too, and whose seeds lie where.
 EditDependencies dependencies(const InvertSegment& edit, const DependencyFacts& row)
 {
-    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+    return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
 }
 
 } // namespace core

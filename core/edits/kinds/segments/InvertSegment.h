@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 namespace core {
 
@@ -11,6 +12,7 @@ struct MapLabels;
 /// Others keep their voxels; carved or hidden ones count as all others.
 struct InvertSegment {
     int segment = 0; ///< label
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const InvertSegment& edit, const Document& document);

@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 
@@ -34,7 +35,8 @@ EditEffects effects(const LayerToSegment& edit)
             edit.target.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
         .takesVoxelsOrNothing = true,
         .writesTo = edit.target.segment,
-        .fills = {.label = edit.target.segment, .added = true}};
+        .fills = {.label = edit.target.segment, .added = true},
+        .boundToStudy = namesPlaces(edit.editable)};
 }
 
 Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& document)
@@ -45,7 +47,12 @@ Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& docu
     Result<LabelTarget> target = labelTarget(edit.target, edit.overwriteUnlocked, document);
     if (!target)
         return tl::unexpected(target.error());
-    return LabelCarved{.target = *target, .layer = std::uint8_t(edit.layer)};
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "layerToSegment");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    return LabelCarved{
+        .target = *target, .layer = std::uint8_t(edit.layer), .editable = *std::move(editable)};
 }
 
 Result<EngineEdit> engineEdit(const LayerToSegment& edit, const Document& document)
@@ -66,7 +73,7 @@ EditDependencies dependencies(const LayerToSegment& edit, const DependencyFacts&
 {
     dependsOn::Fields fields{.plane = row.planeOf(edit.target.segment.value_or(0)), .layers = {}};
     fields.layers.set(std::size_t(edit.layer));
-    return fields;
+    return row.alsoReading(edit.editable, fields);
 }
 
 } // namespace core

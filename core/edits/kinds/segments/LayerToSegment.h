@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 
 namespace core {
@@ -13,6 +14,7 @@ struct LayerToSegment {
     int layer = 0; ///< id
     SegmentChoice target{};
     bool overwriteUnlocked = false;
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const LayerToSegment& edit, const Document& document);

@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 
 #include <algorithm>
@@ -77,6 +78,11 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
     if (stroke.edgeTolerance)
         paint.edges = EdgeRule{.start = startVoxel(stroke.path, volume.geometry),
             .tolerance = codesWithin(volume.encoding, *stroke.edgeTolerance)};
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(stroke.editable, document, "paint");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    paint.editable = *std::move(editable);
     return paint;
 }
 
@@ -113,7 +119,7 @@ RowTitle rowTitle(const PaintStroke& stroke, const RowFacts& row)
 /// The labels and seed words of the bricks under the brush.
 EditDependencies dependencies(const PaintStroke& edit, const DependencyFacts& row)
 {
-    return row.labelled(edit.path, row.planeOf(edit.segment));
+    return row.alsoReading(edit.editable, row.labelled(edit.path, row.planeOf(edit.segment)));
 }
 
 } // namespace core

@@ -3,6 +3,7 @@
 
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 #include <optional>
 
@@ -25,6 +26,7 @@ struct PaintStroke {
     /// where the stroke begins by at most this, and that are joined to where the pen was
     /// (EdgeRegion.h). Modality units, at least 0; none: all that is under the brush.
     std::optional<double> edgeTolerance{};
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const PaintStroke& edit, const Document& document);

@@ -5,10 +5,17 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/morphology/GaussianShape.h"
+#include "core/morphology/GridGaussian.h"
 #include "core/morphology/MillimetreBall.h"
+#include "core/morphology/SidedMargin.h"
+
+#include <algorithm>
+#include <bitset>
 
 namespace core {
 
@@ -22,11 +29,58 @@ Error fieldError(const char* field, const QString& reason)
         {QStringLiteral("reshapeSegment.%1").arg(QLatin1String(field)), reason}};
 }
 
-/// A centred shell lies half on either side.
+/// How far it looks around a voxel. A centred shell lies half on either side.
 double ballMm(const ReshapeSegment& edit)
 {
     constexpr double half = 0.5;
+    if (edit.operation == ShapeOperation::Gaussian)
+        return gaussianReach * edit.mm;
     return edit.shell == ShellPlace::Centred ? half * edit.mm : edit.mm;
+}
+
+bool hasSides(const ReshapeSegment& edit)
+{
+    const auto sides = edit.sides.all();
+    return std::any_of(
+        sides.begin(), sides.end(), [](const auto& side) { return side.has_value(); });
+}
+
+SixMargins marginsOf(const ReshapeSegment& edit)
+{
+    const SideMargins& sides = edit.sides;
+    return {.right = sides.rightMm.value_or(edit.mm),
+        .left = sides.leftMm.value_or(edit.mm),
+        .anterior = sides.anteriorMm.value_or(edit.mm),
+        .posterior = sides.posteriorMm.value_or(edit.mm),
+        .inferior = sides.inferiorMm.value_or(edit.mm),
+        .superior = sides.superiorMm.value_or(edit.mm)};
+}
+
+/// The margin on the side where it is widest.
+double widestMm(const ReshapeSegment& edit)
+{
+    double widest = 0.0;
+    for (const std::optional<double>& side : edit.sides.all())
+        widest = std::max(widest, side.value_or(edit.mm));
+    return widest;
+}
+
+std::optional<Error> sidesAtFaultIn(const ReshapeSegment& edit, const VolumeGeometry& geometry)
+{
+    if (edit.operation != ShapeOperation::Grow && edit.operation != ShapeOperation::Shrink)
+        return fieldError("sides", QStringLiteral("mean nothing where nothing grows or shrinks"));
+    for (const std::optional<double>& side : edit.sides.all()) {
+        if (side && !(*side >= 0.0))
+            return fieldError("sides", QStringLiteral("is no length"));
+    }
+    if (!(widestMm(edit) > 0.0))
+        return fieldError("sides", QStringLiteral("are all nothing"));
+    if (ballVoxels(geometry, widestMm(edit)) > mostBallVoxels)
+        return fieldError("sides",
+            QStringLiteral("%1 mm are more than %2 voxels here")
+                .arg(widestMm(edit))
+                .arg(mostBallVoxels));
+    return std::nullopt;
 }
 
 std::optional<Error> fieldAtFaultIn(const ReshapeSegment& edit, const VolumeGeometry& geometry)
@@ -35,19 +89,63 @@ std::optional<Error> fieldAtFaultIn(const ReshapeSegment& edit, const VolumeGeom
         return fieldError("shell", QStringLiteral("means nothing where nothing is hollowed out"));
     if (!(edit.mm > 0.0))
         return fieldError("mm", QStringLiteral("is no length"));
+    if (hasSides(edit)) {
+        if (const std::optional<Error> error = sidesAtFaultIn(edit, geometry))
+            return error;
+    }
     if (ballVoxels(geometry, ballMm(edit)) > mostBallVoxels)
         return fieldError("mm",
             QStringLiteral("%1 mm are more than %2 voxels here").arg(edit.mm).arg(mostBallVoxels));
     return std::nullopt;
 }
 
+/// The segments that are smoothed together, by label.
+/// Errors: UnknownSegment, SegmentLocked, InvalidField.
+Result<std::vector<std::uint8_t>> together(const ReshapeSegment& edit, const Document& document)
+{
+    const Result<const Segment*> first =
+        unlockedSegment("reshapeSegment.segment", edit.segment, document);
+    if (!first)
+        return tl::unexpected(first.error());
+    if (edit.operation != ShapeOperation::Gaussian)
+        return tl::unexpected(
+            fieldError("with", QStringLiteral("means nothing where no Gaussian smooths")));
+    std::vector<std::uint8_t> labels{(*first)->label};
+    for (const int label : *edit.with) {
+        const Result<const Segment*> other =
+            unlockedSegment("reshapeSegment.with", label, document);
+        if (!other)
+            return tl::unexpected(other.error());
+        if ((*other)->plane != (*first)->plane)
+            return tl::unexpected(
+                fieldError("with", QStringLiteral("lies on another label plane than the segment")));
+        if (std::find(labels.begin(), labels.end(), (*other)->label) != labels.end())
+            return tl::unexpected(fieldError("with", QStringLiteral("names a segment twice")));
+        labels.push_back((*other)->label);
+    }
+    constexpr std::size_t most = 254; // one number is needed for what no segment has
+    if (labels.size() > most)
+        return tl::unexpected(fieldError("with", QStringLiteral("are more than %1").arg(most)));
+    std::sort(labels.begin(), labels.end());
+    return labels;
+}
+
+/// A number that none of these is.
+std::uint8_t numberBeside(const std::vector<std::uint8_t>& labels)
+{
+    std::uint8_t number = 1;
+    while (std::binary_search(labels.begin(), labels.end(), number))
+        ++number;
+    return number;
+}
+
 RowTitleCode titleOf(const ReshapeSegment& edit)
 {
     switch (edit.operation) {
     case ShapeOperation::Grow:
-        return RowTitleCode::GrowByMargin;
+        return hasSides(edit) ? RowTitleCode::GrowBySides : RowTitleCode::GrowByMargin;
     case ShapeOperation::Shrink:
-        return RowTitleCode::ShrinkByMargin;
+        return hasSides(edit) ? RowTitleCode::ShrinkBySides : RowTitleCode::ShrinkByMargin;
     case ShapeOperation::Hollow:
         switch (edit.shell.value_or(ShellPlace::Inside)) {
         case ShellPlace::Inside:
@@ -62,10 +160,28 @@ RowTitleCode titleOf(const ReshapeSegment& edit)
         return RowTitleCode::OpenShape;
     case ShapeOperation::Close:
         return RowTitleCode::CloseShape;
+    case ShapeOperation::Wrap:
+        return RowTitleCode::WrapShape;
+    case ShapeOperation::Gaussian:
+        return edit.with ? RowTitleCode::JointGaussian : RowTitleCode::GaussianShape;
     case ShapeOperation::Median:
         break;
     }
     return RowTitleCode::SmoothShape;
+}
+
+Result<ShapeChange> changeOf(const ReshapeSegment& edit, const VolumeGeometry& geometry,
+    std::uint8_t label, std::span<const std::uint8_t> labels, const Progress& progress)
+{
+    if (edit.operation == ShapeOperation::Gaussian)
+        return gaussianChange(
+            labels, geometry.size, label, gaussianOf(geometry, edit.mm), progress);
+    if (hasSides(edit))
+        return sidedMarginChange(labels, geometry.size, label,
+            edit.operation == ShapeOperation::Grow, sidedBallOf(geometry, marginsOf(edit)),
+            progress);
+    return shapeChange(labels, geometry.size, label, edit.operation,
+        edit.shell.value_or(ShellPlace::Inside), ballOf(geometry, ballMm(edit)), progress);
 }
 
 } // namespace
@@ -74,6 +190,10 @@ Result<void> check(const ReshapeSegment& edit, const Document& document)
 {
     if (const std::optional<Error> error = fieldAtFaultIn(edit, document.volumes.front().geometry))
         return tl::unexpected(*error);
+    if (const auto editable = editableVoxels(edit.editable, document, "reshapeSegment"); !editable)
+        return tl::unexpected(editable.error());
+    if (edit.with)
+        return discardValue(together(edit, document));
     return discardValue(labelTarget({.segment = edit.segment, .name = {}}, false, document));
 }
 
@@ -87,7 +207,8 @@ EditEffects effects(const ReshapeSegment& edit)
     return {.task = EditTask::Islands,
         .standsOpen = false,
         .writesTo = edit.segment,
-        .fills = {.label = edit.segment}};
+        .fills = {.label = edit.segment},
+        .boundToStudy = namesPlaces(edit.editable)};
 }
 
 RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row)
@@ -95,14 +216,15 @@ RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row)
     const Segment* segment = row.document.segment(edit.segment);
     const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
     return {.code = titleOf(edit),
-        .arguments = {segmentName(edit.segment, row.document), TitleDigits{edit.mm, 3}},
+        .arguments = {segmentName(edit.segment, row.document),
+            TitleDigits{hasSides(edit) ? widestMm(edit) : edit.mm, 3}},
         .then = {flowTitle(flow.gained, flow.lost)}};
 }
 
 /// Every voxel of the plane may decide what is near another.
 EditDependencies dependencies(const ReshapeSegment& edit, const DependencyFacts& row)
 {
-    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+    return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
 }
 
 Result<RelabelListed> relabelListed(const ReshapeSegment& edit, const Document& document,
@@ -115,15 +237,43 @@ Result<RelabelListed> relabelListed(const ReshapeSegment& edit, const Document& 
     const VolumeGeometry& geometry = document.volumes.front().geometry;
     if (const std::optional<Error> error = fieldAtFaultIn(edit, geometry))
         return tl::unexpected(*error);
-    const Result<ShapeChange> change =
-        shapeChange(labels, geometry.size, target->label, edit.operation,
-            edit.shell.value_or(ShellPlace::Inside), ballOf(geometry, ballMm(edit)), progress);
+    const Result<ShapeChange> change = changeOf(edit, geometry, target->label, labels, progress);
     if (!change)
         return tl::unexpected(change.error());
     ListedRuns listed(geometry.size);
     listed.add(change->given, RelabelListed::give);
     listed.add(change->taken, RelabelListed::take);
-    return listed.relabel(*std::move(target));
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "reshapeSegment");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    RelabelListed relabel = listed.relabel(*std::move(target));
+    relabel.editable = *std::move(editable);
+    return relabel;
+}
+
+Result<LabelListed> labelListed(const ReshapeSegment& edit, const Document& document,
+    std::span<const std::uint8_t> labels, const Progress& progress)
+{
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    if (const std::optional<Error> error = fieldAtFaultIn(edit, geometry))
+        return tl::unexpected(*error);
+    const Result<std::vector<std::uint8_t>> segments = together(edit, document);
+    if (!segments)
+        return tl::unexpected(segments.error());
+    const Result<JointChange> change = jointGaussianChange(
+        labels, geometry.size, *segments, gaussianOf(geometry, edit.mm), progress);
+    if (!change)
+        return tl::unexpected(change.error());
+    ListedRuns listed(geometry.size);
+    std::bitset<256> overwritable;
+    for (std::size_t place = 0; place < segments->size(); ++place) {
+        overwritable.set((*segments)[place]);
+        listed.add(change->given[place], (*segments)[place]);
+    }
+    const std::uint8_t frees = numberBeside(*segments);
+    listed.add(change->freed, frees);
+    return listed.label(document.segment(edit.segment)->plane, overwritable, frees);
 }
 
 } // namespace core

@@ -3,25 +3,51 @@
 
 #include "core/base/Progress.h"
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/morphology/SegmentShape.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace core {
 
+struct LabelListed;
 struct RelabelListed;
 
+/// Margins of growing and shrinking that are others towards some of the patient's sides; those left
+/// out are the edit's `mm`.
+struct SideMargins {
+    std::optional<double> rightMm{};
+    std::optional<double> leftMm{};
+    std::optional<double> anteriorMm{};
+    std::optional<double> posteriorMm{};
+    std::optional<double> inferiorMm{};
+    std::optional<double> superiorMm{};
+
+    [[nodiscard]] std::array<std::optional<double>, 6> all() const
+    {
+        return {rightMm, leftMm, anteriorMm, posteriorMm, inferiorMm, superiorMm};
+    }
+};
+
 /// Grow or shrink a segment by a margin, hollow it out, open, close or smooth it, with a ball of
-/// millimetres (core/morphology/SegmentShape.h). Like CleanSegment it is worked out anew from the
-/// labels whenever it is carried out.
+/// millimetres (core/morphology/SegmentShape.h) or a Gaussian (core/morphology/GaussianShape.h).
+/// Like CleanSegment it is worked out anew from the labels whenever it is carried out.
 struct ReshapeSegment {
     int segment = 0; ///< label
     ShapeOperation operation = ShapeOperation::Grow;
-    /// The margin, the thickness of the shell, or the radius of the ball.
+    /// The margin, the thickness of the shell, the radius of the ball, or the standard deviation of
+    /// the Gaussian.
     double mm = 0.0;
     std::optional<ShellPlace> shell{}; ///< of Hollow alone; none: inside
+    /// Of Gaussian alone: other segments of its plane, ascending, that are smoothed together with
+    /// it (jointGaussianChange()).
+    std::optional<std::vector<int>> with{};
+    SideMargins sides{}; ///< of Grow and Shrink alone (core/morphology/SidedMargin.h)
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const ReshapeSegment& edit, const Document& document);
@@ -32,10 +58,15 @@ Result<bool> apply(const ReshapeSegment& edit, Document& document);
 
 /// The edit for an engine; no bricks: there is nothing to be done. It takes only voxels that no
 /// segment has.
+/// @param edit with no other segments
 /// @param labels of the whole volume in the segment's plane, x fastest
 /// Any thread that is no parallelFor's. Errors: UnknownSegment, SegmentLocked, InvalidField (the
 /// ball is too small or too large), OutOfMemory, Cancelled.
 [[nodiscard]] Result<RelabelListed> relabelListed(const ReshapeSegment& edit,
     const Document& document, std::span<const std::uint8_t> labels, const Progress& progress);
+
+/// The same where it has others; they take voxels from each other.
+[[nodiscard]] Result<LabelListed> labelListed(const ReshapeSegment& edit, const Document& document,
+    std::span<const std::uint8_t> labels, const Progress& progress);
 
 } // namespace core

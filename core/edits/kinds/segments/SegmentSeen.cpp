@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 
@@ -66,7 +67,7 @@ EditEffects effects(const SegmentSeen& edit)
         .takesVoxelsOrNothing = true,
         .writesTo = edit.target.segment,
         .fills = {.label = edit.target.segment, .added = true},
-        .boundToStudy = edit.hidden.has_value()};
+        .boundToStudy = edit.hidden.has_value() || namesPlaces(edit.editable)};
 }
 
 Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document)
@@ -84,6 +85,11 @@ Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document)
         edit.upper ? volume.encoding.highestCodeAtMost(*edit.upper) : VoxelEncoding::codeCount - 1;
     for (const ClipHalfSpace& side : edit.hidden.value_or(std::vector<ClipHalfSpace>()))
         seen.bounds.push_back(voxelBound(side, volume.geometry));
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "segmentSeen");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    seen.editable = *std::move(editable);
     return seen;
 }
 
@@ -105,7 +111,7 @@ EditDependencies dependencies(const SegmentSeen& edit, const DependencyFacts& ro
 {
     dependsOn::Fields fields{.plane = row.planeOf(edit.target.segment.value_or(0)), .layers = {}};
     fields.layers.set();
-    return fields;
+    return row.alsoReading(edit.editable, fields);
 }
 
 } // namespace core

@@ -3,6 +3,7 @@
 
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 
 #include <optional>
@@ -19,6 +20,7 @@ struct SegmentSeen {
     std::optional<double> upper{};
     ClipHalfSpaces hidden{};
     bool overwriteUnlocked = false;
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const SegmentSeen& edit, const Document& document);

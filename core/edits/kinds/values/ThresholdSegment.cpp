@@ -5,10 +5,11 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/BoxVoxels.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/growth/GrowLimits.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
-#include "core/sculpt/LabelThreshold.h"
+#include "core/sculpt/labels/LabelThreshold.h"
 
 namespace core {
 
@@ -74,7 +75,7 @@ EditEffects effects(const ThresholdSegment& edit)
         .standsOpen = true,
         .writesTo = edit.segment,
         .fills = {.label = gives ? std::optional(edit.segment) : std::nullopt},
-        .boundToStudy = edit.box.has_value()};
+        .boundToStudy = edit.box.has_value() || namesPlaces(edit.editable)};
 }
 
 Result<LabelThreshold> labelThreshold(const ThresholdSegment& edit, const Document& document)
@@ -100,6 +101,11 @@ Result<LabelThreshold> labelThreshold(const ThresholdSegment& edit, const Docume
             return tl::unexpected(span.error());
         threshold.box = VoxelBox{span->from, span->to + 1};
     }
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "thresholdSegment");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    threshold.editable = *std::move(editable);
     return threshold;
 }
 
@@ -127,10 +133,10 @@ RowTitle rowTitle(const ThresholdSegment& edit, const RowFacts& row)
 EditDependencies dependencies(const ThresholdSegment& edit, const DependencyFacts& row)
 {
     if (!edit.onlyVisible)
-        return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+        return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
     dependsOn::Fields fields{.plane = row.planeOf(edit.segment), .layers = {}};
     fields.layers.set();
-    return fields;
+    return row.alsoReading(edit.editable, fields);
 }
 
 } // namespace core

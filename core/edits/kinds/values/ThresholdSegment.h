@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/kinds/growth/GrowBox.h"
+#include "core/edits/kinds/parts/EditableRange.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 
 #include <cstdint>
 #include <optional>
@@ -28,6 +29,7 @@ struct ThresholdSegment {
     bool onlyVisible = false;
     std::optional<GrowBox> box{}; ///< what lies outside stays as it is; none: the whole volume
     bool overwriteUnlocked = false;
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
     bool operator==(const ThresholdSegment&) const = default;
 };
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace regionStatisticsTest {
 
@@ -88,6 +89,33 @@ private:
     }
 
 private Q_SLOTS:
+    /// Against the sorted list.
+    void percentilesAreValuesOfTheList()
+    {
+        std::mt19937 random(35);
+        VoxelEncoding encoding;
+        encoding.rescaleSlope = 2.0;
+        encoding.rescaleIntercept = -1024.0;
+        QVERIFY(!RegionTally().percentile(50, encoding));
+        for (const int count : {1, 2, 3, 49, 50, 51, 100, 777}) {
+            std::vector<std::uint16_t> codes;
+            for (int i = 0; i < count; ++i)
+                codes.push_back(
+                    std::uint16_t(std::uniform_int_distribution(0, i % 3 ? 65535 : 40)(random)));
+            RegionTally tally;
+            tally.add(codes);
+            std::sort(codes.begin(), codes.end());
+            for (const int percent : {0, 1, 2, 50, 98, 99, 100}) {
+                // The first of the list up to which there are so many percent.
+                int place = 0;
+                while ((place + 1) * 100 < percent * count)
+                    ++place;
+                const auto found = tally.percentile(percent, encoding);
+                QVERIFY(found.has_value());
+                QCOMPARE(*found, encoding.value(codes[std::size_t(place)]));
+            }
+        }
+    }
     /// Every voxel of the volume is asked how far its centre lies from the ball's.
     void aBallHoldsTheVoxelsWithinItsRadius_data() { everyPhantom(); }
     void aBallHoldsTheVoxelsWithinItsRadius()

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/RowDependencies.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
@@ -224,7 +226,8 @@ private Q_SLOTS:
         QVERIFY(!removal.covers({Field::Coverage, 1, 3}));
         for (const Edit& wholePlane : std::vector<Edit>{InvertSegment{.segment = 1},
                  CombineSegments{.segment = 1, .with = 2}, ReshapeSegment{.segment = 1, .mm = 1.0},
-                 FillBetweenSlices{.segment = 1}, ThresholdSegment{.segment = 1}}) {
+                 FillBetweenSlices{.segment = 1}, MirrorSegment{.segment = 1},
+                 EvolveContour{.segment = 1}, ThresholdSegment{.segment = 1}}) {
             const RowDependencies whole(wholePlane, document, {});
             QVERIFY(whole.covers({Field::SeedWords, 0, 3}));
             QVERIFY(whole.covers({Field::Labels, 0, 3}));

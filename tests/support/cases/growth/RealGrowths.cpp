@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/growth/RealGrowths.h"
 
-#include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/PlugLeak.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SharedData.h"
 #include "tests/support/series/OpenedVolume.h"

@@ -169,7 +169,10 @@ core::PickVoxels randomPick(const glm::ivec3& size, Random& random)
     core::PickVoxels pick;
     for (int i = randomInt(random, 0, 40); i > 0; --i)
         pick.rays.push_back(randomRay(size, random));
-    pick.seenBy = core::SeenBy(random() % 3);
+    pick.seenBy = core::SeenBy(random() % 4);
+    for (std::size_t label = 1; label < 5; ++label)
+        pick.segments[label] = random() % 2;
+    pick.plane = std::uint8_t(random() % 4 ? 0 : 1);
     pick.thresholdCode = random() % 6 ? randomInt(random, 0, tissueCode) : 65536;
     if (pick.seenBy == core::SeenBy::Opacity) {
         const int highest = random() % 3 ? 9000 : 65535;
@@ -283,6 +286,11 @@ std::vector<EngineCase> pickCases(int randomCount)
         DrillScene scene("picks " + QByteArray::number(number), std::uint32_t(9500 + number), size);
         scene.made.codes = randomCodes(size, random);
         std::vector<EngineStep>& steps = scene.made.steps;
+        for (const std::uint8_t plane : {std::uint8_t(0), std::uint8_t(1)}) {
+            if (random() % 3)
+                steps.push_back(command(core::SwapBricks{
+                    bricksOf(labelBoxes(size, 5, random), core::Field::Labels, plane)}));
+        }
         steps.push_back(command(randomPick(size, random)));
         for (const std::uint8_t layer : {std::uint8_t(1), std::uint8_t(2)}) {
             if (random() % 2)

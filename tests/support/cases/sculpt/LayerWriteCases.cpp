@@ -113,13 +113,16 @@ EngineCase randomWrites(int number)
             appendWhole(made.steps, std::move(seen), {}, ending);
             break;
         }
-        case 5:
-            appendWhole(made.steps,
-                CoverLabel{.layer = std::uint8_t(random() % 3 ? layer : 0),
-                    .plane = plane,
-                    .label = std::uint8_t(randomInt(random, 1, 5))},
-                {}, ending);
+        case 5: {
+            CoverLabel cover{.layer = std::uint8_t(random() % 3 ? layer : 0),
+                .plane = plane,
+                .label = std::uint8_t(randomInt(random, 1, 5))};
+            cover.outside = random() % 3 == 0;
+            if (random() % 2)
+                cover.spared.set(std::size_t(randomInt(random, 0, 5)));
+            appendWhole(made.steps, cover, {}, ending);
             break;
+        }
         case 6: {
             FoldLayer fold{.layer = layer, .into = {}};
             if (random() % 3)
@@ -181,6 +184,14 @@ std::vector<EngineCase> layerWriteCases(int randomCount)
     corners.steps.push_back(Undo{});
     corners.steps.push_back(Redo{});
     corners.steps.push_back(command(core::ProbeVoxels{{{0, 0, 0}, size - 1}}));
+    CoverLabel all{.layer = 3, .plane = 0, .label = 9, .outside = true};
+    all.spared.set(1);
+    all.spared.set(2);
+    appendWhole(corners.steps, all); // nothing is anyone else's
+    all.spared.reset();
+    appendWhole(corners.steps, all);
+    appendWhole(corners.steps, all); // all is carved
+    corners.steps.push_back(Undo{});
     cases.push_back(corners);
 
     EngineCase bounds{"bounds meet voxels exactly", codes, {}};
@@ -226,9 +237,24 @@ std::vector<EngineCase> layerWriteCases(int randomCount)
             std::vector<std::uint8_t>(core::BrickGrid::voxelsPerBrick, std::uint8_t(255))});
     appendWhole(listed.steps, full); // what has grown stays
     appendWhole(listed.steps, full); // nothing is left to do
+    // Some are given, some freed, and of those only what may be taken.
+    LabelListed some{.plane = 0, .frees = 7};
+    for (const LabelListed::Brick& brick : full.bricks) {
+        some.bricks.push_back(brick);
+        for (std::size_t voxel = 0; voxel < some.bricks.back().labels.size(); ++voxel)
+            some.bricks.back().labels[voxel] = std::uint8_t(voxel % 5 < 2 ? 7
+                    : voxel % 5 == 2                                      ? 9
+                                                                          : 0);
+    }
+    appendWhole(listed.steps, some); // nothing that is held may go
+    some.overwritable.set(2);
+    appendWhole(listed.steps, some);
+    some.overwritable.set(0);
+    some.overwritable.set(9);
+    appendWhole(listed.steps, some);
     full.overwritable.set(2);
     appendWhole(listed.steps, full);
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 5; ++i)
         listed.steps.push_back(Undo{});
     cases.push_back(listed);
 

@@ -131,6 +131,11 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"muted layer to a segment", volume, {layer, drill, mute}, carved});
     cases.push_back({"segment to layer", volume, {first, seeds, some, layer, drill, other}, cover});
     cases.push_back({"empty segment to layer", volume, {first, layer}, cover});
+    const core::SegmentToLayer mask{.segment = 1, .layer = 2, .outside = true};
+    cases.push_back(
+        {"all but a segment to layer", volume, {first, seeds, some, layer, drill, other}, mask});
+    cases.push_back({"undo only all but a segment", volume,
+        {first, seeds, some, layer, mask, other}, core::RevertRows{{5}}});
     cases.push_back({"segment what is seen", volume, {first, paint, drill}, seen});
     cases.push_back(
         {"segment what is seen in a clip region", volume, {first, second, taker, peel}, clipped});
@@ -212,6 +217,12 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     const ReshapeSegment open{.segment = 1, .operation = ShapeOperation::Open, .mm = 30.0};
     const ReshapeSegment close{.segment = 1, .operation = ShapeOperation::Close, .mm = 6.0};
     const ReshapeSegment median{.segment = 1, .operation = ShapeOperation::Median, .mm = 6.0};
+    const ReshapeSegment gaussian{.segment = 1, .operation = ShapeOperation::Gaussian, .mm = 4.0};
+    const ReshapeSegment sided{.segment = 1,
+        .operation = ShapeOperation::Grow,
+        .mm = 6.0,
+        .sides = {.leftMm = 0.0, .posteriorMm = 2.0, .superiorMm = 9.0}};
+    cases.push_back({"grow by margins that differ", volume, {first, paint}, sided});
     cases.push_back({"grow by a margin", volume, {first, paint}, margin});
     cases.push_back(
         {"grow by a margin beside another", volume, {first, second, paint, others, some}, margin});
@@ -220,8 +231,17 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"a shell around a segment", volume, {first, paint}, around});
     cases.push_back({"open a segment", volume, {first, paint}, open});
     cases.push_back({"close a hollow segment", volume, {first, paint, shell}, close});
+    const ReshapeSegment wrap{.segment = 1, .operation = ShapeOperation::Wrap, .mm = 3.0};
+    cases.push_back({"wrap a hollow segment", volume, {first, paint, shell}, wrap});
     cases.push_back({"close an empty segment", volume, {first}, close});
     cases.push_back({"smooth a segment", volume, {first, paint}, median});
+    cases.push_back({"smooth a segment by a Gaussian", volume, {first, paint}, gaussian});
+    ReshapeSegment joint = gaussian;
+    joint.with = std::vector<int>{2};
+    cases.push_back(
+        {"smooth two segments together", volume, {first, second, paint, others}, joint});
+    cases.push_back({"growth after two were smoothed together", volume,
+        {first, seeds, second, others, some, joint}, all});
     cases.push_back({"growth after a margin", volume, {first, paint, less, seeds}, all});
     cases.push_back(
         {"undo only a margin", volume, {first, paint, margin, drill}, core::RevertRows{{3}}});

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
 
@@ -18,6 +22,48 @@ core::Edit discAt(const core::VolumeGeometry& geometry, const glm::dvec3& voxel,
     stroke.path.radiusMm = radiusMm;
     stroke.path.pointsLps = {geometry.toWorld(voxel)};
     return stroke;
+}
+
+/// Scissors along the view of the scene's drill.
+void addScissors(std::vector<StrokeCase>& cases, const StrokeScene& scene)
+{
+    const core::LoadedVolume& volume = scene.volume;
+    const core::Edit& first = scene.first;
+    const core::Edit& second = scene.second;
+    const core::SegmentScissors fill{.segment = 1,
+        .view = scene.drill.get<core::DrillStroke>().view,
+        .polygonMm = {{-9.0, -8.0}, {10.0, -6.0}, {2.0, 11.0}}};
+    cases.push_back({"scissors that fill", volume, {first}, fill});
+    core::SegmentScissors deep = fill;
+    deep.segment = 2;
+    deep.depthMm = 6.0;
+    deep.overwriteUnlocked = true;
+    cases.push_back(
+        {"scissors that fill to a depth over another", volume, {first, second, fill}, deep});
+    cases.push_back({"scissors beside a locked segment", volume,
+        {first, second, scene.paint, scene.lock}, deep});
+    core::SegmentScissors values = fill;
+    values.outside = true;
+    values.lower = 300.0;
+    values.upper = 900.0;
+    cases.push_back({"scissors that fill outside, of some values", volume, {first}, values});
+    core::SegmentScissors erase = fill;
+    erase.erase = true;
+    cases.push_back({"scissors that erase", volume, {first, scene.paint}, erase});
+    cases.push_back({"scissors that erase after growth", volume,
+        {first, scene.seeds, scene.some, scene.paint}, erase});
+    core::SegmentScissors both = erase;
+    both.outside = true;
+    both.others = std::vector<int>{2};
+    cases.push_back(
+        {"scissors that keep what is inside", volume, {first, second, values, deep}, both});
+    core::SegmentScissors shallow = erase;
+    shallow.depthMm = 3.0;
+    cases.push_back({"scissors that erase what is seen", volume, {first, fill}, shallow});
+    cases.push_back(
+        {"growth after scissors", volume, {first, scene.paint, erase, scene.seeds}, scene.all});
+    cases.push_back({"undo only scissors", volume, {first, scene.paint, shallow, scene.drill},
+        core::RevertRows{{3}}});
 }
 
 } // namespace
@@ -45,6 +91,20 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"undo only a fill between slices", volume,
         {first, low, high, between, scene.drill}, core::RevertRows{{4}}});
 
+    const core::MirrorSegment middle{.segment = 1};
+    const core::MirrorSegment aside{.segment = 1,
+        .sides = core::MirroredSides::AnteriorPosterior,
+        .placeLps = geometry.toWorld({14.0, 15.4, 4.0}),
+        .keep = true};
+    cases.push_back({"mirror a segment", volume, {first, low, high}, middle});
+    cases.push_back({"mirror a segment beside another", volume,
+        {first, second, scene.others, scene.some, low, high}, aside});
+    cases.push_back({"mirror an empty segment", volume, {first}, middle});
+    cases.push_back(
+        {"growth after mirroring", volume, {first, low, aside, scene.seeds}, scene.all});
+    cases.push_back(
+        {"undo only a mirroring", volume, {first, low, aside, scene.drill}, core::RevertRows{{3}}});
+
     core::FloodFill flood{.segment = 1,
         .placeLps = geometry.toWorld({20.0, 16.0, 10.0}),
         .within = core::SliceAxis::K,
@@ -69,6 +129,7 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"growth after a flood fill", volume, {first, flood, scene.seeds}, scene.all});
     cases.push_back({"undo only a flood fill", volume, {first, scene.paint, flood, scene.drill},
         core::RevertRows{{3}}});
+    addScissors(cases, scene);
 }
 
 } // namespace test

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"

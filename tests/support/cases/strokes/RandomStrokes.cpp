@@ -2,12 +2,12 @@
 #include "tests/support/cases/strokes/RandomStrokes.h"
 
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/layers/ChangeLayer.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"

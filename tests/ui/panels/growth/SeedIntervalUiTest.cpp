@@ -12,7 +12,7 @@
 #include "ui/settings/SeedValues.h"
 #include "ui/tasks/SketchLook.h"
 #include "ui/tools/aim/LookingDirection.h"
-#include "ui/window/ToolSettings.h"
+#include "ui/window/display/ToolSettings.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/SegmentActions.h"
 

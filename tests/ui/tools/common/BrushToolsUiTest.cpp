@@ -5,6 +5,7 @@
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -555,6 +556,99 @@ private Q_SLOTS:
         recipe.apply(edit);
         QCOMPARE(recipe.session().stateHash(), fixture.session().stateHash());
         QVERIFY(fixture.painted().size() > 100);
+    }
+
+    /// With Ctrl or the eraser end what is seen of the segment goes, and what lies deeper stays.
+    void erasingIn3dTakesWhatIsSeen_data()
+    {
+        QTest::addColumn<bool>("control");
+        QTest::newRow("the eraser end") << false;
+        QTest::newRow("Ctrl") << true;
+    }
+    void erasingIn3dTakesWhatIsSeen()
+    {
+        QFETCH(const bool, control);
+        BrushFixture fixture(Brush::Paint);
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Head"), 0x804020)));
+        QVERIFY(fixture.session().apply(core::ThresholdSegment{.segment = 1, .lower = 0.0}));
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(1);
+        const auto before = fixture.painted();
+        if (control) {
+            const QPoint middle = BrushFixture::middleOf(fixture.view).toPoint();
+            const QPoint end = middle + QPoint(30, 0);
+            QTest::mousePress(&fixture.view, Qt::LeftButton, Qt::ControlModifier, middle);
+            QTest::mouseMove(&fixture.view, end);
+            fixture.session().poll();
+            QTest::mouseRelease(&fixture.view, Qt::LeftButton, Qt::ControlModifier, end);
+            fixture.session().poll();
+            QVERIFY(fixture.session().settle());
+        } else {
+            test::Pen pen(fixture.view, test::Pen::End::Eraser);
+            draw(fixture, fixture.view, pen);
+            lift(fixture, fixture.view, pen);
+        }
+        const auto edit = fixture.lastEdit().get<core::PaintStroke>();
+        QVERIFY(edit.erase);
+        for (const glm::dvec3& point : edit.path.pointsLps)
+            QVERIFY(std::abs(glm::length(point) - 15.7) < 1.2 && point.y < 0.0);
+        const auto after = fixture.painted();
+        QVERIFY(after.size() + 20 < before.size());
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        for (const auto& voxel : before) {
+            if (after.count(voxel) > 0)
+                continue;
+            const glm::dvec3 lps = geometry.toWorld(glm::dvec3(voxel[0], voxel[1], voxel[2]));
+            QVERIFY(glm::length(lps) > 15.7 - 1.2 - 3.0 - 0.1 && lps.y < 0.0);
+        }
+    }
+
+    /// Where the volume steps back, a stroke lies on the segments that are shown, however deep in
+    /// the head they are; a brush that carves does not work there.
+    void erasingLiesOnSegmentsWhereTheyAreSeenAlone_data()
+    {
+        QTest::addColumn<int>("shown");
+        QTest::newRow("segments only") << int(gpu::Context::Hidden);
+        QTest::newRow("cut away") << int(gpu::Context::CutAway);
+        QTest::newRow("translucent") << int(gpu::Context::Translucent);
+    }
+    void erasingLiesOnSegmentsWhereTheyAreSeenAlone()
+    {
+        QFETCH(const int, shown);
+        const auto context = gpu::Context(shown);
+        BrushFixture fixture(Brush::Paint);
+        ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+        display.context = context;
+        fixture.workspace.setVolumeDisplay(display);
+        QCOMPARE(
+            fixture.carve.worksIn(fixture.view.context()), context == gpu::Context::Translucent);
+        QVERIFY(fixture.paint.worksIn(fixture.view.context()));
+        // The ventricle, 5 mm around the middle.
+        QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Ventricle"), 0x804020)));
+        QVERIFY(fixture.session().apply(
+            core::ThresholdSegment{.segment = 1, .lower = 0.0, .upper = 20.0}));
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(1);
+        fixture.workspace.setBrushSettings(Brush::Paint, {.radiusMm = 1.6});
+        const auto before = fixture.painted();
+        test::Pen pen(fixture.view, test::Pen::End::Eraser);
+        draw(fixture, fixture.view, pen, {stroke[0], stroke[1]});
+        pen.release(BrushFixture::middleOf(fixture.view) + stroke[1].offset, 70100);
+        fixture.session().poll();
+        QVERIFY(fixture.session().settle());
+        const auto edit = fixture.lastEdit().get<core::PaintStroke>();
+        QVERIFY(edit.erase);
+        for (const glm::dvec3& point : edit.path.pointsLps) {
+            QVERIFY2(std::abs(glm::length(point) - 4.5) < 1.2,
+                qPrintable(QString::number(glm::length(point))));
+            QVERIFY(point.y < 0.0);
+        }
+        const auto after = fixture.painted();
+        QVERIFY(after.size() < before.size() && after.size() > before.size() / 2);
+        // Resting digs no deeper: the way was looked for before anything was erased.
+        const auto stays = fixture.workspace.volume()->geometry.toIndex(glm::dvec3(0.0, 0.0, 0.0));
+        const glm::ivec3 middle(glm::floor(stays + 0.5));
+        QVERIFY(after.count({middle.x, middle.y, middle.z}) > 0);
     }
 
     /// The cut follows the surface of pen-down: neither resting nor a fast tablet digs deeper.

@@ -2,9 +2,9 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/growth/ShrinkTool.h"
 
-#include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"

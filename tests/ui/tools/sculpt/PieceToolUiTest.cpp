@@ -17,8 +17,8 @@
 #include "ui/panels/lists/PiecesPanel.h"
 #include "ui/tools/growth/SeedTool.h"
 #include "ui/views/ViewGrid.h"
-#include "ui/window/DisplayState.h"
 #include "ui/window/PieceActions.h"
+#include "ui/window/display/DisplayState.h"
 #include "ui/workspace/Pieces.h"
 
 #include <QAbstractItemModelTester>

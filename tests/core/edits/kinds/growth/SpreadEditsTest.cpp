@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/growth/GrowBox.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallDocument.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/sculpt/CutFrame.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <glm/glm.hpp>
 
@@ -40,6 +40,7 @@ struct LabelOutlined {
     Fixed3 perK{};
     std::int32_t halfThickness = 0; ///< mm16
     std::vector<glm::ivec2> corners{}; ///< mm16, at least three
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 [[nodiscard]] Result<void> checkSound(const LabelOutlined& edit, const BrickGrid& grid);

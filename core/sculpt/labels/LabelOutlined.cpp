@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sculpt/LabelOutlined.h"
+#include "core/sculpt/labels/LabelOutlined.h"
 
 #include <algorithm>
 #include <array>
@@ -156,7 +156,7 @@ Result<void> checkSound(const LabelOutlined& edit, const BrickGrid& grid)
         || !staysInReach(edit.perJ, size.y) || !staysInReach(edit.perK, size.z))
         return failure(
             ErrorCode::InvalidField, QStringLiteral("plane"), QStringLiteral("is not sound"));
-    return {};
+    return checkSound(edit.editable);
 }
 
 std::vector<std::uint32_t> bricksNear(const LabelOutlined& edit, const BrickGrid& grid)

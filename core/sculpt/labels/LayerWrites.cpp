@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <algorithm>
 
@@ -60,6 +60,8 @@ tl::unexpected<Error> unsoundBricks()
 
 Result<void> checkSound(const LabelCarved& edit, const BrickGrid&)
 {
+    if (const Result<void> sound = checkSound(edit.editable); !sound)
+        return sound;
     return checkLabel(edit.target.label);
 }
 
@@ -68,6 +70,8 @@ Result<void> checkSound(const LabelSeen& edit, const BrickGrid& grid)
     if (!areSound(edit.bounds, grid.volumeSize))
         return failure(
             ErrorCode::InvalidField, QStringLiteral("bounds"), QStringLiteral("are not sound"));
+    if (const Result<void> sound = checkSound(edit.editable); !sound)
+        return sound;
     return checkLabel(edit.target.label);
 }
 
@@ -84,6 +88,8 @@ Result<void> checkSound(const RelabelListed& edit, const BrickGrid& grid)
         [](const RelabelListed::Brick& brick) { return areKnown(brick.asked); });
     if (!known || !areSound(edit.bricks, &RelabelListed::Brick::asked, grid.brickCount()))
         return unsoundBricks();
+    if (const Result<void> sound = checkSound(edit.editable); !sound)
+        return sound;
     return checkLabel(edit.target.label);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/window/ToolSettings.h"
+#include "ui/window/display/ToolSettings.h"
 
 #include "ui/base/DisplayJson.h"
 #include "ui/input/Tool.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
-#include "core/sculpt/LayerWrites.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <cstdint>
 #include <optional>
@@ -29,6 +29,7 @@ struct LabelThreshold {
     int highCode = 65535;
     bool onlyVisible = false;
     std::optional<VoxelBox> box{}; ///< none: the whole volume
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 [[nodiscard]] Result<void> checkSound(const LabelThreshold& edit, const BrickGrid& grid);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sculpt/LabelThreshold.h"
+#include "core/sculpt/labels/LabelThreshold.h"
 
 namespace core {
 
@@ -8,7 +8,7 @@ Result<void> checkSound(const LabelThreshold& edit, const BrickGrid&)
     if (edit.target.label == 0)
         return failure(
             ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
-    return {};
+    return checkSound(edit.editable);
 }
 
 std::vector<std::uint32_t> bricksMeeting(const VoxelBox& box, const BrickGrid& grid)

@@ -4,6 +4,7 @@
 #include "core/base/Result.h"
 #include "core/base/TypeList.h"
 #include "core/brick/BrickGrid.h"
+#include "core/sculpt/labels/EditableVoxels.h"
 
 #include <glm/glm.hpp>
 
@@ -41,6 +42,7 @@ struct LabelTarget {
 struct LabelCarved {
     LabelTarget target{};
     std::uint8_t layer = 0;
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 /// Chosen are the voxels that are visible from anywhere: coverage < 128 in all layers that are not
@@ -50,10 +52,13 @@ struct LabelSeen {
     int lowCode = 0;
     int highCode = 65535;
     std::vector<VoxelBound> bounds{};
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 /// Give labels to listed voxels. Each follows the rule of LabelTarget with the label requested for
-/// it; where 0 is requested, nothing happens.
+/// it; where 0 is requested, nothing happens. Where `frees` is requested, which may be any number
+/// that is not given as a label, a voxel at which the plane holds a label in `overwritable` becomes
+/// 0, and a seed word there that has this label becomes unvisited (as when PaintLabel erases).
 struct LabelListed {
     struct Brick {
         std::uint32_t brick = 0;
@@ -62,6 +67,7 @@ struct LabelListed {
     std::uint8_t plane = 0;
     std::bitset<256> overwritable{};
     std::vector<Brick> bricks{}; ///< ascending, each once
+    std::uint8_t frees = 0; ///< 0: no voxel is freed
 };
 
 /// Give a label to listed voxels, and remove it from others. A voxel that is to receive it follows
@@ -76,6 +82,7 @@ struct RelabelListed {
     };
     LabelTarget target{};
     std::vector<Brick> bricks{}; ///< ascending, each once
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
 [[nodiscard]] constexpr std::array<std::uint8_t, 256> everyLabelItself()
@@ -93,13 +100,17 @@ struct RelabelListed {
 struct MapLabels {
     std::uint8_t plane = 0;
     std::array<std::uint8_t, 256> becomes = everyLabelItself();
+    std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
-/// Coverage of the layer = 255 wherever the plane holds the label.
+/// Coverage of the layer = 255 wherever the plane holds the label; or, with `outside`, wherever in
+/// the volume it holds neither the label nor one that is spared.
 struct CoverLabel {
     std::uint8_t layer = 0;
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
+    bool outside = false;
+    std::bitset<256> spared{}; ///< with `outside` alone
 };
 
 /// Empty a layer. With `into`, another layer receives it first: coverage = max(coverage, that of
@@ -114,9 +125,9 @@ struct FoldLayer {
 [[nodiscard]] Result<void> checkSound(const LabelListed& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const RelabelListed& edit, const BrickGrid& grid);
 /// There is no table that is not.
-[[nodiscard]] inline Result<void> checkSound(const MapLabels&, const BrickGrid&)
+[[nodiscard]] inline Result<void> checkSound(const MapLabels& edit, const BrickGrid&)
 {
-    return {};
+    return checkSound(edit.editable);
 }
 [[nodiscard]] Result<void> checkSound(const CoverLabel& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const FoldLayer& edit, const BrickGrid& grid);

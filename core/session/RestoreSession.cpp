@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/RestoreSession.h"
+#include "core/session/RestoreSession.h"
 
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/EditTask.h"

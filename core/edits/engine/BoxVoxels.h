@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/edits/kinds/parts/GrowBox.h"
+#include "core/volume/Volume.h"
+
+namespace core {
+
+/// The voxels of a box, both corners included.
+struct VoxelSpan {
+    glm::ivec3 from{0};
+    glm::ivec3 to{0};
+};
+/// Errors: InvalidField (@p field: no part of the box lies in the volume).
+[[nodiscard]] Result<VoxelSpan> voxelsOf(
+    const GrowBox& box, const VolumeGeometry& geometry, const QString& field);
+
+} // namespace core

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/document/Document.h"
+#include "core/edits/kinds/parts/EditableRange.h"
+#include "core/sculpt/labels/EditableVoxels.h"
+
+#include <optional>
+
+namespace core {
+
+/// The same range in the form of an engine; none: none.
+/// @param edit its name, for messages
+/// Errors: UnknownSegment, InvalidField (bounds in the wrong order, a box outside the volume).
+[[nodiscard]] Result<std::optional<EditableVoxels>> editableVoxels(
+    const std::optional<EditableRange>& range, const Document& document, const char* edit);
+
+/// Whether it names places of the patient, which mean nothing in another study.
+[[nodiscard]] inline bool namesPlaces(const std::optional<EditableRange>& range)
+{
+    return range && range->box;
+}
+
+} // namespace core

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/filling/EvolveContour.h"
+
+#include "core/brick/LabelBox.h"
+#include "core/contour/ContourEvolution.h"
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/ListedRuns.h"
+#include "core/edits/kinds/growth/GrowLimits.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/morphology/MillimetreBall.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+using namespace rowWords;
+
+namespace {
+
+tl::unexpected<Error> contourFieldError(const char* field, const QString& reason)
+{
+    return failure(ErrorCode::InvalidField,
+        QStringLiteral("evolveContour.%1").arg(QLatin1String(field)), reason);
+}
+
+Result<LabelTarget> contourTarget(const EvolveContour& edit, const Document& document)
+{
+    return labelTarget({.segment = edit.segment, .name = {}}, edit.overwriteUnlocked, document);
+}
+
+/// The voxels of a bubble, by the one in its middle.
+struct Bubble {
+    glm::ivec3 middle{0};
+    MillimetreBall ball{};
+};
+
+Result<std::optional<Bubble>> bubbleOf(const EvolveContour& edit, const VolumeGeometry& geometry)
+{
+    if (!edit.bubbleLps)
+        return std::nullopt;
+    const std::optional<glm::ivec3> middle = voxelNearest(*edit.bubbleLps, geometry);
+    if (!middle)
+        return contourFieldError("bubbleLps",
+            QStringLiteral("%1 lies outside the volume").arg(pointText(*edit.bubbleLps)));
+    if (!(edit.bubbleMm > 0.0))
+        return contourFieldError("bubbleMm", QStringLiteral("is no length"));
+    if (ballVoxels(geometry, edit.bubbleMm) > mostBallVoxels)
+        return contourFieldError("bubbleMm",
+            QStringLiteral("%1 mm are more than %2 voxels here")
+                .arg(edit.bubbleMm)
+                .arg(mostBallVoxels));
+    return Bubble{.middle = *middle, .ball = ballOf(geometry, edit.bubbleMm)};
+}
+
+VoxelBox boxOfBubble(const Bubble& bubble, const glm::ivec3& size)
+{
+    return {.minimum = glm::max(bubble.middle - bubble.ball.extent, glm::ivec3(0)),
+        .maximum = glm::min(bubble.middle + bubble.ball.extent + 1, size)};
+}
+
+bool isInBox(const VoxelBox& box, const glm::ivec3& voxel)
+{
+    return glm::all(glm::greaterThanEqual(voxel, box.minimum))
+        && glm::all(glm::lessThan(voxel, box.maximum));
+}
+
+} // namespace
+
+Result<void> check(const EvolveContour& edit, const Document& document)
+{
+    const Result<ContourRule> rule = contourRule(edit, document);
+    if (!rule)
+        return tl::unexpected(rule.error());
+    return discardValue(contourTarget(edit, document));
+}
+
+Result<bool> apply(const EvolveContour&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const EvolveContour& edit)
+{
+    return {.task = EditTask::Islands,
+        .standsOpen = false,
+        .writesTo = edit.segment,
+        .fills = {.label = edit.segment},
+        .boundToStudy = edit.bubbleLps.has_value()};
+}
+
+RowTitle rowTitle(const EvolveContour& edit, const RowFacts& row)
+{
+    const Segment* segment = row.document.segment(edit.segment);
+    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    return {.code = edit.bubbleLps ? RowTitleCode::ContourFromBubble : RowTitleCode::ContourEvolved,
+        .arguments = {segmentName(edit.segment, row.document)},
+        .then = {flowTitle(flow.gained, flow.lost)}};
+}
+
+/// Nobody knows how far it would have come, had labels been others.
+EditDependencies dependencies(const EvolveContour& edit, const DependencyFacts& row)
+{
+    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+}
+
+Result<ContourRule> contourRule(const EvolveContour& edit, const Document& document)
+{
+    const Volume& volume = document.volumes.front();
+    if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
+        return contourFieldError(
+            "upper", QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
+    if (!(edit.softness >= 0.0))
+        return contourFieldError("softness", QStringLiteral("is less than nothing"));
+    if (edit.edge > 0 && !(edit.edgeGradient > 0.0))
+        return contourFieldError("edgeGradient", QStringLiteral("is no edge"));
+    if (const auto bubble = bubbleOf(edit, volume.geometry); !bubble)
+        return tl::unexpected(bubble.error());
+    ContourRule rule{.region = edit.region,
+        .edge = edit.edge,
+        .smoothness = edit.smoothness,
+        .kernel = contourKernel(volume.geometry)};
+    rule.lowCode = edit.lower ? volume.encoding.lowestCodeAtLeast(*edit.lower) : -noContourBound;
+    rule.highCode = edit.upper ? volume.encoding.highestCodeAtMost(*edit.upper) : noContourBound;
+    rule.softness = std::max(greatestDifference(volume.encoding, edit.softness), 0);
+    if (edit.edge > 0) {
+        constexpr double most = 65535.0;
+        const GradientScale scale = gradientScale(volume);
+        rule.gradientWeights = scale.weights;
+        rule.halfGradient =
+            int(std::clamp(std::floor(edit.edgeGradient * scale.perUnit), 1.0, most));
+    }
+    return rule;
+}
+
+Result<ContourGround> contourGround(
+    const EvolveContour& edit, const Document& document, std::span<const std::uint8_t> labels)
+{
+    const Result<LabelTarget> target = contourTarget(edit, document);
+    if (!target)
+        return tl::unexpected(target.error());
+    const Result<ContourRule> rule = contourRule(edit, document);
+    if (!rule)
+        return tl::unexpected(rule.error());
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    const glm::ivec3 size = geometry.size;
+    const Result<std::optional<Bubble>> bubble = bubbleOf(edit, geometry);
+    if (!bubble)
+        return tl::unexpected(bubble.error());
+
+    VoxelBox start = boxOfLabel(labels, size, target->label);
+    VoxelBox blown;
+    if (*bubble) {
+        blown = boxOfBubble(**bubble, size);
+        start = start.empty() ? blown : start.united(blown);
+    }
+    ContourGround ground{.volumeSize = size};
+    if (start.empty())
+        return ground;
+    ground.box = contourBox(start, edit.generations, rule->kernel, size);
+    if (const Result<void> fits = checkContourMemory(ground.box); !fits)
+        return tl::unexpected(fits.error());
+    const glm::ivec3 extent = ground.box.maximum - ground.box.minimum;
+    ground.voxels.reserve(std::size_t(extent.x) * std::size_t(extent.y) * std::size_t(extent.z));
+    for (int z = ground.box.minimum.z; z < ground.box.maximum.z; ++z) {
+        for (int y = ground.box.minimum.y; y < ground.box.maximum.y; ++y) {
+            const std::size_t row =
+                (std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x);
+            for (int x = ground.box.minimum.x; x < ground.box.maximum.x; ++x) {
+                const std::uint8_t label = labels[row + std::size_t(x)];
+                std::uint8_t voxel = 0;
+                if (label == target->label)
+                    voxel = ContourGround::open | ContourGround::own | ContourGround::inside;
+                else if (label == 0 || target->overwritable[label])
+                    voxel = ContourGround::open;
+                const glm::ivec3 at(x, y, z);
+                if (*bubble && voxel != 0 && isInBox(blown, at)) {
+                    const glm::ivec3 step = at - (*bubble)->middle;
+                    if ((*bubble)->ball.holds(step.x, step.y, step.z))
+                        voxel |= ContourGround::inside;
+                }
+                ground.voxels.push_back(voxel);
+            }
+        }
+    }
+    return ground;
+}
+
+Result<RelabelListed> relabelListed(
+    const EvolveContour& edit, const Document& document, const ContourEvolution& evolution)
+{
+    Result<LabelTarget> target = contourTarget(edit, document);
+    if (!target)
+        return tl::unexpected(target.error());
+    const ShapeChange change = evolution.change();
+    ListedRuns listed(document.volumes.front().geometry.size);
+    listed.add(change.given, RelabelListed::give);
+    listed.add(change.taken, RelabelListed::take);
+    return listed.relabel(*std::move(target));
+}
+
+} // namespace core

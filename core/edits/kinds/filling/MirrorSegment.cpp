@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/filling/MirrorSegment.h"
+
+#include "core/brick/LabelBox.h"
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditDependencies.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/ListedRuns.h"
+#include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/morphology/SidedMargin.h"
+
+#include <cmath>
+
+namespace core {
+
+using namespace rowWords;
+
+namespace {
+
+/// A voxel's number along the axis and that of its mirror image add up to `sum`.
+struct MirrorPlane {
+    int axis = 0;
+    int sum = 0;
+
+    [[nodiscard]] glm::ivec3 imageOf(glm::ivec3 voxel) const
+    {
+        voxel[axis] = sum - voxel[axis];
+        return voxel;
+    }
+};
+
+Result<MirrorPlane> mirrorPlane(const MirrorSegment& edit, const VolumeGeometry& geometry)
+{
+    const int axis = axesOfPatient(geometry).at(std::size_t(edit.sides));
+    if (!edit.placeLps)
+        return MirrorPlane{axis, geometry.size[axis] - 1};
+    const double index = geometry.toIndex(*edit.placeLps)[axis];
+    const double cell = 0.5; // what a voxel reaches from its centre
+    if (!(index >= -cell && index <= double(geometry.size[axis]) - cell))
+        return failure(ErrorCode::InvalidField, QStringLiteral("mirrorSegment.placeLps"),
+            QStringLiteral("lies outside the volume"));
+    return MirrorPlane{axis, int(std::floor(2.0 * index + 0.5))};
+}
+
+} // namespace
+
+Result<void> check(const MirrorSegment& edit, const Document& document)
+{
+    if (const Result<MirrorPlane> plane = mirrorPlane(edit, document.volumes.front().geometry);
+        !plane)
+        return tl::unexpected(plane.error());
+    return discardValue(labelTarget({.segment = edit.segment, .name = {}}, false, document));
+}
+
+Result<bool> apply(const MirrorSegment&, Document&)
+{
+    return false;
+}
+
+EditEffects effects(const MirrorSegment& edit)
+{
+    return {.task = EditTask::Islands,
+        .standsOpen = false,
+        .writesTo = edit.segment,
+        .fills = {.label = edit.segment},
+        .boundToStudy = edit.placeLps.has_value()};
+}
+
+RowTitle rowTitle(const MirrorSegment& edit, const RowFacts& row)
+{
+    const Segment* segment = row.document.segment(edit.segment);
+    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    return {.code = RowTitleCode::MirrorSegment,
+        .arguments = {segmentName(edit.segment, row.document)},
+        .then = {flowTitle(flow.gained, flow.lost)}};
+}
+
+/// Every voxel of the plane may be the mirror image of one that decides.
+EditDependencies dependencies(const MirrorSegment& edit, const DependencyFacts& row)
+{
+    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+}
+
+Result<RelabelListed> relabelListed(const MirrorSegment& edit, const Document& document,
+    std::span<const std::uint8_t> labels, const Progress& progress)
+{
+    Result<LabelTarget> target =
+        labelTarget({.segment = edit.segment, .name = {}}, false, document);
+    if (!target)
+        return tl::unexpected(target.error());
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    const Result<MirrorPlane> plane = mirrorPlane(edit, geometry);
+    if (!plane)
+        return tl::unexpected(plane.error());
+    const glm::ivec3& size = geometry.size;
+    const auto indexOf = [&size](const glm::ivec3& at) {
+        return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x)
+            + std::size_t(at.x);
+    };
+    const VoxelBox own = boxOfLabel(labels, size, target->label);
+    ListedRuns listed(size);
+    if (own.empty())
+        return listed.relabel(*std::move(target));
+    // The box of both: one corner's image is not that corner of the image's box.
+    const glm::ivec3 one = plane->imageOf(own.minimum);
+    const glm::ivec3 other = plane->imageOf(own.maximum - 1);
+    const VoxelBox both = own.united(
+        {glm::max(glm::min(one, other), glm::ivec3(0)), glm::min(glm::max(one, other) + 1, size)});
+    VoxelRuns given;
+    VoxelRuns taken;
+    for (int z = both.minimum.z; z < both.maximum.z; ++z) {
+        if (progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        for (int y = both.minimum.y; y < both.maximum.y; ++y) {
+            for (int x = both.minimum.x; x < both.maximum.x; ++x) {
+                const std::size_t voxel = indexOf({x, y, z});
+                const glm::ivec3 image = plane->imageOf({x, y, z});
+                const bool isImage =
+                    geometry.contains(image) && labels[indexOf(image)] == target->label;
+                if (isImage && labels[voxel] == 0)
+                    given.append(voxel, 1);
+                else if (!isImage && !edit.keep && labels[voxel] == target->label)
+                    taken.append(voxel, 1);
+            }
+        }
+    }
+    listed.add(given, RelabelListed::give);
+    listed.add(taken, RelabelListed::take);
+    return listed.relabel(*std::move(target));
+}
+
+} // namespace core

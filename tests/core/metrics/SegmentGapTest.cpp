@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/metrics/SegmentGap.h"
+
+#include "core/volume/VolumeGeometry.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace segmentGapTest {
+
+namespace {
+
+using Labels = std::vector<std::uint8_t>;
+
+core::VolumeGeometry gridOf(const glm::ivec3& size, const glm::dvec3& spacing)
+{
+    core::VolumeGeometry geometry;
+    geometry.size = size;
+    geometry.indexToWorld =
+        glm::dmat4(glm::dvec4(spacing.x, 0.0, 0.0, 0.0), glm::dvec4(0.0, spacing.y, 0.0, 0.0),
+            glm::dvec4(0.0, 0.0, -spacing.z, 0.0), glm::dvec4(-40.0, 13.0, 250.0, 1.0));
+    return geometry;
+}
+
+std::size_t indexOf(const glm::ivec3& at, const glm::ivec3& size)
+{
+    return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x)
+        + std::size_t(at.x);
+}
+
+template <class Visit> void forEachVoxel(const glm::ivec3& size, const Visit& visit)
+{
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x)
+                visit(glm::ivec3(x, y, z));
+        }
+    }
+}
+
+void putBall(Labels& labels, const core::VolumeGeometry& geometry, std::uint8_t label,
+    const glm::dvec3& middleLps, double radiusMm)
+{
+    forEachVoxel(geometry.size, [&](const glm::ivec3& at) {
+        if (glm::length(geometry.toWorld(glm::dvec3(at)) - middleLps) <= radiusMm)
+            labels[indexOf(at, geometry.size)] = label;
+    });
+}
+
+/// The distance of two cells, from each voxel of the one to each of the other.
+std::optional<double> plainly(const Labels& labels, const core::VolumeGeometry& geometry)
+{
+    std::vector<glm::ivec3> one;
+    std::vector<glm::ivec3> other;
+    forEachVoxel(geometry.size, [&](const glm::ivec3& at) {
+        if (labels[indexOf(at, geometry.size)] == 1)
+            one.push_back(at);
+        else if (labels[indexOf(at, geometry.size)] == 2)
+            other.push_back(at);
+    });
+    std::optional<double> least;
+    for (const glm::ivec3& from : one) {
+        for (const glm::ivec3& to : other) {
+            const glm::dvec3 between = glm::max(glm::abs(glm::dvec3(to - from)) - 1.0, 0.0);
+            const double mm = glm::length(between * geometry.spacingMm());
+            least = std::min(least.value_or(mm), mm);
+        }
+    }
+    return least;
+}
+
+core::Result<std::optional<core::SegmentGap>> gapOf(
+    const Labels& labels, const core::VolumeGeometry& geometry)
+{
+    return core::segmentGap(labels, 1, labels, 2, geometry, core::Progress());
+}
+
+double lengthOf(const core::SegmentGap& gap)
+{
+    return glm::length(gap.toLps - gap.fromLps);
+}
+
+} // namespace
+
+class SegmentGapTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// Scattered blocks and specks, over several bricks: as near as a look at each pair says, with
+    /// ends on cells of either.
+    void anyMatter_data()
+    {
+        QTest::addColumn<uint>("seed");
+        for (uint seed = 1; seed <= 20; ++seed)
+            QTest::addRow("seed %u", seed) << seed;
+    }
+    void anyMatter()
+    {
+        QFETCH(const uint, seed);
+        std::mt19937 random(seed);
+        const glm::ivec3 size(20 + int(random() % 30), 18 + int(random() % 25), 40);
+        const core::VolumeGeometry geometry = gridOf(
+            size, {0.5 + 0.1 * double(random() % 9), 0.8, 0.7 + 0.1 * double(random() % 30)});
+        Labels labels(geometry.voxelCount(), 0);
+        for (int speck = 0; speck < 24; ++speck) {
+            const glm::ivec3 at{int(random() & 15), int(random() & 15), int(random() % 18)};
+            labels[indexOf(at, size)] = 1;
+            const glm::ivec3 far{size.x - 1 - int(random() & 3), int(random() & 15),
+                size.z - 1 - int(random() & 15)};
+            labels[indexOf(far, size)] = 2;
+        }
+        forEachVoxel({5, 4, 6}, [&](const glm::ivec3& at) { labels[indexOf(at, size)] = 1; });
+        const auto gap = gapOf(labels, geometry);
+        QVERIFY(gap && *gap);
+        const std::optional<double> expected = plainly(labels, geometry);
+        QVERIFY(expected);
+        QVERIFY2(std::abs(lengthOf(**gap) - *expected) < 1e-9,
+            qPrintable(QStringLiteral("%1, %2").arg(lengthOf(**gap)).arg(*expected)));
+        // Each end lies on a cell of its own segment.
+        int label = 1;
+        for (const glm::dvec3& place : {(*gap)->fromLps, (*gap)->toLps}) {
+            const glm::dvec3 index = geometry.toIndex(place);
+            bool found = false;
+            forEachVoxel(size, [&](const glm::ivec3& at) {
+                const glm::dvec3 off = glm::abs(glm::dvec3(at) - index);
+                found = found
+                    || (labels[indexOf(at, size)] == label
+                        && std::max({off.x, off.y, off.z}) < 0.5 + 1e-6);
+            });
+            QVERIFY(found);
+            ++label;
+        }
+    }
+
+    /// Two balls of millimetres on slices that are thick: to a voxel what their radii say.
+    void balls()
+    {
+        const core::VolumeGeometry geometry = gridOf({80, 40, 40}, {1.0, 1.0, 2.0});
+        Labels labels(geometry.voxelCount(), 0);
+        const glm::dvec3 one = geometry.toWorld({20.0, 20.0, 20.0});
+        const glm::dvec3 other = geometry.toWorld({60.0, 20.0, 20.0});
+        putBall(labels, geometry, 1, one, 10.0);
+        putBall(labels, geometry, 2, other, 12.0);
+        const auto gap = gapOf(labels, geometry);
+        QVERIFY(gap && *gap);
+        // Voxel centres lie just on both spheres there, and cells reach half a voxel farther.
+        QCOMPARE(lengthOf(**gap), 40.0 - 10.0 - 12.0 - 1.0);
+        QCOMPARE((*gap)->fromLps, one + glm::dvec3(10.5, 0.0, 0.0));
+        QCOMPARE((*gap)->toLps, other - glm::dvec3(12.5, 0.0, 0.0));
+    }
+
+    /// What touches, even by a corner, is one place; so is what shares a voxel.
+    void touching()
+    {
+        const core::VolumeGeometry geometry = gridOf({20, 20, 20}, {1.0, 1.0, 1.5});
+        Labels labels(geometry.voxelCount(), 0);
+        labels[indexOf({5, 5, 5}, geometry.size)] = 1;
+        labels[indexOf({6, 6, 4}, geometry.size)] = 2;
+        const auto corner = gapOf(labels, geometry);
+        QVERIFY(corner && *corner);
+        QCOMPARE((*corner)->fromLps, geometry.toWorld({5.5, 5.5, 4.5}));
+        QCOMPARE((*corner)->toLps, (*corner)->fromLps);
+        Labels others(geometry.voxelCount(), 0);
+        others[indexOf({5, 5, 5}, geometry.size)] = 3;
+        const auto shared = core::segmentGap(labels, 1, others, 3, geometry, core::Progress());
+        QVERIFY(shared && *shared);
+        QCOMPARE((*shared)->fromLps, geometry.toWorld({5.0, 5.0, 5.0}));
+        QCOMPARE((*shared)->toLps, (*shared)->fromLps);
+    }
+
+    void nothingAndCancelled()
+    {
+        const core::VolumeGeometry geometry = gridOf({20, 20, 20}, {1.0, 1.0, 1.5});
+        Labels labels(geometry.voxelCount(), 0);
+        labels[indexOf({5, 5, 5}, geometry.size)] = 1;
+        const auto none = gapOf(labels, geometry);
+        QVERIFY(none && !*none);
+        labels[indexOf({15, 5, 5}, geometry.size)] = 2;
+        core::Progress stopped;
+        stopped.cancel();
+        const auto given = core::segmentGap(labels, 1, labels, 2, geometry, stopped);
+        QVERIFY(!given);
+        QVERIFY(given.error().code == core::ErrorCode::Cancelled);
+    }
+};
+
+BURIN_TEST(SegmentGapTest)
+
+} // namespace segmentGapTest
+
+#include "SegmentGapTest.moc"

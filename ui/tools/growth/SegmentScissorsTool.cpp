@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/growth/SegmentScissorsTool.h"
+
+#include "core/edits/engine/HalfSpaces.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
+#include "core/session/EditSession.h"
+#include "ui/base/DisplayJson.h"
+#include "ui/base/Theme.h"
+#include "ui/tools/aim/CursorLabel.h"
+#include "ui/tools/aim/PickQuestion.h"
+#include "ui/tools/common/PaintLimits.h"
+#include "ui/tools/common/SeedOptions.h"
+#include "ui/workspace/SegmentActions.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+using Does = SegmentScissorsTool::Does;
+
+bool erases(Does does)
+{
+    return does == Does::EraseInside || does == Does::EraseOutside;
+}
+
+bool isOutside(Does does)
+{
+    return does == Does::EraseOutside || does == Does::FillOutside;
+}
+
+/// The widgets of the option bar.
+struct ScissorsOptions {
+    QComboBox* does;
+    QComboBox* shape;
+    QDoubleSpinBox* depth;
+    QCheckBox* allShown;
+};
+
+ScissorsOptions scissorsOptions(QWidget* parent)
+{
+    ScissorsOptions options{new QComboBox(parent), new QComboBox(parent),
+        new QDoubleSpinBox(parent), new QCheckBox(SegmentScissorsTool::tr("all shown"), parent)};
+    using Shape = SegmentScissorsTool::Shape;
+    options.does->setObjectName(QStringLiteral("segmentScissorsDoes"));
+    options.does->setFixedHeight(theme::controlHeight);
+    options.does->addItem(SegmentScissorsTool::tr("erase inside"), int(Does::EraseInside));
+    options.does->addItem(SegmentScissorsTool::tr("erase outside"), int(Does::EraseOutside));
+    options.does->addItem(SegmentScissorsTool::tr("fill inside"), int(Does::FillInside));
+    options.does->addItem(SegmentScissorsTool::tr("fill outside"), int(Does::FillOutside));
+    options.does->setToolTip(
+        SegmentScissorsTool::tr("What becomes of the segment inside or outside of the curve"));
+    options.shape->setObjectName(QStringLiteral("segmentScissorsShape"));
+    options.shape->setFixedHeight(theme::controlHeight);
+    options.shape->addItem(SegmentScissorsTool::tr("freehand"), int(Shape::Freehand));
+    options.shape->addItem(SegmentScissorsTool::tr("rectangle"), int(Shape::Rectangle));
+    options.shape->addItem(SegmentScissorsTool::tr("ellipse"), int(Shape::Ellipse));
+    options.shape->setToolTip(
+        SegmentScissorsTool::tr("Draw a curve, or drag from corner to corner"));
+    options.depth->setObjectName(QStringLiteral("segmentScissorsDepth"));
+    options.depth->setFixedHeight(theme::controlHeight);
+    options.depth->setKeyboardTracking(false);
+    options.depth->setRange(0.0, SegmentScissorsTool::maximumDepthMm);
+    options.depth->setDecimals(1);
+    options.depth->setSuffix(SegmentScissorsTool::tr(" mm deep"));
+    options.depth->setSpecialValueText(SegmentScissorsTool::tr("through all"));
+    options.depth->setToolTip(SegmentScissorsTool::tr(
+        "Through everything, or only so far behind what is seen first of the segment (to fill: of "
+        "the values that may be filled)"));
+    options.allShown->setObjectName(QStringLiteral("segmentScissorsAllShown"));
+    options.allShown->setToolTip(SegmentScissorsTool::tr(
+        "Erase all segments that are shown and not locked, not only the chosen one"));
+    return options;
+}
+
+} // namespace
+
+SegmentScissorsTool::SegmentScissorsTool(Workspace& workspace, QObject* parent)
+    : Tool(parent)
+    , m_workspace(workspace)
+{
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &Tool::overlayChanged);
+    // A curve ends with the session it was begun in.
+    connect(
+        &workspace, &Workspace::sessionClosing, this, [this] { SegmentScissorsTool::cancel(); });
+    connect(
+        &workspace, &Workspace::sessionChanged, this, [this] { SegmentScissorsTool::cancel(); });
+}
+
+QString SegmentScissorsTool::name() const
+{
+    return tr("Scissors");
+}
+
+QString SegmentScissorsTool::longName() const
+{
+    return tr("Segment scissors");
+}
+
+QString SegmentScissorsTool::iconName() const
+{
+    return QStringLiteral("segment-scissors");
+}
+
+QString SegmentScissorsTool::hint() const
+{
+    return tr("Segment scissors: draw a curve on the 3D view; Ctrl or the eraser end fills what "
+              "would be erased, and erases what would be filled");
+}
+
+QString SegmentScissorsTool::keys() const
+{
+    return tr("Ctrl+Shift+wheel depth · Ctrl inverts · Esc cancels");
+}
+
+QWidget* SegmentScissorsTool::createOptions(QWidget* parent)
+{
+    auto* options = new QWidget(parent);
+    auto* layout = new QHBoxLayout(options);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(theme::smallPadding);
+    layout->addWidget(new SeedOptions(m_workspace, {}, options));
+    const ScissorsOptions its = scissorsOptions(options);
+    layout->addWidget(its.does);
+    layout->addWidget(its.shape);
+    layout->addWidget(its.depth);
+    layout->addWidget(its.allShown);
+    layout->addWidget(new PaintLimits(m_workspace, options));
+    const auto show = [this, its] {
+        const QSignalBlocker does(its.does);
+        const QSignalBlocker shape(its.shape);
+        const QSignalBlocker depth(its.depth);
+        const QSignalBlocker allShown(its.allShown);
+        its.does->setCurrentIndex(its.does->findData(int(m_settings.does)));
+        its.shape->setCurrentIndex(its.shape->findData(int(m_settings.shape)));
+        its.depth->setValue(m_settings.depthMm);
+        its.depth->setEnabled(!isOutside(m_settings.does));
+        its.allShown->setChecked(m_settings.allShown);
+        its.allShown->setEnabled(erases(m_settings.does));
+    };
+    const auto take = [this, its] {
+        setSettings({.does = Does(its.does->currentData().toInt()),
+            .shape = Shape(its.shape->currentData().toInt()),
+            .depthMm = its.depth->value(),
+            .allShown = its.allShown->isChecked()});
+    };
+    show();
+    connect(this, &SegmentScissorsTool::settingsChanged, options, show);
+    connect(its.does, &QComboBox::activated, options, take);
+    connect(its.shape, &QComboBox::activated, options, take);
+    connect(its.depth, &QDoubleSpinBox::valueChanged, options, take);
+    connect(its.allShown, &QCheckBox::clicked, options, take);
+    return options;
+}
+
+QJsonObject SegmentScissorsTool::settingsJson() const
+{
+    return {{QStringLiteral("does"), int(m_settings.does)},
+        {QStringLiteral("shape"), int(m_settings.shape)},
+        {QStringLiteral("depthMm"), m_settings.depthMm},
+        {QStringLiteral("allShown"), m_settings.allShown}};
+}
+
+void SegmentScissorsTool::applySettings(const QJsonObject& json)
+{
+    using displayJson::read;
+    Settings settings = m_settings;
+    const int does = json[QLatin1String("does")].toInt(-1);
+    if (does >= int(Does::EraseInside) && does <= int(Does::FillOutside))
+        settings.does = Does(does);
+    const int shape = json[QLatin1String("shape")].toInt(-1);
+    if (shape >= int(Shape::Freehand) && shape <= int(Shape::Ellipse))
+        settings.shape = Shape(shape);
+    read(json[QLatin1String("depthMm")], settings.depthMm, 0.0, maximumDepthMm);
+    read(json[QLatin1String("allShown")], settings.allShown);
+    setSettings(settings);
+}
+
+void SegmentScissorsTool::setSettings(const Settings& settings)
+{
+    if (settings == m_settings)
+        return;
+    m_sketch.drop();
+    m_settings = settings;
+    Q_EMIT settingsChanged();
+    Q_EMIT overlayChanged();
+}
+
+void SegmentScissorsTool::changeDepth(int steps)
+{
+    Settings settings = m_settings;
+    settings.depthMm = std::clamp(settings.depthMm + steps, 0.0, maximumDepthMm);
+    setSettings(settings);
+}
+
+bool SegmentScissorsTool::worksIn(const ViewContext& view) const
+{
+    const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
+    return scene && scene->orthographic;
+}
+
+Does SegmentScissorsTool::doesNow() const
+{
+    if (!m_inverts)
+        return m_settings.does;
+    switch (m_settings.does) {
+    case Does::EraseInside:
+        return Does::FillInside;
+    case Does::EraseOutside:
+        return Does::FillOutside;
+    case Does::FillInside:
+        return Does::EraseInside;
+    case Does::FillOutside:
+        break;
+    }
+    return Does::EraseOutside;
+}
+
+std::vector<int> SegmentScissorsTool::targets() const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return {};
+    const core::Document& document = session->document();
+    const int active = m_workspace.activeSegment();
+    const core::Segment* chosen = document.segment(active);
+    if (!m_settings.allShown || !erases(doesNow()))
+        return chosen ? std::vector<int>{active} : std::vector<int>();
+    std::vector<int> labels;
+    for (const core::Segment& segment : document.segments) {
+        const bool isShown = m_workspace.viewOptions().showSegments
+            && m_workspace.segmentDisplay().visible[segment.label];
+        // All of them lie in one plane, that of the chosen one.
+        if (isShown && !segment.locked && (!chosen || segment.plane == chosen->plane))
+            labels.push_back(segment.label);
+    }
+    const auto first = std::find(labels.begin(), labels.end(), active);
+    if (first != labels.end())
+        std::rotate(labels.begin(), first, first + 1);
+    return labels;
+}
+
+QString SegmentScissorsTool::target() const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return {};
+    const Does does = doesNow();
+    const std::vector<int> labels = targets();
+    if (labels.empty())
+        return erases(does) ? tr("no segment to erase") : tr("fills a new segment");
+    const core::Segment* segment = session->document().segment(labels.front());
+    if (segment->locked)
+        return tr("%1 is locked").arg(segment->name);
+    const QString whose =
+        labels.size() > 1 ? tr("%n segments", nullptr, int(labels.size())) : segment->name;
+    switch (does) {
+    case Does::EraseInside:
+        return tr("erases %1 inside").arg(whose);
+    case Does::EraseOutside:
+        return tr("erases %1 outside").arg(whose);
+    case Does::FillInside:
+        return tr("fills %1 inside").arg(whose);
+    case Does::FillOutside:
+        break;
+    }
+    return tr("fills %1 outside").arg(whose);
+}
+
+void SegmentScissorsTool::press(const PointerSample& sample, const ViewContext& view)
+{
+    if (!m_workspace.session() || !worksIn(view) || m_sketch.drawing())
+        return;
+    m_inverts = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
+    m_sketch.begin(sample.position, view, m_settings.shape);
+    showCursor(sample, view.view);
+}
+
+void SegmentScissorsTool::drag(const PointerSample& sample, const ViewContext& view)
+{
+    if (!m_sketch.drawing() || view.view != m_sketch.view().view)
+        return;
+    m_sketch.extend(sample.position);
+    showCursor(sample, view.view);
+}
+
+void SegmentScissorsTool::release(const PointerSample& sample, const ViewContext& view)
+{
+    if (!m_sketch.drawing())
+        return;
+    drag(sample, view);
+    const ViewContext sketched = m_sketch.view();
+    const std::vector<glm::dvec2> curve = m_sketch.finish();
+    if (curve.empty())
+        m_workspace.say(tr("Draw a curve on the 3D view; it closes by itself"));
+    else
+        cut(sketched, curve);
+    showCursor(sample, view.view);
+}
+
+void SegmentScissorsTool::cut(const ViewContext& view, const std::vector<glm::dvec2>& curve)
+{
+    const Does does = doesNow();
+    std::vector<int> labels = targets();
+    if (labels.empty() && erases(does))
+        return m_workspace.say(tr("There is no segment to erase"));
+    if (labels.empty()) {
+        const core::Result<int> label = ensureActiveSegment(m_workspace);
+        if (!label)
+            return m_workspace.fail(label.error());
+        labels = {*label};
+    }
+    const auto& scene = std::get<gpu::VolumeScene>(view.scene);
+    const Workspace::BrushSettings& limits = m_workspace.brushSettings(Workspace::Brush::Paint);
+    core::SegmentScissors edit{
+        .segment = labels.front(), .view = orthographicView(scene), .polygonMm = curve};
+    edit.erase = erases(does);
+    edit.outside = isOutside(does);
+    if (m_settings.depthMm > 0.0 && !edit.outside)
+        edit.depthMm = m_settings.depthMm;
+    if (labels.size() > 1) {
+        edit.others = std::vector<int>(labels.begin() + 1, labels.end());
+        std::sort(edit.others->begin(), edit.others->end());
+    }
+    if (limits.onlyBetween) {
+        edit.lower = std::min(limits.lower, limits.upper);
+        edit.upper = std::max(limits.lower, limits.upper);
+    }
+    edit.overwriteUnlocked = limits.overwriteUnlocked && !edit.erase;
+    edit.hidden = core::clipHalfSpaces(scene.clip, m_workspace.volume()->geometry);
+    if (const auto applied = m_workspace.session()->apply(edit); !applied)
+        m_workspace.fail(applied.error());
+}
+
+void SegmentScissorsTool::cancel()
+{
+    m_sketch.drop();
+    Q_EMIT overlayChanged();
+}
+
+void SegmentScissorsTool::hover(const PointerSample& sample, const ViewContext& view)
+{
+    m_inverts = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
+    showCursor(sample, view.view);
+}
+
+void SegmentScissorsTool::leave()
+{
+    m_cursorView.reset();
+    Q_EMIT overlayChanged();
+}
+
+void SegmentScissorsTool::showCursor(const PointerSample& sample, gpu::ViewId view)
+{
+    m_cursor = sample.position;
+    m_cursorView = view;
+    Q_EMIT overlayChanged();
+}
+
+/// The curve, and on which side of it something would change: hatched where it is erased.
+void SegmentScissorsTool::paintCut(QPainter& painter, const ViewContext& view) const
+{
+    const core::Document& document = m_workspace.session()->document();
+    const core::Segment* segment = document.segment(m_workspace.activeSegment());
+    QColor tint = segment ? QColor(segment->rgb) : QColor(nextSegmentColour(document));
+    tint.setAlpha(70);
+    QPainterPath inside;
+    inside.setFillRule(Qt::WindingFill);
+    inside.addPolygon(m_sketch.polygon());
+    inside.closeSubpath();
+    QPainterPath changed = inside;
+    if (isOutside(doesNow())) {
+        changed = QPainterPath();
+        changed.addRect(QRectF(QPointF(), view.sizePixels));
+        changed = changed.subtracted(inside);
+    }
+    painter.fillPath(changed, erases(doesNow()) ? QBrush(tint, Qt::BDiagPattern) : QBrush(tint));
+    m_sketch.paint(painter);
+}
+
+void SegmentScissorsTool::paintOverlay(QPainter& painter, const ViewContext& view) const
+{
+    if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
+        return;
+    if (m_sketch.drawing())
+        paintCut(painter, view);
+    painter.setBrush(toolColour());
+    painter.setPen(Qt::NoPen);
+    painter.drawEllipse(m_cursor, 2.0, 2.0);
+    QStringList lines;
+    if (!isOutside(doesNow()))
+        lines << (m_settings.depthMm > 0.0
+                ? tr("%1 mm deep").arg(QLocale().toString(m_settings.depthMm, 'f', 1))
+                : tr("through everything"));
+    drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines << target());
+}
+
+} // namespace ui

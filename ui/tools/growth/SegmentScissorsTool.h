@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/input/Tool.h"
+#include "ui/tools/common/CurveSketch.h"
+
+#include <optional>
+#include <vector>
+
+namespace ui {
+
+class Workspace;
+
+/// Erases the active segment inside or outside of a curve that is drawn on the 3D view, along the
+/// view direction, or fills it there; with Ctrl or the pen's eraser end the other of both. Inside
+/// it may stop at a depth behind what is seen first. Which voxels may change is set as for
+/// painting. Each curve is one step.
+class SegmentScissorsTool : public Tool {
+    Q_OBJECT
+
+public:
+    enum class Does { EraseInside, EraseOutside, FillInside, FillOutside };
+    using Shape = CurveSketch::Shape;
+    struct Settings {
+        Does does = Does::EraseInside;
+        Shape shape = Shape::Freehand;
+        double depthMm = 0.0; ///< 0: through everything
+        bool allShown = false; ///< erases all segments that are shown and not locked
+        bool operator==(const Settings&) const = default;
+    };
+    static constexpr double maximumDepthMm = 300.0;
+
+    explicit SegmentScissorsTool(Workspace& workspace, QObject* parent = nullptr);
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] QString longName() const override;
+    [[nodiscard]] QString iconName() const override;
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] QString target() const override;
+    [[nodiscard]] QString keys() const override;
+    [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
+    [[nodiscard]] QJsonObject settingsJson() const override;
+    void applySettings(const QJsonObject& settings) override;
+    [[nodiscard]] bool worksIn(const ViewContext& view) const override;
+
+    void press(const PointerSample& sample, const ViewContext& view) override;
+    void drag(const PointerSample& sample, const ViewContext& view) override;
+    void release(const PointerSample& sample, const ViewContext& view) override;
+    void cancel() override;
+    void hover(const PointerSample& sample, const ViewContext& view) override;
+    void leave() override;
+    void changeDepth(int steps) override;
+
+    void paintOverlay(QPainter& painter, const ViewContext& view) const override;
+
+    [[nodiscard]] const Settings& settings() const { return m_settings; }
+    /// A curve that is being drawn is dropped.
+    void setSettings(const Settings& settings);
+
+Q_SIGNALS:
+    void settingsChanged();
+
+private:
+    /// The segments that it would change, the first one before the others; none: there is none
+    /// that it may change.
+    [[nodiscard]] std::vector<int> targets() const;
+    /// As set, or with Ctrl the other of both.
+    [[nodiscard]] Does doesNow() const;
+    void cut(const ViewContext& view, const std::vector<glm::dvec2>& curve);
+    void paintCut(QPainter& painter, const ViewContext& view) const;
+    void showCursor(const PointerSample& sample, gpu::ViewId view);
+
+    Workspace& m_workspace;
+    Settings m_settings;
+    CurveSketch m_sketch;
+    bool m_inverts = false;
+    QPointF m_cursor;
+    std::optional<gpu::ViewId> m_cursorView;
+};
+
+} // namespace ui
