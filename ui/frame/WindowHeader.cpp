@@ -3,6 +3,7 @@
 
 #include "core/session/EditSession.h"
 #include "ui/base/Actions.h"
+#include "ui/base/Icons.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/base/TimeText.h"
@@ -13,6 +14,7 @@
 
 #include <QHBoxLayout>
 #include <QMenuBar>
+#include <QToolButton>
 
 #include <initializer_list>
 
@@ -28,6 +30,13 @@ QStringList ids(std::initializer_list<const char*> names)
     return list;
 }
 
+/// Which views are shown, and how; in the menu View and behind the button.
+QStringList layoutIds()
+{
+    return ids({"view.four", "view.penAndStage", "view.volume", "view.axial", "view.sagittal",
+        "view.coronal", "view.plane", "view.penApart"});
+}
+
 } // namespace
 
 WindowHeader::WindowHeader(Workspace& workspace, QWidget* parent)
@@ -35,7 +44,17 @@ WindowHeader::WindowHeader(Workspace& workspace, QWidget* parent)
     , m_workspace(workspace)
     , m_menuBar(new QMenuBar(this))
     , m_identity(new FittingLabel(Qt::AlignRight, this))
+    , m_layouts(new QToolButton(this))
 {
+    m_layouts->setObjectName(QStringLiteral("layouts"));
+    m_layouts->setText(tr("Layout"));
+    m_layouts->setToolTip(tr("Which views are shown"));
+    m_layouts->setIcon(stateIcon(QStringLiteral("restore-grid")));
+    m_layouts->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_layouts->setPopupMode(QToolButton::InstantPopup);
+    m_layouts->setFont(theme::smallFont());
+    m_layouts->setFocusPolicy(Qt::NoFocus);
+    m_layouts->hide();
     m_identity->setFont(theme::smallFont());
     m_identity->setProperty("role", QStringLiteral("secondary"));
     m_identity->setContentsMargins(0, 0, theme::padding, 0);
@@ -48,6 +67,7 @@ WindowHeader::WindowHeader(Workspace& workspace, QWidget* parent)
     row->addWidget(m_menuBar);
     row->addWidget(new ReadOnlyMark(m_workspace, this));
     row->addWidget(m_identity, 1);
+    row->addWidget(m_layouts);
 }
 
 void WindowHeader::fillMenus(Actions& actions, const QStringList& plane, const QStringList& stage)
@@ -77,10 +97,12 @@ void WindowHeader::fillViewMenu(
     Actions& actions, const QStringList& plane, const QStringList& stage)
 {
     QMenu* view = m_menuBar->addMenu(QStringLiteral("&View"));
-    actions.fill(*view,
-        ids({"view.four", "view.penAndStage", "view.volume", "view.axial", "view.sagittal",
-            "view.coronal", "view.plane", "view.penApart", "", "view.reset", "view.resetAll",
-            "view.linkedPlaces", "", "view.bookmark"}));
+    actions.fill(*view, layoutIds());
+    auto* layouts = new QMenu(m_layouts);
+    actions.fill(*layouts, layoutIds());
+    m_layouts->setMenu(layouts);
+    actions.fill(
+        *view, ids({"", "view.reset", "view.resetAll", "view.linkedPlaces", "", "view.bookmark"}));
     m_bookmarksMenu = view->addMenu(QStringLiteral("Bookmarks"));
     view->addSeparator();
     QMenu* grey = view->addMenu(QStringLiteral("Grey scale"));
@@ -113,6 +135,7 @@ void WindowHeader::fillViewMenu(
 
 void WindowHeader::showIdentity(const core::Volume* volume)
 {
+    m_layouts->setVisible(volume != nullptr);
     if (!volume) {
         window()->setWindowTitle(QStringLiteral("Burin"));
         m_identity->clear();

@@ -5,6 +5,7 @@
 
 class QMenu;
 class QMenuBar;
+class QToolButton;
 
 namespace core {
 struct Volume;
@@ -16,7 +17,7 @@ class Actions;
 class FittingLabel;
 class Workspace;
 
-/// The header of the window: its menus, and whose study is shown.
+/// The header of the window: its menus, whose study is shown, and the layouts of the views.
 class WindowHeader : public QFrame {
     Q_OBJECT
 
@@ -43,6 +44,7 @@ private:
     Workspace& m_workspace;
     QMenuBar* m_menuBar;
     FittingLabel* m_identity;
+    QToolButton* m_layouts; ///< hidden while there are no views
     QMenu* m_fileMenu = nullptr;
     QMenu* m_editMenu = nullptr;
     QMenu* m_sculptMenu = nullptr;

@@ -39,6 +39,7 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QMimeData>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
@@ -49,6 +50,8 @@
 namespace ui {
 
 namespace {
+
+constexpr int titleBarPixels = 36; ///< of most window managers, and a little more
 
 QString droppedPath(const QMimeData& data)
 {
@@ -341,7 +344,10 @@ void MainWindow::restoreLayout()
 {
     m_keepsLayout = true;
     const QSettings settings;
-    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    // What was kept is fitted to a smaller screen by Qt; the first time it is done here, with room
+    // for a title bar.
+    if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray()))
+        resize(size().boundedTo(screen()->availableSize() - QSize(0, titleBarPixels)));
     m_panels->restore(settings);
     m_splitter->restoreState(settings.value(QStringLiteral("panels/splitter")).toByteArray());
     m_panelsWanted = settings.value(QStringLiteral("panels/shown"), true).toBool();

@@ -19,6 +19,7 @@
 #include <QListView>
 #include <QMenu>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollBar>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -270,6 +271,17 @@ private Q_SLOTS:
         QVERIFY(!fixture.section("VolumePanel").isVisible());
         fixture.trigger("panel.VolumePanel");
         QVERIFY(fixture.section("VolumePanel").isVisible());
+    }
+
+    /// Before anything is kept, the window is no larger than the screen, with its title bar.
+    void aFirstWindowFitsTheScreen()
+    {
+        const QSize room = QGuiApplication::primaryScreen()->availableSize();
+        PanelsFixture fixture(room + QSize(200, 200));
+        QVERIFY(fixture.window.width() > room.width() && fixture.window.height() > room.height());
+        fixture.window.restoreLayout();
+        QTRY_VERIFY(
+            fixture.window.width() <= room.width() && fixture.window.height() < room.height());
     }
 
     void theLayoutComesBack()

@@ -15,6 +15,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -38,6 +39,7 @@ private Q_SLOTS:
     void noticesGoByThemselves();
     void undoSaysWhatItUndoes();
     void undoKeepsItsWidth();
+    void layoutsAreInAButton();
     void digitsAreWindowPresets();
     void closingShowsTheStartPage();
     void listOfVolumesChoosesNothing();
@@ -262,6 +264,30 @@ void MainWindowUiTest::undoKeepsItsWidth()
     QCOMPARE(places(), before);
     // What is cut is told whole by the tip.
     QVERIFY(steps[1]->toolTip().contains(QStringLiteral("as long as names are at times")));
+}
+
+void MainWindowUiTest::layoutsAreInAButton()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    auto* button = fixture.window.findChild<QToolButton*>(QStringLiteral("layouts"));
+    QVERIFY(button && button->isVisible() && button->menu());
+    ui::ViewGrid& views = fixture.window.views();
+    QVERIFY(!views.maximised());
+    // They are the menu's actions, so each says whether it is the present one.
+    const auto entry = [&](const char* id) {
+        QAction* action = &fixture.window.actionTable()[QLatin1String(id)];
+        return button->menu()->actions().contains(action) ? action : nullptr;
+    };
+    QAction* axial = entry("view.axial");
+    QAction* four = entry("view.four");
+    QVERIFY(axial && four && four->isChecked() && !axial->isChecked());
+    axial->trigger();
+    QCOMPARE(views.maximised(), static_cast<ui::ImageView*>(&views.axial()));
+    QVERIFY(axial->isChecked() && !four->isChecked());
+    four->trigger();
+    QVERIFY(!views.maximised() && four->isChecked());
+    fixture.window.closeStudy();
+    QVERIFY(!button->isVisible());
 }
 
 void MainWindowUiTest::undoSaysWhatItUndoes()

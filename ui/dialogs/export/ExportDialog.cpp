@@ -11,6 +11,7 @@
 #include "ui/dialogs/export/ExportOptions.h"
 #include "ui/dialogs/export/ExportRun.h"
 #include "ui/dialogs/export/ExportSegments.h"
+#include "ui/dialogs/export/SuggestedTarget.h"
 #include "ui/dialogs/export/TargetRow.h"
 #include "ui/dialogs/study/StudyBlock.h"
 #include "ui/models/SegmentListModel.h"
@@ -49,6 +50,8 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     build();
     showFormat();
 
+    connect(m_segments, &ExportSegments::changed, this, &ExportDialog::suggestName);
+    connect(m_options, &ExportOptions::changed, this, &ExportDialog::suggestName);
     connect(m_segments, &ExportSegments::changed, this, &ExportDialog::showChange);
     connect(m_segments, &ExportSegments::failed, this, &ExportDialog::showFailure);
     connect(m_options, &ExportOptions::formatChanged, this, &ExportDialog::showFormat);
@@ -82,9 +85,11 @@ void ExportDialog::build()
 {
     m_segments = new ExportSegments(m_workspace, this);
     m_options = new ExportOptions(m_workspace, this);
-    m_target =
-        new TargetRow(tr("File"), QStringLiteral("exportFile"), QStringLiteral("export/folder"),
-            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), this);
+    QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    if (const core::Volume* volume = m_workspace.volume())
+        folder = folderBeside(*volume, folder);
+    m_target = new TargetRow(
+        tr("File"), QStringLiteral("exportFile"), QStringLiteral("export/folder"), folder, this);
     m_run = new ExportRun(QStringLiteral("export"), this);
     m_export = new QPushButton(tr("Export and check"), this);
     m_export->setObjectName(QStringLiteral("exportStart"));
@@ -128,7 +133,20 @@ void ExportDialog::build()
     layout->addLayout(buttons);
     tabAsLaidOut(*this);
 
-    m_target->setName(QStringLiteral("segmentation") + suffixOf(m_options->format()));
+    suggestName();
+}
+
+/// The name follows what is chosen until the user writes another one.
+void ExportDialog::suggestName()
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (!volume || running() || m_target->path() != m_suggested)
+        return;
+    core::ExportRequest request;
+    m_options->putInto(request);
+    m_target->setName(exportName(volume->identity, m_segments->chosen(), !request.deidentifier)
+        + suffixOf(m_options->format()));
+    m_suggested = m_target->path();
 }
 
 void ExportDialog::showFormat()
@@ -139,6 +157,7 @@ void ExportDialog::showFormat()
             .arg(QLatin1String(chosen.title), QLatin1String(chosen.ending),
                 QLatin1String(chosen.otherEnding)));
     QString file = m_target->path();
+    const bool suggested = file == m_suggested;
     for (const core::ExportFormatFacts& facts : core::exportFormats()) {
         for (const char* ending : {facts.ending, facts.otherEnding}) {
             if (*ending != '\0' && file.endsWith(QLatin1String(ending)))
@@ -146,6 +165,8 @@ void ExportDialog::showFormat()
         }
     }
     m_target->setPath(file + suffixOf(m_options->format()));
+    if (suggested)
+        m_suggested = m_target->path();
     showChange();
 }
 
@@ -212,6 +233,8 @@ void ExportDialog::start()
     if (!session)
         return;
     m_request = std::move(request);
+    if (const core::Volume* volume = m_workspace.volume())
+        makeFolderBeside(*volume, m_request.file);
     m_target->remember();
     std::set<std::uint8_t> planes;
     for (const core::Segment& segment : m_segments->chosen())

@@ -44,6 +44,7 @@ private:
         QString name;
     };
     void build();
+    void suggestName();
     void showState();
     void showChange();
     void showFormat();
@@ -61,6 +62,7 @@ private:
     QLabel* m_ticked = nullptr; ///< how many segments, and their volume
     std::vector<QPushButton*> m_tickers;
     TargetRow* m_target = nullptr;
+    QString m_suggested; ///< the file as it was last named here
     ExportRun* m_run = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_send = nullptr; ///< shown once a DICOM file was written

@@ -60,7 +60,12 @@ void TargetRow::setName(const QString& name)
 
 void TargetRow::remember() const
 {
-    QSettings().setValue(m_folderKey, QFileInfo(path()).absolutePath());
+    // The offered one may differ from study to study, and is offered again.
+    const QString chosen = QFileInfo(path()).absolutePath();
+    if (chosen == QFileInfo(m_folder).absoluteFilePath())
+        QSettings().remove(m_folderKey);
+    else
+        QSettings().setValue(m_folderKey, chosen);
 }
 
 void TargetRow::browse()

@@ -9,14 +9,15 @@ class QPushButton;
 namespace ui {
 
 /// A row in which the user names the file to write: a line for the path, and a button that opens a
-/// file dialog. It starts in the folder that was used last.
+/// file dialog. It starts in the offered folder,
+/// or in the one that the user chose instead of it last.
 class TargetRow : public QWidget {
     Q_OBJECT
 
 public:
     /// @param name object name of the line
     /// @param folderKey key of the folder in the settings
-    /// @param folder used if no folder is remembered yet
+    /// @param folder offered unless another one is remembered
     TargetRow(const QString& label, const QString& name, const QString& folderKey,
         const QString& folder, QWidget* parent = nullptr);
 
@@ -27,7 +28,7 @@ public:
     void setPath(const QString& path);
     /// Changes the file name but not the folder; at first the folder is the remembered one.
     void setName(const QString& name);
-    /// Remembers the folder for the next time.
+    /// Remembers the folder for the next time if it is not the offered one.
     void remember() const;
 
 Q_SIGNALS:

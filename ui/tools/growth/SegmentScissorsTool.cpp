@@ -121,7 +121,7 @@ QString SegmentScissorsTool::hint() const
 
 QString SegmentScissorsTool::keys() const
 {
-    return tr("Alt+wheel depth · Ctrl inverts · Esc cancels");
+    return tr("Ctrl+Shift+wheel depth · Ctrl inverts · Esc cancels");
 }
 
 QWidget* SegmentScissorsTool::createOptions(QWidget* parent)

@@ -2,6 +2,7 @@
 #include "core/dicom/objects/SegReader.h"
 #include "core/session/SessionDisplay.h"
 #include "ui/dialogs/export/ExportDialog.h"
+#include "ui/dialogs/export/SuggestedTarget.h"
 
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
@@ -201,9 +202,9 @@ private Q_SLOTS:
         choose(dialog, core::ExportFormat::SegNrrd);
         QVERIFY(button(dialog, "exportStart").isEnabled());
         const auto* named = dialog.findChild<QLineEdit*>(text("exportFile"));
-        QVERIFY2(named->text().endsWith(text("/segmentation.seg.nrrd")), qPrintable(named->text()));
+        QVERIFY2(named->text().endsWith(text("Grown.seg.nrrd")), qPrintable(named->text()));
         choose(dialog, core::ExportFormat::Nifti);
-        QVERIFY2(named->text().endsWith(text("/segmentation.nii.gz")), qPrintable(named->text()));
+        QVERIFY2(named->text().endsWith(text("Grown.nii.gz")), qPrintable(named->text()));
         choose(dialog, core::ExportFormat::DicomSeg);
         QVERIFY(dialog.findChild<QLineEdit*>(text("exportFile"))->text().endsWith(text(".dcm")));
         // Coding it, by whatever way, is seen at once; the ticks stay.
@@ -392,6 +393,67 @@ private Q_SLOTS:
         fixture.workspace.setSession(nullptr);
         QVERIFY(!dialog.isVisible());
         QVERIFY(!dialog.running());
+    }
+
+    /// It is named after study and segments, beside the study, until the user says otherwise.
+    void theFileIsNamedAfterWhatIsInIt()
+    {
+        QSettings().remove(text("export/folder"));
+        ExportFixture fixture;
+        QTemporaryDir place;
+        core::Volume volume = *fixture.workspace.volume();
+        volume.sourcePath = place.filePath(text("study"));
+        QCOMPARE(ui::folderBeside(volume, text("else")), place.filePath(text("Burin exports")));
+        volume.sourcePath = text("/no/such/place/study");
+        QCOMPARE(ui::folderBeside(volume, text("else")), text("else"));
+        volume.sourcePath.clear();
+        QCOMPARE(ui::folderBeside(volume, text("else")), text("else"));
+
+        core::StudyIdentity identity;
+        identity.patientName = text("DOE^JANE");
+        identity.modality = text("CT");
+        identity.studyDate = text("2026-11-20");
+        identity.seriesNumber = text("3");
+        const std::vector<core::Segment> all = fixture.session().document().segments;
+        QCOMPARE(ui::exportName(identity, all, true),
+            text("CT 2026-11-20 series 3 - Grown, Hidden, Empty"));
+        QCOMPARE(ui::exportName(identity, {all[0]}, false), text("CT series 3 - Grown"));
+        QCOMPARE(ui::exportName({}, {}, true), text("segmentation"));
+        core::Segment odd = all[0];
+        odd.name = text("../a\\b: c*");
+        QCOMPARE(ui::exportName({}, {odd}, true), text("___a_b_ c_"));
+        std::vector<core::Segment> many(5, all[0]);
+        QCOMPARE(ui::exportName({}, many, true), text("Grown, Grown, Grown and 2 more"));
+
+        ui::ExportDialog dialog(fixture.workspace);
+        choose(dialog, core::ExportFormat::Nifti);
+        auto* file = dialog.findChild<QLineEdit*>(text("exportFile"));
+        QVERIFY2(file->text().endsWith(text("Grown.nii.gz")), qPrintable(file->text()));
+        row(dialog, "Hidden").setCheckState(0, Qt::Checked);
+        QVERIFY2(file->text().endsWith(text("Grown, Hidden.nii.gz")), qPrintable(file->text()));
+        const QString own = fixture.path("mine.nii.gz");
+        file->setText(own);
+        row(dialog, "Hidden").setCheckState(0, Qt::Unchecked);
+        QCOMPARE(file->text(), own);
+    }
+
+    /// The folder beside the study is made; it is offered again, and not remembered for others.
+    void theFolderIsMade()
+    {
+        QSettings().remove(text("export/folder"));
+        ExportFixture fixture;
+        const QString beside = ui::folderBeside(*fixture.workspace.volume(), QString());
+        QVERIFY(!beside.isEmpty() && !QFile::exists(beside));
+        ui::ExportDialog dialog(fixture.workspace);
+        dialog.show();
+        choose(dialog, core::ExportFormat::Nifti);
+        const QString file = dialog.findChild<QLineEdit*>(text("exportFile"))->text();
+        QVERIFY2(file.startsWith(beside + QLatin1Char('/')), qPrintable(file));
+        QVERIFY(!QFile::exists(beside)); // not before it is needed
+        button(dialog, "exportStart").click();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.running(), 60000);
+        QVERIFY2(QFile::exists(file), qPrintable(file));
+        QVERIFY(!QSettings().contains(text("export/folder")));
     }
 
     void aFailureIsOneSentence()
