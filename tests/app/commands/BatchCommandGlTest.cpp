@@ -21,14 +21,14 @@ using test::Outcome;
 class BatchCommandGlTest : public QObject, protected test::CommandFixture {
     Q_OBJECT
 
-    QStringList m_studies;
+    QStringList m_several;
 
     /// A list of the studies, with one that is none where asked for.
     [[nodiscard]] QString list(bool withBroken) const
     {
         QByteArray text = "study,name,segment\n";
-        for (qsizetype i = 0; i < m_studies.size(); ++i)
-            text += m_studies[i].toUtf8() + ",s" + QByteArray::number(i) + ",Skull\n";
+        for (qsizetype i = 0; i < m_several.size(); ++i)
+            text += m_several[i].toUtf8() + ",s" + QByteArray::number(i) + ",Skull\n";
         if (withBroken)
             text += "missing.nii.gz,broken,Skull\n";
         QFile file(path("studies.csv"));
@@ -72,8 +72,8 @@ private Q_SLOTS:
         for (int i = 0; i < 4; ++i) {
             core::LoadedVolume study = test::smallStudy();
             study.codes[0] = std::uint16_t(study.codes[0] + i); // another study, the same bone
-            m_studies += otherStudy(qPrintable(QStringLiteral("study%1.nii.gz").arg(i)), study);
-            QVERIFY(!m_studies.last().isEmpty());
+            m_several += otherStudy(qPrintable(QStringLiteral("study%1.nii.gz").arg(i)), study);
+            QVERIFY(!m_several.last().isEmpty());
         }
     }
     void init()
@@ -88,12 +88,12 @@ private Q_SLOTS:
         const QString studies = list(false);
         const Outcome done = burin(words(studies, {key("--jobs"), key("2")}));
         QVERIFY2(done.status == 0, qPrintable(done.complaint));
-        QCOMPARE(done.lines.size(), m_studies.size());
+        QCOMPARE(done.lines.size(), m_several.size());
         QFile filled(path("out/s1/recipe.json"));
         QVERIFY(filled.open(QIODevice::ReadOnly));
         const QByteArray text = filled.readAll();
         QVERIFY(text.contains("Skull") && text.contains("s1.csv") && !text.contains("${"));
-        for (qsizetype i = 0; i < m_studies.size(); ++i) {
+        for (qsizetype i = 0; i < m_several.size(); ++i) {
             const QJsonObject made = record(key("s") + QString::number(i));
             QCOMPARE(made[key("state")].toString(), key("done"));
             QCOMPARE(made[key("starts")].toInt(), 1);
@@ -105,7 +105,7 @@ private Q_SLOTS:
             const QJsonObject plain{
                 {key("edits"), QJsonDocument::fromJson(text).object().value(key("edits"))}};
             const Outcome run = burin({key("run"), recipe("plain.json", plain), key("--study"),
-                m_studies[i], key("--session"), alone});
+                m_several[i], key("--session"), alone});
             QVERIFY2(run.status == 0, qPrintable(run.complaint));
             QVERIFY(!made[key("stateHash")].toString().isEmpty());
             QCOMPARE(made[key("stateHash")], run.lines.last()[key("hash")]);
@@ -113,7 +113,7 @@ private Q_SLOTS:
         QFile table(path("out/results.csv"));
         QVERIFY(table.open(QIODevice::ReadOnly));
         const QList<QByteArray> lines = table.readAll().split('\n');
-        QCOMPARE(lines.size(), m_studies.size() + 2);
+        QCOMPARE(lines.size(), m_several.size() + 2);
         QVERIFY2(lines.first().contains("Skull volumeMl"), lines.first().constData());
 
         // A second time nothing is touched.
@@ -132,7 +132,7 @@ private Q_SLOTS:
         QCOMPARE(record(key("broken"))[key("state")].toString(), key("failed"));
         // It would fail again.
         QCOMPARE(record(key("broken"))[key("attempts")].toInt(), 1);
-        for (qsizetype i = 0; i < m_studies.size(); ++i)
+        for (qsizetype i = 0; i < m_several.size(); ++i)
             QCOMPARE(record(key("s") + QString::number(i))[key("state")].toString(), key("done"));
     }
 
@@ -157,12 +157,12 @@ private Q_SLOTS:
         QVERIFY2(goneOn.status == 0, qPrintable(goneOn.complaint));
         QCOMPARE(recordBytes(key("s0")), first);
         int starts = 0;
-        for (qsizetype i = 0; i < m_studies.size(); ++i) {
+        for (qsizetype i = 0; i < m_several.size(); ++i) {
             const QJsonObject made = record(key("s") + QString::number(i));
             QCOMPARE(made[key("state")].toString(), key("done"));
             starts += made[key("starts")].toInt();
         }
-        QVERIFY(starts <= m_studies.size() + 1); // the one at which it was killed
+        QVERIFY(starts <= m_several.size() + 1); // the one at which it was killed
     }
 
     void whatIsNotABatchsStays()
