@@ -2,6 +2,7 @@
 #include "app/CommandLine.h"
 
 #include "app/Version.h"
+#include "app/commands/BatchCommand.h"
 #include "app/commands/CompareCommand.h"
 #include "app/commands/DemoCommand.h"
 #include "app/commands/EchoCommand.h"
@@ -38,9 +39,9 @@ namespace {
 
 std::span<const Command* const> commands()
 {
-    static const std::vector<const Command*> table{&compareCommand, &demoCommand, &echoCommand,
-        &editsCommand, &findCommand, &getCommand, &historyCommand, &infoCommand, &meshCommand,
-        &openCommand, &replayCommand, &runCommand, &sendCommand};
+    static const std::vector<const Command*> table{&batchCommand, &compareCommand, &demoCommand,
+        &echoCommand, &editsCommand, &findCommand, &getCommand, &historyCommand, &infoCommand,
+        &meshCommand, &openCommand, &replayCommand, &runCommand, &sendCommand};
     return table;
 }
 

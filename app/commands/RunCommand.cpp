@@ -4,6 +4,7 @@
 #include "app/end/CommandTermination.h"
 #include "app/steps/Arguments.h"
 #include "app/steps/ExportFiles.h"
+#include "app/steps/JsonLine.h"
 #include "app/steps/RunKeyframes.h"
 #include "app/steps/RunSteps.h"
 #include "app/steps/SessionPlan.h"
@@ -318,6 +319,11 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
     });
     const auto leaving = qScopeGuard([&termination] { termination.setClosing({}); });
     setOrigin(steady.session());
+    if (arguments.has("facts"))
+        printJsonLine({{QStringLiteral("source"), source.toJson()},
+            {QStringLiteral("renderer"), steady.engine().rendererName()},
+            {QStringLiteral("driver"), steady.engine().versionText()},
+            {QStringLiteral("stateHash"), QString::fromLatin1(steady.session().stateHash())}});
     const std::size_t rowsBefore = steady.rowCount();
     Result<void> done = goesOn ? fits(steady.session().document()) : Result<void>();
     if (done) {
@@ -381,6 +387,8 @@ int runRecipe(const Arguments& arguments)
         return reportUsageError("run", QStringLiteral("it needs one recipe"));
     if (const QString wrong = spacingProblem(arguments); !wrong.isEmpty())
         return reportUsageError("run", wrong);
+    if (arguments.has("facts"))
+        tellFailuresAsFacts();
     const bool append = arguments.has("append");
     if (append && arguments.has("force"))
         return reportUsageError("run", QStringLiteral("--append and --force exclude each other"));
@@ -425,7 +433,7 @@ const Command runCommand{.name = "run",
     .words = "RECIPE.json",
     .usage = "RECIPE.json --study PATH [--series UID] [--repair REPAIRS]"
              " [--spacing COLUMNS,ROWS,SLICES] --session FILE.burin [--force | --append] "
-             "[--with-images] [--apply-elsewhere] [--author NAME]",
+             "[--with-images] [--apply-elsewhere] [--author NAME] [--facts]",
     .summary =
         "carries out a recipe without a window (burin edits: what it can hold); --with-images"
         " puts the study's images, and with them who the patient is, into the session; --force"
@@ -442,7 +450,10 @@ const Command runCommand{.name = "run",
             {"with-images", nullptr,
                 "puts the study's images, and with them who the patient is, into the session"},
             {"apply-elsewhere", nullptr, "the recipe was made on another study"},
-            {"author", "NAME", "who stands in the audit trail"}}
+            {"author", "NAME", "who stands in the audit trail"},
+            {"facts", nullptr,
+                "also prints, as lines of JSON, which study and graphics driver it is, and what "
+                "kind a failure is"}}
         + seriesOptions() + spacingOption(),
     .run = runRecipe};
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/steps/Arguments.h"
 
+#include "app/steps/JsonLine.h"
 #include "core/repair/SeriesRepair.h"
 #include "ui/base/ErrorText.h"
 #include "ui/texts/ProblemTexts.h"
@@ -27,6 +28,17 @@ QString problemOf(const QCommandLineParser& parser, const QStringList& words)
     if (const auto match = missing.match(parser.errorText()); match.hasMatch())
         return QStringLiteral("%1 needs a value").arg(match.captured(1));
     return parser.errorText();
+}
+
+bool failuresAreFacts = false; ///< told as lines of JSON too; set before any thread is started
+
+/// Whether the machine was at fault, not what it was asked for.
+bool mayPass(core::ErrorCode code)
+{
+    using core::ErrorCode;
+    return code == ErrorCode::OutOfMemory || code == ErrorCode::GraphicsUnavailable
+        || code == ErrorCode::ContextLost || code == ErrorCode::EngineLost
+        || code == ErrorCode::SessionUnwritten;
 }
 
 /// Qt's, but for its first line, which would have options before the verb.
@@ -136,7 +148,15 @@ int reportFailure(const core::Error& error, const QString& about)
 {
     const QString prefix = about.isEmpty() ? QString() : about + QStringLiteral(": ");
     std::fprintf(stderr, "burin: %s\n", qUtf8Printable(prefix + ui::errorText(error)));
+    if (failuresAreFacts)
+        printJsonLine({{QStringLiteral("failure"), prefix + ui::errorText(error)},
+            {QStringLiteral("mayBeTransient"), mayPass(error.code)}});
     return 1;
+}
+
+void tellFailuresAsFacts()
+{
+    failuresAreFacts = true;
 }
 
 void reportNotFromStudy(const std::optional<core::Error>& why, const QString& sessionFile)

@@ -53,6 +53,9 @@ private:
 /// Reports a failure in one line on stderr.
 /// @return the exit status of a command that failed
 int reportFailure(const core::Error& error, const QString& about = {});
+/// From here on failures are also told as lines of JSON on stdout: which kind, and whether it may
+/// pass when the same is tried again.
+void tellFailuresAsFacts();
 /// Reports on stderr if the study's images were read from a session file.
 /// @param why LoadedVolume::notFromStudy
 void reportNotFromStudy(const std::optional<core::Error>& why, const QString& sessionFile);
