@@ -345,19 +345,19 @@ private Q_SLOTS:
         std::vector<bool> truth;
         visitVoxels({glm::ivec3(0), size}, [&](const glm::ivec3& voxel) {
             truth.push_back(isTrue(glm::dvec3(voxel) * spacing));
-            // A bell of 12 dice: its standard deviation is 150, that of the contrast 400.
-            int noise = -6 * 519;
+            // A bell of 12 dice with a standard deviation of 150; the contrast is 400.
+            int noise = -12 * 149 / 2;
             for (int die = 0; die < 12; ++die)
-                noise += int(random() % 520);
+                noise += int(random() % 150);
             study.codes[placeIn(size, voxel)] =
-                std::uint16_t((truth.back() ? 4000 : 4400) + noise / 2 * 2);
+                std::uint16_t((truth.back() ? 4000 : 4400) + noise);
         });
         reference::Contour contour = contourIn(study,
             {.lowCode = -noContourBound,
                 .highCode = 4200,
                 .softness = 200,
                 .edge = edge,
-                .smoothness = 60,
+                .smoothness = 50,
                 .gradientWeights = glm::ivec3(1024, 1024, int(1024 / thickness)),
                 .halfGradient = 600});
         addBall(contour, size / 2, 5.0);
