@@ -349,8 +349,7 @@ private Q_SLOTS:
             int noise = -12 * 149 / 2;
             for (int die = 0; die < 12; ++die)
                 noise += int(random() % 150);
-            study.codes[placeIn(size, voxel)] =
-                std::uint16_t((truth.back() ? 4000 : 4400) + noise);
+            study.codes[placeIn(size, voxel)] = std::uint16_t((truth.back() ? 4000 : 4400) + noise);
         });
         reference::Contour contour = contourIn(study,
             {.lowCode = -noContourBound,
