@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
@@ -130,6 +131,31 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"undo only a flood fill", volume, {first, scene.paint, flood, scene.drill},
         core::RevertRows{{3}}});
     addScissors(cases, scene);
+
+    core::EvolveContour contour{.segment = 1,
+        .lower = -200.0,
+        .upper = 400.0,
+        .softness = 50.0,
+        .bubbleLps = geometry.toWorld({20.0, 16.0, 10.0}),
+        .bubbleMm = 4.1,
+        .generations = 4};
+    cases.push_back({"a contour from a bubble", volume, {first}, contour});
+    cases.push_back(
+        {"undo only a contour", volume, {first, contour, scene.drill}, core::RevertRows{{2}}});
+    cases.push_back({"growth after a contour", volume, {first, contour, scene.seeds}, scene.all});
+    core::EvolveContour further = contour;
+    further.bubbleLps.reset();
+    further.bubbleMm = 0.0;
+    further.edge = 80;
+    further.edgeGradient = 100.0;
+    cases.push_back({"a contour further, kept at edges", volume, {first, contour}, further});
+    cases.push_back({"a contour of an empty segment", volume, {first}, further});
+    core::EvolveContour taking = contour;
+    taking.segment = 2;
+    taking.overwriteUnlocked = true;
+    cases.push_back({"a contour over another segment", volume, {first, second, low}, taking});
+    cases.push_back({"a contour beside a locked segment", volume,
+        {first, second, scene.paint, scene.lock}, taking});
 }
 
 } // namespace test
