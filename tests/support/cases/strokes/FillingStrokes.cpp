@@ -132,10 +132,11 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         core::RevertRows{{3}}});
     addScissors(cases, scene);
 
+    // Every value counts as within, so that it grows for certain, wherever it is.
     core::EvolveContour contour{.segment = 1,
-        .lower = -200.0,
-        .upper = 400.0,
+        .upper = 1200.0,
         .softness = 50.0,
+        .smoothness = 20,
         .bubbleLps = geometry.toWorld({20.0, 16.0, 10.0}),
         .bubbleMm = 4.1,
         .generations = 4};
@@ -149,6 +150,9 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     further.edge = 80;
     further.edgeGradient = 100.0;
     cases.push_back({"a contour further, kept at edges", volume, {first, contour}, further});
+    core::EvolveContour back = further;
+    back.upper = 100.0; // the noise goes beyond it
+    cases.push_back({"a contour that withdraws", volume, {first, contour, further}, back});
     cases.push_back({"a contour of an empty segment", volume, {first}, further});
     core::EvolveContour taking = contour;
     taking.segment = 2;
