@@ -15,7 +15,7 @@ namespace {
 
 constexpr double leastStepPixels = 1.5;
 constexpr double leastSidePixels = 4.0;
-constexpr int ellipseCorners = 256;
+constexpr int cornersOfEllipse = 256;
 
 } // namespace
 
@@ -45,8 +45,8 @@ QPolygonF CurveSketch::polygon() const
     if (m_shape == Shape::Rectangle)
         return {{box.topLeft(), box.topRight(), box.bottomRight(), box.bottomLeft()}};
     QPolygonF ellipse;
-    for (int corner = 0; corner < ellipseCorners; ++corner) {
-        const double angle = 2.0 * std::numbers::pi * corner / ellipseCorners;
+    for (int corner = 0; corner < cornersOfEllipse; ++corner) {
+        const double angle = 2.0 * std::numbers::pi * corner / cornersOfEllipse;
         ellipse << box.center()
                 + QPointF(box.width() * std::cos(angle), box.height() * std::sin(angle)) / 2.0;
     }
