@@ -196,7 +196,7 @@ private Q_SLOTS:
                 edit.edge = 1 + below(100);
                 edit.edgeGradient = 50.0 + below(300);
             }
-            if (step == 0 || below(3) == 0) {
+            if (step % 2 == 0) {
                 edit.bubbleLps = bench.grid().toWorld(
                     {double(12 + below(16)), double(12 + below(12)), double(10 + below(14))});
                 edit.bubbleMm = 2.6 + below(3); // no distance between two voxels
@@ -209,7 +209,7 @@ private Q_SLOTS:
             QCOMPARE(bench.rows().size(), before == after ? rows : rows + 1);
             changes += before == after ? 0 : 1;
         }
-        QVERIFY(changes > 4);
+        QVERIFY(changes > 3);
         Bench anew(noisyStudy(seed), true);
         for (std::size_t row = 1; row < bench.rows().size(); ++row)
             anew.done(bench.rows()[row].edit);
