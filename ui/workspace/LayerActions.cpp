@@ -95,9 +95,13 @@ template <class E> void give(Workspace& workspace, E edit, std::optional<int> la
     core::EditSession* session = workspace.session();
     if (const auto applied = session->apply(edit); !applied)
         return workspace.fail(applied.error());
-    // A new one has its label before it has its voxels; without any it will not come.
-    workspace.setActiveSegment(
-        label ? *label : int(session->foreseenDocument().segments.back().label));
+    // A new one has its label before it has its voxels; without any, or if an undo that waits
+    // before it leaves nothing to take, it will not come.
+    const core::Document expected = session->foreseenDocument();
+    if (label)
+        workspace.setActiveSegment(*label);
+    else if (!expected.segments.empty())
+        workspace.setActiveSegment(expected.segments.back().label);
 }
 
 } // namespace

@@ -247,7 +247,12 @@ void Pieces::cutPiece(
                     unless();
                 return;
             }
-            setActive(open.foreseenDocument().pieces.back().id);
+            // An undo that waits before it may leave no such layer; it is refused in its turn then.
+            const core::Document expected = open.foreseenDocument();
+            const core::Piece* piece = expected.pieceOfLayer(layer);
+            if (!piece)
+                return;
+            setActive(piece->id);
             then();
         },
         unless);
@@ -397,9 +402,13 @@ void Pieces::paste(int segment)
             reach = std::max(reach, glm::dot(corner - extent.middleLps, rightLps));
         edit.pose.offsetMm =
             rightLps * std::round(reach * 0.8 + glm::dot(extent.sizeLps, glm::abs(rightLps)) / 2.0);
+        const std::size_t before = open.foreseenDocument().pieces.size();
         if (const auto pasted = open.apply(edit); !pasted)
             return m_workspace.fail(pasted.error());
-        setActive(open.foreseenDocument().pieces.back().id);
+        // None, if an undo that waits before it leaves no such segment.
+        if (const core::Document expected = open.foreseenDocument();
+            expected.pieces.size() > before)
+            setActive(expected.pieces.back().id);
     });
 }
 

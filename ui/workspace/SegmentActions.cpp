@@ -87,6 +87,8 @@ void removeSegment(Workspace& workspace, int label)
     const bool counted = session->idle();
     if (const auto removed = session->apply(core::RemoveSegment{.segment = label}); !removed)
         return workspace.fail(removed.error());
+    if (!segment) // an undo that waits before it may bring it
+        return;
     if (workspace.activeSegment() == label) {
         const auto place = std::size_t(segment - before.segments.data());
         const bool isLast = place + 1 == before.segments.size();
@@ -116,8 +118,9 @@ void invertSegment(Workspace& workspace, int label)
     const core::InvertSegment edit{.segment = label, .editable = workspace.editableRange()};
     if (const auto inverted = session->apply(edit); !inverted)
         return workspace.fail(inverted.error());
-    workspace.say(QObject::tr("Inverted '%1'; Ctrl+Z takes it back")
-                      .arg(session->foreseenDocument().segment(label)->name));
+    const core::Document expected = session->foreseenDocument();
+    if (const core::Segment* segment = expected.segment(label))
+        workspace.say(QObject::tr("Inverted '%1'; Ctrl+Z takes it back").arg(segment->name));
 }
 
 /// The name of a segment; its number if there is none.

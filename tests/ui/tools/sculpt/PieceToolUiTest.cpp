@@ -197,6 +197,36 @@ private Q_SLOTS:
         QCOMPARE(session.stateHash(), before);
     }
 
+    /// While a lifted cut is measured, the user takes it back, and one more step.
+    void anUndoOvertakesALift()
+    {
+        PieceFixture fixture;
+        core::EditSession& session = *fixture.workspace.session();
+        fixture.apply(test::carveAt({{-6, 0, -12}, {6, 0, -12}}, 5.0));
+        const std::size_t rows = fixture.rows();
+        // Nothing that waits for the event loop is delivered meanwhile.
+        const auto work = [&] {
+            for (int i = 0; i < 300 && !session.idle(); ++i) {
+                session.poll();
+                QTest::qSleep(10);
+            }
+            session.poll();
+        };
+        fixture.workspace.pieces().liftCut(2);
+        work();
+        QCOMPARE(fixture.rows(), rows + 2); // the layer, and the cut that moves there
+        QVERIFY(fixture.document().layer(2));
+        QTest::qSleep(300); // it is measured, and to be told so
+        QVERIFY(session.undo());
+        QVERIFY(session.undo());
+        work();
+        QVERIFY(!fixture.document().layer(2));
+        QVERIFY(session.undo());
+        fixture.settle();
+        QVERIFY(fixture.document().pieces.empty());
+        QCOMPARE(session.history().position(), core::RowId(1));
+    }
+
     /// What is still waiting when a lift is asked for may be the reason why its cut cannot be told
     /// from the rest any more.
     void aRefusedLiftLeavesNothing()
