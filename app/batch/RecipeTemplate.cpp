@@ -61,8 +61,10 @@ private:
         for (auto match = variable().globalMatch(text); match.hasNext();) {
             const QRegularExpressionMatch found = match.next();
             const QJsonValue value = m_variables.value(found.captured(1));
-            if (value.isUndefined())
+            if (value.isUndefined()) {
                 m_missing = found.captured(1);
+                return text; // what is undefined would leave its object while that is walked
+            }
             if (found.capturedLength() == text.size())
                 return value;
             built += text.mid(end, found.capturedStart() - end) + value.toVariant().toString();

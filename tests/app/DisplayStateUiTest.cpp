@@ -200,8 +200,11 @@ private:
         views.sagittal().setTurn({true, 3});
         views.coronal().setPlace({.centreLps = {0.0, 0.0, 130.0}, .mmPerPixel = 0.08});
         for (ui::Tool* tool : application.window().findChildren<ui::Tool*>()) {
-            if (tool->iconName() == QLatin1String("seed"))
-                workspace.setActiveTool(tool);
+            if (tool->iconName() != QLatin1String("seed"))
+                continue;
+            tool->applySettings(
+                {{QStringLiteral("byPressure"), true}, {QStringLiteral("reachMm"), 3.5}});
+            workspace.setActiveTool(tool);
         }
     }
 

@@ -112,8 +112,8 @@ void WindowHeader::fillViewMenu(
     grey->addAction(&actions[QStringLiteral("window.box")]);
     grey->addAction(&actions[QStringLiteral("view.inverted")]);
     actions.fill(*view->addMenu(QStringLiteral("Flip and turn slice")),
-        ids({"view.flipLeftRight", "view.flipTopBottom", "view.turnRight", "view.turnLeft", "",
-            "view.upright", "", "view.alongPatient"}));
+        ids({"view.flipLeftRight", "view.flipTopBottom", "view.quarterRight", "view.quarterLeft",
+            "", "view.upright", "", "view.alongPatient"}));
     actions.fill(*view->addMenu(QStringLiteral("Slab")),
         ids({"view.slabOff", "view.slabMip", "view.slabMinip", "view.slabMean"}));
     QMenu* volume = view->addMenu(QStringLiteral("3D"));

@@ -26,9 +26,9 @@ const std::vector<SliceTurnEntry>& sliceTurnEntries()
             [](const SliceTurn& before) { return before.flippedLeftRight(); }},
         {"view.flipTopBottom", turnText("Flip top and bottom"),
             [](const SliceTurn& before) { return before.flippedTopBottom(); }},
-        {"view.turnRight", turnText("Turn right by 90°"),
+        {"view.quarterRight", turnText("Turn right by 90°"),
             [](const SliceTurn& before) { return before.turnedClockwise(); }},
-        {"view.turnLeft", turnText("Turn left by 90°"), &turnedLeft},
+        {"view.quarterLeft", turnText("Turn left by 90°"), &turnedLeft},
         {"view.upright", turnText("Lay upright again"),
             [](const SliceTurn&) { return SliceTurn(); }},
     };

@@ -36,6 +36,35 @@ QFrame* verticalLine(QWidget* parent)
 
 } // namespace
 
+/// As wide as it was told to be, whatever it says; where there is no room, its icon alone, so that
+/// it never makes the window wider.
+class OptionBar::StepButton final : public QToolButton {
+public:
+    explicit StepButton(QWidget* parent)
+        : QToolButton(parent)
+    {
+        setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+    }
+    void setPixels(int pixels)
+    {
+        if (m_pixels == pixels)
+            return;
+        m_pixels = pixels;
+        updateGeometry();
+    }
+    [[nodiscard]] QSize sizeHint() const override
+    {
+        return {m_pixels, QToolButton::sizeHint().height()};
+    }
+    [[nodiscard]] QSize minimumSizeHint() const override
+    {
+        return {iconPixels, QToolButton::minimumSizeHint().height()};
+    }
+
+private:
+    int m_pixels = iconPixels;
+};
+
 OptionBar::OptionBar(Workspace& workspace, QAction& undo, QAction& redo, QWidget* parent)
     : QFrame(parent)
     , m_workspace(workspace)
@@ -72,14 +101,13 @@ OptionBar::OptionBar(Workspace& workspace, QAction& undo, QAction& redo, QWidget
 
 QToolButton* OptionBar::addAction(QAction& action)
 {
-    auto* button = new QToolButton(this);
+    auto* button = new StepButton(this);
     button->setDefaultAction(&action);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setIconSize(QSize(18, 18));
     button->setFont(theme::smallFont());
     button->setFocusPolicy(Qt::NoFocus);
     // The tool and its options stay where they are, whatever the next step is called.
-    button->setFixedWidth(iconPixels);
     m_steps.append(button);
     connect(&action, &QAction::changed, this, &OptionBar::showNames);
     return button;
@@ -88,19 +116,17 @@ QToolButton* OptionBar::addAction(QAction& action)
 void OptionBar::showNames()
 {
     int room = width() - m_layout->minimumSize().width();
-    for (const QToolButton* button : m_steps)
-        room += button->minimumWidth();
+    room += iconPixels * int(m_steps.size());
     if (m_options)
         room -= m_options->sizeHint().width() - m_options->minimumSizeHint().width();
     const int each = room / std::max(int(m_steps.size()), 1);
     const auto* fitting = std::find_if(
         stepPixels.begin(), stepPixels.end() - 1, [each](int pixels) { return pixels <= each; });
     const bool named = *fitting > iconPixels;
-    for (QToolButton* button : m_steps) {
+    for (StepButton* button : m_steps) {
         const QAction& action = *button->defaultAction();
         button->setToolButtonStyle(named ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
-        if (button->minimumWidth() != *fitting)
-            button->setFixedWidth(*fitting);
+        button->setPixels(*fitting);
         button->setText(
             button->fontMetrics().elidedText(action.text(), Qt::ElideRight, *fitting - iconPixels));
         button->setToolTip(plainText(action.text()) + QStringLiteral("  ")

@@ -28,6 +28,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    class StepButton;
+
     QToolButton* addAction(QAction& action);
     void showTool();
     void showKeys();
@@ -35,7 +37,7 @@ private:
 
     Workspace& m_workspace;
     QHBoxLayout* m_layout;
-    QList<QToolButton*> m_steps; ///< undo and redo
+    QList<StepButton*> m_steps; ///< undo and redo
     QLabel* m_tool;
     QWidget* m_options = nullptr;
     FittingLabel* m_keys;

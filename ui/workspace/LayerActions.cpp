@@ -144,7 +144,10 @@ void layerToSegment(Workspace& workspace, int layer, std::optional<int> label)
 
 void segmentToLayer(Workspace& workspace, int label, int layer, bool outside)
 {
-    apply(workspace, core::SegmentToLayer{.segment = label, .layer = layer, .outside = outside});
+    apply(workspace,
+        core::SegmentToLayer{.segment = label,
+            .layer = layer,
+            .outside = outside ? std::optional(true) : std::nullopt});
 }
 
 void segmentWhatIsSeen(Workspace& workspace, std::optional<int> label)

@@ -76,8 +76,8 @@ template <class Visitor> void visitFields(Visitor& visit, SegmentToLayer& edit)
     visitSegment(visit, edit.segment);
     visit.field("layer", Presence::Required, edit.layer, layerNumber,
         "the sculpt layer that is carved; not a muted one");
-    visit.field("outside", Presence::Optional, edit.outside, editFields::Flag{},
-        "whether all is carved that neither it nor a protected segment holds");
+    visit.maybe("outside", edit.outside, editFields::Flag{},
+        "whether all is carved that neither it nor a protected segment holds", "no");
 }
 
 } // namespace core::editSchema

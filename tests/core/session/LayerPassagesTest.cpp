@@ -139,7 +139,7 @@ private Q_SLOTS:
         Bench bench({drillInto(1), LayerToSegment{.layer = 1, .target = toNew}});
         bench.run(second);
         bench.run(test::addSegment("Spared"));
-        bench.run(test::paintAt(2, test::pointsInBone(), 1.5));
+        bench.run(test::paintAt(2, test::pointsInBrain(), 1.5)); // the bone there is carved
         bench.run(ChangeSegment{.segment = 2, .uncarvable = true});
         bench.run(SegmentToLayer{.segment = 1, .layer = 2, .outside = true});
         QVERIFY2(bench.lastName().startsWith(

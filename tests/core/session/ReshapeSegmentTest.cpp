@@ -420,8 +420,8 @@ private Q_SLOTS:
                     .with = std::vector<int>{1}},
             "with");
         sidesAreRefused(ShapeOperation::Open, {.leftMm = 1.0});
-        sidesAreRefused(ShapeOperation::Grow, {.leftMm = -1.0});
-        sidesAreRefused(ShapeOperation::Grow, {.superiorMm = 5000.0});
+        refused({.segment = 1, .mm = 1.0, .sides = {.leftMm = -1.0}}, "leftMm");
+        refused({.segment = 1, .mm = 1.0, .sides = {.superiorMm = 5000.0}}, "superiorMm");
         sidesAreRefused(ShapeOperation::Shrink, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
         // Of a ball that is allowed, voxels may be too many.
         Document fine = bench.session->document();

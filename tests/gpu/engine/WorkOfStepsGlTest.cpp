@@ -114,8 +114,10 @@ std::vector<Counted> WorkOfStepsGlTest::stepsIn(int side)
     EditSession& known = **session;
     test::WorkOfGl work;
     const auto step = [&](const char* name, const std::function<bool()>& taken) {
+        m_gpu.rest();
         static_cast<void>(work.take());
         const bool done = taken() && known.settle();
+        m_gpu.rest(); // what views need follows
         const GlWork counted = work.take();
         if (!done)
             qWarning("%s failed", name);

@@ -433,11 +433,11 @@ private:
             return randomFlood(document);
         if (m_session->history().rows().size() % 16 == 2)
             return randomThreshold(document);
-        if (m_session->history().rows().size() % 8 == 6)
+        if (m_session->history().rows().size() % 16 == 6)
             return randomSnip(document);
         if (m_session->history().rows().size() % 16 == 10)
             return randomMirror(document);
-        if (m_session->history().rows().size() % 16 == 4)
+        if (m_session->history().rows().size() % 16 == 14)
             return randomContour(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))

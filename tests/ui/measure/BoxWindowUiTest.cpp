@@ -200,6 +200,8 @@ void BoxWindowUiTest::itCanBeGivenUp()
     const QPoint from = fixture.at(axial, {9.6, 12.6, 20.0});
     const QPoint to = fixture.at(axial, {29.4, 33.4, 20.0});
     const double scale = axial.context().mmPerPixel();
+    QTest::mouseMove(&axial, to); // what lies under the pointer is marked
+    fixture.settle();
     const QImage without = axial.grab().toImage();
     fixture.drag(axial, Qt::RightButton, Qt::ControlModifier, from, to, false);
     QVERIFY(axial.grab().toImage() != without); // the box is seen

@@ -88,8 +88,8 @@ void TurnedSliceUiTest::pixelsGoWhereTheyAreTurned()
         QPointF to; ///< where the pixel at (31, −17) from the middle goes
     };
     for (const Step& step : {Step{"view.flipLeftRight", {-31.0, -17.0}},
-             Step{"view.flipTopBottom", {31.0, 17.0}}, Step{"view.turnRight", {17.0, 31.0}},
-             Step{"view.turnLeft", {-17.0, -31.0}}, Step{"view.upright", {31.0, -17.0}}}) {
+             Step{"view.flipTopBottom", {31.0, 17.0}}, Step{"view.quarterRight", {17.0, 31.0}},
+             Step{"view.quarterLeft", {-17.0, -31.0}}, Step{"view.upright", {31.0, -17.0}}}) {
         coronal.setTurn({});
         const glm::dvec3 place = coronal.context().toLps(middleOf(coronal) + QPointF(31.0, -17.0));
         fixture.window.actionTable()[QLatin1String(step.action)].trigger();
@@ -258,7 +258,7 @@ void TurnedSliceUiTest::onlySlicesAreTurned()
     QVERIFY(&fixture.window.views().current() == &fixture.window.views().volume());
     connect(&fixture.workspace, &ui::Workspace::said, this,
         [&said](const QString& sentence) { said = sentence; });
-    fixture.window.actionTable()[QStringLiteral("view.turnRight")].trigger();
+    fixture.window.actionTable()[QStringLiteral("view.quarterRight")].trigger();
     QVERIFY(said.contains(QLatin1String("slices")));
     for (const SliceView* view : fixture.window.views().slices())
         QVERIFY(view->turn().isUpright());

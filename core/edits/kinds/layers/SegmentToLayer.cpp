@@ -38,8 +38,8 @@ Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& docume
     CoverLabel cover{.layer = std::uint8_t(edit.layer),
         .plane = segment->plane,
         .label = segment->label,
-        .outside = edit.outside};
-    if (!edit.outside) {
+        .outside = edit.outside.value_or(false)};
+    if (!edit.outside.value_or(false)) {
         if (segment->uncarvable)
             return failure(ErrorCode::SegmentProtected, segment->name);
         return cover;
@@ -61,7 +61,8 @@ Result<EngineEdit> engineEdit(const SegmentToLayer& edit, const Document& docume
 
 RowTitle rowTitle(const SegmentToLayer& edit, const RowFacts& row)
 {
-    return {.code = edit.outside ? RowTitleCode::OutsideToLayer : RowTitleCode::SegmentToLayer,
+    return {.code = edit.outside.value_or(false) ? RowTitleCode::OutsideToLayer
+                                                 : RowTitleCode::SegmentToLayer,
         .arguments = {segmentName(edit.segment, row.document), layerName(edit.layer, row.document)},
         .then = {figure(RowTitleCode::Voxels, row.statistics.voxelsChanged)}};
 }

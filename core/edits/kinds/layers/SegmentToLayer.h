@@ -3,6 +3,8 @@
 
 #include "core/edits/answers/EditAnswers.h"
 
+#include <optional>
+
 namespace core {
 
 struct CoverLabel;
@@ -12,7 +14,7 @@ struct CoverLabel;
 struct SegmentToLayer {
     int segment = 0; ///< label
     int layer = 0; ///< id
-    bool outside = false; ///< whether all others are carved
+    std::optional<bool> outside{}; ///< whether all others are carved; none: no
 };
 
 [[nodiscard]] Result<void> check(const SegmentToLayer& edit, const Document& document);
