@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/RecipeTemplate.h"
 
-#include "core/recipe/RepeatedKey.h"
+#include "core/recipe/RecipeJson.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -105,29 +104,12 @@ private:
 
 Result<RecipeTemplate> RecipeTemplate::read(const QString& path)
 {
-    if (!QFileInfo::exists(path))
-        return failure(ErrorCode::FileNotFound, path);
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::FileUnreadable, path, file.errorString());
-    const QByteArray text = file.readAll();
-    QJsonParseError problem;
-    const QJsonDocument document = QJsonDocument::fromJson(text, &problem);
-    if (problem.error != QJsonParseError::NoError)
-        return failure(ErrorCode::InvalidRecipe, path,
-            QStringLiteral("line %1: %2")
-                .arg(text.left(problem.offset).count('\n') + 1)
-                .arg(problem.errorString()));
-    if (!document.isObject())
-        return failure(ErrorCode::InvalidRecipe, path, QStringLiteral("it must be an object"));
-    if (const std::optional<core::RepeatedKey> repeated = core::repeatedKey(text))
-        return failure(ErrorCode::InvalidRecipe, path,
-            QStringLiteral("line %1: the key '%2' stands twice in one object")
-                .arg(repeated->line)
-                .arg(repeated->key));
+    Result<QJsonObject> content = core::readRecipeJson(path);
+    if (!content)
+        return tl::unexpected(content.error());
     RecipeTemplate read;
     read.m_path = path;
-    read.m_content = document.object();
+    read.m_content = *std::move(content);
     return read;
 }
 

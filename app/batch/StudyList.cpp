@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/StudyList.h"
 
+#include "core/base/files/ReadableFile.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -31,6 +33,8 @@ constexpr qint64 largestList = 256 << 20;
 
 Result<QByteArray> bytesOf(const QString& path)
 {
+    if (const Result<void> isFile = core::checkIsFile(path); !isFile)
+        return tl::unexpected(isFile.error());
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure(ErrorCode::FileUnreadable, path, file.errorString());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/StudyResults.h"
 
+#include "core/base/files/ReadableFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/base/files/SystemFile.h"
 
@@ -88,7 +89,7 @@ Result<void> StudyResults::write(const QString& folder, const char* name, const 
 QJsonObject StudyResults::record(const QString& folder)
 {
     QFile file(QDir(folder).filePath(QStringLiteral("record.json")));
-    if (!file.open(QIODevice::ReadOnly))
+    if (!core::checkIsFile(file.fileName()) || !file.open(QIODevice::ReadOnly))
         return {};
     return QJsonDocument::fromJson(file.readAll()).object();
 }

@@ -2,15 +2,12 @@
 #include "core/recipe/Recipe.h"
 
 #include "core/base/files/FileInUse.h"
-#include "core/base/files/ReadableFile.h"
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/recipe/RepeatedKey.h"
+#include "core/recipe/RecipeJson.h"
 #include "core/volume/SurfaceThreshold.h"
 
-#include <QFile>
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include <algorithm>
@@ -40,31 +37,6 @@ tl::unexpected<Error> at(Error error, const char* list, int index)
 int entryOf(const Recipe& recipe, std::size_t step)
 {
     return recipe.entries.empty() ? int(step) + 1 : recipe.entries[step];
-}
-
-Result<QJsonObject> readJson(const QString& path)
-{
-    if (const Result<void> isFile = checkIsFile(path); !isFile)
-        return tl::unexpected(isFile.error());
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::FileUnreadable, path, file.errorString());
-    const QByteArray text = file.readAll();
-    QJsonParseError problem;
-    const QJsonDocument document = QJsonDocument::fromJson(text, &problem);
-    if (problem.error != QJsonParseError::NoError)
-        return failure(ErrorCode::InvalidRecipe, path,
-            QStringLiteral("line %1: %2")
-                .arg(text.left(problem.offset).count('\n') + 1)
-                .arg(problem.errorString()));
-    if (!document.isObject())
-        return failure(ErrorCode::InvalidRecipe, path, QStringLiteral("it must be an object"));
-    if (const std::optional<RepeatedKey> repeated = repeatedKey(text))
-        return failure(ErrorCode::InvalidRecipe, path,
-            QStringLiteral("line %1: the key '%2' stands twice in one object")
-                .arg(repeated->line)
-                .arg(repeated->key));
-    return document.object();
 }
 
 Result<QJsonArray> takeList(QJsonObject& object, const char* name, bool required)
@@ -115,7 +87,7 @@ Error atEdit(Error error, int entry)
 
 Result<Recipe> readRecipe(const QString& path)
 {
-    Result<QJsonObject> object = readJson(path);
+    Result<QJsonObject> object = readRecipeJson(path);
     if (!object)
         return tl::unexpected(object.error());
     const Result<QJsonArray> edits = takeList(*object, "edits", true);

@@ -11,6 +11,8 @@
 #include <QProcess>
 #include <QTest>
 
+#include <sys/stat.h>
+
 namespace batchCommandGlTest {
 
 using test::burin;
@@ -176,6 +178,20 @@ private Q_SLOTS:
         QVERIFY2(refused.complaint.contains(key("session.burin")), qPrintable(refused.complaint));
         QVERIFY(own.open(QIODevice::ReadOnly));
         QCOMPARE(own.readAll(), QByteArray("mine"));
+    }
+
+    /// A pipe would be read for ever.
+    void aPipeIsNoFile()
+    {
+        const QString pipe = path("pipe.csv");
+        QCOMPARE(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+        QStringList ofPipes = words(list(false));
+        ofPipes[1] = pipe; // the recipe
+        for (const QStringList& each : {words(pipe), ofPipes}) {
+            const Outcome refused = burin(each);
+            QCOMPARE(refused.status, 1);
+            QVERIFY2(refused.complaint.contains(key("pipe.csv")), qPrintable(refused.complaint));
+        }
     }
 
     void listsAreChecked_data()
