@@ -129,7 +129,7 @@ void labelScissors(
         for (int y = 0; y < codes.size.y; ++y) {
             for (int x = 0; x < codes.size.x; ++x) {
                 const glm::ivec3 voxel(x, y, z);
-                if (!run.chooses(voxel))
+                if (!run.chooses(voxel) || !isEditable(edit.editable, codes, fields, voxel))
                     continue;
                 std::uint8_t& held = labels.at(voxel);
                 std::uint32_t& word = words.at(voxel);

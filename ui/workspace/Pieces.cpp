@@ -249,11 +249,10 @@ void Pieces::cutPiece(
             }
             // An undo that waits before it may leave no such layer; it is refused in its turn then.
             const core::Document expected = open.foreseenDocument();
-            const core::Piece* piece = expected.pieceOfLayer(layer);
-            if (!piece)
-                return;
-            setActive(piece->id);
-            then();
+            if (const core::Piece* piece = expected.pieceOfLayer(layer)) {
+                setActive(piece->id);
+                then();
+            }
         },
         unless);
 }

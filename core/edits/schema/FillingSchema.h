@@ -84,6 +84,7 @@ template <class Visitor> void visitFields(Visitor& visit, SegmentScissors& edit)
     visitOnlyValues(visit, edit.lower, edit.upper);
     visit.when(!edit.erase, [&] { visitOverwrite(visit, edit.overwriteUnlocked); });
     visitHidden(visit, edit.hidden);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<MirrorSegment> = "mirrorSegment";
@@ -105,6 +106,7 @@ template <class Visitor> void visitFields(Visitor& visit, MirrorSegment& edit)
         "the middle of the volume");
     visit.field("keep", Presence::Optional, edit.keep, editFields::Flag{},
         "whether the segment keeps what it has, beside its mirror image");
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<EvolveContour> = "evolveContour";
@@ -146,6 +148,7 @@ template <class Visitor> void visitFields(Visitor& visit, EvolveContour& edit)
         WholeNumber{1, mostContourGenerations},
         "how many voxels the contour moves at most; it stops earlier where nothing changes");
     visitOverwrite(visit, edit.overwriteUnlocked);
+    visitEditable(visit, edit.editable);
 }
 
 } // namespace core::editSchema

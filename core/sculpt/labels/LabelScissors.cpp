@@ -60,7 +60,7 @@ Result<void> checkSound(const LabelScissors& edit, const BrickGrid&)
         || edit.mask.values.size() != std::size_t(size.x) * std::size_t(size.y)
         || !liesInReach(edit.mask, edit.frame.pitch))
         return unsound("mask", "is not sound");
-    return {};
+    return checkSound(edit.editable);
 }
 
 std::vector<std::uint32_t> bricksNear(const LabelScissors& edit, const BrickGrid& grid)

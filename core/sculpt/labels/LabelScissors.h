@@ -8,6 +8,7 @@
 #include <bitset>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct LabelScissors {
     int highCode = 65535;
     CutFrame frame{};
     OutlineRaster mask{}; ///< its origin is the corner of element (0, 0)
+    std::optional<EditableVoxels> editable{}; ///< what rule 5 may change; none: any voxel
 
     [[nodiscard]] bool erases() const { return erased.any(); }
 };

@@ -366,7 +366,8 @@ std::vector<core::BrickKey> writeScissors(LabelPrograms& programs, VoxelFields& 
     const std::vector<std::uint32_t>& bricks)
 {
     using core::fixedPoint::round14;
-    Program& kernel = programs.following("SCISSORS");
+    Program& kernel = programs.following("SCISSORS", edit.editable.has_value());
+    BindEditable editable(programs, fields, edit.editable);
     setCodes(kernel, edit.lowCode, edit.highCode);
     setHidden(kernel, edit.frame.hidden);
     kernel.set("planePerI", round14(edit.frame.planePerI))
@@ -380,11 +381,13 @@ std::vector<core::BrickKey> writeScissors(LabelPrograms& programs, VoxelFields& 
         .set("erased", edit.erased);
     const BrickPlaces places(edit.frame, fields.grid());
     return label(
-        kernel, fields, before, edit.target, bricks, [&](const std::vector<std::uint32_t>& listed) {
+        kernel, fields, before, edit.target, bricks,
+        [&](const std::vector<std::uint32_t>& listed) {
             places(listed);
             reach.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
             fields.codes().bindUnit(0);
-        });
+        },
+        &editable);
 }
 
 } // namespace gpu

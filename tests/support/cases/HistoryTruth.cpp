@@ -267,7 +267,8 @@ HistoryTruth::Bricks HistoryTruth::evolved(
         lost[voxel] = isOwn && !gained[voxel];
         gained[voxel] = gained[voxel] && !isOwn;
     }
-    const RelabelListed like{.target = target};
+    const RelabelListed like{.target = target,
+        .editable = editableVoxels(edit.editable, document, "evolveContour").value()};
     return relabelled(
         relabelled(before, like, lost, RelabelListed::take), like, gained, RelabelListed::give);
 }

@@ -339,6 +339,7 @@ void SegmentScissorsTool::cut(const ViewContext& view, const std::vector<glm::dv
     }
     edit.overwriteUnlocked = limits.overwriteUnlocked && !edit.erase;
     edit.hidden = core::clipHalfSpaces(scene.clip, m_workspace.volume()->geometry);
+    edit.editable = m_workspace.editableRange();
     if (const auto applied = m_workspace.session()->apply(edit); !applied)
         m_workspace.fail(applied.error());
 }

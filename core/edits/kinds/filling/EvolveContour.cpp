@@ -7,6 +7,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
 #include "core/edits/kinds/growth/GrowLimits.h"
@@ -76,6 +77,8 @@ Result<void> check(const EvolveContour& edit, const Document& document)
     const Result<ContourRule> rule = contourRule(edit, document);
     if (!rule)
         return tl::unexpected(rule.error());
+    if (const auto editable = editableVoxels(edit.editable, document, "evolveContour"); !editable)
+        return tl::unexpected(editable.error());
     return discardValue(contourTarget(edit, document));
 }
 
@@ -90,7 +93,7 @@ EditEffects effects(const EvolveContour& edit)
         .standsOpen = false,
         .writesTo = edit.segment,
         .fills = {.label = edit.segment},
-        .boundToStudy = edit.bubbleLps.has_value()};
+        .boundToStudy = edit.bubbleLps.has_value() || namesPlaces(edit.editable)};
 }
 
 RowTitle rowTitle(const EvolveContour& edit, const RowFacts& row)
@@ -105,7 +108,7 @@ RowTitle rowTitle(const EvolveContour& edit, const RowFacts& row)
 /// Nobody knows how far it would have come, had labels been others.
 EditDependencies dependencies(const EvolveContour& edit, const DependencyFacts& row)
 {
-    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+    return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
 }
 
 Result<ContourRule> contourRule(const EvolveContour& edit, const Document& document)
@@ -200,7 +203,13 @@ Result<RelabelListed> relabelListed(
     ListedRuns listed(document.volumes.front().geometry.size);
     listed.add(change.given, RelabelListed::give);
     listed.add(change.taken, RelabelListed::take);
-    return listed.relabel(*std::move(target));
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "evolveContour");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    RelabelListed relabel = listed.relabel(*std::move(target));
+    relabel.editable = *std::move(editable);
+    return relabel;
 }
 
 } // namespace core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 #include <glm/glm.hpp>
 
@@ -35,6 +36,7 @@ struct EvolveContour {
     double bubbleMm = 0.0; ///< its radius
     int generations = 10; ///< it stops earlier where nothing changes any more
     bool overwriteUnlocked = false;
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
     bool operator==(const EvolveContour&) const = default;
 };
 

@@ -6,6 +6,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
@@ -51,6 +52,8 @@ Result<void> check(const MirrorSegment& edit, const Document& document)
     if (const Result<MirrorPlane> plane = mirrorPlane(edit, document.volumes.front().geometry);
         !plane)
         return tl::unexpected(plane.error());
+    if (const auto editable = editableVoxels(edit.editable, document, "mirrorSegment"); !editable)
+        return tl::unexpected(editable.error());
     return discardValue(labelTarget({.segment = edit.segment, .name = {}}, false, document));
 }
 
@@ -65,7 +68,7 @@ EditEffects effects(const MirrorSegment& edit)
         .standsOpen = false,
         .writesTo = edit.segment,
         .fills = {.label = edit.segment},
-        .boundToStudy = edit.placeLps.has_value()};
+        .boundToStudy = edit.placeLps.has_value() || namesPlaces(edit.editable)};
 }
 
 RowTitle rowTitle(const MirrorSegment& edit, const RowFacts& row)
@@ -80,7 +83,7 @@ RowTitle rowTitle(const MirrorSegment& edit, const RowFacts& row)
 /// Every voxel of the plane may be the mirror image of one that decides.
 EditDependencies dependencies(const MirrorSegment& edit, const DependencyFacts& row)
 {
-    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+    return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
 }
 
 Result<RelabelListed> relabelListed(const MirrorSegment& edit, const Document& document,
@@ -128,7 +131,13 @@ Result<RelabelListed> relabelListed(const MirrorSegment& edit, const Document& d
     }
     listed.add(given, RelabelListed::give);
     listed.add(taken, RelabelListed::take);
-    return listed.relabel(*std::move(target));
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "mirrorSegment");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    RelabelListed relabel = listed.relabel(*std::move(target));
+    relabel.editable = *std::move(editable);
+    return relabel;
 }
 
 } // namespace core

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 #include <glm/glm.hpp>
 
@@ -27,6 +28,7 @@ struct MirrorSegment {
     MirroredSides sides = MirroredSides::RightLeft;
     std::optional<glm::dvec3> placeLps{}; ///< in the plane; none: the middle of the volume
     bool keep = false; ///< whether it keeps what it has, beside its mirror image
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const MirrorSegment& edit, const Document& document);

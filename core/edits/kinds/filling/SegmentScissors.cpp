@@ -6,6 +6,7 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/CutFrames.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/OutlinedPlane.h"
 #include "core/sculpt/labels/LabelScissors.h"
@@ -115,6 +116,11 @@ Result<LabelScissors> labelScissors(const SegmentScissors& edit, const Document&
         scissors->lowCode = volume.encoding.lowestCodeAtLeast(*edit.lower);
     if (edit.upper)
         scissors->highCode = volume.encoding.highestCodeAtMost(*edit.upper);
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "segmentScissors");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    scissors->editable = *std::move(editable);
     return scissors;
 }
 
@@ -159,10 +165,10 @@ EditDependencies dependencies(const SegmentScissors& edit, const DependencyFacts
     if (!scissors)
         return row.whatWasWritten();
     if (edit.outside)
-        return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+        return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
     const std::vector<std::uint32_t> near = bricksNear(*scissors, row.grid());
-    return row.labelled(
-        std::set<std::uint32_t>(near.begin(), near.end()), row.planeOf(edit.segment));
+    return row.alsoReading(edit.editable,
+        row.labelled(std::set<std::uint32_t>(near.begin(), near.end()), row.planeOf(edit.segment)));
 }
 
 } // namespace core

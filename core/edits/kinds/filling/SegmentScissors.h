@@ -4,6 +4,7 @@
 #include "core/document/OrthographicView.h"
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 #include <glm/glm.hpp>
 
@@ -33,6 +34,7 @@ struct SegmentScissors {
     std::optional<double> upper{};
     bool overwriteUnlocked = false;
     ClipHalfSpaces hidden{}; ///< stays as it is
+    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
 };
 
 [[nodiscard]] Result<void> check(const SegmentScissors& edit, const Document& document);

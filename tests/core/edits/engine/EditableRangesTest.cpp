@@ -2,8 +2,11 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/FillOutline.h"
@@ -133,6 +136,27 @@ std::vector<Edit> someEdits(const Bench& bench)
         .layer = 1, .target = {.segment = 3, .name = {}}, .overwriteUnlocked = true});
     edits.push_back(
         SegmentSeen{.target = {.segment = 2, .name = {}}, .lower = 0.0, .overwriteUnlocked = true});
+    SegmentScissors scissors{.segment = 1,
+        .view = {.eyeLps = bench.at({19.0, -200.0, 16.0}),
+            .targetLps = bench.at({19.0, 17.0, 16.0}),
+            .up = {0.0, 0.0, 1.0},
+            .heightMm = 80.0},
+        .polygonMm = {{-7.0, -6.0}, {20.0, -6.0}, {20.0, 6.0}, {-7.0, 6.0}},
+        .erase = true,
+        .others = std::vector<int>{2}};
+    edits.push_back(scissors);
+    scissors.erase = false;
+    scissors.others.reset();
+    scissors.depthMm = 12.0;
+    scissors.overwriteUnlocked = true;
+    edits.push_back(scissors);
+    edits.push_back(MirrorSegment{.segment = 2});
+    edits.push_back(EvolveContour{.segment = 2,
+        .lower = -200.0,
+        .upper = 400.0,
+        .softness = 50.0,
+        .generations = 4,
+        .overwriteUnlocked = true});
     return edits;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/EngineCases.h"
@@ -97,6 +98,26 @@ core::LabelOutlined limitedOutline(const core::Document& document, Random& rando
     return core::labelOutlined(outline, document).value();
 }
 
+/// A curve over the middle of a volume, from a random side, to a depth or through everything.
+core::LabelScissors limitedScissors(const core::Document& document, Random& random)
+{
+    const core::VolumeGeometry& geometry = document.volumes.front().geometry;
+    const glm::dvec3 middle = geometry.toWorld((glm::dvec3(geometry.size) - 1.0) / 2.0);
+    core::SegmentScissors scissors{.segment = 1,
+        .view = {.eyeLps = middle
+                + glm::dvec3(randomUnit(random) - 0.5, -1.0, randomUnit(random) - 0.5) * 200.0,
+            .targetLps = middle,
+            .up = {0.0, 0.0, 1.0},
+            .heightMm = 80.0},
+        .polygonMm = randomOutline(40.0, random)};
+    scissors.erase = random() % 2;
+    if (random() % 2)
+        scissors.depthMm = 1.0 + 20.0 * randomUnit(random);
+    else
+        scissors.outside = random() % 2;
+    return core::labelScissors(scissors, document).value();
+}
+
 /// A stroke that is told piece by piece, and once more from its end.
 void appendLimited(std::vector<EngineStep>& steps, const core::PaintLabel& paint,
     const core::CapsulePath& path, core::Ending ending)
@@ -131,7 +152,14 @@ EngineCase randomlyLimited(int number)
         const auto plane = std::uint8_t(random() % 4 ? 0 : 1);
         const core::Ending ending = random() % 5 ? core::Ending::Commit : core::Ending::Rollback;
         const EditableVoxels editable = randomEditable(size, random);
-        switch (random() % 11) {
+        switch (random() % 12) {
+        case 11: {
+            core::LabelScissors scissors = limitedScissors(document, random);
+            scissors.target = limitedTarget(plane, random);
+            scissors.editable = editable;
+            appendWhole(made.steps, std::move(scissors), {}, ending);
+            break;
+        }
         case 9:
             appendWhole(made.steps, core::LabelCarved{limitedTarget(plane, random), 1, editable},
                 {}, ending);
