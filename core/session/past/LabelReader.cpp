@@ -11,6 +11,22 @@ namespace {
 
 constexpr int portion = 1024; ///< bricks
 
+template <class Does>
+void forEachVoxel(const BrickGrid& grid, const BrickImage& brick, std::uint8_t label, Does does)
+{
+    const std::vector<std::uint8_t>& bytes = brick.bytes.read();
+    const glm::ivec3 first = grid.boxOf(int(brick.key.brick)).minimum;
+    int offset = 0;
+    for (int z = 0; z < BrickGrid::side; ++z) {
+        for (int y = 0; y < BrickGrid::side; ++y) {
+            for (int x = 0; x < BrickGrid::side; ++x, ++offset) {
+                if (bytes[std::size_t(offset)] == label)
+                    does(first + glm::ivec3(x, y, z));
+            }
+        }
+    }
+}
+
 } // namespace
 
 LabelReader::LabelReader(const glm::ivec3& size, std::uint8_t plane, Field field)
@@ -40,6 +56,33 @@ Result<void> LabelReader::take(const EngineResult& answer)
             m_bricks.push_back({.key = brick.key, .bytes = brick.after});
     }
     return {};
+}
+
+std::optional<LabelPlace> LabelReader::placeOf(std::uint8_t label) const
+{
+    std::optional<VoxelBox> box;
+    for (const BrickImage& brick : m_bricks) {
+        forEachVoxel(m_grid, brick, label, [&box](const glm::ivec3& voxel) {
+            const VoxelBox here{voxel, voxel + 1};
+            box = box ? box->united(here) : here;
+        });
+    }
+    if (!box)
+        return std::nullopt;
+    LabelPlace place{.box = *box};
+    const glm::ivec3 twiceMiddle = box->minimum + box->maximum - 1;
+    std::optional<std::int64_t> least;
+    for (const BrickImage& brick : m_bricks) {
+        forEachVoxel(m_grid, brick, label, [&](const glm::ivec3& voxel) {
+            const glm::i64vec3 away(2 * voxel - twiceMiddle);
+            const std::int64_t distance = away.x * away.x + away.y * away.y + away.z * away.z;
+            if (!least || distance < *least) {
+                least = distance;
+                place.middle = voxel;
+            }
+        });
+    }
+    return place;
 }
 
 std::vector<std::uint8_t> LabelReader::takeLabels()
