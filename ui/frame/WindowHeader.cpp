@@ -85,7 +85,8 @@ void WindowHeader::fillMenus(Actions& actions, const QStringList& plane, const Q
     m_growMenu = m_menuBar->addMenu(QStringLiteral("&Grow"));
     m_refineMenu = m_menuBar->addMenu(QStringLiteral("&Refine"));
     m_segmentsMenu = m_menuBar->addMenu(QStringLiteral("&Segments"));
-    QStringList segments = ids({"segments.add"});
+    QStringList segments = ids({"segments.add", "", "segments.previous", "segments.next",
+        "segments.underPointer", "segments.centre", "segments.alone", ""});
     for (const SegmentAction& action : segmentActions())
         segments += QLatin1String(action.id);
     actions.fill(*m_segmentsMenu, segments);
@@ -124,6 +125,9 @@ void WindowHeader::fillViewMenu(
             "view.fromBelow"}));
     actions.fill(*view->addMenu(QStringLiteral("Stage")), stage);
     actions.fill(*view->addMenu(QStringLiteral("Cutting plane")), plane);
+    actions.fill(*view->addMenu(tr("Segments in slices")),
+        ids({"segments.fillAndOutline", "segments.fill", "segments.outline", "",
+            "segments.fillMore", "segments.fillLess"}));
     view->addSeparator();
     actions.fill(*view,
         ids({"view.crosshair", "view.referenceLines", "view.patient", "view.segments",

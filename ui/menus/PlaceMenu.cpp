@@ -3,11 +3,12 @@
 
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/session/EditSession.h"
-#include "core/session/SessionDisplay.h"
 #include "ui/base/MenuText.h"
 #include "ui/base/StudyTexts.h"
+#include "ui/menus/SegmentViews.h"
 #include "ui/tasks/UndoOnly.h"
 #include "ui/workspace/InitialDisplay.h"
+#include "ui/workspace/ViewSteps.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QAction>
@@ -15,9 +16,7 @@
 #include <QGuiApplication>
 #include <QMenu>
 
-#include <algorithm>
 #include <functional>
-#include <vector>
 
 namespace ui {
 
@@ -34,12 +33,6 @@ QAction* addEntry(QMenu& menu, Workspace& workspace, const char* name, const QSt
         });
     entry->setObjectName(QLatin1String(name));
     return entry;
-}
-
-bool isAlone(const core::Document& document, int label)
-{
-    return std::all_of(document.segments.begin(), document.segments.end(),
-        [label](const core::Segment& each) { return each.visible == (each.label == label); });
 }
 
 void addSegmentEntries(QMenu& menu, Workspace& workspace, const core::Segment& segment)
@@ -62,12 +55,9 @@ void addSegmentEntries(QMenu& menu, Workspace& workspace, const core::Segment& s
             if (!changed)
                 where.fail(changed.error());
         });
-    const core::Document& document = workspace.session()->document();
-    QAction* alone = addEntry(menu, workspace, "isolateSegment",
-        isAlone(document, label) ? QObject::tr("Show all segments")
-                                 : QObject::tr("Show only '%1'").arg(name),
-        [label](Workspace& where) { showAlone(where, label); });
-    if (document.segments.size() < 2) {
+    QAction* alone = addEntry(menu, workspace, "isolateSegment", showAloneText(workspace, segment),
+        [label](Workspace& where) { where.viewSteps().showAlone(label); });
+    if (workspace.session()->document().segments.size() < 2) {
         alone->setEnabled(false);
         alone->setToolTip(QObject::tr("there is no other segment"));
     }
@@ -87,24 +77,6 @@ void addWindows(QMenu& menu, Workspace& workspace)
 }
 
 } // namespace
-
-void showAlone(Workspace& workspace, int label)
-{
-    core::EditSession* session = workspace.session();
-    if (!session)
-        return;
-    const bool all = isAlone(session->document(), label);
-    // Each change may rebuild the document's list.
-    std::vector<int> labels;
-    for (const core::Segment& each : session->document().segments)
-        labels.push_back(each.label);
-    for (const int each : labels) {
-        const bool wanted = all || each == label;
-        const core::Segment* segment = session->document().segment(each);
-        if (segment && segment->visible != wanted)
-            session->display().setSegmentVisible(each, wanted);
-    }
-}
 
 void addPlaceEntries(QMenu& menu, Workspace& workspace, const PointedVoxel& pointed)
 {

@@ -23,7 +23,4 @@ struct PointedVoxel {
 /// entry that cannot be chosen says why by its tool tip.
 void addPlaceEntries(QMenu& menu, Workspace& workspace, const PointedVoxel& pointed);
 
-/// Shows one segment alone, or, where that is so already, all of them. The eyes of the list follow.
-void showAlone(Workspace& workspace, int label);
-
 } // namespace ui

@@ -2,8 +2,8 @@
 #include "ui/models/SegmentListModel.h"
 
 #include "core/edits/kinds/segments/ChangeSegment.h"
-#include "core/session/SessionDisplay.h"
 #include "ui/base/CountText.h"
+#include "ui/workspace/ViewSteps.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QColor>
@@ -114,6 +114,8 @@ QVariant SegmentListModel::data(const QModelIndex& index, int role) const
         return QColor(segment->rgb);
     case VisibleRole:
         return segment->visible;
+    case AloneRole:
+        return isShownAlone(m_workspace.session()->document(), segment->label);
     case LockedRole:
         return segment->locked;
     case ProtectedRole:
@@ -143,7 +145,11 @@ bool SegmentListModel::setData(const QModelIndex& index, const QVariant& value, 
     if (!segment)
         return false;
     if (role == VisibleRole) {
-        m_workspace.session()->display().setSegmentVisible(segment->label, value.toBool());
+        m_workspace.viewSteps().showSegment(segment->label, value.toBool());
+        return true;
+    }
+    if (role == AloneRole) {
+        m_workspace.viewSteps().showAlone(segment->label);
         return true;
     }
     return change(*segment, value, role);

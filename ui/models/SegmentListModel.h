@@ -19,6 +19,8 @@ public:
         LabelRole = Qt::UserRole, ///< int
         ColourRole, ///< QColor; can be set
         VisibleRole, ///< bool; can be set
+        AloneRole, ///< bool: shown, and no other one; setting it, to whatever, switches
+                   ///< (ViewSteps::showAlone)
         LockedRole, ///< bool; can be set
         ProtectedRole, ///< bool: no tool carves it; can be set
         VolumeRole, ///< QString: "9.8 mL", "—" while empty

@@ -7,7 +7,7 @@
 #include "ui/base/Theme.h"
 #include "ui/views/VolumeView.h"
 #include "ui/widgets/RangeSlider.h"
-#include "ui/workspace/ClipSteps.h"
+#include "ui/workspace/ViewSteps.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -242,7 +242,7 @@ void ClippingPanel::takeBox(bool on)
 {
     core::ClipRegion clip = m_workspace.clip();
     clip.box.on = on;
-    m_workspace.clipSteps().change(clip);
+    m_workspace.viewSteps().change(clip);
 }
 
 void ClippingPanel::takeAxis(int axis, double lower, double upper)
@@ -252,7 +252,7 @@ void ClippingPanel::takeAxis(int axis, double lower, double upper)
     clip.box.minimum[axis] = lower / spacing - 0.5;
     clip.box.maximum[axis] = upper / spacing - 0.5;
     clip.box.on = true;
-    m_workspace.clipSteps().change(clip);
+    m_workspace.viewSteps().change(clip);
 }
 
 void ClippingPanel::takeOffset(std::size_t row, double offsetMm)
@@ -274,12 +274,12 @@ void ClippingPanel::change(std::size_t row, const core::ClipPlane& plane)
 {
     core::ClipRegion clip = m_workspace.clip();
     clip.planes[row] = plane;
-    m_workspace.clipSteps().change(clip);
+    m_workspace.viewSteps().change(clip);
 }
 
 void ClippingPanel::reset()
 {
-    m_workspace.clipSteps().change(core::wholeVolume(m_workspace.volume()->geometry));
+    m_workspace.viewSteps().change(core::wholeVolume(m_workspace.volume()->geometry));
 }
 
 } // namespace ui

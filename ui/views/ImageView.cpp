@@ -174,6 +174,15 @@ void ImageView::drawWithoutEngine()
     m_pictureQuality.reset();
 }
 
+bool ImageView::activateSegmentUnderPointer()
+{
+    const std::optional<QPointF> at = m_pointer.position();
+    if (!at || !isVisible())
+        return false;
+    activateSegmentAt(*at);
+    return true;
+}
+
 void ImageView::requestFrame(bool interacting)
 {
     update();
@@ -190,6 +199,13 @@ void ImageView::requestFrame(bool interacting)
     request.sizePixels = {sizeInDevicePixels().width(), sizeInDevicePixels().height()};
     request.scene = scaled(scene(), 1.0 / devicePixelRatioF());
     request.segments = m_workspace.segmentDisplay();
+    // Bodies have neither fill nor outline: their picture need not be drawn again for these.
+    if (const auto* volume = std::get_if<gpu::VolumeScene>(&request.scene);
+        volume && !volume->plane) {
+        const gpu::SegmentDisplay usual;
+        request.segments.fillOpacity = usual.fillOpacity;
+        request.segments.outlineWidthPixels = usual.outlineWidthPixels;
+    }
     request.interacting = interacting || m_rest.isActive() || (m_pointer.isAtWork() && !m_penRests);
     const bool same = m_requested && request.sizePixels == m_request.sizePixels
         && request.scene == m_request.scene && request.segments == m_request.segments

@@ -38,6 +38,9 @@ public:
     [[nodiscard]] ViewContext shownContext() const;
     /// Whether a stroke or a drag is going on here.
     [[nodiscard]] bool pointerIsAtWork() const { return m_pointer.isAtWork(); }
+    /// Makes the segment that lies under the pointer the active one.
+    /// @return whether the pointer is over this view
+    bool activateSegmentUnderPointer();
     /// Where the crosshair is drawn.
     [[nodiscard]] QPointF crosshairPixel() const;
     [[nodiscard]] const QImage& picture() const { return m_picture; }
@@ -71,6 +74,7 @@ protected:
     {
         return {};
     }
+    virtual void activateSegmentAt(const QPointF& at) = 0;
     /// Called when early() has changed.
     virtual void earlySliceChanged() { resetView(); }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What pointer, wheel and keys do to a slice when no tool takes them.
+#include "ui/menus/SegmentViews.h"
 #include "ui/menus/SliceTurnEntries.h"
 #include "ui/menus/VoxelMenu.h"
 #include "ui/views/SliceView.h"
@@ -201,6 +202,11 @@ void SliceView::menuAsked(const QPointF& at)
     auto* menu = new VoxelMenu(workspace(), *this, mapToGlobal(at.toPoint()));
     menu->addAtEnd([this](QMenu& more) { listTurns(more); });
     menu->openAbout(context().toLps(at));
+}
+
+void SliceView::activateSegmentAt(const QPointF& at)
+{
+    ui::activateSegmentAt(workspace(), context().toLps(at));
 }
 
 void SliceView::listTurns(QMenu& menu)

@@ -125,6 +125,15 @@ void SliceView::lookWhereLooks(const SliceView& other)
     requestMovingFrame();
 }
 
+void SliceView::centreOn(const glm::dvec3& placeLps)
+{
+    if (m_fitted && !isVisible())
+        return;
+    m_fitted = false;
+    m_centreLps = placeLps;
+    requestFrame();
+}
+
 void SliceView::setTurn(const SliceTurn& turn)
 {
     if (turn == m_turn)

@@ -49,6 +49,9 @@ public:
     /// Zooms and pans so that the same part of the patient is seen as in another view, as far as
     /// this one's plane goes: what lies across the other one's plane stays.
     void lookWhereLooks(const SliceView& other);
+    /// Pans so that a place is seen in the middle, or would be, were the plane there. A hidden view
+    /// that fits the window's size goes on to do so.
+    void centreOn(const glm::dvec3& placeLps);
     /// How the slice is laid on the screen. A new study, and resetView(), lay it upright again.
     [[nodiscard]] const SliceTurn& turn() const { return m_turn; }
     void setTurn(const SliceTurn& turn);
@@ -87,6 +90,7 @@ protected:
     void dragAbandoned() override;
     void clicked(const QPointF& at) override;
     void menuAsked(const QPointF& at) override;
+    void activateSegmentAt(const QPointF& at) override;
     void hovered(const PointerSample& sample) override;
     void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) override;
     [[nodiscard]] bool ownsWheel(Qt::KeyboardModifiers modifiers) const override;

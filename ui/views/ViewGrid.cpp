@@ -57,6 +57,7 @@ ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
         awaitBox(false);
         m_planes.reset();
     });
+    connect(&workspace, &Workspace::viewsCentred, this, &ViewGrid::centreOn);
     connect(&m_inbox, &FrameInbox::arrived, this, &ViewGrid::give);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         if (auto* view = qobject_cast<ImageView*>(now);
@@ -94,6 +95,14 @@ void ViewGrid::leadBy(const SliceView& leader)
         if (slice != &leader)
             slice->lookWhereLooks(leader);
     }
+}
+
+void ViewGrid::centreOn(const glm::dvec3& placeLps)
+{
+    for (SliceView* slice : slices())
+        slice->centreOn(placeLps);
+    if (m_volume->isVisible() || !m_volume->fitted())
+        m_volume->flyTo(placeLps, glm::dvec3(0.0));
 }
 
 void ViewGrid::give(const gpu::Frame& frame)

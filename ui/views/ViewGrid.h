@@ -75,6 +75,7 @@ private:
     void give(const gpu::Frame& frame);
     /// Where places are linked, the other slices follow the one that was zoomed or panned.
     void leadBy(const SliceView& leader);
+    void centreOn(const glm::dvec3& placeLps);
     void place();
 
     Workspace& m_workspace;

@@ -4,6 +4,7 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/base/TimeText.h"
+#include "ui/menus/SegmentViews.h"
 #include "ui/menus/VoxelMenu.h"
 #include "ui/overlays/Annotations.h"
 #include "ui/overlays/ClipOutline.h"
@@ -319,33 +320,66 @@ void VolumeView::hovered(const PointerSample& sample)
         update();
 }
 
-void VolumeView::menuAsked(const QPointF& at)
+bool VolumeView::canBePointedAt() const
+{
+    if (!workspace().session())
+        return false;
+    // As for the readout: rays of a perspective view differ in direction.
+    if (std::get<gpu::VolumeScene>(context().scene).orthographic && takesOverlays())
+        return true;
+    workspace().say(tr("Side by side, nothing can be pointed at: view with one eye"));
+    return false;
+}
+
+void VolumeView::askForPlace(const QPointF& at, const PlaceAnswer& then)
 {
     const ViewContext seen = context();
     auto scene = std::get<gpu::VolumeScene>(seen.scene);
-    if (!workspace().session())
-        return;
-    // As for the readout: rays of a perspective view differ in direction.
-    if (!scene.orthographic || !takesOverlays())
-        return workspace().say(tr("Side by side, nothing can be pointed at: view with one eye"));
     // What is pointed at is a segment, wherever the volume steps back for it.
     if (scene.context != gpu::Context::Opaque)
         scene.context = gpu::Context::Hidden;
-    auto* menu = new VoxelMenu(workspace(), *this, mapToGlobal(at.toPoint()));
     askWhatIsSeen(workspace(), scene, {seen.toViewPlaneMm(at)},
-        [self = QPointer(this), menu = QPointer(menu)](const core::Result<SeenVoxels>& voxels) {
+        [self = QPointer(this), then](const core::Result<SeenVoxels>& voxels) {
             const core::Volume* volume = self ? self->workspace().volume() : nullptr;
-            if (!volume || !menu || menu->withdrawn())
+            if (!volume)
                 return;
+            std::optional<glm::dvec3> place;
             if (voxels && !voxels->empty() && voxels->front())
-                return menu->openAbout(
-                    volume->geometry.toWorld(glm::dvec3(voxels->front()->voxel)));
-            menu->withdraw();
+                place = volume->geometry.toWorld(glm::dvec3(voxels->front()->voxel));
+            if (!then(place))
+                return;
             if (voxels)
                 self->workspace().say(tr("Nothing is seen there"));
             else
                 self->workspace().fail(voxels.error());
         });
+}
+
+void VolumeView::menuAsked(const QPointF& at)
+{
+    if (!canBePointedAt())
+        return;
+    auto* menu = new VoxelMenu(workspace(), *this, mapToGlobal(at.toPoint()));
+    askForPlace(at, [menu = QPointer(menu)](const std::optional<glm::dvec3>& placeLps) {
+        if (!menu || menu->withdrawn())
+            return false;
+        if (placeLps)
+            menu->openAbout(*placeLps);
+        else
+            menu->withdraw();
+        return !placeLps;
+    });
+}
+
+void VolumeView::activateSegmentAt(const QPointF& at)
+{
+    if (!canBePointedAt())
+        return;
+    askForPlace(at, [self = QPointer(this)](const std::optional<glm::dvec3>& placeLps) {
+        if (placeLps)
+            ui::activateSegmentAt(self->workspace(), *placeLps);
+        return !placeLps;
+    });
 }
 
 void VolumeView::leaveEvent(QEvent* event)

@@ -7,6 +7,9 @@
 #include "ui/views/ImageView.h"
 #include "ui/views/SeenReadout.h"
 
+#include <functional>
+#include <optional>
+
 namespace ui {
 
 class ContextSwitch;
@@ -52,6 +55,7 @@ protected:
     void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
     void clicked(const QPointF& at) override;
     void menuAsked(const QPointF& at) override;
+    void activateSegmentAt(const QPointF& at) override;
     void hovered(const PointerSample& sample) override;
     void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) override;
     void paintAnnotations(QPainter& painter, const ViewContext& shown) override;
@@ -65,7 +69,14 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
+    /// Receives the place that is seen.
+    /// @return whether the user is to be told that there is none, or why
+    using PlaceAnswer = std::function<bool(const std::optional<glm::dvec3>& placeLps)>;
     void openVolume();
+    /// Whether a pixel is one place; says why it is not.
+    [[nodiscard]] bool canBePointedAt() const;
+    /// Asks which voxel is seen at a pixel.
+    void askForPlace(const QPointF& at, const PlaceAnswer& then);
     void fit();
     void placeSwitch();
     [[nodiscard]] QStringList bottomTexts() const;

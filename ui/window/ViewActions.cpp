@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/ViewActions.h"
 
+#include "ui/input/HeldKey.h"
 #include "ui/menus/SliceTurnEntries.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/window/BookmarkMenu.h"
 #include "ui/window/MainWindow.h"
 #include "ui/workspace/InitialDisplay.h"
 
+#include <algorithm>
 #include <array>
 
 namespace ui {
@@ -204,6 +206,19 @@ void addViewActions(MainWindow& window)
     addToggle(window, "view.patient", "Patient in the corners", "F8",
         &Workspace::ViewOptions::showPatient);
     addToggle(window, "view.segments", "Segments", "H", &Workspace::ViewOptions::showSegments);
+    new HeldKey(actions[QStringLiteral("view.segments")]);
+    actions.add({.id = QStringLiteral("segments.underPointer"),
+        .text = Actions::tr("Segment under the pointer"),
+        .keys = {QKeySequence(QStringLiteral("Shift+Q"))},
+        .run =
+            [&window] {
+                const auto views = window.views().views();
+                const bool pointed = std::any_of(views.begin(), views.end(),
+                    [](ImageView* view) { return view->activateSegmentUnderPointer(); });
+                if (!pointed)
+                    window.workspace().say(Actions::tr("Point at a segment in a view first"));
+            },
+        .possible = [&window] { return window.workspace().session() != nullptr; }});
     addToggle(window, "view.carved", "Outline of carving in slices", "Shift+H",
         &Workspace::ViewOptions::showCarved);
     addToggle(

@@ -12,14 +12,15 @@
 #include "ui/dialogs/study/OpenDialogs.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/input/Tool.h"
+#include "ui/menus/SegmentViews.h"
 #include "ui/report/AuditSaver.h"
 #include "ui/tasks/MaskImporter.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/PacsActions.h"
 #include "ui/window/ViewActions.h"
-#include "ui/workspace/ClipSteps.h"
 #include "ui/workspace/LayerActions.h"
 #include "ui/workspace/SegmentActions.h"
+#include "ui/workspace/ViewSteps.h"
 
 #include <QApplication>
 #include <QDesktopServices>
@@ -33,6 +34,17 @@ namespace {
 bool drawsStepwise(const Workspace& workspace)
 {
     return workspace.activeTool() && workspace.activeTool()->canTakeStepBack();
+}
+
+QString nameOfStep(ViewSteps::What what)
+{
+    switch (what) {
+    case ViewSteps::What::Clip:
+        return QObject::tr("Clip");
+    case ViewSteps::What::Segments:
+        break;
+    }
+    return QObject::tr("Show and hide segments");
 }
 
 void carryOut(Workspace& workspace, core::Result<void> (core::EditSession::*step)())
@@ -150,22 +162,22 @@ void addEditActions(MainWindow& window)
             [&workspace] {
                 if (drawsStepwise(workspace))
                     workspace.activeTool()->takeStepBack();
-                else if (workspace.clipSteps().canUndo())
-                    workspace.clipSteps().undo();
+                else if (workspace.viewSteps().undoable())
+                    workspace.viewSteps().undo();
                 else
                     carryOut(workspace, &core::EditSession::undo);
             },
         .possible =
             [&workspace] {
-                return drawsStepwise(workspace) || workspace.clipSteps().canUndo()
+                return drawsStepwise(workspace) || workspace.viewSteps().undoable()
                     || (workspace.session() && workspace.session()->history().canUndo());
             },
         .currentText =
             [&workspace] {
                 if (drawsStepwise(workspace))
                     return QStringLiteral("Undo: last corner");
-                if (workspace.clipSteps().canUndo())
-                    return QStringLiteral("Undo: Clip");
+                if (const auto shown = workspace.viewSteps().undoable())
+                    return QStringLiteral("Undo: %1").arg(nameOfStep(*shown));
                 if (!workspace.session() || !workspace.session()->history().canUndo())
                     return QStringLiteral("Undo");
                 const core::History& history = workspace.session()->history();
@@ -179,20 +191,20 @@ void addEditActions(MainWindow& window)
         .icon = QStringLiteral("redo"),
         .run =
             [&workspace] {
-                if (workspace.clipSteps().canRedo())
-                    workspace.clipSteps().redo();
+                if (workspace.viewSteps().redoable())
+                    workspace.viewSteps().redo();
                 else
                     carryOut(workspace, &core::EditSession::redo);
             },
         .possible =
             [&workspace] {
-                return workspace.clipSteps().canRedo()
+                return workspace.viewSteps().redoable()
                     || (workspace.session() && workspace.session()->history().canRedo());
             },
         .currentText =
             [&workspace] {
-                if (workspace.clipSteps().canRedo())
-                    return QStringLiteral("Redo: Clip");
+                if (const auto shown = workspace.viewSteps().redoable())
+                    return QStringLiteral("Redo: %1").arg(nameOfStep(*shown));
                 if (!workspace.session() || !workspace.session()->history().canRedo())
                     return QStringLiteral("Redo");
                 const core::History& history = workspace.session()->history();
@@ -330,6 +342,7 @@ void addWindowActions(MainWindow& window)
     addEditActions(window);
     addToolActions(window);
     addViewActions(window);
+    addSegmentViews(window.actionTable(), window.workspace());
     addListActions(window);
 }
 

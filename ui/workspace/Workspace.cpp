@@ -7,7 +7,6 @@
 #include "ui/input/Tool.h"
 #include "ui/settings/HistoryMemory.h"
 #include "ui/workspace/Chunks.h"
-#include "ui/workspace/ClipSteps.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/InitialDisplay.h"
 #include "ui/workspace/LayerLooks.h"
@@ -15,6 +14,7 @@
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Pieces.h"
 #include "ui/workspace/Refinement.h"
+#include "ui/workspace/ViewSteps.h"
 
 #include <chrono>
 #include <utility>
@@ -24,7 +24,7 @@ namespace ui {
 Workspace::Workspace(gpu::FrameSource& frames, QObject* parent)
     : QObject(parent)
     , m_frames(frames)
-    , m_clipSteps(new ClipSteps(*this))
+    , m_viewSteps(new ViewSteps(*this))
     , m_pieces(new Pieces(*this))
     , m_seeds(new PendingSeeds(*this))
     , m_refinement(new Refinement(*this))
@@ -227,6 +227,11 @@ gpu::SegmentDisplay Workspace::segmentDisplay() const
         display.warnAfterGeneration = *m_warnAfter;
     display.atTolerance = m_atTolerance;
     display.showBarriers = m_viewOptions.showBarriers;
+    if (m_viewOptions.segmentDrawing == SegmentDrawing::Fill)
+        display.outlineWidthPixels = 0.0f;
+    display.fillOpacity = m_viewOptions.segmentDrawing == SegmentDrawing::Outline
+        ? 0.0f
+        : float(m_viewOptions.segmentFillPercent) / 100.0f;
     return display;
 }
 

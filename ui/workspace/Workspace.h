@@ -26,13 +26,13 @@ enum class ShapeOperation : std::uint8_t;
 namespace ui {
 
 class Chunks;
-class ClipSteps;
 class CuttingPlane;
 class LayerLooks;
 class PendingSeeds;
 class Pieces;
 class Refinement;
 class Tool;
+class ViewSteps;
 
 /// What all views, tools and panels of one window share: the open session, and the state that is
 /// not a step of undo (crosshair, window/level, active segment and layer, look of the 3D view, tool
@@ -102,6 +102,8 @@ public:
     using GreyWindow = core::WindowLevel VolumeDisplay::*;
     [[nodiscard]] static GreyWindow greyWindow(gpu::RenderMode mode);
 
+    /// What of segments is drawn in slices.
+    enum class SegmentDrawing { FillAndOutline, Fill, Outline };
     /// What is drawn over the pictures, in every view.
     struct ViewOptions {
         bool showPatient = true; ///< name, ID and birth date in the corners
@@ -115,6 +117,8 @@ public:
         double slabMm = 10.0; ///< thickness; each view rounds it to an odd number of its slices
         bool referenceLines = false; ///< in slices: where the other slices cut them
         bool linkedPlaces = false; ///< slices are zoomed and panned together
+        SegmentDrawing segmentDrawing = SegmentDrawing::FillAndOutline; ///< of all segments
+        int segmentFillPercent = 35; ///< opacity of their fill in slices
         bool operator==(const ViewOptions&) const = default;
     };
 
@@ -150,8 +154,8 @@ public:
     /// shows all.
     [[nodiscard]] const core::ClipRegion& clip() const { return m_clip; }
     void setClip(const core::ClipRegion& clip);
-    /// Changes the clip region on behalf of the user, so that undo takes it back.
-    [[nodiscard]] ClipSteps& clipSteps() const { return *m_clipSteps; }
+    /// Changes what is shown on behalf of the user, so that undo takes it back.
+    [[nodiscard]] ViewSteps& viewSteps() const { return *m_viewSteps; }
     [[nodiscard]] Pieces& pieces() const { return *m_pieces; }
     [[nodiscard]] Refinement& refinement() const { return *m_refinement; }
     [[nodiscard]] CuttingPlane& plane() const { return *m_plane; }
@@ -203,6 +207,8 @@ public:
     [[nodiscard]] Tool* activeTool() const { return m_tool; }
     void setActiveTool(Tool* tool);
 
+    /// Has every view show this place in its middle.
+    void centreViews(const glm::dvec3& placeLps) { Q_EMIT viewsCentred(placeLps); }
     /// Shows one sentence in the status line: what happened, to what, what to do.
     void say(const QString& sentence) { Q_EMIT said(sentence); }
     /// Tells that the session was moved to another file.
@@ -248,6 +254,7 @@ Q_SIGNALS:
     void pointedLpsChanged();
     void measuredChanged();
     void activeToolChanged();
+    void viewsCentred(const glm::dvec3& placeLps);
     void said(const QString& sentence);
     void failed(const core::Error& error);
     void offered(const ui::Workspace::Offer& made);
@@ -268,7 +275,7 @@ private:
     int m_activeLayer = 0;
     VolumeDisplay m_volumeDisplay;
     core::ClipRegion m_clip;
-    ClipSteps* m_clipSteps = nullptr;
+    ViewSteps* m_viewSteps = nullptr;
     Pieces* m_pieces = nullptr;
     PendingSeeds* m_seeds = nullptr;
     Refinement* m_refinement = nullptr;

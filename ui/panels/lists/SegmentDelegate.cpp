@@ -127,7 +127,10 @@ bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
         if (mouse->button() == Qt::LeftButton && (eye || colour || code || lock || shield)) {
             // On release, so that a click begun elsewhere does nothing; a double click is two
             // clicks.
-            if (release && eye) {
+            // Alt as for layers, where the window manager leaves it to programs.
+            if (release && eye && mouse->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) {
+                model->setData(index, true, SegmentListModel::AloneRole);
+            } else if (release && eye) {
                 model->setData(index, !index.data(SegmentListModel::VisibleRole).toBool(),
                     SegmentListModel::VisibleRole);
             } else if (release && lock) {

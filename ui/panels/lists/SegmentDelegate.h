@@ -7,7 +7,8 @@ namespace ui {
 
 /// Draws a row of the segment list: eye, colour, name with its code below, volume, lock, and a
 /// shield if sculpting tools spare the segment. A click on the eye, the lock or the shield switches
-/// it; a click on the colour or the code asks for a new one.
+/// it; Ctrl and the eye shows the segment alone, or the others again; a click on the colour or the
+/// code asks for a new one.
 class SegmentDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

@@ -5,13 +5,16 @@
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDialog.h"
+#include "ui/measure/CentreOnSegment.h"
 #include "ui/menus/SegmentMenus.h"
+#include "ui/menus/SegmentViews.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/panels/lists/SegmentDelegate.h"
 #include "ui/tasks/UndoOnly.h"
 #include "ui/workspace/LayerActions.h"
 #include "ui/workspace/Pieces.h"
 #include "ui/workspace/SegmentActions.h"
+#include "ui/workspace/ViewSteps.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QAction>
@@ -170,6 +173,13 @@ void SegmentsPanel::showMenu(const QPoint& position)
     menu.addAction(visible ? tr("Hide") : tr("Show"), this, [this, index, visible] {
         m_model->setData(index, !visible, SegmentListModel::VisibleRole);
     });
+    const int label = index.data(SegmentListModel::LabelRole).toInt();
+    const core::Document& document = m_workspace.session()->document();
+    QAction* alone = menu.addAction(showAloneText(m_workspace, *document.segment(label)), this,
+        [this, label] { m_workspace.viewSteps().showAlone(label); });
+    alone->setEnabled(document.segments.size() > 1);
+    menu.addAction(tr("Centre views on it"), this,
+        [this, label] { centreOnSegment(m_workspace, label); });
     menu.addAction(tr("Paste as a piece"), this, [this, index] {
         m_workspace.pieces().paste(index.data(SegmentListModel::LabelRole).toInt());
     });
@@ -185,7 +195,6 @@ void SegmentsPanel::showMenu(const QPoint& position)
     QAction* down = menu.addAction(tr("Move down"), this, [this, index] { move(index, 1); });
     down->setEnabled(index.row() + 1 < m_model->rowCount());
     menu.addSeparator();
-    const int label = index.data(SegmentListModel::LabelRole).toInt();
     addCombinations(
         menu, nullptr, m_workspace, [label] { return label; }, false);
     for (const SegmentAction& each : segmentActions()) {

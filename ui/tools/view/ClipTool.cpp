@@ -6,7 +6,7 @@
 #include "ui/overlays/ClipOutline.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/view/HandleReach.h"
-#include "ui/workspace/ClipSteps.h"
+#include "ui/workspace/ViewSteps.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPainter>
@@ -79,7 +79,7 @@ void ClipTool::press(const PointerSample& sample, const ViewContext& view)
 {
     if (const auto handle = handleAt(sample.position, view)) {
         m_drag = Drag{*handle, view.view, sample.position, m_workspace.clip()};
-        m_workspace.clipSteps().hold();
+        m_workspace.viewSteps().hold();
     }
     hover(sample, view);
 }
@@ -93,7 +93,7 @@ void ClipTool::drag(const PointerSample& sample, const ViewContext& view)
     const QPointF way = m_drag->handle.pixelsPerMm;
     const double mm =
         QPointF::dotProduct(moved, way) / std::max(QPointF::dotProduct(way, way), 1e-9);
-    m_workspace.clipSteps().change(
+    m_workspace.viewSteps().change(
         movedClip(m_drag->before, m_drag->handle.face, mm, m_workspace.volume()->geometry));
     Q_EMIT overlayChanged();
 }
@@ -101,7 +101,7 @@ void ClipTool::drag(const PointerSample& sample, const ViewContext& view)
 void ClipTool::release(const PointerSample& sample, const ViewContext& view)
 {
     m_drag.reset();
-    m_workspace.clipSteps().release();
+    m_workspace.viewSteps().release();
     hover(sample, view);
 }
 
@@ -109,7 +109,7 @@ void ClipTool::cancel()
 {
     if (!m_drag)
         return;
-    m_workspace.clipSteps().cancelHold();
+    m_workspace.viewSteps().cancelHold();
     m_drag.reset();
     Q_EMIT overlayChanged();
 }

@@ -13,7 +13,7 @@ class Workspace;
 
 /// Drags the faces of the clip box and the clip planes by handles, in the 3D view and in slices;
 /// beside the handles the view navigates. This makes no step of the history, but undo takes it back
-/// (ClipSteps).
+/// (ViewSteps).
 class ClipTool : public Tool {
     Q_OBJECT
 
