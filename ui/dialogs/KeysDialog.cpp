@@ -37,6 +37,7 @@ const Binding bindings[] = {
     {"Ctrl + Shift + wheel", "thickness of the slab", "depth of the tool"},
     {"Ctrl + wheel, with drill or laser", "", "turn of the mask"},
     {"Ctrl held, with a brush", "paint erases, carve restores", "paint erases, carve restores"},
+    {"H held", "looks under the segments", "the same"},
     {"Pen's eraser end, with a brush", "the same as Ctrl", "the same as Ctrl"},
     {"Shift + wheel, with a tool", "radius", "radius"},
     {"Pen's lower button + drag", "pan", "pan"},

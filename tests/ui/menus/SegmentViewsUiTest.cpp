@@ -14,12 +14,15 @@
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/ViewSteps.h"
 
+#include <QApplication>
 #include <QListView>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 namespace segmentViewsUiTest {
 
@@ -319,6 +322,45 @@ private Q_SLOTS:
         QTRY_COMPARE(undo.text(), QStringLiteral("Undo: Show and hide segments"));
         fixture.action("edit.undo").trigger();
         QCOMPARE(fixture.shown(), (QList<int>{1, 2, 3, 4}));
+    }
+
+    /// The menu of a row is about that segment, whichever is active.
+    void aRowsMenuGoesThereAndShowsItAlone()
+    {
+        Fixture fixture(test::smallStudy(), 3);
+        const glm::dvec3 place =
+            fixture.workspace.volume()->geometry.toWorld(glm::dvec3(30.0, 8.0, 6.0));
+        fixture.apply(test::paintAt(2, {place}, 3.2));
+        const QPoint at = fixture.list->visualRect(fixture.list->model()->index(1, 0)).center();
+        const auto choose = [&](const QString& text) {
+            bool chosen = false;
+            QTimer::singleShot(0, &fixture.window, [&] {
+                auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+                QVERIFY(menu);
+                for (QAction* each : menu->actions()) {
+                    if (each->text() != text || !each->isEnabled())
+                        continue;
+                    each->trigger();
+                    chosen = true;
+                }
+                menu->close();
+            });
+            Q_EMIT fixture.list->customContextMenuRequested(at);
+            return chosen;
+        };
+        QVERIFY(choose(QStringLiteral("Show only 'S2'")));
+        QCOMPARE(fixture.shown(), (QList<int>{2}));
+        QVERIFY(choose(QStringLiteral("Show all segments")));
+        QCOMPARE(fixture.shown(), (QList<int>{1, 2, 3}));
+        QVERIFY(choose(QStringLiteral("Centre views on it")));
+        const bool isThere = QTest::qWaitFor(
+            [&] {
+                fixture.session().poll();
+                return glm::length(fixture.workspace.crosshairLps() - place) < 1e-9;
+            },
+            60000);
+        QVERIFY(isThere);
+        QCOMPARE(fixture.workspace.activeSegment(), 1);
     }
 
     /// Fill, outline or both, in slices; the 3D view is not drawn again for that.
