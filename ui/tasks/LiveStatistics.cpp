@@ -184,17 +184,15 @@ void LiveStatistics::look()
         wanted.push_back(segment);
         planes.insert(segment.plane);
     }
+    if (wanted.empty())
+        return Q_EMIT changed();
     // What stands open would be closed by the question.
     if (session->transactionOpen() || !session->idle())
         return later();
-    if (!wanted.empty()) {
-        const core::Volume& volume = *m_workspace.volume();
-        m_job = std::make_shared<Job>(Job{.geometry = volume.geometry,
-            .encoding = volume.encoding,
-            .segments = std::move(wanted)});
-        m_fetch.start(*session, planes);
-    }
-    Q_EMIT changed();
+    const core::Volume& volume = *m_workspace.volume();
+    m_job = std::make_shared<Job>(Job{
+        .geometry = volume.geometry, .encoding = volume.encoding, .segments = std::move(wanted)});
+    m_fetch.start(*session, planes);
 }
 
 void LiveStatistics::takeLabels(const LabelFetch::Planes& planes)
