@@ -6,7 +6,7 @@
 #include "ui/base/CountText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
-#include "ui/tasks/LiveStatistics.h"
+#include "ui/measure/LiveStatistics.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCoreApplication>

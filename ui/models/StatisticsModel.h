@@ -16,7 +16,7 @@ namespace ui {
 class LiveStatistics;
 class Workspace;
 
-/// Item model of the statistics of segments (tasks/LiveStatistics.h): a row per segment in the
+/// Item model of the statistics of segments (measure/LiveStatistics.h): a row per segment in the
 /// document's order, a column per number. Its numbers are those that an export writes. The name is
 /// in column 0, and with the colour in the vertical header.
 class StatisticsModel : public QAbstractTableModel {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/frame/Panel.h"
-#include "ui/tasks/LiveStatistics.h"
+#include "ui/measure/LiveStatistics.h"
 
 #include <vector>
 

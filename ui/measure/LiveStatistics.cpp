@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tasks/LiveStatistics.h"
+#include "ui/measure/LiveStatistics.h"
 
 #include "core/brick/LabelBox.h"
 #include "core/brick/LabelRuns.h"
