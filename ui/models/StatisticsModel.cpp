@@ -225,9 +225,7 @@ QString StatisticsModel::textOf(double number, int column) const
 
 QVariant StatisticsModel::data(const QModelIndex& index, int role) const
 {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    const core::Segment* segment = segmentAt(index.row());
+    const core::Segment* segment = index.isValid() ? segmentAt(index.row()) : nullptr;
     if (!segment)
         return {};
     const bool isBehind = m_statistics.isBehind(segment->label);
