@@ -20,6 +20,7 @@
 #include "ui/panels/lists/MeasurementsPanel.h"
 #include "ui/panels/lists/PiecesPanel.h"
 #include "ui/panels/lists/SegmentsPanel.h"
+#include "ui/panels/lists/StatisticsPanel.h"
 #include "ui/panels/refine/ChunksPanel.h"
 #include "ui/panels/refine/ComparePanel.h"
 #include "ui/panels/refine/LookFirstSection.h"
@@ -59,6 +60,7 @@
 #include <QAction>
 #include <QMenu>
 
+#include <optional>
 #include <vector>
 
 namespace app {
@@ -202,21 +204,35 @@ ui::MendingSteps& addMending(ui::MainWindow& window, ui::ComparePanel& panel)
     return *steps;
 }
 
-void addExport(ui::MainWindow& window, ui::MendingSteps& mending)
+/// The panels that something else of the window needs.
+struct NamedPanels {
+    ui::ComparePanel& compare;
+    ui::StatisticsPanel& statistics;
+};
+
+/// @param format none: the first that is possible
+void openExport(ui::MainWindow& window, ui::MendingSteps& mending,
+    std::optional<core::ExportFormat> format = std::nullopt)
+{
+    auto* dialog = new ui::ExportDialog(window.workspace(), &window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (format)
+        dialog->choose(*format);
+    QObject::connect(
+        dialog, &ui::ExportDialog::exported, &mending, &ui::MendingSteps::noteExported);
+    dialog->open();
+}
+
+void addExport(ui::MainWindow& window, ui::MendingSteps& mending, ui::StatisticsPanel& statistics)
 {
     ui::Workspace& workspace = window.workspace();
+    QObject::connect(&statistics, &ui::StatisticsPanel::exportRequested, &window,
+        [&window, &mending] { openExport(window, mending, core::ExportFormat::Csv); });
     QAction& action = window.actionTable().add({.id = QStringLiteral("file.export"),
         .text = QStringLiteral("Export segments …"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+E"))},
         .icon = QStringLiteral("export"),
-        .run =
-            [&window, &workspace, &mending] {
-                auto* dialog = new ui::ExportDialog(workspace, &window);
-                dialog->setAttribute(Qt::WA_DeleteOnClose);
-                QObject::connect(
-                    dialog, &ui::ExportDialog::exported, &mending, &ui::MendingSteps::noteExported);
-                dialog->open();
-            },
+        .run = [&window, &mending] { openExport(window, mending); },
         .possible =
             [&workspace] {
                 return workspace.session() && !workspace.session()->document().segments.empty();
@@ -259,8 +275,7 @@ void addExport(ui::MainWindow& window, ui::MendingSteps& mending)
     window.actionTable().refresh();
 }
 
-/// @return the panel in which segments are compared
-ui::ComparePanel& addPanels(ui::MainWindow& window)
+NamedPanels addPanels(ui::MainWindow& window)
 {
     ui::Workspace& workspace = window.workspace();
     addDoctor(window);
@@ -280,11 +295,13 @@ ui::ComparePanel& addPanels(ui::MainWindow& window)
     window.addPanel(new ui::ChunksPanel(workspace));
     window.addPanel(new ui::HistoryPanel(workspace));
     window.addPanel(new ui::MeasurementsPanel(workspace));
+    auto* statistics = new ui::StatisticsPanel(workspace);
+    window.addPanel(statistics);
     window.addPanel(new ui::LayersPanel(workspace));
     window.addPanel(new ui::PiecesPanel(workspace, window.views().volume()));
     window.addPanel(new ui::VolumePanel(workspace));
     window.addPanel(new ui::ClippingPanel(workspace, window.views().volume()));
-    return *compare;
+    return {*compare, *statistics};
 }
 
 } // namespace
@@ -293,8 +310,8 @@ void addContents(ui::MainWindow& window)
 {
     ui::Workspace& workspace = window.workspace();
     const std::vector<ui::Tool*> tools = addTools(window);
-    ui::ComparePanel& compare = addPanels(window);
-    addExport(window, addMending(window, compare));
+    const NamedPanels panels = addPanels(window);
+    addExport(window, addMending(window, panels.compare), panels.statistics);
     new ui::MeasuredRegions(workspace, &window);
     new ui::SpaceSteering(window);
     new ui::KeyframeRecorder(workspace, window.views().volume());

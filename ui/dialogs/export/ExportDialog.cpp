@@ -136,6 +136,11 @@ void ExportDialog::build()
     suggestName();
 }
 
+void ExportDialog::choose(core::ExportFormat format)
+{
+    m_options->choose(format);
+}
+
 /// The name follows what is chosen until the user writes another one.
 void ExportDialog::suggestName()
 {

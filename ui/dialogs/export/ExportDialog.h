@@ -27,6 +27,8 @@ class ExportDialog : public QDialog {
 public:
     explicit ExportDialog(Workspace& workspace, QWidget* parent = nullptr);
 
+    /// Chooses a format, as the user may do afterwards too.
+    void choose(core::ExportFormat format);
     /// Whether it is reading labels, writing or checking.
     [[nodiscard]] bool running() const
     {

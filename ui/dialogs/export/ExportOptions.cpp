@@ -97,6 +97,14 @@ core::ExportFormat ExportOptions::format() const
     return core::ExportFormat(m_format->currentData().toInt());
 }
 
+void ExportOptions::choose(core::ExportFormat format)
+{
+    const int row = m_format->findData(int(format));
+    const auto* model = qobject_cast<const QStandardItemModel*>(m_format->model());
+    if (row >= 0 && (!model || model->item(row)->isEnabled()))
+        m_format->setCurrentIndex(row);
+}
+
 void ExportOptions::putInto(core::ExportRequest& request) const
 {
     request.format = format();

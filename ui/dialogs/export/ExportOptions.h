@@ -23,6 +23,8 @@ public:
     explicit ExportOptions(Workspace& workspace, QWidget* parent = nullptr);
 
     [[nodiscard]] core::ExportFormat format() const;
+    /// Chooses a format, if it is possible for the volume.
+    void choose(core::ExportFormat format);
     [[nodiscard]] const core::ExportFormatFacts& facts() const { return core::factsOf(format()); }
     /// Writes format, coordinate system, settings and de-identification into the request.
     void putInto(core::ExportRequest& request) const;
