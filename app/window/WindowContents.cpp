@@ -30,6 +30,7 @@
 #include "ui/tools/growth/BarrierTool.h"
 #include "ui/tools/growth/FillOutlineTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
+#include "ui/tools/growth/NudgeTool.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/growth/SeedTool.h"
 #include "ui/tools/growth/SegmentScissorsTool.h"
@@ -79,6 +80,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     auto* seed = new ui::SeedTool(workspace, &window);
     auto* shrink = new ui::ShrinkTool(workspace, &window);
     auto* paint = new ui::PaintTool(workspace, &window);
+    auto* nudge = new ui::NudgeTool(workspace, &window);
     auto* outline = new ui::FillOutlineTool(workspace, &window);
     auto* flood = new ui::FloodFillTool(workspace, &window);
     auto* snip = new ui::SegmentScissorsTool(workspace, &window);
@@ -106,6 +108,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
     window.addTool(*shrink, window.growMenu(), QKeySequence(QStringLiteral("X")));
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
+    window.addTool(*nudge, window.growMenu(), QKeySequence(QStringLiteral("J")));
     window.addTool(*outline, window.growMenu(), QKeySequence(QStringLiteral("D")));
     window.addTool(*flood, window.growMenu(), QKeySequence(QStringLiteral("Shift+D")));
     window.addTool(*snip, window.growMenu(), QKeySequence(QStringLiteral("Shift+K")));
@@ -118,8 +121,8 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*measure, window.editMenu(), QKeySequence(QStringLiteral("L")));
     window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
-    return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, outline, flood,
-        snip, barrier, refine, plane, chunks, measure, undoHere};
+    return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, nudge, outline,
+        flood, snip, barrier, refine, plane, chunks, measure, undoHere};
 }
 
 void addDoctor(ui::MainWindow& window)
