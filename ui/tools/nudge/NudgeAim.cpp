@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/aim/NudgeAim.h"
+#include "ui/tools/nudge/NudgeAim.h"
 
 #include "core/edits/engine/NudgeDisc.h"
 #include "core/session/EditSession.h"

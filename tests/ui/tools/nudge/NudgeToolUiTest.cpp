@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/NudgeTool.h"
+#include "ui/tools/nudge/NudgeTool.h"
 
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/questions/VoxelQuestions.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/NudgeTool.h"
+#include "ui/tools/nudge/NudgeTool.h"
 
 #include "core/edits/EditQuantise.h"
 #include "core/edits/engine/NudgeDisc.h"
@@ -8,18 +8,13 @@
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/BrushTool.h"
 #include "ui/tools/common/PaintLimits.h"
-#include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/growth/PaintTool.h"
+#include "ui/tools/nudge/NudgeOptions.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
-#include <QCheckBox>
-#include <QDoubleSpinBox>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QPainter>
-#include <QSignalBlocker>
 
 #include <algorithm>
 #include <utility>
@@ -32,30 +27,6 @@ namespace {
 bool isInverseNudge(const PointerSample& sample)
 {
     return sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
-}
-
-/// The widgets of the option bar.
-struct NudgeOptions {
-    QDoubleSpinBox* radius;
-    QCheckBox* fits;
-};
-
-NudgeOptions nudgeOptions(QWidget* parent)
-{
-    NudgeOptions options{
-        new QDoubleSpinBox(parent), new QCheckBox(NudgeTool::tr("fit to border"), parent)};
-    options.radius->setObjectName(QStringLiteral("nudgeRadius"));
-    options.radius->setFixedHeight(theme::controlHeight);
-    options.radius->setKeyboardTracking(false);
-    options.radius->setRange(BrushTool::minimumRadiusMm, BrushTool::maximumRadiusMm);
-    options.radius->setDecimals(1);
-    options.radius->setSingleStep(0.5);
-    options.radius->setSuffix(NudgeTool::tr(" mm"));
-    options.fits->setObjectName(QStringLiteral("nudgeFits"));
-    options.fits->setToolTip(
-        NudgeTool::tr("The disc is no larger than the distance to the border where it is pressed, "
-                      "so that nothing changes before it is pushed against the border"));
-    return options;
 }
 
 } // namespace
@@ -116,29 +87,7 @@ QString NudgeTool::keys() const
 
 QWidget* NudgeTool::createOptions(QWidget* parent)
 {
-    auto* options = new QWidget(parent);
-    auto* layout = new QHBoxLayout(options);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(theme::smallPadding);
-    layout->addWidget(new SeedOptions(m_workspace, {}, options));
-    const NudgeOptions its = nudgeOptions(options);
-    layout->addWidget(new QLabel(tr("Radius"), options));
-    layout->addWidget(its.radius);
-    layout->addWidget(its.fits);
-    layout->addWidget(new PaintLimits(m_workspace, options));
-    const auto show = [this, its] {
-        const QSignalBlocker radius(its.radius);
-        its.radius->setValue(m_settings.radiusMm);
-        its.fits->setChecked(m_settings.fits);
-    };
-    const auto take = [this, its] {
-        setSettings({.radiusMm = its.radius->value(), .fits = its.fits->isChecked()});
-    };
-    show();
-    connect(this, &NudgeTool::settingsChanged, options, show);
-    connect(its.radius, &QDoubleSpinBox::valueChanged, options, take);
-    connect(its.fits, &QCheckBox::clicked, options, take);
-    return options;
+    return new NudgeOptions(m_workspace, *this, parent);
 }
 
 QJsonObject NudgeTool::settingsJson() const

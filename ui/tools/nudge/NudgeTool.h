@@ -4,7 +4,7 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/sculpt/labels/NudgeStart.h"
 #include "ui/input/Tool.h"
-#include "ui/tools/aim/NudgeAim.h"
+#include "ui/tools/nudge/NudgeAim.h"
 
 #include <QPointF>
 
