@@ -9,6 +9,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/views/MprPlanes.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace nudgeToolUiTest {
@@ -79,17 +81,6 @@ public:
         return view.context().toPixel(place(index));
     }
     [[nodiscard]] Labels labels() { return *session().questions().labels(0); }
-    [[nodiscard]] int labelNow(const glm::ivec3& voxel)
-    {
-        int label = -1;
-        session().questions().probe(
-            {voxel}, [&label](const core::Result<std::vector<core::ProbedVoxel>>& probes) {
-                if (probes)
-                    label = probes->front().label;
-            });
-        session().poll();
-        return label;
-    }
     /// Waits for what is found out beside the window.
     [[nodiscard]] bool comes(const std::function<bool()>& what)
     {
@@ -98,6 +89,16 @@ public:
             QTest::qWait(1);
         }
         return what();
+    }
+    [[nodiscard]] int labelNow(const glm::ivec3& voxel)
+    {
+        const auto label = std::make_shared<int>(-1);
+        session().questions().probe(
+            {voxel}, [label](const core::Result<std::vector<core::ProbedVoxel>>& probes) {
+                if (probes)
+                    *label = probes->front().label;
+            });
+        return comes([label] { return *label >= 0; }) ? *label : -1;
     }
     void mouse(ui::ImageView& view, QEvent::Type type, const glm::dvec3& index,
         Qt::KeyboardModifiers modifiers = {}, bool down = true)
@@ -296,6 +297,49 @@ private Q_SLOTS:
         QVERIFY(!fixture.lastEdit().erase);
         QCOMPARE(fixture.lastEdit().path.radiusMm, 3.0);
         compareWithRule(fixture, hollow, fixture.labels(), 2);
+    }
+
+    /// On a slice that is turned about the line from the feet to the head.
+    void itWorksOnObliqueSlices()
+    {
+        Fixture fixture;
+        fixture.addLiver();
+        fixture.views.planes().turnOthers(ui::SliceOrientation::Axial, 0.6);
+        QCoreApplication::processEvents();
+        ui::SliceView& coronal = fixture.views.coronal();
+        const Labels before = fixture.labels();
+        const std::size_t rows = fixture.rows();
+        fixture.pushByPen(coronal, {{20, 20, 20}});
+        QCOMPARE(fixture.rows(), rows); // it has not touched the border
+        fixture.pushByPen(coronal, {{20, 20, 20}, {20, 20, 26}});
+        QCOMPARE(fixture.rows(), rows + 1);
+        const core::PaintStroke edit = fixture.lastEdit();
+        const double radiusMm = edit.path.radiusMm;
+        QVERIFY2(radiusMm > 6.0 && radiusMm < 9.0, qPrintable(QString::number(radiusMm)));
+        const glm::dvec3 normal = glm::normalize(*edit.path.normalLps);
+        QVERIFY(std::abs(normal.x) > 0.3 && std::abs(normal.y) > 0.3);
+        const Labels after = fixture.labels();
+        const glm::dvec3 from = edit.path.pointsLps.front();
+        const glm::dvec3 along = edit.path.pointsLps.back() - from;
+        int moved = 0;
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            if (after[i] == before[i])
+                continue;
+            QCOMPARE(int(after[i]), 1);
+            const glm::dvec3 way = fixture.place(glm::dvec3(voxelAt(i))) - from;
+            QVERIFY(std::abs(glm::dot(way, normal)) < 1.0); // one voxel thick
+            const double share =
+                std::clamp(glm::dot(way, along) / glm::dot(along, along), 0.0, 1.0);
+            const glm::dvec3 aside = way - share * along;
+            QVERIFY(glm::length(aside - normal * glm::dot(aside, normal)) < radiusMm + 0.005);
+            ++moved;
+        }
+        QVERIFY(moved > 30);
+        const auto offset = [](int x, int y, int z) {
+            return std::size_t(x + side * (y + side * z));
+        };
+        QCOMPARE(int(before[offset(20, 20, 29)]), 0);
+        QCOMPARE(int(after[offset(20, 20, 29)]), 1);
     }
 
     void withoutFittingItHasItsRadius()
