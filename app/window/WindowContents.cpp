@@ -35,6 +35,7 @@
 #include "ui/tools/growth/SeedTool.h"
 #include "ui/tools/growth/SegmentScissorsTool.h"
 #include "ui/tools/growth/ShrinkTool.h"
+#include "ui/tools/nudge/NudgeTool.h"
 #include "ui/tools/refine/ChunkTool.h"
 #include "ui/tools/refine/RefineTool.h"
 #include "ui/tools/sculpt/CarveBrushTool.h"
@@ -81,6 +82,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     auto* seed = new ui::SeedTool(workspace, &window);
     auto* shrink = new ui::ShrinkTool(workspace, &window);
     auto* paint = new ui::PaintTool(workspace, &window);
+    auto* nudge = new ui::NudgeTool(workspace, &window);
     auto* outline = new ui::FillOutlineTool(workspace, &window);
     auto* flood = new ui::FloodFillTool(workspace, &window);
     auto* snip = new ui::SegmentScissorsTool(workspace, &window);
@@ -108,6 +110,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
     window.addTool(*shrink, window.growMenu(), QKeySequence(QStringLiteral("X")));
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
+    window.addTool(*nudge, window.growMenu(), QKeySequence(QStringLiteral("J")));
     window.addTool(*outline, window.growMenu(), QKeySequence(QStringLiteral("D")));
     window.addTool(*flood, window.growMenu(), QKeySequence(QStringLiteral("Shift+D")));
     window.addTool(*snip, window.growMenu(), QKeySequence(QStringLiteral("Shift+K")));
@@ -120,8 +123,8 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*measure, window.editMenu(), QKeySequence(QStringLiteral("L")));
     window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
-    return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, outline, flood,
-        snip, barrier, refine, plane, chunks, measure, undoHere};
+    return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, nudge, outline,
+        flood, snip, barrier, refine, plane, chunks, measure, undoHere};
 }
 
 void addDoctor(ui::MainWindow& window)

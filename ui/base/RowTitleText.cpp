@@ -207,6 +207,10 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Paint '%1' along edges %2 mm");
     case RowTitleCode::EraseAlongEdges:
         return tr("Erase '%1' along edges %2 mm");
+    case RowTitleCode::NudgeOutwards:
+        return tr("Nudge '%1' outwards %2 mm");
+    case RowTitleCode::NudgeInwards:
+        return tr("Nudge '%1' inwards %2 mm");
     case RowTitleCode::FillOutline:
         return tr("Fill an outline with '%1'");
     case RowTitleCode::EraseOutline:

@@ -8,6 +8,7 @@
 #include "ui/base/Theme.h"
 #include "ui/base/TimeText.h"
 #include "ui/frame/ReadOnlyMark.h"
+#include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
@@ -85,11 +86,11 @@ void WindowHeader::fillMenus(Actions& actions, const QStringList& plane, const Q
     m_growMenu = m_menuBar->addMenu(QStringLiteral("&Grow"));
     m_refineMenu = m_menuBar->addMenu(QStringLiteral("&Refine"));
     m_segmentsMenu = m_menuBar->addMenu(QStringLiteral("&Segments"));
-    QStringList segments = ids({"segments.add", "", "segments.previous", "segments.next",
-        "segments.underPointer", "segments.centre", "segments.alone", ""});
+    actions.fill(*m_segmentsMenu,
+        ids({"segments.add", "", "segments.previous", "segments.next", "segments.underPointer",
+            "segments.centre", "segments.alone", ""}));
     for (const SegmentAction& action : segmentActions())
-        segments += QLatin1String(action.id);
-    actions.fill(*m_segmentsMenu, segments);
+        actions.fill(menuOf(*m_segmentsMenu, action), {QLatin1String(action.id)});
     QMenu* help = m_menuBar->addMenu(QStringLiteral("&Help"));
     actions.fill(*help, ids({"help.keys", "help.pen", "help.about"}));
 }

@@ -72,6 +72,17 @@ QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
     return possible ? QString() : why;
 }
 
+QMenu& menuOf(QMenu& menu, const SegmentAction& action)
+{
+    if (action.submenu.isEmpty())
+        return menu;
+    for (const QAction* each : menu.actions()) {
+        if (each->menu() && each->menu()->title() == action.submenu)
+            return *each->menu();
+    }
+    return *menu.addMenu(action.submenu);
+}
+
 void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
     const std::function<int()>& label, bool named)
 {

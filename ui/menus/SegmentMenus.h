@@ -16,9 +16,10 @@ struct Segment;
 namespace ui {
 
 class Workspace;
+struct SegmentAction;
 
-// Parts of menus in which another segment is chosen for what is done to one. An entry that cannot
-// be chosen says why by its tool tip.
+// Parts of menus about segments, in most of which another one is chosen for what is done to one. An
+// entry that cannot be chosen says why by its tool tip.
 
 /// Why no voxel of a segment can be changed; empty if they can.
 /// @param segment null: there is none
@@ -30,6 +31,10 @@ class Workspace;
 /// @return why none of them can be chosen; empty if one can
 QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
     const std::function<void(int)>& choose, bool changes = true);
+
+/// The menu in which an entry for an action stands that is added to this one: itself, or its
+/// submenu of the action's title, which is made where it ends if there is none yet.
+[[nodiscard]] QMenu& menuOf(QMenu& menu, const SegmentAction& action);
 
 /// Adds "Merge into", "Swap with" and "Measure distance to" to a menu. They are listed anew
 /// whenever the menu opens.

@@ -256,20 +256,21 @@ void askBetweenSlices(Workspace& workspace, int label)
 }
 
 /// @param placeLps in the plane; none: the middle of the images
-void mirror(Workspace& workspace, int label, const std::optional<glm::dvec3>& placeLps)
+void mirror(Workspace& workspace, int label, core::MirroredSides sides,
+    const std::optional<glm::dvec3>& placeLps)
 {
-    carryOut(workspace, core::MirrorSegment{.segment = label, .placeLps = placeLps},
+    carryOut(workspace, core::MirrorSegment{.segment = label, .sides = sides, .placeLps = placeLps},
         QObject::tr("'%1' is its own mirror image").arg(nameOfSegment(workspace, label)));
 }
 
-void mirrorAtMiddle(Workspace& workspace, int label)
+template <core::MirroredSides sides> void mirrorAtMiddle(Workspace& workspace, int label)
 {
-    mirror(workspace, label, std::nullopt);
+    mirror(workspace, label, sides, std::nullopt);
 }
 
-void mirrorAtCrosshair(Workspace& workspace, int label)
+template <core::MirroredSides sides> void mirrorAtCrosshair(Workspace& workspace, int label)
 {
-    mirror(workspace, label, workspace.crosshairLps());
+    mirror(workspace, label, sides, workspace.crosshairLps());
 }
 
 } // namespace
@@ -385,11 +386,33 @@ const std::vector<SegmentAction>& segmentActions()
         {.id = "segments.mirror",
             .text = QObject::tr("Mirror left and right"),
             .named = QObject::tr("Mirror '%1' left and right"),
-            .run = &mirrorAtMiddle},
+            .run = &mirrorAtMiddle<core::MirroredSides::RightLeft>,
+            .submenu = QObject::tr("Mirror")},
+        {.id = "segments.mirrorFrontBack",
+            .text = QObject::tr("Mirror front and back"),
+            .named = QObject::tr("Mirror '%1' front and back"),
+            .run = &mirrorAtMiddle<core::MirroredSides::AnteriorPosterior>,
+            .submenu = QObject::tr("Mirror")},
+        {.id = "segments.mirrorHeadFeet",
+            .text = QObject::tr("Mirror head and feet"),
+            .named = QObject::tr("Mirror '%1' head and feet"),
+            .run = &mirrorAtMiddle<core::MirroredSides::InferiorSuperior>,
+            .submenu = QObject::tr("Mirror")},
         {.id = "segments.mirrorAtCrosshair",
             .text = QObject::tr("Mirror left and right at the crosshair"),
             .named = QObject::tr("Mirror '%1' left and right at the crosshair"),
-            .run = &mirrorAtCrosshair},
+            .run = &mirrorAtCrosshair<core::MirroredSides::RightLeft>,
+            .submenu = QObject::tr("Mirror")},
+        {.id = "segments.mirrorFrontBackAtCrosshair",
+            .text = QObject::tr("Mirror front and back at the crosshair"),
+            .named = QObject::tr("Mirror '%1' front and back at the crosshair"),
+            .run = &mirrorAtCrosshair<core::MirroredSides::AnteriorPosterior>,
+            .submenu = QObject::tr("Mirror")},
+        {.id = "segments.mirrorHeadFeetAtCrosshair",
+            .text = QObject::tr("Mirror head and feet at the crosshair"),
+            .named = QObject::tr("Mirror '%1' head and feet at the crosshair"),
+            .run = &mirrorAtCrosshair<core::MirroredSides::InferiorSuperior>,
+            .submenu = QObject::tr("Mirror")},
         {.id = "segments.invert", .text = QObject::tr("Invert segment"), .run = &invertSegment},
         {.id = "segments.remove",
             .text = QObject::tr("Delete segment"),

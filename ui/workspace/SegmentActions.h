@@ -74,6 +74,7 @@ struct SegmentAction {
     QKeySequence keys{}; ///< heard in the list of segments alone
     void (*run)(Workspace& workspace, int label);
     bool makesFirst = false; ///< where there is no segment yet, one is added for it
+    QString submenu{}; ///< the title of the one in which it stands, beside its like; empty: none
 };
 /// The text with the segment's name, where no list shows whose it is; null: without.
 [[nodiscard]] QString namedText(const SegmentAction& action, const core::Segment* segment);

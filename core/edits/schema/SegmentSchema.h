@@ -206,6 +206,10 @@ template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)
         "such voxels under the brush",
         "all that is under the brush");
     visitEditable(visit, edit.editable);
+    visit.maybe("tool", edit.tool, editFields::Choice<PaintStroke::Tool, 1>{{"nudge"}},
+        "nudge: a disc that pushes the border of the segment in one slice, outwards, or inwards "
+        "with erase; it says so in the history and decides no voxel",
+        "a brush");
 }
 
 template <> inline constexpr const char* editName<FillOutline> = "fillOutline";

@@ -488,6 +488,18 @@ private Q_SLOTS:
         QCOMPARE(editToJson(*editFromJson(editToJson(*edgewise))), editToJson(*edgewise));
         QVERIFY(!editFromJson(parse("{'edit':'paint','segment':2,'radiusMm':6,"
                                     "'pointsLps':[[0,0,0]],'edgeTolerance':-1}")));
+        QVERIFY(!stroke.tool);
+        QVERIFY(!editToJson(*paint).contains(QLatin1String("tool")));
+        const Result<Edit> nudge =
+            editFromJson(parse("{'edit':'paint','segment':2,'radiusMm':6,'shape':'disc',"
+                               "'normalLps':[0,0,1],'pointsLps':[[0,0,0]],'tool':'nudge'}"));
+        QVERIFY(nudge);
+        QVERIFY(nudge->get<PaintStroke>().tool == PaintStroke::Tool::Nudge);
+        QCOMPARE(editToJson(*editFromJson(editToJson(*nudge))), editToJson(*nudge));
+        const Result<Edit> unknown = editFromJson(
+            parse("{'edit':'paint','segment':2,'radiusMm':6,'pointsLps':[[0,0,0]],'tool':'push'}"));
+        QVERIFY(!unknown);
+        QCOMPARE(unknown.error().arguments.value(0), QStringLiteral("paint.tool"));
 
         const Result<Edit> square = editFromJson(
             parse("{'edit':'paint','segment':2,'radiusMm':6,'shape':'square','normalLps':[0,0,1],"

@@ -968,6 +968,10 @@ private:
         // Of the row's number, as in randomGrowth().
         if (m_session->history().rows().size() % 4 == 1)
             stroke.edgeTolerance = 120.0;
+        const bool isPlainDisc = stroke.path.shape == BrushPath::Shape::Disc
+            && !stroke.path.pressures && !stroke.edgeTolerance;
+        if (isPlainDisc && m_session->history().rows().size() % 2 == 0)
+            stroke.tool = PaintStroke::Tool::Nudge;
         return stroke;
     }
     BrushStroke randomBrush()

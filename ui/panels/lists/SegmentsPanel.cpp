@@ -198,8 +198,9 @@ void SegmentsPanel::showMenu(const QPoint& position)
     addCombinations(
         menu, nullptr, m_workspace, [label] { return label; }, false);
     for (const SegmentAction& each : segmentActions()) {
-        QAction* item =
-            menu.addAction(each.text, this, [this, label, &each] { each.run(m_workspace, label); });
+        QAction* item = menuOf(menu, each).addAction(each.text, this, [this, label, &each] {
+            each.run(m_workspace, label);
+        });
         item->setShortcut(each.keys); // shown; the list's own action hears it
         item->setShortcutContext(Qt::WidgetShortcut);
         item->setEnabled(!locked);

@@ -279,12 +279,17 @@ void BrushTool::showCursor(const PointerSample& sample, gpu::ViewId view)
     Q_EMIT overlayChanged();
 }
 
+double BrushTool::radiusAfter(double radiusMm, int steps)
+{
+    const double step = radiusMm < 10.0 ? 0.5 : radiusMm < 30.0 ? 1.0 : 2.0;
+    return std::clamp(
+        std::round((radiusMm + steps * step) / step) * step, minimumRadiusMm, maximumRadiusMm);
+}
+
 void BrushTool::changeRadius(int steps)
 {
     Workspace::BrushSettings changed = settings();
-    const double step = changed.radiusMm < 10.0 ? 0.5 : changed.radiusMm < 30.0 ? 1.0 : 2.0;
-    changed.radiusMm = std::clamp(std::round((changed.radiusMm + steps * step) / step) * step,
-        minimumRadiusMm, maximumRadiusMm);
+    changed.radiusMm = radiusAfter(changed.radiusMm, steps);
     m_workspace.setBrushSettings(m_brush, changed);
 }
 

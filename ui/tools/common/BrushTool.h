@@ -25,6 +25,8 @@ class BrushTool : public Tool {
 public:
     static constexpr double minimumRadiusMm = 0.5;
     static constexpr double maximumRadiusMm = 60.0;
+    /// The radius after so many steps of the wheel or of [ ].
+    [[nodiscard]] static double radiusAfter(double radiusMm, int steps);
 
     BrushTool(Workspace& workspace, Workspace::Brush brush, QObject* parent);
     ~BrushTool() override;

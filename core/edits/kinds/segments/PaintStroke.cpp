@@ -25,6 +25,26 @@ int codesWithin(const VoxelEncoding& encoding, double tolerance)
         VoxelEncoding::codeCount - 1);
 }
 
+/// A nudge is a disc of one radius that takes all under it. Errors: InvalidField.
+Result<void> checkTool(const PaintStroke& stroke)
+{
+    const bool isPlainDisc = stroke.path.shape == BrushPath::Shape::Disc && !stroke.path.pressures
+        && !stroke.edgeTolerance;
+    if (stroke.tool != PaintStroke::Tool::Nudge || isPlainDisc)
+        return {};
+    return failure(ErrorCode::InvalidField, QStringLiteral("paint.tool"),
+        QStringLiteral("a nudge is a disc without pressures and edgeTolerance"));
+}
+
+RowTitleCode titleCode(const PaintStroke& stroke)
+{
+    if (stroke.tool == PaintStroke::Tool::Nudge)
+        return stroke.erase ? RowTitleCode::NudgeInwards : RowTitleCode::NudgeOutwards;
+    if (stroke.edgeTolerance)
+        return stroke.erase ? RowTitleCode::EraseAlongEdges : RowTitleCode::PaintAlongEdges;
+    return stroke.erase ? RowTitleCode::Erase : RowTitleCode::Paint;
+}
+
 } // namespace
 
 Result<void> check(const PaintStroke& edit, const Document& document)
@@ -59,6 +79,8 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
     if (stroke.edgeTolerance && !(*stroke.edgeTolerance >= 0.0))
         return failure(ErrorCode::InvalidField, QStringLiteral("paint.edgeTolerance"),
             QStringLiteral("%1 is below 0").arg(*stroke.edgeTolerance));
+    if (const Result<void> tool = checkTool(stroke); !tool)
+        return tl::unexpected(tool.error());
     const Volume& volume = document.volumes.front();
     Result<CapsuleFrame> frame =
         capsuleFrame(stroke.path, volume.geometry, QStringLiteral("paint"));
@@ -105,10 +127,7 @@ RowTitle rowTitle(const PaintStroke& stroke, const RowFacts& row)
     const std::int64_t voxels = row.statistics.voxelsChanged;
     const std::int64_t seeds = row.facts.seedWordsChanged;
     const bool erases = stroke.erase;
-    const RowTitleCode code = stroke.edgeTolerance
-        ? (erases ? RowTitleCode::EraseAlongEdges : RowTitleCode::PaintAlongEdges)
-        : (erases ? RowTitleCode::Erase : RowTitleCode::Paint);
-    return {.code = code,
+    return {.code = titleCode(stroke),
         .arguments = {segmentName(stroke.segment, row.document), inMm(stroke.path.radiusMm)},
         .then = {voxels > 0
                 ? figure(erases ? RowTitleCode::VoxelsLost : RowTitleCode::VoxelsGained, voxels)

@@ -15,6 +15,13 @@ struct VolumeGeometry;
 
 /// Paint a segment along a path, or erase it.
 struct PaintStroke {
+    /// A tool whose strokes people tell from those of a brush.
+    enum class Tool {
+        /// A disc that pushes the border of the segment in one slice: outwards, or inwards with
+        /// `erase`. Where it may begin is a matter of the tool (sculpt/labels/NudgeStart.h); what
+        /// it changes is what a brush would change.
+        Nudge,
+    };
     int segment = 0; ///< label
     BrushPath path{};
     bool erase = false;
@@ -27,6 +34,7 @@ struct PaintStroke {
     /// (EdgeRegion.h). Modality units, at least 0; none: all that is under the brush.
     std::optional<double> edgeTolerance{};
     std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
+    std::optional<Tool> tool{}; ///< it decides no voxel; none: a brush
 };
 
 [[nodiscard]] Result<void> check(const PaintStroke& edit, const Document& document);

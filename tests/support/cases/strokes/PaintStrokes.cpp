@@ -84,6 +84,12 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"growth from paint along edges", volume, {first, noEdges}, all});
     cases.push_back(
         {"undo only paint along edges", volume, {first, edgewise, drill}, core::RevertRows{{2}}});
+    auto nudge = slice.get<core::PaintStroke>();
+    nudge.tool = core::PaintStroke::Tool::Nudge;
+    cases.push_back({"nudge the border outwards", volume, {first, seeds, some, paint}, nudge});
+    nudge.erase = true;
+    nudge.seeds = false;
+    cases.push_back({"nudge the border inwards", volume, {first, seeds, some, paint}, nudge});
     auto dab = paint.get<core::PaintStroke>();
     dab.segment = 2;
     dab.path.radiusMm = 2.0;

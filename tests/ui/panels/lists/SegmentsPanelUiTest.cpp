@@ -20,6 +20,9 @@
 #include <QTimer>
 #include <QtTest>
 
+#include <algorithm>
+#include <array>
+
 namespace segmentsPanelUiTest {
 
 namespace {
@@ -195,6 +198,65 @@ private Q_SLOTS:
         QVERIFY(fixture.session().settle());
         QVERIFY(fixture.session().history().rows().back().edit.is<core::MirrorSegment>());
         QVERIFY(fixture.session().history().rows().back().edit.get<core::MirrorSegment>().placeLps);
+    }
+
+    /// All of them stand together in both menus, and each is a step of its own direction.
+    void mirroringHasThreeDirections()
+    {
+        Fixture fixture;
+        const auto submenus = fixture.window.segmentsMenu().actions();
+        const auto mirror = std::find_if(submenus.begin(), submenus.end(),
+            [](const QAction* each) { return each->text() == QStringLiteral("Mirror"); });
+        QVERIFY(mirror != submenus.end() && (*mirror)->menu());
+        QCOMPARE((*mirror)->menu()->actions().size(), 6);
+        const glm::ivec3 size = fixture.session().document().volumes.front().geometry.size;
+        fixture.workspace.setCrosshairLps(
+            fixture.workspace.volume()->geometry.toWorld({10.0, 11.0, 9.0}));
+        const glm::ivec3 crosshair(10, 11, 9);
+        const std::size_t rowsAtFirst = fixture.session().history().rows().size();
+        const std::array<const char*, 3> ids{
+            "segments.mirror", "segments.mirrorFrontBack", "segments.mirrorHeadFeet"};
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const bool atCrosshair : {false, true}) {
+                const auto before = fixture.session().questions().labels(0);
+                QVERIFY(before);
+                QAction& action = fixture.window.actionTable()[QLatin1String(ids[std::size_t(axis)])
+                    + (atCrosshair ? QStringLiteral("AtCrosshair") : QString())];
+                QVERIFY((*mirror)->menu()->actions().contains(&action));
+                const std::size_t rows = fixture.session().history().rows().size();
+                QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+                action.trigger();
+                QVERIFY(fixture.session().settle());
+                QTRY_COMPARE(said.size(), 1);
+                const auto after = fixture.session().questions().labels(0);
+                QVERIFY(after);
+                const int sum = atCrosshair ? 2 * crosshair[axis] : size[axis] - 1;
+                for (std::size_t voxel = 0; voxel < after->size(); ++voxel) {
+                    if ((*before)[voxel] > 1)
+                        continue; // another segment keeps it
+                    const int at = int(voxel);
+                    glm::ivec3 image(at % size.x, at / size.x % size.y, at / (size.x * size.y));
+                    image[axis] = sum - image[axis];
+                    const bool isBrain = image[axis] >= 0 && image[axis] < size[axis]
+                        && (*before)[std::size_t(image.x + size.x * (image.y + size.y * image.z))]
+                            == 1;
+                    QCOMPARE(int((*after)[voxel]), isBrain ? 1 : 0);
+                }
+                if (fixture.session().history().rows().size() == rows)
+                    continue; // it is its own mirror image
+                const auto edit =
+                    fixture.session().history().rows().back().edit.get<core::MirrorSegment>();
+                QCOMPARE(int(edit.sides), axis);
+                QCOMPARE(edit.placeLps.has_value(), atCrosshair);
+                QVERIFY(fixture.session().undo() && fixture.session().settle());
+                QVERIFY(*fixture.session().questions().labels(0) == *before);
+            }
+        }
+        // At the crosshair each of them moves the brain.
+        QVERIFY(fixture.session().history().rows().size() >= rowsAtFirst + 3);
+        fixture.apply(test::lockSegment(1));
+        for (const QAction* each : (*mirror)->menu()->actions())
+            QVERIFY(!each->isEnabled());
     }
 
     /// What is cleaned is one step; where there is nothing to clean, that is told.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+class QCheckBox;
+class QDoubleSpinBox;
+
+namespace ui {
+
+class NudgeTool;
+class Workspace;
+
+/// The options of the nudge in the option bar; always in step with the tool.
+class NudgeOptions : public QWidget {
+    Q_OBJECT
+
+public:
+    NudgeOptions(Workspace& workspace, NudgeTool& tool, QWidget* parent = nullptr);
+
+private:
+    void showSettings();
+    void takeSettings();
+
+    NudgeTool& m_tool;
+    QDoubleSpinBox* m_radius;
+    QCheckBox* m_fits;
+};
+
+} // namespace ui
