@@ -113,7 +113,7 @@ void addSteps(Actions& actions, Workspace& workspace)
         .possible = any});
     actions.add({.id = QStringLiteral("segments.centre"),
         .text = QObject::tr("Centre views on segment"),
-        .keys = {QKeySequence(QStringLiteral("J"))},
+        .keys = {QKeySequence(QStringLiteral("Shift+J"))},
         .tip = QObject::tr("The crosshair goes to the middle of the active segment, and every view "
                            "shows it in its middle"),
         .run = [&workspace] { centreOnSegment(workspace, workspace.activeSegment()); },
