@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What pointer, wheel and keys do to a slice when no tool takes them.
+#include "ui/menus/ColourMapEntries.h"
 #include "ui/menus/SliceTurnEntries.h"
 #include "ui/menus/VoxelMenu.h"
 #include "ui/views/SliceView.h"
@@ -213,6 +214,7 @@ void SliceView::listTurns(QMenu& menu)
             turns->addAction(each.text, this, [this, &each] { setTurn(each.after(m_turn)); });
         action->setEnabled(each.after(m_turn) != m_turn);
     }
+    addColourMaps(menu, workspace());
 }
 
 void SliceView::hovered(const PointerSample& sample)

@@ -212,6 +212,7 @@ gpu::Scene SliceView::scene() const
     scene.showCarved = workspace().viewOptions().showCarved;
     scene.carvedAsHole = workspace().viewOptions().carvedAsHole;
     if (!early()) {
+        scene.colours = workspace().viewOptions().colours;
         scene.slab = slab();
         scene.contour = workspace().refinement().contour();
         scene.chunks = workspace().chunks().areas();

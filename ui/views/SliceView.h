@@ -124,8 +124,10 @@ private:
     [[nodiscard]] core::WindowLevel windowLevel() const;
     [[nodiscard]] double fittingMmPerPixel() const;
     [[nodiscard]] QString windowText() const;
-    /// Adds the ways to lay the slice to the context menu.
+    /// Adds the ways to lay the slice, and its colours, to the context menu.
     void listTurns(QMenu& menu);
+    /// Which colour is which value, where grey values are shown in colours.
+    void paintColours(QPainter& painter, const gpu::SliceScene& slice) const;
     /// Where axial, sagittal and coronal slices cut this one.
     void paintOtherSlices(QPainter& painter, const ViewContext& shown) const;
 
