@@ -263,6 +263,25 @@ void DisplayState::apply(const QJsonObject& state)
 {
     if (state.isEmpty())
         return;
+    applyShown(state);
+    core::ClipRegion clip = m_workspace.clip();
+    read(state[QLatin1String("clip")], core::wholeVolume(m_workspace.volume()->geometry), clip);
+    m_workspace.setClip(clip);
+    ui::apply(state[QLatin1String("plane")], m_workspace.plane());
+    ui::apply(state[QLatin1String("pieces")], m_workspace.pieces());
+    ui::apply(state[QLatin1String("layers")], m_workspace.layerLooks());
+    applyTools(state);
+    applyViews(state[QLatin1String("views")].toObject());
+}
+
+void DisplayState::applyLook(const QJsonObject& state)
+{
+    applyShown(state);
+    applyViews(state[QLatin1String("views")].toObject());
+}
+
+void DisplayState::applyShown(const QJsonObject& state)
+{
     glm::dvec3 crosshair = m_workspace.crosshairLps();
     read(state[QLatin1String("crosshairLps")], crosshair);
     m_workspace.setCrosshairLps(crosshair);
@@ -291,14 +310,6 @@ void DisplayState::apply(const QJsonObject& state)
     const QJsonValue before = state[QLatin1String("volume")][QLatin1String("contextBefore")];
     if (before.isString())
         contextSwitch(m_views).setBefore(contextNamed(before.toString()));
-    core::ClipRegion clip = m_workspace.clip();
-    read(state[QLatin1String("clip")], core::wholeVolume(m_workspace.volume()->geometry), clip);
-    m_workspace.setClip(clip);
-    ui::apply(state[QLatin1String("plane")], m_workspace.plane());
-    ui::apply(state[QLatin1String("pieces")], m_workspace.pieces());
-    ui::apply(state[QLatin1String("layers")], m_workspace.layerLooks());
-    applyTools(state);
-    applyViews(state[QLatin1String("views")].toObject());
 }
 
 void DisplayState::applyTools(const QJsonObject& state)
