@@ -244,9 +244,26 @@ void SliceView::wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifie
         goToSlice(sliceNumber() + whole);
 }
 
+void SliceView::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Z && m_lensHeld) {
+        // A key that is held repeats itself: pressed and released.
+        if (!event->isAutoRepeat())
+            holdLens(false);
+        return;
+    }
+    ImageView::keyReleaseEvent(event);
+}
+
 void SliceView::keyPressEvent(QKeyEvent* event)
 {
+    constexpr Qt::KeyboardModifiers commands =
+        Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
     switch (event->key()) {
+    case Qt::Key_Z:
+        if ((event->modifiers() & commands) != Qt::NoModifier)
+            return ImageView::keyPressEvent(event);
+        return holdLens(true);
     case Qt::Key_Escape:
         // A box that is being drawn is the pointer's.
         if (!m_awaitsBox || m_box)
