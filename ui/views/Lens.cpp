@@ -89,9 +89,9 @@ void Lens::paint(QPainter& painter, const QImage& whole, const QSizeF& view) con
     const QRectF place = around(*m_at, diameterPixels);
     painter.save();
     painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-    QPainterPath round;
-    round.addEllipse(place);
-    painter.setClipPath(round);
+    QPainterPath outline;
+    outline.addEllipse(place);
+    painter.setClipPath(outline);
     painter.fillRect(place, theme::picture);
     if (isDrawn()) {
         painter.drawImage(place, m_picture);
