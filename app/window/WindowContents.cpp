@@ -55,6 +55,7 @@
 #include "ui/window/PieceActions.h"
 #include "ui/window/SpaceSteering.h"
 #include "ui/window/display/DisplayState.h"
+#include "ui/window/display/TimeSteps.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -278,6 +279,29 @@ void addExport(ui::MainWindow& window, ui::MendingSteps& mending, ui::Statistics
     window.actionTable().refresh();
 }
 
+/// How other points of a series in time are opened.
+void addTimes(ui::MainWindow& window, ui::TimeSteps& steps)
+{
+    ui::Actions& actions = window.actionTable();
+    QAction& before = actions.add({.id = QStringLiteral("file.previousTime"),
+        .text = QStringLiteral("Previous point in time"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+PgUp"))},
+        .tip = QStringLiteral("Opens it with its own session; this one stays with its point"),
+        .run = [&steps] { steps.go(-1); },
+        .possible = [&steps] { return steps.hasPoint(-1); }});
+    QAction& next = actions.add({.id = QStringLiteral("file.nextTime"),
+        .text = QStringLiteral("Next point in time"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+PgDown"))},
+        .tip = QStringLiteral("Opens it with its own session; this one stays with its point"),
+        .run = [&steps] { steps.go(1); },
+        .possible = [&steps] { return steps.hasPoint(1); }});
+    for (QAction* each : {&before, &next})
+        window.fileMenu().insertAction(&actions[QStringLiteral("file.importMask")], each);
+    QObject::connect(window.findChild<ui::SeriesDoctorPanel*>(),
+        &ui::SeriesDoctorPanel::timeRequested, &steps, &ui::TimeSteps::openPoint);
+    actions.refresh();
+}
+
 NamedPanels addPanels(ui::MainWindow& window)
 {
     ui::Workspace& workspace = window.workspace();
@@ -319,7 +343,8 @@ void addContents(ui::MainWindow& window)
     new ui::SpaceSteering(window);
     new ui::KeyframeRecorder(workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
-    new ui::DisplayState(workspace, window.views(), tools, &window);
+    auto* display = new ui::DisplayState(workspace, window.views(), tools, &window);
+    addTimes(window, *new ui::TimeSteps(workspace, window.opener(), *display, &window));
 }
 
 } // namespace app

@@ -48,6 +48,7 @@ SliceScene lookOf(const ScenePlane& plane, const VolumeScene& scene)
         .downLps = plane.downLps,
         .window = plane.window,
         .inverted = plane.inverted,
+        .colours = plane.colours,
         .cubic = true,
         .showCarved = plane.showCarved,
         .chunks = scene.chunks};

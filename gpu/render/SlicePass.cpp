@@ -162,6 +162,7 @@ Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const Sli
     if ((variant & atTolerance) != 0)
         program.set("toleranceLabel", unsigned(segments.atTolerance->label))
             .set("tolerance", unsigned(segments.atTolerance->tolerance));
+    m_colours.bind(program, scene.colours);
     program.set("pixelScale", target.pixelScale)
         .set("pixelJitter", target.pixelJitter)
         .set("window", glm::vec2(greyOfTexel(volume.encoding(), scene.window)))

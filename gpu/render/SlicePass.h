@@ -3,6 +3,7 @@
 
 #include "gpu/gl/Program.h"
 #include "gpu/render/parts/ChunkTextures.h"
+#include "gpu/render/parts/ColourTable.h"
 #include "gpu/render/parts/Palette.h"
 #include "gpu/scene/PassTarget.h"
 #include "gpu/scene/Scene.h"
@@ -14,13 +15,13 @@ namespace gpu {
 
 class VolumeTextures;
 
-/// Draws any plane through the volume: grey values by window/level (DICOM LINEAR), fill and outline
-/// of segments, the outlines of what is carved away and of each piece that was cut out, at its true
-/// place, stripes where growth is barred, a warning colour for members of late generations,
-/// hatching over what a cut would remove, and chunks in their colours. A segment is shown as it
-/// would be at a tolerance if the scene asks for it and the field is valid. Outside the volume the
-/// picture is black. Interpolation is cubic if both scene and target say so. The grey values may be
-/// those of a slab (SceneSlab).
+/// Draws any plane through the volume: grey values by window/level (DICOM LINEAR), or their
+/// colours, fill and outline of segments, the outlines of what is carved away and of each piece
+/// that was cut out, at its true place, stripes where growth is barred, a warning colour for
+/// members of late generations, hatching over what a cut would remove, and chunks in their colours.
+/// A segment is shown as it would be at a tolerance if the scene asks for it and the field is
+/// valid. Outside the volume the picture is black. Interpolation is cubic if both scene and target
+/// say so. The grey values may be those of a slab (SceneSlab).
 class SlicePass {
 public:
     /// Throws ShaderError. @param library outlives the pass
@@ -52,6 +53,7 @@ private:
     [[nodiscard]] Program& programFor(unsigned form, unsigned variant);
 
     const ShaderLibrary& m_library;
+    ColourTable m_colours;
     /// By form and variant, compiled when needed.
     RecentPrograms<std::pair<unsigned, unsigned>, Program, 32> m_programs;
 };

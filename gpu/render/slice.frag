@@ -20,6 +20,7 @@ layout(binding = 7) uniform sampler2D palette;   // rgb, shown
 #if CUBIC
 #include "render/cubic.glsl"
 #endif
+#include "render/colourMap.glsl"
 
 #if CHUNKS
 layout(binding = 24) uniform usampler3D chunkLeaves; // leaf + 1 by voxel of their box
@@ -192,7 +193,7 @@ void main()
     const float value = texture(intensity, (place + 0.5) / size).r;
 #endif
     const float grey = clamp(value * window.x + window.y, 0.0, 1.0);
-    vec3 result = vec3(inverted ? 1.0 - grey : grey);
+    vec3 result = shownGrey(inverted ? 1.0 - grey : grey);
 #if CARVED
     const float covered = texture(radiation, (index + 0.5) / size).r;
 #endif

@@ -6,6 +6,7 @@
 #include "core/refine/mesh/SimplexMesh.h"
 #include "core/volume/ClipRegion.h"
 #include "core/volume/Volume.h"
+#include "gpu/scene/ColourMap.h"
 
 #include <glm/glm.hpp>
 
@@ -100,6 +101,7 @@ struct SliceScene {
     double mmPerPixel = 1.0;
     core::WindowLevel window;
     bool inverted = false; ///< high values are dark
+    ColourMap colours = ColourMap::Grey; ///< of the grey values, after they were inverted
     bool interpolated = true; ///< false: nearest voxel
     /// Cubic interpolation (Catmull-Rom) once nothing moves.
     bool cubic = false;
@@ -123,6 +125,7 @@ struct ScenePlane {
     glm::dvec2 halfSizeMm{100.0}; ///< along right and down
     core::WindowLevel window;
     bool inverted = false; ///< high values are dark
+    ColourMap colours = ColourMap::Grey; ///< as in slices
     float opacity = 1.0f; ///< 0: only the contour is shown
     /// How much of it shines through what hides it, in surface and volume rendering.
     float behindOpacity = 0.0f;
@@ -222,6 +225,7 @@ struct VolumeScene {
     double surfaceThreshold = 300.0; ///< modality units
     TransferFunction transferFunction;
     core::WindowLevel mipWindow;
+    ColourMap mipColours = ColourMap::Grey;
     core::WindowLevel xrayWindow;
     core::ClipRegion clip; ///< what it hides is not drawn, in any mode
     Context context = Context::Opaque;

@@ -127,6 +127,7 @@ private:
             .carvedAsHole = true,
             .showBarriers = false,
             .inverted = true,
+            .colours = gpu::ColourMap::HotIron,
             .slabMode = gpu::SlabMode::Minimum,
             .slabMm = 12.25,
             .referenceLines = true,

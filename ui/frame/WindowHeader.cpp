@@ -113,6 +113,9 @@ void WindowHeader::fillViewMenu(
     grey->addSeparator();
     grey->addAction(&actions[QStringLiteral("window.box")]);
     grey->addAction(&actions[QStringLiteral("view.inverted")]);
+    actions.fill(*view->addMenu(QStringLiteral("Colours")),
+        ids({"view.coloursGrey", "view.coloursHotIron", "view.coloursHotMetalBlue",
+            "view.coloursPet20Step", "view.coloursEvenLightness", "", "view.inverted"}));
     actions.fill(*view->addMenu(QStringLiteral("Flip and turn slice")),
         ids({"view.flipLeftRight", "view.flipTopBottom", "view.quarterRight", "view.quarterLeft",
             "", "view.upright", "", "view.alongPatient"}));

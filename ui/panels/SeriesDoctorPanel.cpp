@@ -50,7 +50,8 @@ SeriesDoctorPanel::SeriesDoctorPanel(Workspace& workspace, QWidget* parent)
 {
     build();
     connect(m_apply, &QPushButton::clicked, this, &SeriesDoctorPanel::apply);
-    connect(m_openTime, &QPushButton::clicked, this, &SeriesDoctorPanel::openTime);
+    connect(
+        m_openTime, &QPushButton::clicked, this, [this] { Q_EMIT timeRequested(m_time->value()); });
     connect(m_time, &QSlider::valueChanged, this, &SeriesDoctorPanel::showTimes);
     connect(&workspace, &Workspace::sessionChanged, this, &SeriesDoctorPanel::showVolume);
     connect(&workspace, &Workspace::cautionAcceptedChanged, this, &SeriesDoctorPanel::showChoice);
@@ -256,16 +257,6 @@ void SeriesDoctorPanel::showTimes()
     m_timeText->setText(isOther ? point + tr(" Masks stay with the point that they were drawn on.")
                                 : point + tr(" This one is open."));
     m_openTime->setEnabled(isOther);
-}
-
-void SeriesDoctorPanel::openTime()
-{
-    const core::Volume* volume = m_workspace.volume();
-    const core::SeriesAlternatives& alternatives = *volume->alternatives;
-    const int time = m_time->value();
-    const QString key =
-        time == 0 ? alternatives.key : QStringLiteral("%1@%2").arg(alternatives.key).arg(time + 1);
-    Q_EMIT reopenRequested(volume->sourcePath, core::withRepair(key, volume->repair));
 }
 
 } // namespace ui

@@ -34,6 +34,7 @@ Q_SIGNALS:
     /// The user wants to open the series with another choice.
     /// @param series as loadVolume() takes it
     void reopenRequested(const QString& path, const QString& series);
+    void timeRequested(int time); ///< another point in time, 0-based
 
 private:
     void build();
@@ -41,7 +42,6 @@ private:
     void showChoice();
     void showTimes();
     void apply();
-    void openTime();
     /// The other stack that was chosen; null if none was.
     [[nodiscard]] const core::RepairOffer* otherStack() const;
     /// All chosen repairs, as `--repair` takes them.

@@ -340,6 +340,7 @@ void ImageView::paintEvent(QPaintEvent*)
             tool->paintOverlay(painter, shown);
             painter.restore();
         }
+        paintOnTop(painter);
         if (volume->needsCaution() && !m_workspace.cautionAccepted())
             paintCautionStrip(painter, rect(), *volume);
     } else if (m_early && m_picture.isNull()) {

@@ -66,9 +66,16 @@ protected:
     /// The open volume, or the volume of the early slice, or null.
     [[nodiscard]] const core::Volume* shownVolume() const;
     [[nodiscard]] bool penOverPicture() const { return m_pointer.position().has_value(); }
+    /// Where the pointer is over this view; none if it is elsewhere.
+    [[nodiscard]] const std::optional<QPointF>& pointedPixel() const
+    {
+        return m_pointer.position();
+    }
     /// The scene in logical pixels.
     [[nodiscard]] virtual gpu::Scene scene() const = 0;
     virtual void paintAnnotations(QPainter& painter, const ViewContext& shown) = 0;
+    /// Paints what lies over everything else, the tool's overlay too.
+    virtual void paintOnTop(QPainter&) { }
     /// The picture of early() for scene(); null if the view's plane is another one.
     [[nodiscard]] virtual QImage earlyPictureOf(const gpu::Scene&, const QSize&) const
     {

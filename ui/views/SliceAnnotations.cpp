@@ -6,6 +6,7 @@
 #include "ui/geometry/OrientationLetters.h"
 #include "ui/overlays/Annotations.h"
 #include "ui/overlays/ClipOutline.h"
+#include "ui/overlays/ColourBar.h"
 #include "ui/overlays/MeasurementLines.h"
 #include "ui/overlays/PlaneOutline.h"
 #include "ui/overlays/ReferenceLines.h"
@@ -94,6 +95,24 @@ QString SliceView::windowText() const
     return text;
 }
 
+void SliceView::paintColours(QPainter& painter, const gpu::SliceScene& slice) const
+{
+    if (slice.colours == gpu::ColourMap::Grey)
+        return;
+    const core::Volume& volume = *shownVolume();
+    // DICOM LINEAR, as the picture is drawn (gpu::greyOfTexel()).
+    const double middle = slice.window.centre - 0.5;
+    const double half = 0.5 * std::max(slice.window.width - 1.0, 1e-3);
+    const auto end = [&](double value) {
+        return valueText(value, volume.unit, volume.maximum - volume.minimum);
+    };
+    paintColourBar(painter, rect(),
+        {.map = slice.colours,
+            .inverted = slice.inverted,
+            .upper = end(middle + half),
+            .lower = end(middle - half)});
+}
+
 void SliceView::paintCross(QPainter& painter, const ViewContext& shown)
 {
     if (m_planes && !m_planes->alongPatient()) {
@@ -143,6 +162,7 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     if (penOverPicture() && !early())
         paintHandles(painter, shown);
     paintEdgeLetters(painter, rect(), slice.rightLps, slice.downLps);
+    paintColours(painter, slice);
 
     const double position = glm::dot(slice.centreLps, m_axes.normalLps);
     const glm::dvec3 side = position < 0.0 ? -m_axes.normalLps : m_axes.normalLps;

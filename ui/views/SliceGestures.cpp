@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What pointer, wheel and keys do to a slice when no tool takes them.
+#include "ui/menus/ColourMapEntries.h"
 #include "ui/menus/SegmentViews.h"
 #include "ui/menus/SliceTurnEntries.h"
 #include "ui/menus/VoxelMenu.h"
@@ -219,6 +220,7 @@ void SliceView::listTurns(QMenu& menu)
             turns->addAction(each.text, this, [this, &each] { setTurn(each.after(m_turn)); });
         action->setEnabled(each.after(m_turn) != m_turn);
     }
+    addColourMaps(menu, workspace());
 }
 
 void SliceView::hovered(const PointerSample& sample)
@@ -248,9 +250,26 @@ void SliceView::wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifie
         goToSlice(sliceNumber() + whole);
 }
 
+void SliceView::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Z && m_lensHeld) {
+        // A key that is held repeats itself: pressed and released.
+        if (!event->isAutoRepeat())
+            holdLens(false);
+        return;
+    }
+    ImageView::keyReleaseEvent(event);
+}
+
 void SliceView::keyPressEvent(QKeyEvent* event)
 {
+    constexpr Qt::KeyboardModifiers commands =
+        Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
     switch (event->key()) {
+    case Qt::Key_Z:
+        if ((event->modifiers() & commands) != Qt::NoModifier)
+            return ImageView::keyPressEvent(event);
+        return holdLens(true);
     case Qt::Key_Escape:
         // A box that is being drawn is the pointer's.
         if (!m_awaitsBox || m_box)

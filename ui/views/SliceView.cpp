@@ -45,6 +45,7 @@ SliceView::SliceView(Workspace& workspace, gpu::ViewId view, const SliceAxes& ax
     , m_axes(axes)
     , m_title(title)
     , m_colour(colour)
+    , m_lens(workspace.frames(), view)
 {
     connect(&workspace, &Workspace::sessionChanged, this, &SliceView::openVolume);
     connect(&workspace, &Workspace::clipChanged, this, qOverload<>(&SliceView::update));
@@ -78,6 +79,7 @@ void SliceView::setReferencePlanes(const MprPlanes& planes)
 
 void SliceView::openVolume()
 {
+    holdLens(false);
     if (const core::Volume* volume = shownVolume())
         m_stack = sliceStack(volume->geometry, m_axes.normalLps);
     resetView();
@@ -221,6 +223,7 @@ gpu::Scene SliceView::scene() const
     scene.showCarved = workspace().viewOptions().showCarved;
     scene.carvedAsHole = workspace().viewOptions().carvedAsHole;
     if (!early()) {
+        scene.colours = workspace().viewOptions().colours;
         scene.slab = slab();
         scene.contour = workspace().refinement().contour();
         scene.chunks = workspace().chunks().areas();

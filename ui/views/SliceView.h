@@ -5,6 +5,7 @@
 #include "ui/geometry/SlicePlane.h"
 #include "ui/geometry/SliceTurn.h"
 #include "ui/views/ImageView.h"
+#include "ui/views/Lens.h"
 #include "ui/views/MprPlanes.h"
 
 #include <optional>
@@ -57,6 +58,10 @@ public:
     void setTurn(const SliceTurn& turn);
     /// Whether the left button draws the next box, whatever the tool.
     [[nodiscard]] bool awaitsBox() const { return m_awaitsBox; }
+    /// Whether the lens lies over the slice: while its key (Z) is held and the pointer is here.
+    [[nodiscard]] bool showsLens() const { return m_lens.isShown(); }
+    [[nodiscard]] bool takes(gpu::ViewId view) const override;
+    void takeFrame(const gpu::Frame& frame) override;
     void setAwaitsBox(bool awaits);
 
 Q_SIGNALS:
@@ -95,10 +100,14 @@ protected:
     void wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifiers modifiers) override;
     [[nodiscard]] bool ownsWheel(Qt::KeyboardModifiers modifiers) const override;
     void paintAnnotations(QPainter& painter, const ViewContext& shown) override;
+    void paintOnTop(QPainter& painter) override;
+    void requested(const gpu::FrameRequest& request) override;
+    bool event(QEvent* event) override;
     [[nodiscard]] QImage earlyPictureOf(
         const gpu::Scene& scene, const QSize& pixels) const override;
     void earlySliceChanged() override { openVolume(); }
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -128,8 +137,13 @@ private:
     [[nodiscard]] core::WindowLevel windowLevel() const;
     [[nodiscard]] double fittingMmPerPixel() const;
     [[nodiscard]] QString windowText() const;
-    /// Adds the ways to lay the slice to the context menu.
+    void holdLens(bool held);
+    /// Has the lens show what lies under the pointer now.
+    void moveLens();
+    /// Adds the ways to lay the slice, and its colours, to the context menu.
     void listTurns(QMenu& menu);
+    /// Which colour is which value, where grey values are shown in colours.
+    void paintColours(QPainter& painter, const gpu::SliceScene& slice) const;
     /// Where axial, sagittal and coronal slices cut this one.
     void paintOtherSlices(QPainter& painter, const ViewContext& shown) const;
 
@@ -147,6 +161,8 @@ private:
     glm::dvec3 m_centreLps{0.0}; ///< its component along the normal does not count
     double m_mmPerPixel = 1.0;
     bool m_fitted = true; ///< fits the window until the user zooms or pans
+    Lens m_lens;
+    bool m_lensHeld = false; ///< its key
     double m_wheelRest = 0.0;
     double m_slabRest = 0.0;
 };

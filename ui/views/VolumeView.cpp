@@ -173,7 +173,10 @@ gpu::Scene VolumeView::scene() const
     }
     const std::vector<gpu::ScenePiece> partlyHidden = workspace().layerLooks().scene();
     scene.pieces.insert(scene.pieces.end(), partlyHidden.begin(), partlyHidden.end());
-    // Only where it shows: another grey scale of the slices is no other picture else.
+    // Only where it shows: other colours of the slices are no other picture else.
+    if (scene.mode == gpu::RenderMode::Mip)
+        scene.mipColours = workspace().viewOptions().colours;
+    // Nor is another grey scale of theirs.
     const bool shaded =
         scene.mode == gpu::RenderMode::Surface || scene.mode == gpu::RenderMode::Dvr;
     if (shaded && scene.cutFaces == gpu::CutFaces::GreyValues)

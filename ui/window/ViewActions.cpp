@@ -2,11 +2,14 @@
 #include "ui/window/ViewActions.h"
 
 #include "ui/input/HeldKey.h"
+#include "ui/menus/ColourMapEntries.h"
 #include "ui/menus/SliceTurnEntries.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/window/BookmarkMenu.h"
 #include "ui/window/MainWindow.h"
 #include "ui/workspace/InitialDisplay.h"
+
+#include <QActionGroup>
 
 #include <algorithm>
 #include <array>
@@ -86,6 +89,18 @@ void addSlab(MainWindow& window, const char* id, const char* text, gpu::SlabMode
                 workspace.setViewOptions(options);
             },
         .checked = [&workspace, mode] { return workspace.viewOptions().slabMode == mode; }});
+}
+
+void addColours(MainWindow& window)
+{
+    Workspace& workspace = window.workspace();
+    auto* onlyOne = new QActionGroup(&window);
+    for (const ColourMapEntry& each : colourMapEntries())
+        onlyOne->addAction(&window.actionTable().add({.id = QLatin1String(each.id),
+            .text = each.text,
+            .run = [&workspace, &each] { showColours(workspace, each.map); },
+            .checked = [&workspace,
+                           &each] { return workspace.viewOptions().colours == each.map; }}));
 }
 
 void addTurns(MainWindow& window)
@@ -200,6 +215,7 @@ void addViewActions(MainWindow& window)
         .checked = [&window] { return window.views().awaitsBox(); }});
     addToggle(
         window, "view.inverted", "Inverted grey scale", "I", &Workspace::ViewOptions::inverted);
+    addColours(window);
     addToggle(window, "view.crosshair", "Crosshair", "F7", &Workspace::ViewOptions::showCrosshair);
     addToggle(window, "view.referenceLines", "Reference lines in slices", "",
         &Workspace::ViewOptions::referenceLines);

@@ -207,6 +207,7 @@ std::optional<gpu::ScenePlane> CuttingPlane::scene() const
         .halfSizeMm = 0.5 * (high - low),
         .window = m_workspace.windowLevel(),
         .inverted = m_workspace.viewOptions().inverted,
+        .colours = m_workspace.viewOptions().colours,
         .opacity = m_look.opacity,
         .contour = m_workspace.refinement().contour(),
         .mask = m_workspace.refinement().mask(),

@@ -86,6 +86,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
         m_volumeDisplay = initialVolumeDisplay(*opened);
         m_clip = core::wholeVolume(geometry);
         m_viewOptions.inverted = opened->displayInverted;
+        m_viewOptions.colours = gpu::ColourMap::Grey;
         if (!m_session->document().segments.empty())
             m_activeSegment = m_session->document().segments.front().label;
         if (!m_session->document().layers.empty())

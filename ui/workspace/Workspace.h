@@ -113,6 +113,7 @@ public:
         bool carvedAsHole = false; ///< in slices: what is carved away is black
         bool showBarriers = true; ///< barriers, in slices and in the 3D view
         bool inverted = false; ///< inverts the grey scale of slices
+        gpu::ColourMap colours = gpu::ColourMap::Grey; ///< of slices, and of MIP in the 3D view
         gpu::SlabMode slabMode = gpu::SlabMode::Off; ///< of all slices
         double slabMm = 10.0; ///< thickness; each view rounds it to an odd number of its slices
         bool referenceLines = false; ///< in slices: where the other slices cut them

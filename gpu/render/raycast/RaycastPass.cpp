@@ -480,6 +480,7 @@ VisibleCodes RaycastPass::setMode(
         std::array<float, MaximumCells::levelCount> levels{};
         for (std::size_t k = 0; k < levels.size(); ++k)
             levels[k] = float(volume.maximumCells().levels()[k] / 65535.0);
+        m_colours.bind(program, scene.mipColours);
         program.set("window", glm::vec2(grey))
             .set("saturated", float((1.0 - grey.y) / grey.x))
             .set("black", float(-grey.y / grey.x))

@@ -6,6 +6,7 @@
 #include "gpu/gl/VertexArray.h"
 #include "gpu/render/SeedDots.h"
 #include "gpu/render/parts/ChunkTextures.h"
+#include "gpu/render/parts/ColourTable.h"
 #include "gpu/render/parts/Palette.h"
 #include "gpu/render/parts/PieceSet.h"
 #include "gpu/render/parts/RayBlocks.h"
@@ -107,6 +108,7 @@ private:
     /// takes a dozen at most.
     RecentPrograms<std::size_t, Program, 32> m_seldomPrograms;
     TransferLookup m_transfer;
+    ColourTable m_colours;
     RayBlocks m_blocks;
     VolumeScene m_blocksScene; ///< what m_blocks was made for, like the next three
     glm::ivec2 m_blocksSize{0};

@@ -6,6 +6,8 @@ uniform float saturated; // code / 65535 from which on every grey is white
 uniform float black;     // code / 65535 up to which every grey is black
 uniform float levels[6]; // code / 65535, ascending
 
+#include "render/colourMap.glsl"
+
 layout(binding = 8) uniform usampler3D maximumCells; // greatest code, distances by level
 
 #if SCULPTED
@@ -95,7 +97,8 @@ vec3 seenAlong(Ray ray)
         }
         t = t == start ? gridAfter(ray, t, stretch.end) : t;
     }
-    vec3 result = vec3(greatest < 0.0 ? 0.0 : clamp(greatest * window.x + window.y, 0.0, 1.0));
+    vec3 result = greatest < 0.0 ? vec3(0.0)
+                                 : shownGrey(clamp(greatest * window.x + window.y, 0.0, 1.0));
     float over = 0.7;
 #if CONTEXT == 1
     const float grey = segmentAt == nowhere ? contextOpacity.x : contextOpacity.y;
@@ -155,7 +158,7 @@ vec3 seenAlong(Ray ray)
         } while (n < end);
         last = greatest < saturated ? last : 0.0;
     } while (n < last);
-    const vec3 picture = vec3(clamp(greatest * window.x + window.y, 0.0, 1.0));
+    const vec3 picture = shownGrey(clamp(greatest * window.x + window.y, 0.0, 1.0));
 #if CONTEXT == 1
     return picture * contextOpacity.x;
 #endif

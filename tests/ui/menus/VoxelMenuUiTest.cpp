@@ -253,6 +253,18 @@ private Q_SLOTS:
         QVERIFY(axial.turn().isUpright());
     }
 
+    void aSliceOffersItsColours()
+    {
+        Dabs fixture;
+        QMenu* menu = fixture.clickedAt({20, 5, 10});
+        QVERIFY(menu);
+        auto* colours = menu->findChild<QMenu*>(QStringLiteral("coloursOfSlices"));
+        QVERIFY(colours);
+        QVERIFY(colours->actions().front()->isChecked()); // grey
+        choose(*menu, *colours->actions()[1]);
+        QVERIFY(fixture.workspace.viewOptions().colours == gpu::ColourMap::HotIron);
+    }
+
     /// Outside the volume there is nothing to ask for, and a drag is no click.
     void noMenuWhereNoneIsMeant()
     {

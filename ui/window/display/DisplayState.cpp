@@ -41,6 +41,18 @@ gpu::SlabMode slabNamed(const QString& name)
     return gpu::SlabMode::Off;
 }
 
+constexpr std::array<const char*, gpu::colourMaps> colourNames{
+    "grey", "hotIron", "hotMetalBlue", "pet20Step", "evenLightness"}; ///< gpu::ColourMap
+
+gpu::ColourMap coloursNamed(const QString& name)
+{
+    for (std::size_t i = 0; i < colourNames.size(); ++i) {
+        if (name == QLatin1String(colourNames[i]))
+            return gpu::ColourMap(i);
+    }
+    return gpu::ColourMap::Grey;
+}
+
 QJsonObject toJson(const SliceView::Place& place)
 {
     return {{QStringLiteral("centreLps"), toJson(place.centreLps)},
@@ -222,6 +234,9 @@ QJsonObject DisplayState::composedViews() const
         object[QStringLiteral("slab")] = QJsonObject{
             {QStringLiteral("mode"), QLatin1String(slabNames[std::size_t(options.slabMode)])},
             {QStringLiteral("mm"), options.slabMm}};
+    if (options.colours != gpu::ColourMap::Grey)
+        object[QStringLiteral("colours")] =
+            QLatin1String(colourNames[std::size_t(options.colours)]);
     if (options.referenceLines)
         object[QStringLiteral("referenceLines")] = true;
     if (options.linkedPlaces)
@@ -248,6 +263,25 @@ void DisplayState::apply(const QJsonObject& state)
 {
     if (state.isEmpty())
         return;
+    applyShown(state);
+    core::ClipRegion clip = m_workspace.clip();
+    read(state[QLatin1String("clip")], core::wholeVolume(m_workspace.volume()->geometry), clip);
+    m_workspace.setClip(clip);
+    ui::apply(state[QLatin1String("plane")], m_workspace.plane());
+    ui::apply(state[QLatin1String("pieces")], m_workspace.pieces());
+    ui::apply(state[QLatin1String("layers")], m_workspace.layerLooks());
+    applyTools(state);
+    applyViews(state[QLatin1String("views")].toObject());
+}
+
+void DisplayState::applyLook(const QJsonObject& state)
+{
+    applyShown(state);
+    applyViews(state[QLatin1String("views")].toObject());
+}
+
+void DisplayState::applyShown(const QJsonObject& state)
+{
     glm::dvec3 crosshair = m_workspace.crosshairLps();
     read(state[QLatin1String("crosshairLps")], crosshair);
     m_workspace.setCrosshairLps(crosshair);
@@ -265,6 +299,7 @@ void DisplayState::apply(const QJsonObject& state)
     const QJsonValue views = state[QLatin1String("views")];
     options.referenceLines = views[QLatin1String("referenceLines")].toBool();
     options.linkedPlaces = views[QLatin1String("linkedPlaces")].toBool();
+    options.colours = coloursNamed(views[QLatin1String("colours")].toString());
     const QJsonValue slab = views[QLatin1String("slab")];
     options.slabMode = slabNamed(slab[QLatin1String("mode")].toString());
     read(slab[QLatin1String("mm")], options.slabMm, 0.001, 1000.0);
@@ -275,14 +310,6 @@ void DisplayState::apply(const QJsonObject& state)
     const QJsonValue before = state[QLatin1String("volume")][QLatin1String("contextBefore")];
     if (before.isString())
         contextSwitch(m_views).setBefore(contextNamed(before.toString()));
-    core::ClipRegion clip = m_workspace.clip();
-    read(state[QLatin1String("clip")], core::wholeVolume(m_workspace.volume()->geometry), clip);
-    m_workspace.setClip(clip);
-    ui::apply(state[QLatin1String("plane")], m_workspace.plane());
-    ui::apply(state[QLatin1String("pieces")], m_workspace.pieces());
-    ui::apply(state[QLatin1String("layers")], m_workspace.layerLooks());
-    applyTools(state);
-    applyViews(state[QLatin1String("views")].toObject());
 }
 
 void DisplayState::applyTools(const QJsonObject& state)

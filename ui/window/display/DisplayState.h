@@ -31,6 +31,9 @@ public:
 
     [[nodiscard]] QJsonObject composed() const;
     void apply(const QJsonObject& state);
+    /// Of such a state only what is looked at and how: crosshair, grey scale, what lies over
+    /// slices, look of the 3D view, views. Nothing of tools, segments, layers and pieces.
+    void applyLook(const QJsonObject& state);
     /// Passes the state to the session if it differs from what the session has.
     void keep();
 
@@ -38,6 +41,7 @@ private:
     void open();
 
     [[nodiscard]] QJsonObject composedViews() const;
+    void applyShown(const QJsonObject& state);
     void applyViews(const QJsonObject& state);
     void applyTools(const QJsonObject& state);
 

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/fixtures/ApplicationFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SyntheticSeries.h"
+#include "ui/base/Actions.h"
+#include "ui/settings/StudyOpener.h"
+#include "ui/views/ViewGrid.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QAction>
+#include <QTest>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+namespace timeStepsUiTest {
+
+/// From one point of a series in time to the next, and back.
+class TimeStepsUiTest : public QObject, private test::WithApplication {
+    Q_OBJECT
+
+private:
+    static constexpr int points = 3;
+
+    /// The points of one series, which differ in trigger time and values.
+    void writeSeries() const
+    {
+        for (int point = 0; point < points; ++point) {
+            test::SyntheticSeries series;
+            series.fileName = [point](int k) { return QStringLiteral("t%1-%2").arg(point).arg(k); };
+            series.adjust = [point](DcmDataset& set, int k) {
+                set.putAndInsertString(
+                    DCM_TriggerTime, QByteArray::number(80 * (point + 1)).constData());
+                set.putAndInsertString(
+                    DCM_SOPInstanceUID, QByteArray::number(1000 * (point + 1) + k).constData());
+            };
+            series.stored = [point](const glm::ivec3& index) { return index.z + point; };
+            test::writeSeries(series, path("times"));
+        }
+    }
+    /// -1 while none is open.
+    [[nodiscard]] int time() const
+    {
+        const core::Volume* volume = workspace().volume();
+        return volume && volume->alternatives ? volume->alternatives->time : -1;
+    }
+    [[nodiscard]] QAction& action(const char* id) const
+    {
+        return window().actionTable()[QLatin1String(id)];
+    }
+    void waitFor(int point) const
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(time() == point && !window().opener().busy(), patience);
+    }
+    void step(const char* id, int to) const
+    {
+        action(id).trigger();
+        waitFor(to);
+    }
+
+private Q_SLOTS:
+    void init()
+    {
+        makeApplication();
+        writeSeries();
+    }
+    void cleanup() { dropApplication(); }
+
+    void masksStayAndTheLookGoesAlong()
+    {
+        window().opener().open(
+            path("times"), test::SyntheticSeries().seriesUid + QStringLiteral("@2"));
+        waitFor(1);
+        QVERIFY(action("file.previousTime").isEnabled());
+        QVERIFY(action("file.nextTime").isEnabled());
+        edit(test::addSegment("At the second point"));
+        const glm::dvec3 crosshair = workspace().volume()->geometry.toWorld({5.0, 4.0, 3.0});
+        workspace().setCrosshairLps(crosshair);
+        workspace().setWindowLevel({-1015.0, 30.0});
+        ui::Workspace::ViewOptions options = workspace().viewOptions();
+        options.colours = gpu::ColourMap::HotIron;
+        workspace().setViewOptions(options);
+        ui::Workspace::VolumeDisplay stage = workspace().volumeDisplay();
+        stage.mode = gpu::RenderMode::Mip;
+        workspace().setVolumeDisplay(stage);
+        window().views().axial().setPlace({.centreLps = crosshair, .mmPerPixel = 0.125});
+
+        // To a point that was never open: all of the look goes along, nothing that was drawn.
+        step("file.nextTime", 2);
+        QCOMPARE(time(), 2);
+        QVERIFY(!action("file.nextTime").isEnabled());
+        QVERIFY(action("file.previousTime").isEnabled());
+        QVERIFY(session().document().segments.empty());
+        QVERIFY(glm::distance(workspace().crosshairLps(), crosshair) < 1e-9);
+        QCOMPARE(workspace().windowLevel(), (core::WindowLevel{-1015.0, 30.0}));
+        QVERIFY(workspace().viewOptions().colours == gpu::ColourMap::HotIron);
+        QVERIFY(workspace().volumeDisplay().mode == gpu::RenderMode::Mip);
+        QVERIFY(window().views().axial().place().has_value());
+        QCOMPARE(window().views().axial().place()->mmPerPixel, 0.125);
+
+        // Back to one that has been looked at: its 3D view is its own, the grey scale goes along.
+        workspace().setWindowLevel({-1000.0, 60.0});
+        stage.mode = gpu::RenderMode::Xray;
+        workspace().setVolumeDisplay(stage);
+        step("file.previousTime", 1);
+        QCOMPARE(time(), 1);
+        QCOMPARE(session().document().segments.size(), std::size_t(1));
+        QCOMPARE(workspace().windowLevel(), (core::WindowLevel{-1000.0, 60.0}));
+        QVERIFY(workspace().volumeDisplay().mode == gpu::RenderMode::Mip);
+
+        step("file.previousTime", 0);
+        QCOMPARE(time(), 0);
+        QVERIFY(!action("file.previousTime").isEnabled());
+        QVERIFY(session().document().segments.empty());
+    }
+
+    /// What is opened otherwise begins with its own look.
+    void anotherOpeningTakesNothingAlong()
+    {
+        window().opener().open(path("times"), test::SyntheticSeries().seriesUid);
+        waitFor(0);
+        workspace().setWindowLevel({-1015.0, 30.0});
+        window().opener().open(
+            path("times"), test::SyntheticSeries().seriesUid + QStringLiteral("@3"));
+        waitFor(2);
+        QVERIFY(workspace().windowLevel() != (core::WindowLevel{-1015.0, 30.0}));
+    }
+
+    void aStudyWithoutPointsHasNoSteps()
+    {
+        open(path("case/ct"));
+        QVERIFY(!action("file.previousTime").isEnabled());
+        QVERIFY(!action("file.nextTime").isEnabled());
+    }
+};
+
+BURIN_WINDOW_TEST(TimeStepsUiTest)
+
+} // namespace timeStepsUiTest
+
+#include "TimeStepsUiTest.moc"
