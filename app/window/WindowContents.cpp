@@ -12,6 +12,7 @@
 #include "ui/panels/ClippingPanel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
 #include "ui/panels/VolumePanel.h"
+#include "ui/panels/contour/ContourPanel.h"
 #include "ui/panels/growth/GrowthActions.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/panels/history/HistoryPanel.h"
@@ -27,6 +28,7 @@
 #include "ui/panels/refine/RefineActions.h"
 #include "ui/panels/refine/RefinePanel.h"
 #include "ui/settings/StudyOpener.h"
+#include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/BarrierTool.h"
 #include "ui/tools/growth/FillOutlineTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
@@ -81,6 +83,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     auto* paint = new ui::PaintTool(workspace, &window);
     auto* outline = new ui::FillOutlineTool(workspace, &window);
     auto* flood = new ui::FloodFillTool(workspace, &window);
+    auto* contour = new ui::ContourTool(workspace, &window);
     auto* snip = new ui::SegmentScissorsTool(workspace, &window);
     auto* barrier = new ui::BarrierTool(workspace, &window);
     auto* refine = new ui::RefineTool(workspace, &window);
@@ -108,6 +111,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
     window.addTool(*outline, window.growMenu(), QKeySequence(QStringLiteral("D")));
     window.addTool(*flood, window.growMenu(), QKeySequence(QStringLiteral("Shift+D")));
+    window.addTool(*contour, window.growMenu(), QKeySequence(QStringLiteral("Shift+E")));
     window.addTool(*snip, window.growMenu(), QKeySequence(QStringLiteral("Shift+K")));
     window.addTool(*barrier, window.growMenu(), QKeySequence(QStringLiteral("Shift+B")));
     window.addToolGroup();
@@ -119,7 +123,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
     return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, outline, flood,
-        snip, barrier, refine, plane, chunks, measure, undoHere};
+        contour, snip, barrier, refine, plane, chunks, measure, undoHere};
 }
 
 void addDoctor(ui::MainWindow& window)
@@ -268,6 +272,7 @@ ui::ComparePanel& addPanels(ui::MainWindow& window)
     window.addPanel(new ui::CleanUpPanel(workspace));
     auto* growth = new ui::GrowthPanel(workspace);
     window.addPanel(growth);
+    window.addPanel(new ui::ContourPanel(workspace, *window.findChild<ui::ContourTool*>()));
     window.growMenu().addSeparator();
     window.actionTable().fill(
         window.growMenu(), ui::addGrowthActions(window.actionTable(), *growth, workspace));
