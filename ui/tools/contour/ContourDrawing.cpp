@@ -54,7 +54,7 @@ QRect areaOf(
         .toAlignedRect();
 }
 
-QRgb tinted(const QColor& colour, double opacity)
+QRgb contourTint(const QColor& colour, double opacity)
 {
     QColor tint = colour;
     tint.setAlphaF(opacity);
@@ -87,9 +87,9 @@ QImage ContourDrawing::picture(const QRect& area, double ratio, const ViewContex
     }
     if (!isAnything)
         return {};
-    const QRgb outline = tinted(toolColour(), 1.0);
+    const QRgb outline = contourTint(toolColour(), 1.0);
     const QRgb colours[] = {
-        0, tinted(segment, 0.2), tinted(segment, 0.45), tinted(theme::bad, 0.4)};
+        0, contourTint(segment, 0.2), contourTint(segment, 0.45), contourTint(theme::bad, 0.4)};
     QImage image(width, height, QImage::Format_ARGB32_Premultiplied);
     const auto at = [&](int x, int y) {
         return seen[std::size_t(y) * std::size_t(width) + std::size_t(x)];

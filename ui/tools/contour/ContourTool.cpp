@@ -18,7 +18,7 @@ namespace ui {
 
 namespace {
 
-constexpr double mm3PerMl = 1000.0;
+constexpr double mm3PerMillilitre = 1000.0;
 
 /// An integer of a kept session, if it is one within bounds.
 void readWhole(const QJsonObject& json, const char* field, int least, int greatest, int& value)
@@ -284,7 +284,7 @@ QString ContourTool::shownText() const
     const core::Volume* volume = m_workspace.volume();
     if (!track || !volume)
         return {};
-    const double ml = volume->geometry.voxelVolumeMm3() / mm3PerMl;
+    const double ml = volume->geometry.voxelVolumeMm3() / mm3PerMillilitre;
     return tr("generation %1 · +%2, −%3")
         .arg(QString::number(track->shown()), volumeText(double(track->gained()) * ml),
             volumeText(double(track->lost()) * ml));
