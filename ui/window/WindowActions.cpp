@@ -163,7 +163,7 @@ void addEditActions(MainWindow& window)
         .currentText =
             [&workspace] {
                 if (drawsStepwise(workspace))
-                    return QStringLiteral("Undo: last corner");
+                    return QStringLiteral("Undo: %1").arg(workspace.activeTool()->stepText());
                 if (workspace.clipSteps().canUndo())
                     return QStringLiteral("Undo: Clip");
                 if (!workspace.session() || !workspace.session()->history().canUndo())

@@ -54,6 +54,7 @@ public:
     /// Undo drops what is watched.
     [[nodiscard]] bool canTakeStepBack() const override { return m_run.isOpen(); }
     void takeStepBack() override { m_run.drop(); }
+    [[nodiscard]] QString stepText() const override { return tr("the contour that is watched"); }
     void hover(const PointerSample& sample, const ViewContext& view) override;
     void leave() override;
     /// Enter accepts; the arrow keys go to the generation before and after.
