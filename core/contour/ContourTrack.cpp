@@ -60,8 +60,7 @@ std::uint8_t ContourTrack::flagsAt(const glm::ivec3& voxel) const
 
 bool ContourTrack::isInside(const glm::ivec3& voxel) const
 {
-    const std::uint8_t flags = flagsAt(voxel);
-    return flags & (flags & ContourGround::held ? ContourGround::own : ContourGround::inside);
+    return isInside(flagsAt(voxel));
 }
 
 bool ContourTrack::wasInside(const glm::ivec3& voxel) const

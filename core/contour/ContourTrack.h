@@ -30,6 +30,13 @@ public:
     [[nodiscard]] int shown() const { return m_shown; }
 
     [[nodiscard]] const VoxelBox& box() const { return m_box; }
+    /// Of the box, x fastest, at the generation that is shown: flags of ContourGround.
+    [[nodiscard]] const std::vector<std::uint8_t>& voxels() const { return m_voxels; }
+    /// Whether the segment would have a voxel with these flags.
+    [[nodiscard]] static bool isInside(std::uint8_t flags)
+    {
+        return flags & (flags & ContourGround::held ? ContourGround::own : ContourGround::inside);
+    }
     /// Whether the segment would have a voxel at the generation that is shown; beside the box: no.
     [[nodiscard]] bool isInside(const glm::ivec3& voxel) const;
     /// Whether it had the voxel before there was a contour, or a bubble.

@@ -27,6 +27,9 @@ constexpr std::int64_t contourCodesAtOnce = 1 << 20;
 /// Ground, its copy that evolves, with g, and the voxels that are shown.
 constexpr double contourBytesPerVoxel = 8.0;
 
+/// When it looks again whether the session is at rest.
+constexpr std::chrono::milliseconds soonAgain{20};
+
 /// Whether both begin with the same voxels and read the same ones: they differ in the rule alone.
 bool startsAlike(core::EvolveContour one, const core::EvolveContour& other)
 {
@@ -124,7 +127,6 @@ ContourRun::ContourRun(Workspace& workspace, QObject* parent)
     , m_workspace(workspace)
 {
     m_again.setSingleShot(true);
-    m_again.setInterval(std::chrono::milliseconds(20));
     setPace(60);
     connect(&m_again, &QTimer::timeout, this, &ContourRun::fetch);
     connect(&m_playing, &QTimer::timeout, this, &ContourRun::playOn);
@@ -134,7 +136,7 @@ ContourRun::ContourRun(Workspace& workspace, QObject* parent)
     connect(&m_fetch, &LabelFetch::finished, this, &ContourRun::takeLabels);
     connect(&m_fetch, &LabelFetch::failed, this, [this](const core::Error& error) {
         if (error.code == core::ErrorCode::Internal)
-            m_again.start(); // labels changed while they were fetched
+            m_again.start(soonAgain); // labels changed while they were fetched
         else
             fail(error);
     });
@@ -216,7 +218,8 @@ void ContourRun::read()
 {
     stop();
     m_isWorking = true;
-    fetch();
+    // Who tells of a change may be in the midst of it.
+    m_again.start(std::chrono::milliseconds(0));
 }
 
 void ContourRun::fetch()
@@ -226,7 +229,7 @@ void ContourRun::fetch()
         return;
     // What stands open would be closed by the question, and what waits may change labels.
     if (session->transactionOpen() || !session->idle())
-        return m_again.start();
+        return m_again.start(soonAgain);
     const auto planes = core::contourPlanes(*m_edit, session->document());
     if (!planes)
         return fail(planes.error());

@@ -91,7 +91,7 @@ private:
     bool m_isWorking = false;
     bool m_rests = false;
     QTimer m_playing;
-    QTimer m_again; ///< looks whether the session is at rest
+    QTimer m_again; ///< reads when the session is at rest
     LabelFetch m_fetch;
     core::Background m_background; ///< last: it uses all of the above
 };
