@@ -44,6 +44,7 @@ ContourTool::ContourTool(Workspace& workspace, QObject* parent)
     , m_run(workspace)
 {
     connect(&m_run, &ContourRun::changed, this, &ContourTool::showRun);
+    connect(&m_ghost, &ContourGhost::drawn, this, &Tool::overlayChanged);
     connect(&m_run, &ContourRun::failed, &workspace, &Workspace::fail);
     connect(&m_run, &ContourRun::foundNothing, this, [this] {
         m_workspace.say(tr("The segment has no voxels to begin with: click a bubble instead"));
@@ -208,7 +209,7 @@ void ContourTool::accept()
 
 void ContourTool::press(const PointerSample& sample, const ViewContext& view)
 {
-    if (!m_workspace.session() || !worksIn(view))
+    if (!m_workspace.session() || !view.isSlice())
         return;
     hover(sample, view);
     start(view.toLps(sample.position));
@@ -262,6 +263,9 @@ void ContourTool::leave()
 void ContourTool::showRun()
 {
     m_drawing.forget();
+    m_ghost.noteChange();
+    if (!m_run.track())
+        m_ghost.forget();
     if (m_wasOpen != m_run.isOpen()) {
         m_wasOpen = m_run.isOpen();
         Q_EMIT stepsChanged();
@@ -298,10 +302,13 @@ void ContourTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
     if (const core::ContourTrack* track = m_run.track()) {
         const core::Segment* segment = session->document().segment(m_segment);
-        m_drawing.paint(
-            painter, view, *track, geometry, segment ? QColor(segment->rgb) : toolColour());
+        const QColor colour = segment ? QColor(segment->rgb) : toolColour();
+        if (view.isSlice())
+            m_drawing.paint(painter, view, *track, geometry, colour);
+        else
+            m_ghost.paint(painter, view, *track, geometry, colour);
     }
-    if (m_cursorView != view.view)
+    if (m_cursorView != view.view || !view.isSlice())
         return;
     if (!m_settings.fromSegment && !m_run.isOpen())
         drawCursorRing(

@@ -3,6 +3,7 @@
 
 #include "ui/input/Tool.h"
 #include "ui/tools/contour/ContourDrawing.h"
+#include "ui/tools/contour/ContourGhost.h"
 #include "ui/tools/contour/ContourRun.h"
 
 #include <optional>
@@ -44,7 +45,15 @@ public:
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
     [[nodiscard]] QJsonObject settingsJson() const override;
     void applySettings(const QJsonObject& settings) override;
-    [[nodiscard]] bool worksIn(const ViewContext& view) const override { return view.isSlice(); }
+    /// In the 3D view a contour is only seen.
+    [[nodiscard]] bool worksIn(const ViewContext& view) const override
+    {
+        return view.isSlice() || m_run.track();
+    }
+    [[nodiscard]] bool takes(const PointerSample&, const ViewContext& view) const override
+    {
+        return view.isSlice();
+    }
 
     void press(const PointerSample& sample, const ViewContext& view) override;
     /// Drops what is watched; else abandons one that was accepted and takes long.
@@ -90,7 +99,8 @@ private:
     Workspace& m_workspace;
     Settings m_settings;
     ContourRun m_run;
-    mutable ContourDrawing m_drawing;
+    mutable ContourDrawing m_drawing; ///< in slices
+    mutable ContourGhost m_ghost; ///< in the 3D view
     int m_segment = 0; ///< label, of what is watched
     std::optional<glm::dvec3> m_bubbleLps; ///< of the same
     bool m_wasOpen = false;
