@@ -12,6 +12,7 @@
 #include "ui/panels/ClippingPanel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
 #include "ui/panels/VolumePanel.h"
+#include "ui/panels/contour/ContourPanel.h"
 #include "ui/panels/growth/GrowthActions.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/panels/history/HistoryPanel.h"
@@ -28,6 +29,7 @@
 #include "ui/panels/refine/RefineActions.h"
 #include "ui/panels/refine/RefinePanel.h"
 #include "ui/settings/StudyOpener.h"
+#include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/BarrierTool.h"
 #include "ui/tools/growth/FillOutlineTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
@@ -86,6 +88,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     auto* nudge = new ui::NudgeTool(workspace, &window);
     auto* outline = new ui::FillOutlineTool(workspace, &window);
     auto* flood = new ui::FloodFillTool(workspace, &window);
+    auto* contour = new ui::ContourTool(workspace, &window);
     auto* snip = new ui::SegmentScissorsTool(workspace, &window);
     auto* barrier = new ui::BarrierTool(workspace, &window);
     auto* refine = new ui::RefineTool(workspace, &window);
@@ -114,6 +117,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*nudge, window.growMenu(), QKeySequence(QStringLiteral("J")));
     window.addTool(*outline, window.growMenu(), QKeySequence(QStringLiteral("D")));
     window.addTool(*flood, window.growMenu(), QKeySequence(QStringLiteral("Shift+D")));
+    window.addTool(*contour, window.growMenu(), QKeySequence(QStringLiteral("Shift+E")));
     window.addTool(*snip, window.growMenu(), QKeySequence(QStringLiteral("Shift+K")));
     window.addTool(*barrier, window.growMenu(), QKeySequence(QStringLiteral("Shift+B")));
     window.addToolGroup();
@@ -125,7 +129,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addToolGroup();
     window.addTool(*undoHere, window.editMenu(), QKeySequence(QStringLiteral("U")));
     return {drill, laser, peel, scissors, carve, clip, piece, seed, shrink, paint, nudge, outline,
-        flood, snip, barrier, refine, plane, chunks, measure, undoHere};
+        flood, contour, snip, barrier, refine, plane, chunks, measure, undoHere};
 }
 
 void addDoctor(ui::MainWindow& window)
@@ -310,6 +314,7 @@ NamedPanels addPanels(ui::MainWindow& window)
     window.addPanel(new ui::CleanUpPanel(workspace));
     auto* growth = new ui::GrowthPanel(workspace);
     window.addPanel(growth);
+    window.addPanel(new ui::ContourPanel(workspace, *window.findChild<ui::ContourTool*>()));
     window.growMenu().addSeparator();
     window.actionTable().fill(
         window.growMenu(), ui::addGrowthActions(window.actionTable(), *growth, workspace));

@@ -245,9 +245,11 @@ void ContourEvolution::back()
     m_rests = false;
 }
 
-std::size_t ContourEvolution::lastChanges() const
+std::span<const std::uint32_t> ContourEvolution::lastChanged() const
 {
-    return m_changes.empty() ? 0 : m_changes.back().size();
+    if (m_changes.empty())
+        return {};
+    return m_changes.back();
 }
 
 bool ContourEvolution::isInside(const glm::ivec3& voxel) const

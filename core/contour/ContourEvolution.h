@@ -22,6 +22,9 @@ struct ContourGround {
     static constexpr std::uint8_t inside = 1; ///< belongs to the segment
     static constexpr std::uint8_t open = 2; ///< may change
     static constexpr std::uint8_t own = 4; ///< belonged to it before there was a bubble
+    /// Stays as it is when the contour is written, whatever it comes to; the rule reads it as any
+    /// other (ContourTrial.h marks them, ContourTrack shows them).
+    static constexpr std::uint8_t held = 16;
 
     glm::ivec3 volumeSize{0};
     /// With every voxel that can be reached, and contourMargin() around them.
@@ -54,7 +57,9 @@ public:
     /// Whether the last step() found that nothing changes any more.
     [[nodiscard]] bool rests() const { return m_rests; }
     /// Voxels that the last generation changed; 0 before the first one.
-    [[nodiscard]] std::size_t lastChanges() const;
+    [[nodiscard]] std::size_t lastChanges() const { return lastChanged().size(); }
+    /// Their places in the box, x fastest, in no order.
+    [[nodiscard]] std::span<const std::uint32_t> lastChanged() const;
     /// What the segment has gained and lost since before the bubble.
     [[nodiscard]] ShapeChange change() const;
     /// @param voxel of the box

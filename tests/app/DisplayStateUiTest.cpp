@@ -12,6 +12,7 @@
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/FillOutlineTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/growth/SegmentScissorsTool.h"
@@ -163,6 +164,8 @@ private:
         application.window().findChild<ui::MeasureTool*>()->setKind(ui::MeasureTool::Kind::Angle);
         application.window().findChild<ui::FloodFillTool*>()->setSettings(
             {.in3D = true, .corners = true, .tolerance = 72.0});
+        application.window().findChild<ui::ContourTool*>()->setSettings(
+            {.bubbleMm = 6.5, .smoothness = 71, .generations = 33});
         application.window().findChild<ui::ScissorsTool*>()->setSettings(
             {.limited = true, .depthMm = 33.0, .firstLayerOnly = true});
         application.window().findChild<ui::SegmentScissorsTool*>()->setSettings(
@@ -272,6 +275,8 @@ private Q_SLOTS:
             == ui::FillOutlineTool::Shape::Ellipse);
         QVERIFY((application->window().findChild<ui::FloodFillTool*>()->settings()
             == ui::FloodFillTool::Settings{.in3D = true, .corners = true, .tolerance = 72.0}));
+        QVERIFY((application->window().findChild<ui::ContourTool*>()->settings()
+            == ui::ContourTool::Settings{.bubbleMm = 6.5, .smoothness = 71, .generations = 33}));
         const auto& scissors = application->window().findChild<ui::ScissorsTool*>()->settings();
         QVERIFY(scissors.limited && scissors.depthMm == 33.0 && scissors.firstLayerOnly);
         QVERIFY((application->window().findChild<ui::SegmentScissorsTool*>()->settings()

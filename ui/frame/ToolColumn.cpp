@@ -17,7 +17,7 @@ struct Sizes {
     int spacing;
 };
 constexpr Sizes namedSizes{.height = 48, .spacing = 3};
-constexpr Sizes iconSizes{.height = 28, .spacing = 2}; // all tools go into 700 pixels
+constexpr Sizes iconSizes{.height = 26, .spacing = 2}; // all tools go into 700 pixels
 
 } // namespace
 

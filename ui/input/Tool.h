@@ -74,6 +74,8 @@ public:
     /// another.
     [[nodiscard]] virtual bool canTakeStepBack() const { return false; }
     virtual void takeStepBack() { }
+    /// What undo says that it takes back then.
+    [[nodiscard]] virtual QString stepText() const { return tr("last corner"); }
     virtual void hover(const PointerSample&, const ViewContext&) { }
     virtual void leave() { } ///< the pointer left the view
     /// A key went down over a view; Esc is cancel(). @return whether the tool uses it

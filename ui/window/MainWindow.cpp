@@ -71,9 +71,9 @@ const char* panelOf(const QString& tool)
     };
     constexpr Pair pairs[] = {{"clip", "ui::ClippingPanel"}, {"piece", "ui::PiecesPanel"},
         {"seed", "ui::GrowthPanel"}, {"shrink-here", "ui::GrowthPanel"},
-        {"barrier", "ui::GrowthPanel"}, {"ruler", "ui::MeasurementsPanel"},
-        {"refine", "ui::RefinePanel"}, {"chunks", "ui::ChunksPanel"},
-        {"undo-here", "ui::HistoryPanel"}};
+        {"barrier", "ui::GrowthPanel"}, {"contour", "ui::ContourPanel"},
+        {"ruler", "ui::MeasurementsPanel"}, {"refine", "ui::RefinePanel"},
+        {"chunks", "ui::ChunksPanel"}, {"undo-here", "ui::HistoryPanel"}};
     for (const Pair& pair : pairs) {
         if (tool == QLatin1String(pair.tool))
             return pair.panel;

@@ -175,7 +175,7 @@ void addEditActions(MainWindow& window)
         .currentText =
             [&workspace] {
                 if (drawsStepwise(workspace))
-                    return QStringLiteral("Undo: last corner");
+                    return QStringLiteral("Undo: %1").arg(workspace.activeTool()->stepText());
                 if (const auto shown = workspace.viewSteps().undoable())
                     return QStringLiteral("Undo: %1").arg(nameOfStep(*shown));
                 if (!workspace.session() || !workspace.session()->history().canUndo())

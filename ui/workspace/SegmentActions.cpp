@@ -3,6 +3,7 @@
 
 #include "core/document/SegmentColours.h"
 #include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
@@ -293,6 +294,12 @@ void floodFill(Workspace& workspace, const core::FloodFill& edit)
     carryOut(workspace, edit,
         QObject::tr("Nothing there can be given to '%1'")
             .arg(nameOfSegment(workspace, edit.segment)));
+}
+
+void evolveContour(Workspace& workspace, const core::EvolveContour& edit)
+{
+    carryOut(workspace, edit,
+        QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment)));
 }
 
 void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, bool isShown)

@@ -13,6 +13,7 @@
 
 namespace core {
 struct Document;
+struct EvolveContour;
 struct FillBetweenSlices;
 struct FloodFill;
 struct ReshapeSegment;
@@ -54,6 +55,9 @@ void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit
 
 /// The same for a region that was clicked.
 void floodFill(Workspace& workspace, const core::FloodFill& edit);
+
+/// The same for a contour that was watched.
+void evolveContour(Workspace& workspace, const core::EvolveContour& edit);
 
 /// The same for an interval of values.
 /// @param isShown it stands open (ThresholdSegment), and is taken as it is shown

@@ -1,0 +1,506 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/contour/ContourTool.h"
+
+#include "core/contour/ContourRule.h"
+#include "core/session/questions/VoxelQuestions.h"
+#include "tests/reference/Contour.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "ui/base/Actions.h"
+#include "ui/panels/contour/ContourPanel.h"
+#include "ui/views/ViewGrid.h"
+#include "ui/widgets/StepSlider.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTimer>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace contourToolUiTest {
+
+namespace {
+
+using Labels = std::vector<std::uint8_t>;
+
+/// The real window with the small head, whose middle voxel (20, 20, 20) has the crosshair: there is
+/// the ventricle (8 HU), around it the brain (40 HU). The interval holds the ventricle alone.
+class Fixture : public test::WindowFixture {
+public:
+    Fixture()
+        : test::WindowFixture(test::smallHead::volume())
+        , tool(workspace)
+        , panel(*new ui::ContourPanel(workspace, tool))
+        , view(window.views().axial())
+    {
+        window.addPanel(&panel);
+        window.showPanels(true);
+        ui::GrowSettings growth = workspace.growSettings();
+        growth.lower = -50.0;
+        growth.upper = 20.0;
+        workspace.setGrowSettings(growth);
+        workspace.setCrosshairLps(place({20.0, 20.0, 20.0}));
+        workspace.setActiveTool(&tool);
+        tool.setSettings({.bubbleMm = 2.0, .generations = 30});
+        tool.run().setPace(1);
+        // Answers come when they are asked for.
+        QObject::connect(&m_poll, &QTimer::timeout, &tool, [this] { session().poll(); });
+        m_poll.start(1);
+        QCoreApplication::sendPostedEvents();
+    }
+    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
+    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
+    [[nodiscard]] const core::EvolveContour& lastEdit()
+    {
+        return session().history().rows().back().edit.get<core::EvolveContour>();
+    }
+    [[nodiscard]] glm::dvec3 place(const glm::dvec3& index) const
+    {
+        return workspace.volume()->geometry.toWorld(index);
+    }
+    [[nodiscard]] Labels labels() { return *session().questions().labels(0); }
+    void apply(const core::Edit& edit)
+    {
+        QVERIFY(session().apply(edit));
+        QVERIFY(session().settle());
+    }
+    void click(const glm::dvec3& index)
+    {
+        const QPointF at = view.context().toPixel(place(index));
+        for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+            QMouseEvent event(type, at, view.mapToGlobal(at), Qt::LeftButton,
+                type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+            QApplication::sendEvent(&view, &event);
+        }
+    }
+    void press(const char* button)
+    {
+        auto* found = panel.findChild<QPushButton*>(QLatin1String(button));
+        QVERIFY(found && found->isEnabled());
+        QTest::mouseClick(found, Qt::LeftButton);
+    }
+    template <class Widget> [[nodiscard]] Widget& in(const char* name)
+    {
+        auto* found = panel.findChild<Widget*>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return *found;
+    }
+    /// All generations are worked out, and it has been played to the last one.
+    [[nodiscard]] bool hasPlayed() const
+    {
+        const ui::ContourRun& run = tool.run();
+        return run.track() && !run.isWorking() && !run.isPlaying()
+            && run.track()->shown() == run.track()->known();
+    }
+    [[nodiscard]] int shown() const { return tool.run().track()->shown(); }
+    /// Which voxels the segment would have, of the whole volume.
+    [[nodiscard]] std::vector<bool> shownVoxels() const
+    {
+        const glm::ivec3 size = workspace.volume()->geometry.size;
+        std::vector<bool> has;
+        for (int z = 0; z < size.z; ++z) {
+            for (int y = 0; y < size.y; ++y) {
+                for (int x = 0; x < size.x; ++x)
+                    has.push_back(tool.run().track()->isInside({x, y, z}));
+            }
+        }
+        return has;
+    }
+    [[nodiscard]] std::vector<bool> writtenVoxels(int label = 1)
+    {
+        std::vector<bool> has;
+        for (const std::uint8_t each : labels())
+            has.push_back(each == label);
+        return has;
+    }
+    /// By the oracle, of a study whose labels were these.
+    [[nodiscard]] std::vector<bool> expected(
+        const core::EvolveContour& edit, const Labels& before, bool takesOthers = false)
+    {
+        const core::LoadedVolume head = test::smallHead::volume();
+        return reference::evolvedContour(edit,
+            core::contourRule(edit, session().document()).value(), head, before,
+            [takesOthers](int) { return takesOthers; });
+    }
+
+    ui::ContourTool tool;
+    ui::ContourPanel& panel;
+    ui::SliceView& view;
+
+private:
+    QTimer m_poll;
+};
+
+} // namespace
+
+class ContourToolUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    /// A click, a look at what evolves, an earlier generation, Enter: one row, voxel by voxel what
+    /// was shown, and what the oracle says.
+    void aBubbleEvolvesAndIsAccepted()
+    {
+        Fixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.click({20.0, 20.0, 20.0});
+        QVERIFY(fixture.tool.run().isOpen());
+        QTRY_VERIFY(fixture.hasPlayed());
+        const int known = fixture.tool.run().track()->known();
+        QVERIFY(fixture.tool.run().rests());
+        QVERIFY2(known >= 3 && known < 30, qPrintable(QString::number(known)));
+        // Nothing of the session has changed but for the segment.
+        QCOMPARE(fixture.rows(), std::size_t(1));
+        const Labels before = fixture.labels();
+        QCOMPARE(std::count(before.begin(), before.end(), 0), std::ptrdiff_t(before.size()));
+
+        QTest::keyClick(&fixture.view, Qt::Key_Left);
+        QCOMPARE(fixture.shown(), known - 1);
+        QTest::keyClick(&fixture.view, Qt::Key_Right);
+        QTest::keyClick(&fixture.view, Qt::Key_Right); // there is no further one
+        QCOMPARE(fixture.shown(), known);
+        QTest::keyClick(&fixture.view, Qt::Key_Left);
+        QTest::keyClick(&fixture.view, Qt::Key_Left);
+        QCOMPARE(fixture.shown(), known - 2);
+        const std::vector<bool> seen = fixture.shownVoxels();
+        QVERIFY(std::count(seen.begin(), seen.end(), true) > 50);
+        QCOMPARE(fixture.tool.run().track()->gained(),
+            std::int64_t(std::count(seen.begin(), seen.end(), true)));
+
+        QTest::keyClick(&fixture.view, Qt::Key_Return);
+        QVERIFY(!fixture.tool.run().isOpen());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(2));
+        const core::EvolveContour edit = fixture.lastEdit();
+        QCOMPARE(edit.generations, known - 2);
+        QCOMPARE(edit.bubbleMm, 2.0);
+        QCOMPARE(edit.lower, std::optional<double>(-50.0));
+        QCOMPARE(edit.upper, std::optional<double>(20.0));
+        QVERIFY(fixture.writtenVoxels() == seen);
+        QVERIFY(seen == fixture.expected(edit, before));
+        const QString name = fixture.session().history().rows().back().name;
+        QVERIFY2(
+            name.startsWith(QStringLiteral("Evolve the contour of 'Segment 1' from a bubble, +")),
+            qPrintable(name));
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.back().front().toString(), name + QStringLiteral("; Ctrl+Z takes it back"));
+    }
+
+    /// Each generation that the bar of the panel shows is what its button writes.
+    void theBarGoesForwardsAndBackwards()
+    {
+        Fixture fixture;
+        fixture.press("contourPlay"); // a bubble at the crosshair
+        QTRY_VERIFY(fixture.hasPlayed());
+        const int known = fixture.tool.run().track()->known();
+        auto& bar = fixture.in<ui::StepSlider>("contourBar");
+        QCOMPARE(bar.maximum(), known);
+        QCOMPARE(bar.value(), known);
+        const auto drag = [&](int generation) {
+            QTest::mouseClick(&bar, Qt::LeftButton, {},
+                QPoint(int(std::lround(bar.xOf(generation))), bar.height() / 2));
+        };
+        std::vector<std::vector<bool>> states;
+        for (int generation = 0; generation <= known; ++generation) {
+            drag(generation);
+            QCOMPARE(fixture.shown(), generation);
+            states.push_back(fixture.shownVoxels());
+        }
+        for (int generation = known; generation >= 0; generation -= 2) {
+            drag(generation);
+            QVERIFY(fixture.shownVoxels() == states[std::size_t(generation)]);
+        }
+        drag(0);
+        QVERIFY(!fixture.in<QPushButton>("contourAccept").isEnabled());
+        // Played from there, it goes to the end; at the end, from the beginning.
+        fixture.press("contourPlay");
+        QVERIFY(fixture.tool.run().isPlaying());
+        QTRY_VERIFY(fixture.hasPlayed());
+        fixture.press("contourPlay");
+        QTRY_VERIFY(fixture.hasPlayed());
+        QVERIFY(fixture.shownVoxels() == states.back());
+        for (const int generation : {known, 1}) {
+            drag(generation);
+            fixture.press("contourAccept");
+            QVERIFY(fixture.session().settle());
+            QCOMPARE(fixture.lastEdit().generations, generation);
+            QVERIFY(fixture.writtenVoxels() == states[std::size_t(generation)]);
+            QVERIFY(fixture.session().undo() && fixture.session().settle());
+            QTRY_VERIFY(fixture.session().idle());
+            fixture.press("contourPlay");
+            QTRY_VERIFY(fixture.hasPlayed());
+        }
+        QVERIFY(fixture.shownVoxels() == states.back());
+    }
+
+    /// Esc, the button, undo, another tool and closing leave nothing.
+    void nothingIsLeft_data()
+    {
+        QTest::addColumn<int>("how");
+        for (int how = 0; how < 5; ++how)
+            QTest::addRow("way %d", how) << how;
+    }
+    void nothingIsLeft()
+    {
+        QFETCH(const int, how);
+        Fixture fixture;
+        fixture.apply(test::newSegment(QStringLiteral("Organ")));
+        fixture.workspace.setActiveSegment(1);
+        fixture.apply(test::paintAt(1, {fixture.place({20.0, 20.0, 20.0})}, 1.0));
+        const Labels before = fixture.labels();
+        const QByteArray hash = fixture.session().stateHash();
+        fixture.click({20.0, 20.0, 20.0});
+        if (how != 0) // else it is dropped while voxels are read
+            QTRY_VERIFY(fixture.hasPlayed());
+        if (how <= 1)
+            QTest::keyClick(&fixture.view, Qt::Key_Escape);
+        else if (how == 2)
+            fixture.press("contourAbort");
+        else if (how == 3)
+            fixture.window.actionTable()[QStringLiteral("edit.undo")].trigger();
+        else
+            fixture.workspace.setActiveTool(nullptr);
+        QVERIFY(!fixture.tool.run().isOpen());
+        QVERIFY(!fixture.tool.run().track());
+        QVERIFY(!fixture.tool.run().shownEdit());
+        QTest::qWait(30);
+        QVERIFY(!fixture.tool.run().track());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(2));
+        QCOMPARE(fixture.session().stateHash(), hash);
+        QVERIFY(fixture.labels() == before);
+        fixture.workspace.setActiveTool(&fixture.tool);
+        QVERIFY(!fixture.in<QPushButton>("contourAbort").isEnabled());
+        QVERIFY(!fixture.in<QPushButton>("contourAccept").isEnabled());
+    }
+
+    /// From the segment as it stands, with a new rule by slider and field while it is watched.
+    void theSegmentEvolvesAsTheSlidersSay()
+    {
+        Fixture fixture;
+        fixture.apply(test::newSegment(QStringLiteral("Organ")));
+        fixture.workspace.setActiveSegment(1);
+        fixture.apply(test::paintAt(1, {fixture.place({21.0, 20.0, 20.0})}, 2.5));
+        const Labels before = fixture.labels();
+        ui::ContourTool::Settings settings = fixture.tool.settings();
+        settings.fromSegment = true;
+        settings.generations = 3;
+        fixture.tool.setSettings(settings);
+        fixture.click({5.0, 5.0, 20.0}); // anywhere
+        QTRY_VERIFY(fixture.hasPlayed());
+        QCOMPARE(fixture.shown(), 3);
+        QVERIFY(!fixture.tool.run().rests());
+        const std::vector<bool> first = fixture.shownVoxels();
+
+        fixture.in<QSlider>("contourSmoothness").setValue(0);
+        QCOMPARE(fixture.tool.settings().smoothness, 0);
+        QTRY_VERIFY(!fixture.tool.run().isWorking());
+        QCOMPARE(fixture.shown(), 3); // where it was
+        fixture.in<QDoubleSpinBox>("contourUpper").setValue(60.0); // the brain as well
+        QCOMPARE(fixture.workspace.growSettings().upper, 60.0);
+        QTRY_VERIFY(!fixture.tool.run().isWorking());
+        fixture.in<QSlider>("contourEdge").setValue(30);
+        QTRY_VERIFY(!fixture.tool.run().isWorking());
+        fixture.in<QSlider>("contourSmoothness").setValue(20);
+        QTRY_VERIFY(!fixture.tool.run().isWorking());
+        fixture.in<QSpinBox>("contourGenerations").setValue(7);
+        QTRY_VERIFY(!fixture.tool.run().isWorking());
+        QCOMPARE(fixture.tool.run().track()->known(), 7);
+        QCOMPARE(fixture.shown(), 3);
+        QTest::keyClick(&fixture.view, Qt::Key_Right);
+        QTest::keyClick(&fixture.view, Qt::Key_Right);
+        QCOMPARE(fixture.shown(), 5);
+        const std::vector<bool> seen = fixture.shownVoxels();
+        QVERIFY(seen != first);
+        fixture.press("contourAccept");
+        QVERIFY(fixture.session().settle());
+        const core::EvolveContour edit = fixture.lastEdit();
+        QVERIFY(!edit.bubbleLps);
+        QCOMPARE(edit.smoothness, 20);
+        QCOMPARE(edit.edge, 30);
+        QVERIFY(edit.edgeGradient > 0.0);
+        QCOMPARE(edit.generations, 5);
+        QVERIFY(fixture.writtenVoxels() == seen);
+        QVERIFY(seen == fixture.expected(edit, before));
+    }
+
+    /// Other segments, locks and the editable range count for what is shown as for what is written.
+    void whatMayNotChangeStays_data()
+    {
+        QTest::addColumn<bool>("over");
+        QTest::addColumn<bool>("locked");
+        QTest::addColumn<bool>("ranged");
+        QTest::addRow("others stay") << false << false << false;
+        QTest::addRow("over others") << true << false << false;
+        QTest::addRow("over others, but it is locked") << true << true << false;
+        QTest::addRow("editable range") << true << false << true;
+    }
+    void whatMayNotChangeStays()
+    {
+        QFETCH(const bool, over);
+        QFETCH(const bool, locked);
+        QFETCH(const bool, ranged);
+        Fixture fixture;
+        for (const char* name : {"Organ", "Other"})
+            fixture.apply(test::newSegment(QLatin1String(name)));
+        fixture.apply(test::paintAt(2, {fixture.place({23.0, 20.0, 20.0})}, 2.0));
+        if (locked)
+            fixture.apply(test::lockSegment(2));
+        fixture.workspace.setActiveSegment(1);
+        if (ranged)
+            fixture.workspace.setEditableSettings(
+                {.on = true, .where = ui::EditableSettings::Where::Inside, .segment = 2});
+        QWidget parent;
+        QWidget* options = fixture.tool.createOptions(&parent);
+        auto* overOthers = options->findChild<QCheckBox*>(QStringLiteral("contourOverwrite"));
+        QVERIFY(overOthers);
+        if (over)
+            overOthers->click();
+        const Labels before = fixture.labels();
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        const std::vector<bool> seen = fixture.shownVoxels();
+        QVERIFY(std::count(seen.begin(), seen.end(), true) > 5);
+        QTest::keyClick(&fixture.view, Qt::Key_Enter);
+        QVERIFY(fixture.session().settle());
+        const core::EvolveContour edit = fixture.lastEdit();
+        QCOMPARE(edit.overwriteUnlocked, over);
+        QCOMPARE(edit.editable.has_value(), ranged);
+        QVERIFY(fixture.writtenVoxels() == seen);
+        const bool takes = over && !locked;
+        std::vector<bool> expected = fixture.expected(edit, before, takes);
+        for (std::size_t voxel = 0; ranged && voxel < expected.size(); ++voxel)
+            expected[voxel] = expected[voxel] && before[voxel] == 2;
+        QVERIFY(seen == expected);
+        const std::vector<bool> others = fixture.writtenVoxels(2);
+        const std::ptrdiff_t left = std::count(others.begin(), others.end(), true);
+        const std::ptrdiff_t had = std::count(before.begin(), before.end(), 2);
+        QCOMPARE(left < had, takes);
+    }
+
+    /// Labels that change while it is watched are those with which it begins.
+    void itFollowsTheLabels()
+    {
+        Fixture fixture;
+        for (const char* name : {"Organ", "Other"})
+            fixture.apply(test::newSegment(QLatin1String(name)));
+        fixture.workspace.setActiveSegment(1);
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        const std::vector<bool> first = fixture.shownVoxels();
+        fixture.apply(test::paintAt(2, {fixture.place({23.0, 20.0, 20.0})}, 2.0));
+        QTRY_VERIFY(!fixture.tool.run().isWorking() && fixture.tool.run().shownEdit());
+        const std::vector<bool> seen = fixture.shownVoxels();
+        QVERIFY(seen != first);
+        const Labels before = fixture.labels();
+        fixture.press("contourAccept");
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.writtenVoxels() == seen);
+        QVERIFY(seen == fixture.expected(fixture.lastEdit(), before));
+        // Another one is active: nothing is watched any more.
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        fixture.workspace.setActiveSegment(2);
+        QVERIFY(!fixture.tool.run().isOpen());
+    }
+
+    void whatCannotBeSaysWhy()
+    {
+        Fixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        fixture.click({20.0, 60.0, 20.0});
+        QCOMPARE(said.size(), 1);
+        QCOMPARE(said.back().front().toString(), QStringLiteral("Click inside the volume"));
+        ui::ContourTool::Settings settings = fixture.tool.settings();
+        settings.fromSegment = true;
+        fixture.tool.setSettings(settings);
+        QCOMPARE(fixture.tool.target(), QStringLiteral("no segment to begin with"));
+        fixture.click({20.0, 20.0, 20.0});
+        QCOMPARE(said.size(), 2);
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        fixture.apply(test::newSegment(QStringLiteral("Organ")));
+        fixture.workspace.setActiveSegment(1);
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_COMPARE(said.size(), 3);
+        QVERIFY(said.back().front().toString().contains(QStringLiteral("has no voxels")));
+        QVERIFY(!fixture.tool.run().isOpen());
+        fixture.apply(test::lockSegment(1));
+        QCOMPARE(fixture.tool.target(), QStringLiteral("Organ is locked"));
+        QCOMPARE(failed.size(), 0);
+        settings.fromSegment = false;
+        fixture.tool.setSettings(settings);
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_COMPARE(failed.size(), 1);
+        QVERIFY(!fixture.tool.run().isOpen());
+        QCOMPARE(fixture.rows(), std::size_t(2));
+    }
+
+    /// The panel is there with the tool alone; what a session kept comes back, within bounds.
+    void settingsAreKept()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.panel.hasSomething());
+        QTRY_VERIFY(fixture.panel.isVisible());
+        fixture.workspace.setActiveTool(nullptr);
+        QVERIFY(!fixture.panel.hasSomething());
+        QTRY_VERIFY(!fixture.panel.isVisible());
+        fixture.workspace.setActiveTool(&fixture.tool);
+        QTRY_VERIFY(fixture.panel.isVisible());
+        const ui::ContourTool::Settings settings{.fromSegment = true,
+            .bubbleMm = 7.5,
+            .softness = 60,
+            .smoothness = 70,
+            .edge = 80,
+            .edgeGradient = 33.0,
+            .generations = 44};
+        fixture.tool.setSettings(settings);
+        QCOMPARE(fixture.in<QSlider>("contourSoftness").value(), 60);
+        QCOMPARE(fixture.in<QSlider>("contourSmoothness").value(), 70);
+        QCOMPARE(fixture.in<QSlider>("contourEdge").value(), 80);
+        QCOMPARE(fixture.in<QDoubleSpinBox>("contourGradient").value(), 33.0);
+        QCOMPARE(fixture.in<QSpinBox>("contourGenerations").value(), 44);
+        QVERIFY(fixture.tool.settings() == settings); // showing them changes nothing
+        QWidget parent;
+        QWidget* options = fixture.tool.createOptions(&parent);
+        auto* start = options->findChild<QComboBox*>(QStringLiteral("contourStart"));
+        auto* bubble = options->findChild<QDoubleSpinBox*>(QStringLiteral("contourBubble"));
+        QVERIFY(start && bubble);
+        QCOMPARE(start->currentText(), QStringLiteral("from the segment"));
+        QCOMPARE(bubble->value(), 7.5);
+        fixture.tool.changeRadius(2);
+        QCOMPARE(bubble->value(), 8.5);
+        bubble->setValue(7.5);
+        const QJsonObject kept = fixture.tool.settingsJson();
+        fixture.tool.setSettings({});
+        fixture.tool.applySettings(kept);
+        QVERIFY(fixture.tool.settings() == settings);
+        fixture.tool.applySettings({{QStringLiteral("bubbleMm"), -1.0},
+            {QStringLiteral("smoothness"), 101}, {QStringLiteral("generations"), 0}});
+        QVERIFY(fixture.tool.settings() == settings);
+    }
+};
+
+BURIN_WINDOW_TEST(ContourToolUiTest)
+
+} // namespace contourToolUiTest
+
+#include "ContourToolUiTest.moc"

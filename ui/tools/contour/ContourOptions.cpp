@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tools/contour/ContourOptions.h"
+
+#include "ui/base/Theme.h"
+#include "ui/menus/EditableButton.h"
+#include "ui/tools/common/SeedOptions.h"
+#include "ui/tools/contour/ContourTool.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+
+namespace ui {
+
+ContourOptions::ContourOptions(Workspace& workspace, ContourTool& tool, QWidget* parent)
+    : QWidget(parent)
+    , m_workspace(workspace)
+    , m_tool(tool)
+    , m_start(new QComboBox(this))
+    , m_bubble(new QDoubleSpinBox(this))
+    , m_overwrite(new QCheckBox(tr("over others"), this))
+{
+    m_start->setObjectName(QStringLiteral("contourStart"));
+    m_start->setFixedHeight(theme::controlHeight);
+    m_start->addItem(tr("from a bubble"));
+    m_start->addItem(tr("from the segment"));
+    m_start->setToolTip(tr("With what the contour begins: a ball that is clicked, or the segment "
+                           "as it stands"));
+    m_bubble->setObjectName(QStringLiteral("contourBubble"));
+    m_bubble->setFixedHeight(theme::controlHeight);
+    m_bubble->setKeyboardTracking(false);
+    m_bubble->setRange(ContourTool::minimumBubbleMm, ContourTool::maximumBubbleMm);
+    m_bubble->setDecimals(1);
+    m_bubble->setSingleStep(0.5);
+    m_bubble->setSuffix(tr(" mm"));
+    m_bubble->setToolTip(tr("Radius of the bubble (Shift+wheel)"));
+    m_overwrite->setObjectName(QStringLiteral("contourOverwrite"));
+    m_overwrite->setToolTip(tr("Over other segments that are not locked"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(theme::smallPadding);
+    layout->addWidget(new SeedOptions(workspace, {}, this));
+    layout->addWidget(m_start);
+    layout->addWidget(m_bubble);
+    layout->addWidget(m_overwrite);
+    layout->addWidget(new EditableButton(workspace, this));
+    showSettings();
+    connect(&tool, &ContourTool::settingsChanged, this, &ContourOptions::showSettings);
+    connect(&workspace, &Workspace::brushSettingsChanged, this, &ContourOptions::showSettings);
+    connect(m_start, &QComboBox::activated, this, &ContourOptions::takeSettings);
+    connect(m_bubble, &QDoubleSpinBox::valueChanged, this, &ContourOptions::takeSettings);
+    connect(m_overwrite, &QCheckBox::clicked, this, &ContourOptions::takeSettings);
+}
+
+void ContourOptions::showSettings()
+{
+    const QSignalBlocker start(m_start);
+    const QSignalBlocker bubble(m_bubble);
+    const QSignalBlocker overwrite(m_overwrite);
+    m_start->setCurrentIndex(m_tool.settings().fromSegment ? 1 : 0);
+    m_bubble->setValue(m_tool.settings().bubbleMm);
+    m_bubble->setEnabled(!m_tool.settings().fromSegment);
+    m_overwrite->setChecked(m_workspace.brushSettings(Workspace::Brush::Paint).overwriteUnlocked);
+}
+
+void ContourOptions::takeSettings()
+{
+    ContourTool::Settings now = m_tool.settings();
+    now.fromSegment = m_start->currentIndex() == 1;
+    now.bubbleMm = m_bubble->value();
+    // It is the same choice as for painting and outlines.
+    Workspace::BrushSettings paint = m_workspace.brushSettings(Workspace::Brush::Paint);
+    paint.overwriteUnlocked = m_overwrite->isChecked();
+    m_workspace.setBrushSettings(Workspace::Brush::Paint, paint);
+    m_tool.setSettings(now);
+}
+
+} // namespace ui

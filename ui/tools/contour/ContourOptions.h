@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+
+namespace ui {
+
+class ContourTool;
+class Workspace;
+
+/// The options of the contour tool in the option bar: whose contour evolves, and from what. How it
+/// evolves is set in ContourPanel.
+class ContourOptions : public QWidget {
+    Q_OBJECT
+
+public:
+    ContourOptions(Workspace& workspace, ContourTool& tool, QWidget* parent = nullptr);
+
+private:
+    void showSettings();
+    void takeSettings();
+
+    Workspace& m_workspace;
+    ContourTool& m_tool;
+    QComboBox* m_start;
+    QDoubleSpinBox* m_bubble;
+    QCheckBox* m_overwrite;
+};
+
+} // namespace ui
