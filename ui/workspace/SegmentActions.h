@@ -17,6 +17,7 @@ struct FillBetweenSlices;
 struct FloodFill;
 struct ReshapeSegment;
 struct Segment;
+struct SplitIslands;
 struct ThresholdSegment;
 } // namespace core
 
@@ -52,6 +53,12 @@ void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit);
 /// The same for what lies between the slices on which a segment was drawn.
 void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit);
 
+/// The same for islands that become segments.
+void splitIslands(Workspace& workspace, const core::SplitIslands& edit);
+/// An island is small below 100 mm³, or below a hundredth of its segment where that is less: specks
+/// of a growth or a network are, and hardly anything that is looked for.
+[[nodiscard]] double smallIslandMm3(const Workspace& workspace, const core::Segment& segment);
+
 /// The same for a region that was clicked.
 void floodFill(Workspace& workspace, const core::FloodFill& edit);
 
@@ -74,6 +81,8 @@ struct SegmentAction {
     QKeySequence keys{}; ///< heard in the list of segments alone
     void (*run)(Workspace& workspace, int label);
     bool makesFirst = false; ///< where there is no segment yet, one is added for it
+    /// Why it cannot be done to any segment now, empty if it can; null: it always can.
+    QString (*whyNot)(const Workspace& workspace) = nullptr;
 };
 /// The text with the segment's name, where no list shows whose it is; null: without.
 [[nodiscard]] QString namedText(const SegmentAction& action, const core::Segment* segment);
