@@ -11,6 +11,16 @@ namespace {
 
 constexpr int highestLabel = 255;
 
+/// So much of a name that it is none too long with a number behind it.
+QString stemOf(const QString& name)
+{
+    constexpr qsizetype most = 240; // a name has at most 256
+    QString stem = name.left(most);
+    if (!stem.isEmpty() && stem.back().isHighSurrogate())
+        stem.chop(1);
+    return stem;
+}
+
 } // namespace
 
 std::size_t roomForSegments(const Document& document)
@@ -22,8 +32,9 @@ std::vector<SplitPart> usualParts(
     const Document& document, const Segment& segment, std::size_t count)
 {
     std::vector<SplitPart> parts;
+    const QString stem = stemOf(segment.name);
     for (int number = 1; parts.size() < count; ++number) {
-        const QString name = QStringLiteral("%1 %2").arg(segment.name).arg(number);
+        const QString name = stem + QStringLiteral(" %1").arg(number);
         const bool isTaken = std::any_of(document.segments.begin(), document.segments.end(),
             [&name](const Segment& other) { return other.name == name; });
         if (!isTaken)

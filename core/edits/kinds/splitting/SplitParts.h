@@ -23,7 +23,7 @@ struct SplitPart {
 [[nodiscard]] std::size_t roomForSegments(const Document& document);
 
 /// Names and colours for parts of a segment: "Liver 1", "Liver 2", …, as far as these are free, in
-/// the colours that new segments have.
+/// the colours that new segments have. Of a very long name they have the beginning.
 [[nodiscard]] std::vector<SplitPart> usualParts(
     const Document& document, const Segment& segment, std::size_t count);
 

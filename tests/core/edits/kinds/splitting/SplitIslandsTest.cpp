@@ -251,6 +251,28 @@ private Q_SLOTS:
         QCOMPARE(bench.rows().size(), std::size_t(2));
     }
 
+    /// Names stay such as a row may hold, however long the segment's is, and whatever stands in it.
+    void longNames()
+    {
+        for (const int letters : {200, 238, 239, 240, 254}) {
+            const Bench bench(false, fourIslands());
+            const QString clef = QString::fromUtf8("\xF0\x9D\x84\x9E"); // of two code units
+            const QString name = QString(letters, u'a') + clef;
+            bench.run(test::renameSegment(1, name));
+            bench.run(SplitIslands{.segment = 1});
+            QCOMPARE(bench.document().segments.size(), std::size_t(5));
+            const QString made = bench.document().segments.back().name;
+            QVERIFY(made.isValidUtf16() && made.size() <= 256);
+            QVERIFY(made.endsWith(QStringLiteral(" 3")));
+            QCOMPARE(made.contains(clef), letters <= 238);
+            QVERIFY(editFromJson(editToJson(bench.rows().back().edit)));
+        }
+        const Bench bench(false, fourIslands());
+        bench.run(test::renameSegment(1, QStringLiteral("100 %2")));
+        bench.run(SplitIslands{.segment = 1});
+        QCOMPARE(bench.document().segments.back().name, QStringLiteral("100 %2 3"));
+    }
+
     /// As many as there are labels for; one more is refused, with how many there are and can be.
     void tooManyAreRefused()
     {
