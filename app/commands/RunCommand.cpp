@@ -63,6 +63,7 @@ QString recipeIfAtFault(const core::Error& error, const core::Recipe& recipe)
     case ErrorCode::NothingGrown:
     case ErrorCode::EverythingGrown:
     case ErrorCode::NoIslandThere:
+    case ErrorCode::TooManyIslands:
     case ErrorCode::StepsEntangled:
         return recipe.path;
     default:

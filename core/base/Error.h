@@ -39,6 +39,9 @@ enum class ErrorCode {
     NothingGrown, ///< at the places where a growth was to be removed
     EverythingGrown, ///< would be removed
     NoIslandThere, ///< at the place that was clicked; argument 0: the segment's name
+    /// than can become segments; argument 0: the segment's name, 1: how many there are beside the
+    /// largest, 2: how many segments more there can be
+    TooManyIslands,
     StepsEntangled, ///< argument 0: why steps cannot be undone alone
     // Session: argument 0 is the file, argument 1 the reason.
     SessionDamaged,

@@ -5,6 +5,7 @@
 #include "core/islands/RunParts.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace core {
@@ -53,6 +54,17 @@ glm::ivec3 voxelAt(std::size_t index, const glm::ivec3& size)
     const auto columns = std::size_t(size.x);
     const auto rows = std::size_t(size.y);
     return {int(index % columns), int(index / columns % rows), int(index / columns / rows)};
+}
+
+/// @param row where the row of the run begins in the volume
+void appendRun(
+    VoxelRuns& voxels, const RunParts::Run& run, const glm::ivec3& row, const glm::ivec3& size)
+{
+    const std::uint64_t first =
+        (std::uint64_t(row.z) * std::uint64_t(size.y) + std::uint64_t(row.y))
+            * std::uint64_t(size.x)
+        + std::uint64_t(row.x);
+    voxels.append(first + std::uint64_t(run.begin), std::uint64_t(run.end - run.begin));
 }
 
 /// Parts of the background that reach the box's border lead out of the segment: no voxel beyond
@@ -115,14 +127,43 @@ Result<IslandChange> islandChange(std::span<const std::uint8_t> labels, const gl
         if (!isMeant(part))
             return;
         change.parts += part == at ? 1 : 0;
-        const RunParts::Run& run = parts.run(at);
-        const std::uint64_t row = (std::uint64_t(box.minimum.z + z) * std::uint64_t(size.y)
-                                      + std::uint64_t(box.minimum.y + y))
-            * std::uint64_t(size.x);
-        change.voxels.append(
-            row + std::uint64_t(box.minimum.x + run.begin), std::uint64_t(run.end - run.begin));
+        appendRun(change.voxels, parts.run(at), box.minimum + glm::ivec3(0, y, z), size);
     });
     return change;
+}
+
+Result<FurtherIslands> furtherIslands(std::span<const std::uint8_t> labels, const glm::ivec3& size,
+    std::uint8_t label, std::int64_t least, std::size_t most, const Progress& progress)
+{
+    const VoxelBox box = boxOfLabel(labels, size, label);
+    if (box.empty())
+        return FurtherIslands();
+    RunParts parts = partsIn(box, labels, size, label, true);
+    if (!parts.join(progress))
+        return failure(ErrorCode::Cancelled);
+    const std::vector<std::int64_t> sizes = sizesOf(parts);
+    const auto largest = std::size_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+    std::vector<std::uint32_t> further; // parts, in the order of memory
+    for (std::size_t part = 0; part < sizes.size(); ++part) {
+        if (part != largest && sizes[part] > 0 && sizes[part] >= least)
+            further.push_back(std::uint32_t(part));
+    }
+    std::stable_sort(further.begin(), further.end(),
+        [&sizes](std::uint32_t one, std::uint32_t other) { return sizes[one] > sizes[other]; });
+    FurtherIslands result{.islands = {}, .count = std::int64_t(further.size())};
+    further.resize(std::min(further.size(), most));
+    result.islands.resize(further.size());
+    constexpr std::uint32_t notListed = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> places(sizes.size(), notListed); // by part
+    for (std::size_t place = 0; place < further.size(); ++place)
+        places[further[place]] = std::uint32_t(place);
+    parts.forEach([&](std::size_t at, int y, int z) {
+        const std::uint32_t place = places[parts.partOf(at)];
+        if (place != notListed)
+            appendRun(
+                result.islands[place], parts.run(at), box.minimum + glm::ivec3(0, y, z), size);
+    });
+    return result;
 }
 
 } // namespace core

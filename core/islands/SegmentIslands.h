@@ -52,4 +52,20 @@ struct IslandChange {
     const glm::ivec3& size, std::uint8_t label, IslandRule rule, std::int64_t voxels,
     const Progress& progress, std::size_t clicked = 0);
 
+/// The islands of a segment beside its largest one.
+struct FurtherIslands {
+    /// From the largest down; of equal ones the first in memory comes first.
+    std::vector<VoxelRuns> islands;
+    std::int64_t count = 0; ///< how many there are, also those that are not listed
+};
+
+/// The largest is the one that IslandRule::KeepLargest keeps. Cost and memory as of islandChange().
+/// Any thread. Errors: Cancelled.
+/// @param labels of the whole volume in the segment's plane, x fastest
+/// @param least islands of fewer voxels do not count
+/// @param most so many are listed
+[[nodiscard]] Result<FurtherIslands> furtherIslands(std::span<const std::uint8_t> labels,
+    const glm::ivec3& size, std::uint8_t label, std::int64_t least, std::size_t most,
+    const Progress& progress);
+
 } // namespace core

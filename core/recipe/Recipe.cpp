@@ -4,6 +4,7 @@
 #include "core/base/files/FileInUse.h"
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/recipe/RecipeJson.h"
 #include "core/volume/SurfaceThreshold.h"
 
@@ -136,16 +137,19 @@ void fillSurfaces(Recipe& recipe, const Volume& volume)
 Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceExisting)
 {
     std::set<int> seeded;
-    bool walks = false;
-    for (std::size_t i = 0; i < recipe.steps.size() && !walks; ++i) {
+    bool isUnknown = false; // what the document comes to
+    for (std::size_t i = 0; i < recipe.steps.size() && !isUnknown; ++i) {
         const auto* edit = std::get_if<Edit>(&recipe.steps[i]);
-        walks = !edit;
-        if (walks)
+        isUnknown = !edit;
+        if (isUnknown)
             break;
         if (const Result<void> checked = checkAgainst(document, *edit); !checked)
             return tl::unexpected(atEdit(checked.error(), entryOf(recipe, i)));
         const std::size_t segmentsBefore = document.segments.size();
         static_cast<void>(applyToDocument(*edit, document));
+        // What comes of the islands of a segment is known only when they have been counted.
+        const auto* islands = edit->as<SplitIslands>();
+        isUnknown = islands && !islands->into;
         addFilled(seeded, effectsOf(*edit).fills, document, segmentsBefore);
     }
     const Volume& volume = document.volumes.front();
@@ -165,12 +169,14 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
             if (identity)
                 files.push_back(*identity);
         }
-        if (target.what == RecipeExport::What::Coverage && !walks && !document.layer(target.layer))
+        if (target.what == RecipeExport::What::Coverage && !isUnknown
+            && !document.layer(target.layer))
             return at({ErrorCode::InvalidField,
                           {QStringLiteral("export.layer"),
                               QStringLiteral("there is no sculpt layer %1").arg(target.layer)}},
                 "export", int(i));
-        if (target.what != RecipeExport::What::Segments || !factsOf(target.format).isSeg || walks)
+        if (target.what != RecipeExport::What::Segments || !factsOf(target.format).isSeg
+            || isUnknown)
             continue;
         for (const int label : seeded) {
             const Segment* segment = document.segment(label);

@@ -42,14 +42,15 @@ struct RecipeMaskNote {
 };
 
 /// Reads the mask files that its steps import (importMask) and the probability maps by which they
-/// divide (chunks), so that the recorded edits contain what the files hold. A file name without a folder is looked up in the current folder, then beside the
-/// recipe.
+/// divide (chunks), so that the recorded edits contain what the files hold. A file name without a
+/// folder is looked up in the current folder, then beside the recipe.
 /// @return what was resampled or left out
 /// Errors: those of readMask() (core/masks/MaskOnVolume.h) and readProbabilities().
 [[nodiscard]] Result<std::vector<RecipeMaskNote>> readMasks(Recipe& recipe, const Volume& volume);
 
 /// Checks everything about a recipe that can be checked on this document (with its volume) before
-/// it is carried out. Edits after a walk through the history are checked when their turn comes.
+/// it is carried out. Edits after a walk through the history, or after islands were split into
+/// segments that the recipe does not name, are checked when their turn comes.
 /// Errors: those of checkAgainst(), with the entry; for exports UnsupportedFormat, FileExists,
 /// FileUnwritable, SegmentNotCoded (a segment that is seeded and written to a DICOM SEG).
 [[nodiscard]] Result<void> checkRecipe(

@@ -8,7 +8,7 @@ namespace core {
 class OperationQueue;
 
 /// The edit of a segment that is being worked out (CleanSegment, ReshapeSegment, FillBetweenSlices,
-/// FloodFill, MirrorSegment, EvolveContour). Part of EditSession.
+/// FloodFill, MirrorSegment, EvolveContour, SplitIslands, SplitSegment). Part of EditSession.
 class SegmentWork {
 public:
     explicit SegmentWork(OperationQueue& queue);

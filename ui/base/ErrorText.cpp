@@ -95,6 +95,10 @@ QString errorText(const core::Error& error)
                               "take fewer generations, or shrink to the seeds");
     case ErrorCode::NoIslandThere:
         return ErrorTexts::tr("segment '%1' has no voxel at that place").arg(first);
+    case ErrorCode::TooManyIslands:
+        return ErrorTexts::tr("segment '%1' has %2 islands beside the largest, and there can be %3 "
+                              "segments more; with a larger minimum small islands stay with it")
+            .arg(first, second, error.arguments.value(2));
     case ErrorCode::StepsEntangled:
         return ErrorTexts::tr("cannot undo only that: %1").arg(first);
     case ErrorCode::SeedOutsideVolume:

@@ -234,6 +234,11 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("Remove one island of '%1'");
     case RowTitleCode::GiveClickedIsland:
         return tr("Give one island of '%1' to '%2'");
+    case RowTitleCode::SplitIslands:
+        return one ? tr("Split 1 island off '%2'")
+                   : tr("Split %1 islands off '%2'", nullptr, count);
+    case RowTitleCode::SplitSegment:
+        return tr("Split '%1' by a plane");
     case RowTitleCode::MergeSegments:
         return tr("Merge segment '%1' into '%2'");
     case RowTitleCode::SwapSegments:

@@ -3,6 +3,7 @@
 
 #include "ui/dialogs/BetweenSlicesDialog.h"
 #include "ui/dialogs/ReshapeDialog.h"
+#include "ui/dialogs/SplitIslandsDialog.h"
 #include "ui/dialogs/ThresholdDialog.h"
 #include "ui/workspace/Workspace.h"
 
@@ -27,6 +28,10 @@ void openSegmentDialogs(Workspace& workspace, QWidget& window)
     QObject::connect(
         &workspace, &Workspace::fillBetweenAsked, &window, [&workspace, &window](int label) {
             theDialog<BetweenSlicesDialog>(workspace, window).ask(label);
+        });
+    QObject::connect(
+        &workspace, &Workspace::splitIslandsAsked, &window, [&workspace, &window](int label) {
+            theDialog<SplitIslandsDialog>(workspace, window).ask(label);
         });
     QObject::connect(
         &workspace, &Workspace::thresholdAsked, &window, [&workspace, &window](int label) {

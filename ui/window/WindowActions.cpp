@@ -272,7 +272,9 @@ void addListActions(MainWindow& window)
             .text = each.text,
             .run = [&workspace, &each] { each.run(workspace, workspace.activeSegment()); },
             .possible =
-                [activeSegment, isOpen, &each] {
+                [activeSegment, isOpen, &workspace, &each] {
+                    if (each.whyNot && !each.whyNot(workspace).isEmpty())
+                        return false;
                     const core::Segment* segment = activeSegment();
                     return segment ? !segment->locked : each.makesFirst && isOpen();
                 },

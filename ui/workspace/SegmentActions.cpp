@@ -13,11 +13,14 @@
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/CountText.h"
 #include "ui/base/MenuText.h"
 #include "ui/base/RowTitleText.h"
+#include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
@@ -101,15 +104,13 @@ void removeSegment(Workspace& workspace, int label)
                           : QObject::tr("Deleted '%1'; Ctrl+Z brings it back").arg(segment->name));
 }
 
-namespace {
-
-/// An island is small below 100 mm³, or below a hundredth of its segment where that is less:
-/// specks of a growth or a network are, and hardly anything that is looked for.
 double smallIslandMm3(const Workspace& workspace, const core::Segment& segment)
 {
     const glm::dvec3 spacing = workspace.volume()->geometry.spacingMm();
     return std::min(100.0, 0.01 * double(segment.voxels) * spacing.x * spacing.y * spacing.z);
 }
+
+namespace {
 
 void invertSegment(Workspace& workspace, int label)
 {
@@ -274,6 +275,35 @@ template <core::MirroredSides sides> void mirrorAtCrosshair(Workspace& workspace
     mirror(workspace, label, sides, workspace.crosshairLps());
 }
 
+void askToSplit(Workspace& workspace, int label)
+{
+    workspace.askToSplitIslands(label);
+}
+
+/// What lies behind the cutting plane, as its viewer sees it, becomes a new segment.
+void splitByPlane(Workspace& workspace, int label)
+{
+    const core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    const core::Document expected = session->foreseenDocument();
+    const core::Segment* segment = expected.segment(label);
+    if (!segment)
+        return;
+    const CuttingPlane::Pose& pose = workspace.plane().pose();
+    carryOut(workspace,
+        core::SplitSegment{.segment = label,
+            .placeLps = pose.centreLps,
+            .normalLps = pose.normalLps(),
+            .into = core::usualParts(expected, *segment, 1).front()},
+        QObject::tr("all of '%1' lies on one side of the cutting plane").arg(segment->name));
+}
+
+QString whyNoPlane(const Workspace& workspace)
+{
+    return workspace.plane().look().shown ? QString() : QObject::tr("no cutting plane is shown");
+}
+
 } // namespace
 
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit)
@@ -287,6 +317,16 @@ void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit
     carryOut(workspace, edit,
         QObject::tr("There is nothing to fill between the slices of '%1'")
             .arg(nameOfSegment(workspace, edit.segment)));
+}
+
+void splitIslands(Workspace& workspace, const core::SplitIslands& edit)
+{
+    if (core::EditSession* session = workspace.session())
+        session->closeGrowth();
+    tellOf(workspace, core::Edit(edit).kind(),
+        QObject::tr("'%1' has no other island that is large enough")
+            .arg(nameOfSegment(workspace, edit.segment)),
+        [&edit](core::EditSession& session) { return session.apply(edit); });
 }
 
 void floodFill(Workspace& workspace, const core::FloodFill& edit)
@@ -374,6 +414,15 @@ const std::vector<SegmentAction>& segmentActions()
             .text = QObject::tr("Remove small islands"),
             .named = QObject::tr("Remove small islands of '%1'"),
             .run = &removeSmallIslands},
+        {.id = "segments.splitIslands",
+            .text = QObject::tr("Split islands into segments …"),
+            .named = QObject::tr("Split islands of '%1' into segments …"),
+            .run = &askToSplit},
+        {.id = "segments.splitByPlane",
+            .text = QObject::tr("Split by the cutting plane"),
+            .named = QObject::tr("Split '%1' by the cutting plane"),
+            .run = &splitByPlane,
+            .whyNot = &whyNoPlane},
         {.id = "segments.margin",
             .text = QObject::tr("Grow or shrink by a margin …"),
             .named = QObject::tr("Grow or shrink '%1' by a margin …"),

@@ -18,6 +18,7 @@ struct FillBetweenSlices;
 struct FloodFill;
 struct ReshapeSegment;
 struct Segment;
+struct SplitIslands;
 struct ThresholdSegment;
 } // namespace core
 
@@ -53,6 +54,12 @@ void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit);
 /// The same for what lies between the slices on which a segment was drawn.
 void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit);
 
+/// The same for islands that become segments.
+void splitIslands(Workspace& workspace, const core::SplitIslands& edit);
+/// An island is small below 100 mm³, or below a hundredth of its segment where that is less: specks
+/// of a growth or a network are, and hardly anything that is looked for.
+[[nodiscard]] double smallIslandMm3(const Workspace& workspace, const core::Segment& segment);
+
 /// The same for a region that was clicked.
 void floodFill(Workspace& workspace, const core::FloodFill& edit);
 
@@ -79,6 +86,8 @@ struct SegmentAction {
     void (*run)(Workspace& workspace, int label);
     bool makesFirst = false; ///< where there is no segment yet, one is added for it
     QString submenu{}; ///< the title of the one in which it stands, beside its like; empty: none
+    /// Why it cannot be done to any segment now, empty if it can; null: it always can.
+    QString (*whyNot)(const Workspace& workspace) = nullptr;
 };
 /// The text with the segment's name, where no list shows whose it is; null: without.
 [[nodiscard]] QString namedText(const SegmentAction& action, const core::Segment* segment);

@@ -228,6 +228,8 @@ public:
     void askToReshape(int label, core::ShapeOperation first) { Q_EMIT reshapeAsked(label, first); }
     /// Has the window show what lies between the drawn slices of a segment.
     void askToFillBetween(int label) { Q_EMIT fillBetweenAsked(label); }
+    /// Has the window ask which islands of a segment are to become segments.
+    void askToSplitIslands(int label) { Q_EMIT splitIslandsAsked(label); }
     /// Has the window ask of which values a segment is to be made.
     void askForThreshold(int label) { Q_EMIT thresholdAsked(label); }
     /// Shows the present pen pressure, 0 … 1.
@@ -261,6 +263,7 @@ Q_SIGNALS:
     void offered(const ui::Workspace::Offer& made);
     void reshapeAsked(int label, core::ShapeOperation first);
     void fillBetweenAsked(int label);
+    void splitIslandsAsked(int label);
     void thresholdAsked(int label);
     void pressureChanged(double pressure);
 

@@ -14,6 +14,7 @@
 #include "core/edits/schema/PieceSchema.h"
 #include "core/edits/schema/SculptSchema.h"
 #include "core/edits/schema/SegmentSchema.h"
+#include "core/edits/schema/SplittingSchema.h"
 #include "core/edits/schema/SurfaceSchema.h"
 #include "core/edits/schema/ViewSchema.h"
 

@@ -75,6 +75,8 @@ struct ShrinkAt;
 struct ShrinkSteps;
 struct SmoothSurface;
 struct SpherePush;
+struct SplitIslands;
+struct SplitSegment;
 struct SurfaceBarrier;
 struct ThresholdSegment;
 struct WriteBack;
@@ -93,7 +95,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
     SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
     FillBetweenSlices, FloodFill, ThresholdSegment, Annotate, MoveMeasurement, SegmentScissors,
-    MirrorSegment, EvolveContour>;
+    MirrorSegment, EvolveContour, SplitIslands, SplitSegment>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

@@ -12,6 +12,8 @@
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/session/operations/ChunkOperation.h"
 #include "core/session/operations/ContourOperation.h"
 #include "core/session/operations/DocumentOperation.h"
@@ -50,6 +52,10 @@ std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
             return std::make_unique<IslandOperation>(*between, again);
         if (const auto* mirror = edit.as<MirrorSegment>())
             return std::make_unique<IslandOperation>(*mirror, again);
+        if (const auto* islands = edit.as<SplitIslands>())
+            return std::make_unique<IslandOperation>(*islands, again);
+        if (const auto* split = edit.as<SplitSegment>())
+            return std::make_unique<IslandOperation>(*split, again);
         return std::make_unique<IslandOperation>(edit.get<CleanSegment>(), again);
     case EditTask::Engine:
         break;

@@ -6,6 +6,8 @@
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/engine/EngineCommands.h"
 
 #include <algorithm>
@@ -25,9 +27,8 @@ IslandOperation::IslandOperation(const CleanSegment& edit, RowId again)
     : IslandOperation(
         edit, edit.segment,
         [edit](const Document& document, std::span<const std::uint8_t> labels,
-            const Progress& progress) -> Result<Listed> {
-            return relabelListed(edit, document, labels, progress);
-        },
+            const Progress& progress,
+            Edit&) -> Result<Listed> { return relabelListed(edit, document, labels, progress); },
         again)
 {
 }
@@ -36,7 +37,7 @@ IslandOperation::IslandOperation(const ReshapeSegment& edit, RowId again)
     : IslandOperation(
         edit, edit.segment,
         [edit](const Document& document, std::span<const std::uint8_t> labels,
-            const Progress& progress) -> Result<Listed> {
+            const Progress& progress, Edit&) -> Result<Listed> {
             if (edit.with)
                 return labelListed(edit, document, labels, progress);
             return relabelListed(edit, document, labels, progress);
@@ -49,9 +50,8 @@ IslandOperation::IslandOperation(const FillBetweenSlices& edit, RowId again)
     : IslandOperation(
         edit, edit.segment,
         [edit](const Document& document, std::span<const std::uint8_t> labels,
-            const Progress& progress) -> Result<Listed> {
-            return relabelListed(edit, document, labels, progress);
-        },
+            const Progress& progress,
+            Edit&) -> Result<Listed> { return relabelListed(edit, document, labels, progress); },
         again)
 {
 }
@@ -60,9 +60,29 @@ IslandOperation::IslandOperation(const MirrorSegment& edit, RowId again)
     : IslandOperation(
         edit, edit.segment,
         [edit](const Document& document, std::span<const std::uint8_t> labels,
-            const Progress& progress) -> Result<Listed> {
-            return relabelListed(edit, document, labels, progress);
+            const Progress& progress,
+            Edit&) -> Result<Listed> { return relabelListed(edit, document, labels, progress); },
+        again)
+{
+}
+
+IslandOperation::IslandOperation(const SplitIslands& edit, RowId again)
+    : IslandOperation(
+        edit, edit.segment,
+        [](const Document& document, std::span<const std::uint8_t> labels, const Progress& progress,
+            Edit& completed) -> Result<Listed> {
+            return labelListed(completed.get<SplitIslands>(), document, labels, progress);
         },
+        again)
+{
+}
+
+IslandOperation::IslandOperation(const SplitSegment& edit, RowId again)
+    : IslandOperation(
+        edit, edit.segment,
+        [edit](const Document& document, std::span<const std::uint8_t> labels,
+            const Progress& progress,
+            Edit&) -> Result<Listed> { return relabelListed(edit, document, labels, progress); },
         again)
 {
 }
@@ -74,6 +94,12 @@ IslandOperation::IslandOperation(Edit edit, int segment, LabelWork workOut, RowI
     , m_work(std::make_shared<Work>())
     , m_relabelling(again)
 {
+}
+
+bool IslandOperation::foresee(Document& document) const
+{
+    const auto* islands = m_edit.as<SplitIslands>();
+    return (!islands || islands->into) && applyToDocument(m_edit, document);
 }
 
 void IslandOperation::start(SessionState& state)
@@ -96,11 +122,14 @@ void IslandOperation::readNext(SessionState& state)
     }
     state.side->post(
         [this, workOut = m_workOut, work = m_work, document = state.document,
+            edit = std::make_shared<Edit>(m_edit),
             reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
             auto listed = std::make_shared<Result<Listed>>(
-                workOut(document, reader->takeLabels(), work->progress));
-            return SideThread::Sequel(
-                [this, listed](SessionState& known) { write(known, std::move(*listed)); });
+                workOut(document, reader->takeLabels(), work->progress, *edit));
+            return SideThread::Sequel([this, listed, edit](SessionState& known) {
+                m_edit = std::move(*edit);
+                write(known, std::move(*listed));
+            });
         },
         [this](SessionState& known, const Error& error) { m_relabelling.giveUp(known, error); });
     m_reader.reset();

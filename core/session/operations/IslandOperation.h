@@ -19,8 +19,9 @@
 namespace core {
 
 /// An edit of a segment as a whole that is worked out from all labels of its plane (CleanSegment,
-/// ReshapeSegment, FillBetweenSlices, MirrorSegment): it reads them, works out on the side thread
-/// which voxels are meant, and lets the engine write them; one row if it changed anything.
+/// ReshapeSegment, FillBetweenSlices, MirrorSegment, SplitIslands, SplitSegment): it reads them,
+/// works out on the side thread which voxels are meant, and lets the engine write them; one row if
+/// it changed anything.
 class IslandOperation final : public AbortableOperation {
 public:
     /// @param again as in VoxelOperation
@@ -28,10 +29,14 @@ public:
     explicit IslandOperation(const ReshapeSegment& edit, RowId again = 0);
     explicit IslandOperation(const FillBetweenSlices& edit, RowId again = 0);
     explicit IslandOperation(const MirrorSegment& edit, RowId again = 0);
+    explicit IslandOperation(const SplitIslands& edit, RowId again = 0);
+    explicit IslandOperation(const SplitSegment& edit, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     [[nodiscard]] bool done() const override { return m_relabelling.done(); }
+    /// How many segments are made of islands is known when they have been counted.
+    [[nodiscard]] bool foresee(Document& document) const override;
 
     void abort() override;
     [[nodiscard]] bool isAbortable() const override { return !m_isWriting && !done(); }
@@ -46,8 +51,9 @@ private:
     };
     /// What is to be written; several segments may receive voxels, or one.
     using Listed = std::variant<RelabelListed, LabelListed>;
-    using LabelWork = std::function<Result<Listed>(
-        const Document& document, std::span<const std::uint8_t> labels, const Progress& progress)>;
+    /// @param edit may be completed by what is found
+    using LabelWork = std::function<Result<Listed>(const Document& document,
+        std::span<const std::uint8_t> labels, const Progress& progress, Edit& edit)>;
 
     IslandOperation(Edit edit, int segment, LabelWork workOut, RowId again);
     void readNext(SessionState& state);

@@ -26,6 +26,8 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "tests/support/program/TestProgram.h"
@@ -199,6 +201,23 @@ private Q_SLOTS:
         QVERIFY(mirror->get<MirrorSegment>().sides == MirroredSides::InferiorSuperior);
         QVERIFY(mirror->get<MirrorSegment>().keep);
         QVERIFY(quantised(*mirror).get<MirrorSegment>().placeLps == glm::dvec3(1.0, 2.0, 3.0));
+        const Result<Edit> islands =
+            editFromJson(parse("{'edit':'splitIslands','segment':2,'mm3':40.5,"
+                               "'into':[{'name':'One','color':'#102030'},"
+                               "{'name':'Two','color':'#405060'}]}"));
+        const Result<Edit> every = editFromJson(parse("{'edit':'splitIslands','segment':2}"));
+        const Result<Edit> split =
+            editFromJson(parse("{'edit':'splitSegment','segment':2,'placeLps':[1,2,3.00001],"
+                               "'normalLps':[0,0,-2],'name':'Lower','color':'#102030'}"));
+        QVERIFY(islands && every && split);
+        QVERIFY(islands->get<SplitIslands>().mm3 == 40.5);
+        QVERIFY(islands->get<SplitIslands>().into
+            == (std::vector<SplitPart>{
+                {QStringLiteral("One"), 0x102030}, {QStringLiteral("Two"), 0x405060}}));
+        QVERIFY(!every->get<SplitIslands>().mm3 && !every->get<SplitIslands>().into);
+        QVERIFY(quantised(*split).get<SplitSegment>().placeLps == glm::dvec3(1.0, 2.0, 3.0));
+        QVERIFY(split->get<SplitSegment>().normalLps == glm::dvec3(0.0, 0.0, -2.0));
+        QCOMPARE(split->get<SplitSegment>().into.name, QStringLiteral("Lower"));
         const Result<Edit> between =
             editFromJson(parse("{'edit':'fillBetweenSlices','segment':2}"));
         const Result<Edit> across =
@@ -262,7 +281,7 @@ private Q_SLOTS:
         QVERIFY(!editToJson(*distance).contains(QStringLiteral("projected")));
         for (const Edit& edit : {*angle, *note, *onSlab, *distance, *carved, *seen, *inverted,
                  *cleaned, *given, *merged, *swapped, *grown, *shell, *between, *across, *flood,
-                 *contour, *bubble, *away, *threshold, *everything})
+                 *contour, *bubble, *away, *threshold, *everything, *islands, *every, *split})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -278,6 +297,14 @@ private Q_SLOTS:
                 "{'edit':'combineSegments','segment':2,'how':'merge'}",
                 "{'edit':'combineSegments','segment':2,'with':0,'how':'merge'}",
                 "{'edit':'combineSegments','segment':2,'with':1,'how':'subtract'}",
+                "{'edit':'splitIslands'}", "{'edit':'splitIslands','segment':2,'mm3':-1}",
+                "{'edit':'splitIslands','segment':2,'into':[]}",
+                "{'edit':'splitIslands','segment':2,'into':['One']}",
+                "{'edit':'splitIslands','segment':2,'into':[{'name':'One'}]}",
+                "{'edit':'splitIslands','segment':2,'into':[{'name':'One','color':'#102030',"
+                "'code':[]}]}",
+                "{'edit':'splitSegment','segment':2,'normalLps':[0,0,1],'name':'A','color':'#1'}",
+                "{'edit':'splitSegment','segment':2,'placeLps':[1,2,3],'normalLps':[0,0,1]}",
                 "{'edit':'mirrorSegment','segment':2}",
                 "{'edit':'mirrorSegment','segment':2,'sides':'upDown'}",
                 "{'edit':'reshapeSegment','segment':2,'operation':'grow'}",

@@ -27,7 +27,7 @@ template <class E> void checkKind()
     if (effects.writesTo)
         QVERIFY2(effects.fills.label || effects.fills.added, name.constData());
     if (effects.takesVoxelsOrNothing)
-        QVERIFY2(effects.task == EditTask::Engine && effects.fills.added, name.constData());
+        QVERIFY2(effects.task != EditTask::Document && effects.fills.added, name.constData());
 }
 
 template <class... Es> void checkKinds(EditKinds<Es...>)
@@ -88,6 +88,14 @@ private Q_SLOTS:
         QVERIFY(!effectsOf(contour).boundToStudy);
         contour.bubbleLps = glm::dvec3(0.0);
         QVERIFY(effectsOf(contour).boundToStudy); // it names a place
+        SplitIslands islands{.segment = 3};
+        QVERIFY(effectsOf(islands).fills.added && effectsOf(islands).writesTo == 3);
+        QVERIFY(!effectsOf(islands).boundToStudy);
+        islands.into.emplace(2); // it names what it made of the islands of one study
+        QVERIFY(effectsOf(islands).boundToStudy);
+        const SplitSegment split{.segment = 3};
+        QVERIFY(effectsOf(split).fills.added && effectsOf(split).writesTo == 3);
+        QVERIFY(effectsOf(split).boundToStudy); // it names a place
         ThresholdSegment threshold{.segment = 5};
         QVERIFY(effectsOf(threshold).fills.label == 5 && effectsOf(threshold).writesTo == 5);
         QVERIFY(!effectsOf(threshold).boundToStudy && effectsOf(threshold).standsOpen);

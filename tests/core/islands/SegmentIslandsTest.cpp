@@ -171,6 +171,49 @@ private Q_SLOTS:
         QVERIFY(voxelsOf(change->voxels) == (std::set<std::uint64_t>{2, 4}));
     }
 
+    /// The islands beside the largest, by size; so many as are asked for are listed, all counted.
+    void furtherIslandsBySize_data()
+    {
+        QTest::addColumn<int>("percent");
+        for (const int percent : {2, 6, 15, 40, 90})
+            QTest::addRow("%d %%", percent) << percent;
+    }
+    void furtherIslandsBySize()
+    {
+        QFETCH(const int, percent);
+        std::mt19937 random(std::uint32_t(percent + 7));
+        const std::array<glm::ivec3, 4> sizes{
+            glm::ivec3(13, 11, 9), {1, 12, 7}, {20, 1, 6}, {17, 6, 1}};
+        for (const glm::ivec3& size : sizes) {
+            Labels labels(std::size_t(size.x * size.y * size.z));
+            for (std::uint8_t& label : labels)
+                label = int(random() % 100) < percent ? 1 : random() % 5 == 0 ? 2 : 0;
+            auto parts = partsOf(labels, size, true, true); // in the order of memory
+            std::stable_sort(parts.begin(), parts.end(),
+                [](const auto& one, const auto& other) { return one.size() > other.size(); });
+            if (!parts.empty())
+                parts.erase(parts.begin());
+            for (const std::int64_t least : {1, 2, 4}) {
+                for (const std::size_t most : {std::size_t(0), std::size_t(3), std::size_t(1000)}) {
+                    const auto further =
+                        core::furtherIslands(labels, size, 1, least, most, core::Progress());
+                    QVERIFY(further);
+                    const auto count = std::count_if(parts.begin(), parts.end(),
+                        [least](const auto& part) { return std::int64_t(part.size()) >= least; });
+                    QCOMPARE(further->count, std::int64_t(count));
+                    QCOMPARE(further->islands.size(), std::min(std::size_t(count), most));
+                    for (std::size_t place = 0; place < further->islands.size(); ++place)
+                        QVERIFY(voxelsOf(further->islands[place])
+                            == std::set<std::uint64_t>(parts[place].begin(), parts[place].end()));
+                }
+            }
+        }
+        core::Progress progress;
+        progress.cancel();
+        const auto cancelled = core::furtherIslands(Labels(24, 1), {4, 3, 2}, 1, 1, 9, progress);
+        QVERIFY(!cancelled && cancelled.error().code == core::ErrorCode::Cancelled);
+    }
+
     /// A click beside the segment means no island, whichever rule it is for.
     void aClickBesideItMeansNothing()
     {

@@ -73,6 +73,8 @@ private Q_SLOTS:
         kinds.insert(editPlace<MoveMeasurement>);
         kinds.insert(editPlace<ReshapeSegment>);
         kinds.insert(editPlace<SegmentScissors>);
+        kinds.insert(editPlace<SplitIslands>);
+        kinds.insert(editPlace<SplitSegment>);
         kinds.insert(editPlace<ThresholdSegment>);
         QCOMPARE(kinds.size(), AllEdits::count);
     }

@@ -49,20 +49,20 @@ private Q_SLOTS:
         for (const auto& [kind, count] : m_done)
             qInfo("%s: %d", qPrintable(kind), count);
         // No kind of command was left out.
-        for (const char* kind :
-            {"addSegment", "changeSegment", "moveSegment", "removeSegment", "addLayer",
-                "changeLayer", "moveLayer", "addBookmark", "removeBookmark", "seed", "grow",
-                "interval", "resume", "shrink", "shrinkAt", "plug", "barrier", "growFromSeeds",
-                "drill", "paint", "brush", "peel", "scissors", "laser", "cutPiece", "pastePiece",
-                "changePiece", "sendPiecesHome", "removePiece", "revert", "reviseStroke",
-                "addMeasurement", "annotate", "moveMeasurement", "removeMeasurement", "removeLayer",
-                "mergeLayers", "layerToSegment", "segmentToLayer", "segmentSeen", "invertSegment",
-                "combineSegments merge", "combineSegments swap", "cleanSegment fill holes",
-                "cleanSegment keep largest", "cleanSegment remove small",
-                "cleanSegment keep clicked", "cleanSegment remove clicked",
-                "cleanSegment give clicked", "fillOutline", "reshapeSegment", "fillBetweenSlices",
-                "floodFill", "thresholdSegment", "segmentScissors", "mirrorSegment",
-                "evolveContour", "undo", "redo", "goTo", "reopen", "given up"})
+        for (const char* kind : {"addSegment", "changeSegment", "moveSegment", "removeSegment",
+                 "addLayer", "changeLayer", "moveLayer", "addBookmark", "removeBookmark", "seed",
+                 "grow", "interval", "resume", "shrink", "shrinkAt", "plug", "barrier",
+                 "growFromSeeds", "drill", "paint", "brush", "peel", "scissors", "laser",
+                 "cutPiece", "pastePiece", "changePiece", "sendPiecesHome", "removePiece", "revert",
+                 "reviseStroke", "addMeasurement", "annotate", "moveMeasurement",
+                 "removeMeasurement", "removeLayer", "mergeLayers", "layerToSegment",
+                 "segmentToLayer", "segmentSeen", "invertSegment", "combineSegments merge",
+                 "combineSegments swap", "cleanSegment fill holes", "cleanSegment keep largest",
+                 "cleanSegment remove small", "cleanSegment keep clicked",
+                 "cleanSegment remove clicked", "cleanSegment give clicked", "fillOutline",
+                 "reshapeSegment", "fillBetweenSlices", "floodFill", "thresholdSegment",
+                 "segmentScissors", "mirrorSegment", "evolveContour", "splitIslands",
+                 "splitSegment", "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done[QLatin1String(kind)] > 0, kind);
     }
 

@@ -5,6 +5,7 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/HalfSpaces.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
@@ -128,7 +129,8 @@ bool changesLabels(const Edit& edit)
         || edit.is<ImportMask>() || edit.is<InvertSegment>() || edit.is<CombineSegments>()
         || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>()
         || edit.is<FillBetweenSlices>() || edit.is<FloodFill>() || edit.is<ThresholdSegment>()
-        || edit.is<SegmentScissors>() || edit.is<MirrorSegment>() || edit.is<EvolveContour>();
+        || edit.is<SegmentScissors>() || edit.is<MirrorSegment>() || edit.is<EvolveContour>()
+        || edit.is<SplitIslands>() || edit.is<SplitSegment>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -250,6 +252,49 @@ HistoryTruth::Bricks HistoryTruth::flooded(
         .target = target, .editable = editableVoxels(edit.editable, document, "floodFill").value()};
     return relabelled(before, like, reference::floodedVoxels(edit, m_study, labelsOf(before)),
         edit.erase ? RelabelListed::take : RelabelListed::give);
+}
+
+/// One segment after the other, as the row names them.
+HistoryTruth::Bricks HistoryTruth::islandsSplit(
+    Bricks before, const SplitIslands& edit, const Document& document) const
+{
+    const VolumeGeometry& geometry = m_study.volume.geometry;
+    const auto islands = islandsBySize(geometry.size, labelsOf(before), edit.segment);
+    RelabelListed like;
+    like.target.overwritable.set(std::size_t(edit.segment));
+    for (std::size_t place = 0; place < edit.into.value().size(); ++place) {
+        like.target.label = std::uint8_t(document.lastLabelGiven() + 1 + int(place));
+        std::vector<bool> meant(geometry.voxelCount(), false);
+        for (const std::size_t voxel : islands.at(place + 1))
+            meant[voxel] = true;
+        before = relabelled(before, like, meant, RelabelListed::give);
+    }
+    return before;
+}
+
+HistoryTruth::Bricks HistoryTruth::splitByPlane(
+    const Bricks& before, const SplitSegment& edit, const Document& document) const
+{
+    const VolumeGeometry& geometry = m_study.volume.geometry;
+    const ClipHalfSpace beyond{
+        .normalLps = edit.normalLps, .offsetMm = glm::dot(edit.normalLps, edit.placeLps)};
+    const IntegerHalfSpace half = integerHalfSpaces(std::vector{beyond}, geometry).front();
+    const std::vector<std::uint8_t> labels = labelsOf(before);
+    std::vector<bool> meant(labels.size(), false);
+    std::size_t at = 0;
+    for (int z = 0; z < geometry.size.z; ++z) {
+        for (int y = 0; y < geometry.size.y; ++y) {
+            for (int x = 0; x < geometry.size.x; ++x, ++at)
+                meant[at] = labels[at] == edit.segment
+                    && std::int64_t(half.perVoxel.x) * x + std::int64_t(half.perVoxel.y) * y
+                            + std::int64_t(half.perVoxel.z) * z
+                        > half.offset;
+        }
+    }
+    RelabelListed like{.target = {.plane = 0, .label = std::uint8_t(document.lastLabelGiven() + 1)},
+        .editable = editableVoxels(edit.editable, document, "splitSegment").value()};
+    like.target.overwritable.set(std::size_t(edit.segment));
+    return relabelled(before, like, meant, RelabelListed::give);
 }
 
 HistoryTruth::Bricks HistoryTruth::evolved(
@@ -421,6 +466,10 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return flooded(before, *flood, document);
     if (const auto* contour = edit.as<EvolveContour>())
         return evolved(before, *contour, document);
+    if (const auto* islands = edit.as<SplitIslands>())
+        return islandsSplit(before, *islands, document);
+    if (const auto* split = edit.as<SplitSegment>())
+        return splitByPlane(before, *split, document);
     if (const auto* outline = edit.as<FillOutline>())
         return after(before, *labelOutlined(*outline, document), {}, nullptr);
     if (const auto* threshold = edit.as<ThresholdSegment>())

@@ -7,6 +7,8 @@
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/engine/EditEngine.h"
 #include "core/history/History.h"
@@ -87,6 +89,10 @@ private:
         const core::Document& document) const;
     [[nodiscard]] Bricks flooded(
         const Bricks& before, const core::FloodFill& edit, const core::Document& document) const;
+    [[nodiscard]] Bricks islandsSplit(
+        Bricks before, const core::SplitIslands& edit, const core::Document& document) const;
+    [[nodiscard]] Bricks splitByPlane(
+        const Bricks& before, const core::SplitSegment& edit, const core::Document& document) const;
     [[nodiscard]] Bricks evolved(const Bricks& before, const core::EvolveContour& edit,
         const core::Document& document) const;
     /// Gives a label to voxels of the whole volume, or takes it from them.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace test {
 
@@ -136,6 +137,17 @@ std::vector<bool> islandVoxels(
             take(*island);
     }
     return meant;
+}
+
+std::vector<std::vector<std::size_t>> islandsBySize(
+    const glm::ivec3& size, std::span<const std::uint8_t> labels, int segment)
+{
+    std::vector<std::vector<std::size_t>> islands;
+    for (IslandPart& part : IslandParts(size, labels, segment).find(true))
+        islands.push_back(std::move(part.voxels));
+    std::stable_sort(islands.begin(), islands.end(),
+        [](const auto& one, const auto& other) { return one.size() > other.size(); });
+    return islands;
 }
 
 } // namespace test

@@ -15,4 +15,9 @@ namespace test {
 [[nodiscard]] std::vector<bool> islandVoxels(const core::CleanSegment& edit,
     const core::VolumeGeometry& geometry, std::span<const std::uint8_t> labels);
 
+/// The islands of a segment from the largest down, each by the places of its voxels; of equal ones
+/// the first in memory comes first.
+[[nodiscard]] std::vector<std::vector<std::size_t>> islandsBySize(
+    const glm::ivec3& size, std::span<const std::uint8_t> labels, int segment);
+
 } // namespace test

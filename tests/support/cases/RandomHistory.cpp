@@ -439,6 +439,12 @@ private:
             return randomMirror(document);
         if (m_session->history().rows().size() % 16 == 14)
             return randomContour(document);
+        if (m_session->history().rows().size() % 32 == 4) {
+            if (const std::optional<SplitIslands> split = randomIslands(document))
+                return *split;
+        }
+        if (m_session->history().rows().size() % 32 == 20 && document.segments.size() < 7)
+            return randomSplit(document);
         SegmentChoice target{.segment = any(document.segments).label};
         if (document.segments.size() < 6 && chance(30))
             target = {.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
@@ -793,6 +799,57 @@ private:
         if (chance(30))
             outline.lower = between(-200, 300);
         return outline;
+    }
+    /// Of one that has islands, with a smallest size or without, into one or two segments more.
+    std::optional<SplitIslands> randomIslands(const Document& document)
+    {
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
+        const std::size_t before = std::size_t(between(0, int(document.segments.size()) - 1));
+        const auto others = std::size_t(between(1, 2));
+        const bool isNamed = chance(40);
+        for (std::size_t i = 0; i < document.segments.size() && document.segments.size() < 7; ++i) {
+            const Segment& segment = document.segments[(before + i) % document.segments.size()];
+            const auto islands = islandsBySize(geometry.size, labels, segment.label);
+            if (islands.size() < 2 || segment.locked)
+                continue;
+            SplitIslands split{.segment = segment.label};
+            const std::size_t last = std::min(others, islands.size() - 1);
+            // Never as much as a whole number of voxels: rounding decides nothing. Where the next
+            // one is as large, it would be a segment more.
+            const glm::dvec3 spacing = geometry.spacingMm();
+            const bool isNextSmaller =
+                last + 1 == islands.size() || islands[last + 1].size() < islands[last].size();
+            if (isNextSmaller)
+                split.mm3 =
+                    (double(islands[last].size()) - 0.5) * spacing.x * spacing.y * spacing.z;
+            if (isNamed || !isNextSmaller)
+                split.into = std::vector(last, SplitPart{.name = randomName(), .rgb = 0x708090});
+            return split;
+        }
+        return std::nullopt;
+    }
+    /// Through a voxel of it, if it has any.
+    SplitSegment randomSplit(const Document& document)
+    {
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        SplitSegment split{.segment = any(document.segments).label};
+        const int right = between(-9, 9);
+        const int back = between(-9, 9);
+        split.normalLps = {right, back, between(1, 9)};
+        split.into = {.name = randomName(), .rgb = 0x907080};
+        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
+        std::vector<std::size_t> own;
+        for (std::size_t voxel = 0; voxel < labels.size(); ++voxel) {
+            if (labels[voxel] == split.segment)
+                own.push_back(voxel);
+        }
+        const std::size_t voxel = own.empty() ? labels.size() / 2 : any(own);
+        const auto columns = std::size_t(geometry.size.x);
+        const auto rows = std::size_t(geometry.size.y);
+        split.placeLps = geometry.toWorld(
+            glm::dvec3(voxel % columns, voxel / columns % rows, voxel / columns / rows));
+        return split;
     }
     MirrorSegment randomMirror(const Document& document)
     {

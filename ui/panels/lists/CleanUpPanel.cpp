@@ -5,6 +5,7 @@
 #include "ui/base/MenuText.h"
 #include "ui/base/Theme.h"
 #include "ui/menus/SegmentMenus.h"
+#include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -24,11 +25,13 @@ struct ShortName {
     const char* id;
     const char* text;
 };
-constexpr std::array<ShortName, 7> shortNames{{
+constexpr std::array<ShortName, 9> shortNames{{
     {"segments.fillHoles", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Fill holes")},
     {"segments.fillBetween", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Between slices …")},
     {"segments.keepLargest", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Keep largest")},
     {"segments.removeSmall", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Remove small")},
+    {"segments.splitIslands", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Split islands …")},
+    {"segments.splitByPlane", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Split by plane")},
     {"segments.smooth", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Smooth …")},
     {"segments.margin", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Margin …")},
     {"segments.hollow", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Hollow …")},
@@ -82,6 +85,7 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
             if (change.what == core::DocumentChange::What::Segments)
                 refresh();
         });
+    connect(&m_workspace.plane(), &CuttingPlane::changed, this, &CleanUpPanel::showPossible);
     refresh();
 }
 
@@ -101,14 +105,22 @@ bool CleanUpPanel::hasSomething() const
     return session && !session->document().segments.empty();
 }
 
-void CleanUpPanel::refresh()
+void CleanUpPanel::showPossible()
 {
     const core::Segment* segment = activeSegmentOf(m_workspace);
-    const QString why = segment ? whyUnchangeable(segment) : tr("no segment is active");
     for (const Button& each : m_buttons) {
+        QString why = segment ? whyUnchangeable(segment) : tr("no segment is active");
+        if (why.isEmpty() && each.action->whyNot)
+            why = each.action->whyNot(m_workspace);
         each.button->setEnabled(why.isEmpty());
         each.button->setToolTip(why.isEmpty() ? plainText(namedText(*each.action, segment)) : why);
     }
+}
+
+void CleanUpPanel::refresh()
+{
+    showPossible();
+    const core::Segment* segment = activeSegmentOf(m_workspace);
     m_summary = segment ? segment->name : QString();
     Q_EMIT summaryChanged(m_summary);
     if (const bool now = hasSomething(); now != m_hadSomething) {

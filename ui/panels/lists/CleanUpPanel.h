@@ -12,9 +12,9 @@ namespace ui {
 class Workspace;
 struct SegmentAction;
 
-/// What tidies the active segment as a whole, as buttons: holes, islands, smoothing, margin. They
-/// do what the entries of the menu Segments do, and say as these do why they cannot. Without a
-/// segment the panel takes no room.
+/// What tidies the active segment as a whole, as buttons: holes, islands, splitting, smoothing,
+/// margin. They do what the entries of the menu Segments do, and say as these do why they cannot.
+/// Without a segment the panel takes no room.
 class CleanUpPanel : public Panel {
     Q_OBJECT
 
@@ -32,6 +32,7 @@ private:
         const SegmentAction* action; ///< of segmentActions(), which stand as long as the program
     };
     void refresh();
+    void showPossible(); ///< which buttons can be pressed, and why others cannot
 
     Workspace& m_workspace;
     std::vector<Button> m_buttons;

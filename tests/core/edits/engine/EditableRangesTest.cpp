@@ -15,6 +15,7 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/RowDependencies.h"
@@ -151,6 +152,10 @@ std::vector<Edit> someEdits(const Bench& bench)
     scissors.overwriteUnlocked = true;
     edits.push_back(scissors);
     edits.push_back(MirrorSegment{.segment = 2});
+    edits.push_back(SplitSegment{.segment = 1,
+        .placeLps = bench.at({19.0, 17.0, 16.0}),
+        .normalLps = {1.0, 0.5, 0.25},
+        .into = {.name = QStringLiteral("Beyond"), .rgb = 7}});
     edits.push_back(EvolveContour{.segment = 2,
         .lower = -200.0,
         .upper = 400.0,

@@ -8,6 +8,8 @@
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
 
 namespace test {
@@ -65,6 +67,50 @@ void addScissors(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {"growth after scissors", volume, {first, scene.paint, erase, scene.seeds}, scene.all});
     cases.push_back({"undo only scissors", volume, {first, scene.paint, shallow, scene.drill},
         core::RevertRows{{3}}});
+}
+
+/// Into segments by islands, of which these discs are three, and by planes.
+void addSplits(
+    std::vector<StrokeCase>& cases, const StrokeScene& scene, const std::vector<core::Edit>& discs)
+{
+    const core::LoadedVolume& volume = scene.volume;
+    const core::VolumeGeometry& geometry = volume.volume.geometry;
+    const auto after = [&](std::vector<core::Edit> edits) {
+        std::vector<core::Edit> all{scene.first};
+        all.insert(all.end(), discs.begin(), discs.end());
+        all.insert(all.end(), edits.begin(), edits.end());
+        return all;
+    };
+    const core::SplitIslands islands{.segment = 1};
+    core::SplitIslands named = islands;
+    named.into = std::vector{core::SplitPart{.name = QStringLiteral("Apart"), .rgb = 0x40C0C0}};
+    core::SplitIslands large = islands;
+    large.mm3 = 1.5 * geometry.voxelVolumeMm3();
+    cases.push_back({"split islands into segments", volume, after({}), islands});
+    cases.push_back({"split one island off", volume, after({}), named});
+    cases.push_back({"split islands from a size on", volume, after({scene.second}), large});
+    cases.push_back({"split islands one after another", volume, after({named}), islands});
+    cases.push_back(
+        {"growth after islands were split", volume, after({islands, scene.seeds}), scene.all});
+
+    const glm::dmat3 axes = geometry.direction();
+    const core::SplitSegment across{.segment = 1,
+        .placeLps = geometry.toWorld({16.0, 13.0, 6.5}),
+        .normalLps = axes[2],
+        .into = {.name = QStringLiteral("Above"), .rgb = 0xC040C0}};
+    core::SplitSegment oblique = across;
+    oblique.placeLps = geometry.toWorld({14.3, 12.2, 10.4});
+    oblique.normalLps = -3.0 * axes[0] - 0.7 * axes[1] + 0.2 * axes[2];
+    cases.push_back({"split a segment between slices", volume, after({}), across});
+    cases.push_back({"split a segment by a plane", volume, {scene.first, scene.paint}, oblique});
+    cases.push_back({"split what has grown, too, by a plane", volume,
+        {scene.first, scene.seeds, scene.some, scene.paint}, oblique});
+    cases.push_back({"growth after a split by a plane", volume,
+        {scene.first, scene.paint, oblique, scene.seeds}, scene.all});
+    core::SplitSegment limited = oblique;
+    limited.editable = core::EditableRange{.outside = std::vector<int>{2}};
+    cases.push_back({"split a segment within the editable range", volume,
+        {scene.first, scene.second, scene.paint}, limited});
 }
 
 } // namespace
@@ -131,6 +177,7 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"undo only a flood fill", volume, {first, scene.paint, flood, scene.drill},
         core::RevertRows{{3}}});
     addScissors(cases, scene);
+    addSplits(cases, scene, {low, high, apart});
 
     // Every value counts as within, so that it grows for certain, wherever it is.
     core::EvolveContour contour{.segment = 1,

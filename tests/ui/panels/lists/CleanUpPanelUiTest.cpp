@@ -7,6 +7,8 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/dialogs/ReshapeDialog.h"
+#include "ui/dialogs/SplitIslandsDialog.h"
+#include "ui/workspace/CuttingPlane.h"
 
 #include <QComboBox>
 #include <QPushButton>
@@ -135,6 +137,55 @@ private Q_SLOTS:
         QTest::mouseClick(&fixture.button("margin"), Qt::LeftButton);
         QVERIFY(operation->currentIndex() != smoothing);
         dialog->close();
+        QVERIFY(!fixture.window.findChild<ui::SplitIslandsDialog*>());
+        QTest::mouseClick(&fixture.button("splitIslands"), Qt::LeftButton);
+        auto* split = fixture.window.findChild<ui::SplitIslandsDialog*>();
+        QVERIFY(split && split->isVisible());
+        split->close();
+    }
+
+    /// Where a cutting plane is shown: what lies behind it becomes a segment, in one row.
+    void splitsByThePlane()
+    {
+        Fixture fixture;
+        fixture.addDabs();
+        QTRY_VERIFY(fixture.panel->isVisible());
+        QPushButton& split = fixture.button("splitByPlane");
+        QAction& entry = fixture.window.actionTable()[QStringLiteral("segments.splitByPlane")];
+        QVERIFY(!split.isEnabled() && !entry.isEnabled());
+        QCOMPARE(split.toolTip(), QStringLiteral("no cutting plane is shown"));
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        ui::CuttingPlane& plane = fixture.workspace.plane();
+        plane.setPose(ui::CuttingPlane::poseFacing(
+            geometry.toWorld(glm::dvec3(20.0, 18.0, 10.0)), {1.0, 0.0, 0.0}));
+        plane.show();
+        QVERIFY(split.isEnabled() && entry.isEnabled());
+        QCOMPARE(split.toolTip(), QStringLiteral("Split 'Parts' by the cutting plane"));
+        const std::size_t rows = fixture.session().history().rows().size();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QTest::mouseClick(&split, Qt::LeftButton);
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(),
+            QStringLiteral("Split 'Parts' by a plane, −%1 voxels; Ctrl+Z takes it back")
+                .arg(fixture.other));
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        QCOMPARE(fixture.voxels(1), fixture.one);
+        QCOMPARE(fixture.voxels(3), fixture.other);
+        QCOMPARE(fixture.session().document().segment(3)->name, QStringLiteral("Parts 1"));
+        QCOMPARE(fixture.workspace.activeSegment(), 1);
+        QTest::mouseClick(&split, Qt::LeftButton);
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 2);
+        QCOMPARE(said.back().front().toString(),
+            QStringLiteral("all of 'Parts' lies on one side of the cutting plane"));
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), fixture.one + fixture.other);
+        QVERIFY(!fixture.session().document().segment(3));
+        ui::CuttingPlane::Look look = plane.look();
+        look.shown = false;
+        plane.setLook(look);
+        QVERIFY(!split.isEnabled() && !entry.isEnabled());
     }
 
     void whatCannotBeSaysWhy()
@@ -160,7 +211,7 @@ private Q_SLOTS:
         QTRY_VERIFY(fixture.panel->isVisible());
         QCoreApplication::sendPostedEvents(); // layouts are posted events
         const auto buttons = fixture.panel->findChildren<QPushButton*>();
-        QCOMPARE(buttons.size(), 7);
+        QCOMPARE(buttons.size(), 9);
         for (const auto* each : buttons) {
             QVERIFY2(each->fontMetrics().horizontalAdvance(each->text()) <= each->width() - 8,
                 qPrintable(each->text()));

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/splitting/SplitParts.h"
+
+#include "core/document/SegmentColours.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+constexpr int highestLabel = 255;
+
+/// So much of a name that it is none too long with a number behind it.
+QString stemOf(const QString& name)
+{
+    constexpr qsizetype most = 240; // a name has at most 256
+    QString stem = name.left(most);
+    if (!stem.isEmpty() && stem.back().isHighSurrogate())
+        stem.chop(1);
+    return stem;
+}
+
+} // namespace
+
+std::size_t roomForSegments(const Document& document)
+{
+    return std::size_t(highestLabel - document.lastLabelGiven());
+}
+
+std::vector<SplitPart> usualParts(
+    const Document& document, const Segment& segment, std::size_t count)
+{
+    std::vector<SplitPart> parts;
+    const QString stem = stemOf(segment.name);
+    for (int number = 1; parts.size() < count; ++number) {
+        const QString name = stem + QStringLiteral(" %1").arg(number);
+        const bool isTaken = std::any_of(document.segments.begin(), document.segments.end(),
+            [&name](const Segment& other) { return other.name == name; });
+        if (!isTaken)
+            parts.push_back(
+                {.name = name, .rgb = usualSegmentColour(document.segments.size() + parts.size())});
+    }
+    return parts;
+}
+
+Result<void> addParts(const char* field, const std::vector<SplitPart>& parts,
+    const Segment& segment, Document& document)
+{
+    if (const std::size_t room = roomForSegments(document); parts.size() > room)
+        return failure(ErrorCode::InvalidField, QLatin1String(field),
+            QStringLiteral("there is room for %1 segments more, these are %2")
+                .arg(room)
+                .arg(parts.size()));
+    const std::uint8_t plane = segment.plane; // the list may move
+    for (const SplitPart& part : parts)
+        document.segments.push_back({.label = std::uint8_t(document.lastLabelGiven() + 1),
+            .plane = plane,
+            .name = part.name,
+            .rgb = part.rgb,
+            .code = {}});
+    return {};
+}
+
+} // namespace core

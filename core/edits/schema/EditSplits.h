@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/fields/EditFields.h"
+#include "core/edits/kinds/splitting/SplitParts.h"
+
+#include <vector>
+
+namespace core::editFields {
+
+// Fields of edits that split segments; types as in EditFields.h.
+
+/// [{"name", "color"}, …], at least one: new segments.
+struct SplitPartList {
+    using Value = std::vector<SplitPart>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[{name, color}, …]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
+} // namespace core::editFields

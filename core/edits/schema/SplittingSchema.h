@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
+#include "core/edits/schema/EditSplits.h"
+#include "core/edits/schema/SchemaParts.h"
+
+namespace core::editSchema {
+
+template <> inline constexpr const char* editName<SplitIslands> = "splitIslands";
+template <>
+inline constexpr const char* editMeaning<SplitIslands> =
+    "Makes new segments of the islands of a segment that is not locked, from the second largest "
+    "down; the largest stays the segment's. Does nothing where there is no other.";
+template <class Visitor> void visitFields(Visitor& visit, SplitIslands& edit)
+{
+    visitSegment(visit, edit.segment);
+    visit.maybe("mm3", edit.mm3, editFields::Number{"mm³", 0.0, 1e9, quantum::perCubicMillimetre},
+        "the smallest island that becomes a segment; smaller ones stay with the largest",
+        "every island becomes one");
+    visit.maybe("into", edit.into, editFields::SplitPartList{},
+        "the new segments, from the largest island down; islands beyond them stay with the "
+        "largest. A row of the history has it",
+        "one for each island, named after the segment");
+}
+
+template <> inline constexpr const char* editName<SplitSegment> = "splitSegment";
+template <>
+inline constexpr const char* editMeaning<SplitSegment> =
+    "Splits a segment that is not locked by a plane: what lies beyond it becomes a new segment. "
+    "Does nothing where all of it lies on one side.";
+template <class Visitor> void visitFields(Visitor& visit, SplitSegment& edit)
+{
+    visitSegment(visit, edit.segment);
+    visit.field("placeLps", Presence::Required, edit.placeLps, positionLps,
+        "a place in the plane, patient coordinates (LPS)");
+    visit.field("normalLps", Presence::Required, edit.normalLps,
+        editFields::Point{editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}},
+        "the direction across the plane in which the new segment lies");
+    visit.field(
+        "name", Presence::Required, edit.into.name, editFields::Text{}, "of the new segment");
+    visit.field(
+        "color", Presence::Required, edit.into.rgb, editFields::Colour{}, "of the new segment");
+    visitEditable(visit, edit.editable);
+}
+
+} // namespace core::editSchema

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/splitting/SplitIslands.h"
+
+#include "core/brick/VoxelRuns.h"
+#include "core/document/SegmentColours.h"
+#include "core/edits/EditJson.h"
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/recipe/Recipe.h"
+#include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
+#include "tests/reference/DelayedEngine.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/cases/IslandTruth.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <random>
+
+namespace splitIslandsTest {
+
+using namespace core;
+
+namespace {
+
+using Labels = std::vector<std::uint8_t>;
+
+constexpr double voxelMm3 = 1.5; // of the small study
+
+const VolumeGeometry& grid()
+{
+    static const VolumeGeometry its = test::smallStudy().volume.geometry;
+    return its;
+}
+
+std::size_t indexOf(const glm::ivec3& at)
+{
+    const glm::ivec3& size = grid().size;
+    return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x)
+        + std::size_t(at.x);
+}
+
+void setCube(Labels& labels, const glm::ivec3& from, int side, std::uint8_t label)
+{
+    for (int z = from.z; z < from.z + side; ++z) {
+        for (int y = from.y; y < from.y + side; ++y)
+            std::fill_n(labels.begin() + std::ptrdiff_t(indexOf({from.x, y, z})), side, label);
+    }
+}
+
+/// Two segments, "Parts" and "Parts 1".
+ImportMask importOf(const Labels& labels)
+{
+    std::array<VoxelRuns, 2> runs;
+    for (std::size_t voxel = 0; voxel < labels.size(); ++voxel) {
+        if (labels[voxel] > 0)
+            runs.at(std::size_t(labels[voxel]) - 1).append(voxel, 1);
+    }
+    ImportMask import{.file = QStringLiteral("parts.nii")};
+    import.size = grid().size;
+    import.segments.emplace();
+    for (const VoxelRuns& each : runs)
+        import.segments->push_back(
+            {.name = import.segments->empty() ? QStringLiteral("Parts") : QStringLiteral("Parts 1"),
+                .rgb = 7,
+                .code = {},
+                .voxels = packedRuns(each)});
+    return import;
+}
+
+/// Of "Parts" an island of 6³, two of 3³ and a speck; "Parts 1" lies between two of them.
+ImportMask fourIslands()
+{
+    Labels labels(grid().voxelCount(), 0);
+    setCube(labels, {5, 5, 5}, 6, 1);
+    setCube(labels, {18, 18, 18}, 3, 1);
+    setCube(labels, {21, 18, 18}, 3, 2);
+    setCube(labels, {24, 18, 18}, 3, 1);
+    setCube(labels, {24, 6, 6}, 1, 1);
+    return importOf(labels);
+}
+
+/// So many voxels of "Parts" that do not touch each other.
+ImportMask specks(std::size_t count)
+{
+    Labels labels(grid().voxelCount(), 0);
+    for (std::size_t i = 0; i < count; ++i)
+        labels[indexOf({2 * int(i % 20), 2 * int(i / 20 % 18), 2 * int(i / 360)})] = 1;
+    labels[indexOf({1, 35, 33})] = 2;
+    return importOf(labels);
+}
+
+/// Specks and blocks of both.
+ImportMask anyMatter(std::mt19937& random)
+{
+    Labels labels(grid().voxelCount(), 0);
+    for (std::uint8_t& label : labels) {
+        const auto dice = int(random() % 1000);
+        label = dice < 20 ? std::uint8_t(1) : dice < 30 ? std::uint8_t(2) : std::uint8_t(0);
+    }
+    for (int block = 0; block < 12; ++block) {
+        const int side = 2 + int(random() % 5);
+        const glm::ivec3 from{int(random() % 30), int(random() % 28), int(random() % 26)};
+        setCube(labels, from, side, std::uint8_t(1 + block % 3 / 2));
+    }
+    return importOf(labels);
+}
+
+struct Bench {
+    Bench(bool delayed, const ImportMask& matter)
+        : late(inner, 7)
+    {
+        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
+        session = *EditSession::create(engine, test::smallStudy(), {});
+        run(matter);
+    }
+    [[nodiscard]] Result<void> tried(const Edit& edit) const
+    {
+        const Result<void> done = session->apply(edit);
+        return done ? session->settle() : done;
+    }
+    void run(const Edit& edit) const
+    {
+        const Result<void> done = tried(edit);
+        QVERIFY2(done, qPrintable(done ? QString() : done.error().arguments.join(u' ')));
+    }
+    [[nodiscard]] Labels labels() const { return *session->questions().labels(0); }
+    [[nodiscard]] std::int64_t voxels(int label) const
+    {
+        const Labels all = labels();
+        return std::count(all.begin(), all.end(), label);
+    }
+    [[nodiscard]] const Document& document() const { return session->document(); }
+    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
+
+    reference::ReferenceEngine inner;
+    reference::DelayedEngine late;
+    std::unique_ptr<EditSession> session;
+};
+
+/// By flooding voxel by voxel.
+Labels splitLabels(const Labels& before, int segment, std::size_t least, int firstNew)
+{
+    Labels after = before;
+    const auto islands = test::islandsBySize(grid().size, before, segment);
+    for (std::size_t place = 1; place < islands.size(); ++place) {
+        for (const std::size_t voxel : islands[place]) {
+            if (islands[place].size() >= least)
+                after[voxel] = std::uint8_t(firstNew + int(place) - 1);
+        }
+    }
+    return after;
+}
+
+Recipe recipeOf(const std::vector<Edit>& edits)
+{
+    return {.path = QStringLiteral("r.json"),
+        .study = {},
+        .steps = {edits.begin(), edits.end()},
+        .entries = {},
+        .withoutSurface = {},
+        .exports = {}};
+}
+
+} // namespace
+
+class SplitIslandsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    /// From the largest down, of equal ones the first in memory; names that are taken are passed
+    /// over. All of it is one row, which says what it made.
+    void everyIslandBecomesASegment()
+    {
+        const Bench bench(false, fourIslands());
+        const Labels before = bench.labels();
+        const QByteArray hash = bench.session->stateHash();
+        bench.run(SplitIslands{.segment = 1});
+        QCOMPARE(bench.rows().size(), std::size_t(2));
+        QCOMPARE(
+            bench.rows().back().name, QStringLiteral("Split 3 islands off 'Parts', −55 voxels"));
+        QVERIFY(bench.labels() == splitLabels(before, 1, 1, 3));
+        QCOMPARE(int(bench.labels()[indexOf({18, 18, 18})]), 3);
+        QCOMPARE(int(bench.labels()[indexOf({24, 18, 18})]), 4);
+        const std::vector<Segment>& segments = bench.document().segments;
+        QCOMPARE(segments.size(), std::size_t(5));
+        const std::array<std::int64_t, 5> sizes{216, 27, 27, 27, 1};
+        for (std::size_t place = 0; place < segments.size(); ++place) {
+            QCOMPARE(int(segments[place].label), int(place) + 1);
+            QCOMPARE(segments[place].voxels, sizes.at(place));
+            if (place < 2)
+                continue;
+            QCOMPARE(segments[place].name, QStringLiteral("Parts %1").arg(place));
+            QCOMPARE(segments[place].rgb, usualSegmentColour(place));
+        }
+        const auto& made = bench.rows().back().edit.get<SplitIslands>();
+        QVERIFY(made.into && made.into->size() == 3);
+        const QByteArray changed = bench.session->stateHash();
+        QVERIFY(changed != hash);
+        QVERIFY(bench.session->undo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), hash);
+        QCOMPARE(bench.document().segments.size(), std::size_t(2));
+        QVERIFY(bench.session->redo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), changed);
+        // Nothing is left to be split.
+        bench.run(SplitIslands{.segment = 1});
+        QCOMPARE(bench.rows().size(), std::size_t(2));
+        QCOMPARE(bench.document().segments.size(), std::size_t(5));
+    }
+
+    /// One that is just as large as the minimum becomes a segment.
+    void smallOnesStay()
+    {
+        const Bench bench(false, fourIslands());
+        bench.run(SplitIslands{.segment = 1, .mm3 = 27 * voxelMm3 + 0.1});
+        QCOMPARE(bench.rows().size(), std::size_t(1));
+        QCOMPARE(bench.document().segments.size(), std::size_t(2));
+        bench.run(SplitIslands{.segment = 1, .mm3 = 27 * voxelMm3});
+        QCOMPARE(bench.document().segments.size(), std::size_t(4));
+        QCOMPARE(bench.voxels(1), std::int64_t(217));
+        QCOMPARE(int(bench.labels()[indexOf({24, 6, 6})]), 1);
+    }
+
+    /// Where it says which segments it makes, it makes these.
+    void namedOnes()
+    {
+        const Bench bench(false, fourIslands());
+        const SplitPart first{.name = QStringLiteral("First"), .rgb = 0x102030};
+        bench.run(SplitIslands{.segment = 1, .into = std::vector{first}});
+        QCOMPARE(
+            bench.rows().back().name, QStringLiteral("Split 1 island off 'Parts', −27 voxels"));
+        QCOMPARE(bench.document().segments.size(), std::size_t(3));
+        QCOMPARE(bench.document().segments.back().name, first.name);
+        QCOMPARE(bench.document().segments.back().rgb, first.rgb);
+        QCOMPARE(bench.voxels(1), std::int64_t(216 + 27 + 1));
+        QCOMPARE(bench.voxels(3), std::int64_t(27));
+        const Result<void> many =
+            bench.tried(SplitIslands{.segment = 1, .into = std::vector(3, first)});
+        QVERIFY(!many && many.error().code == ErrorCode::InvalidField);
+        QCOMPARE(many.error().arguments.front(), QStringLiteral("splitIslands.into"));
+        QCOMPARE(bench.document().segments.size(), std::size_t(3));
+        QCOMPARE(bench.rows().size(), std::size_t(2));
+    }
+
+    /// Names stay such as a row may hold, however long the segment's is, and whatever stands in it.
+    void longNames()
+    {
+        for (const int letters : {200, 238, 239, 240, 254}) {
+            const Bench bench(false, fourIslands());
+            const QString clef = QString::fromUtf8("\xF0\x9D\x84\x9E"); // of two code units
+            const QString name = QString(letters, u'a') + clef;
+            bench.run(test::renameSegment(1, name));
+            bench.run(SplitIslands{.segment = 1});
+            QCOMPARE(bench.document().segments.size(), std::size_t(5));
+            const QString made = bench.document().segments.back().name;
+            QVERIFY(made.isValidUtf16() && made.size() <= 256);
+            QVERIFY(made.endsWith(QStringLiteral(" 3")));
+            QCOMPARE(made.contains(clef), letters <= 238);
+            QVERIFY(editFromJson(editToJson(bench.rows().back().edit)));
+        }
+        const Bench bench(false, fourIslands());
+        bench.run(test::renameSegment(1, QStringLiteral("100 %2")));
+        bench.run(SplitIslands{.segment = 1});
+        QCOMPARE(bench.document().segments.back().name, QStringLiteral("100 %2 3"));
+    }
+
+    /// As many as there are labels for; one more is refused, with how many there are and can be.
+    void tooManyAreRefused()
+    {
+        const Bench full(false, specks(254));
+        full.run(SplitIslands{.segment = 1});
+        QCOMPARE(full.document().segments.size(), std::size_t(255));
+        QCOMPARE(full.document().segments.back().voxels, std::int64_t(1));
+        QCOMPARE(full.voxels(255), std::int64_t(1));
+        QVERIFY(!full.session->apply(test::addSegment("Another")));
+
+        const Bench bench(false, specks(255));
+        const QByteArray hash = bench.session->stateHash();
+        const Result<void> refused = bench.tried(SplitIslands{.segment = 1});
+        QVERIFY(!refused && refused.error().code == ErrorCode::TooManyIslands);
+        QCOMPARE(refused.error().arguments,
+            (QStringList{QStringLiteral("Parts"), QStringLiteral("254"), QStringLiteral("253")}));
+        QCOMPARE(bench.session->stateHash(), hash);
+        QCOMPARE(bench.rows().size(), std::size_t(1));
+        // What the message says helps.
+        bench.run(SplitIslands{.segment = 1, .mm3 = 2 * voxelMm3});
+        QCOMPARE(bench.rows().size(), std::size_t(1));
+    }
+
+    /// Held to flooding voxel by voxel; the rows come to the same from scratch, as JSON too, and on
+    /// an engine that delivers late.
+    void anyMatterIsSplit_data()
+    {
+        QTest::addColumn<uint>("seed");
+        for (uint seed = 1; seed <= 4; ++seed)
+            QTest::addRow("seed %u", seed) << seed;
+    }
+    void anyMatterIsSplit()
+    {
+        QFETCH(const uint, seed);
+        std::mt19937 random(seed);
+        const ImportMask matter = anyMatter(random);
+        const Bench bench(false, matter);
+        for (const int segment : {1, 2}) {
+            const Labels before = bench.labels();
+            const int firstNew = bench.document().lastLabelGiven() + 1;
+            const std::size_t least = 4 + random() % 4;
+            bench.run(SplitIslands{.segment = segment, .mm3 = double(least) * voxelMm3});
+            QVERIFY(bench.labels() == splitLabels(before, segment, least, firstNew));
+            QVERIFY(bench.labels() != before);
+        }
+        QCOMPARE(bench.rows().size(), std::size_t(3));
+        const Bench anew(true, matter);
+        for (std::size_t row = 1; row < bench.rows().size(); ++row) {
+            const Result<Edit> told = editFromJson(editToJson(bench.rows()[row].edit));
+            QVERIFY(told);
+            anew.run(*told);
+        }
+        QCOMPARE(anew.session->stateHash(), bench.session->stateHash());
+        for (std::size_t row = 0; row < bench.rows().size(); ++row)
+            QCOMPARE(anew.rows()[row].name, bench.rows()[row].name);
+    }
+
+    /// What is asked for before the islands have been counted waits, and is checked then.
+    void othersWaitForIt()
+    {
+        const Bench bench(true, fourIslands());
+        QVERIFY(bench.session->apply(SplitIslands{.segment = 1}));
+        QVERIFY(bench.session->apply(test::renameSegment(4, QStringLiteral("Second"))));
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.document().segment(4)->name, QStringLiteral("Second"));
+        QVERIFY(bench.session->apply(SplitIslands{.segment = 2}));
+        QVERIFY(bench.session->apply(test::renameSegment(9, QStringLiteral("None"))));
+        const Result<void> settled = bench.session->settle();
+        QVERIFY(!settled && settled.error().code == ErrorCode::UnknownSegment);
+    }
+
+    /// A recipe may go on with segments that nobody knows before it is carried out, and with those
+    /// that it names it is checked as ever.
+    void recipesAreCheckedAsFarAsIsKnown()
+    {
+        const Document document = initialDocument(test::smallStudy().volume);
+        const Edit parts = test::addSegment("Parts");
+        const Edit rename = test::renameSegment(3, QStringLiteral("Third"));
+        const SplitPart first{.name = QStringLiteral("First"), .rgb = 1};
+        QVERIFY(!checkRecipe(recipeOf({parts, rename}), document, false));
+        QVERIFY(
+            checkRecipe(recipeOf({parts, SplitIslands{.segment = 1}, rename}), document, false));
+        QVERIFY(!checkRecipe(recipeOf({parts, SplitIslands{.segment = 2}}), document, false));
+        const SplitIslands one{.segment = 1, .into = std::vector{first}};
+        const SplitIslands two{.segment = 1, .into = std::vector(2, first)};
+        QVERIFY(!checkRecipe(recipeOf({parts, one, rename}), document, false));
+        QVERIFY(checkRecipe(recipeOf({parts, two, rename}), document, false));
+    }
+
+    void whatCannotBe()
+    {
+        const Bench bench(false, fourIslands());
+        const Result<void> unknown = bench.tried(SplitIslands{.segment = 7});
+        QVERIFY(!unknown && unknown.error().code == ErrorCode::UnknownSegment);
+        bench.run(test::lockSegment(1));
+        const Result<void> locked = bench.tried(SplitIslands{.segment = 1});
+        QVERIFY(!locked && locked.error().code == ErrorCode::SegmentLocked);
+    }
+};
+
+BURIN_TEST(SplitIslandsTest)
+
+} // namespace splitIslandsTest
+
+#include "SplitIslandsTest.moc"
