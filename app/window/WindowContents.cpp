@@ -287,19 +287,19 @@ void addExport(ui::MainWindow& window, ui::MendingSteps& mending, ui::Statistics
 void addTimes(ui::MainWindow& window, ui::TimeSteps& steps)
 {
     ui::Actions& actions = window.actionTable();
-    QAction& before = actions.add({.id = QStringLiteral("file.previousTime"),
+    QAction& toPrevious = actions.add({.id = QStringLiteral("file.previousTime"),
         .text = QStringLiteral("Previous point in time"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+PgUp"))},
         .tip = QStringLiteral("Opens it with its own session; this one stays with its point"),
         .run = [&steps] { steps.go(-1); },
         .possible = [&steps] { return steps.hasPoint(-1); }});
-    QAction& next = actions.add({.id = QStringLiteral("file.nextTime"),
+    QAction& toNext = actions.add({.id = QStringLiteral("file.nextTime"),
         .text = QStringLiteral("Next point in time"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+PgDown"))},
         .tip = QStringLiteral("Opens it with its own session; this one stays with its point"),
         .run = [&steps] { steps.go(1); },
         .possible = [&steps] { return steps.hasPoint(1); }});
-    for (QAction* each : {&before, &next})
+    for (QAction* each : {&toPrevious, &toNext})
         window.fileMenu().insertAction(&actions[QStringLiteral("file.importMask")], each);
     QObject::connect(window.findChild<ui::SeriesDoctorPanel*>(),
         &ui::SeriesDoctorPanel::timeRequested, &steps, &ui::TimeSteps::openPoint);
