@@ -201,8 +201,9 @@ void ContourTool::accept()
 {
     const std::optional<core::EvolveContour> shown = m_run.shownEdit();
     if (!shown)
-        return m_workspace.say(m_run.isOpen() ? tr("The contour has not moved yet")
-                                              : tr("There is no contour to accept"));
+        return m_workspace.say(!m_run.isOpen() ? tr("There is no contour to accept")
+                : m_run.isWorking()            ? tr("The contour is still being worked out")
+                                               : tr("The contour has not moved yet"));
     m_run.drop();
     evolveContour(m_workspace, *shown);
 }
