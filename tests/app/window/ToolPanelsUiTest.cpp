@@ -26,6 +26,8 @@ private Q_SLOTS:
                               << "panel.ClippingPanel";
         QTest::newRow("seed") << "tool.seed"
                               << "panel.GrowthPanel";
+        QTest::newRow("contour") << "tool.contour"
+                                 << "panel.ContourPanel";
         QTest::newRow("refine") << "tool.refine"
                                 << "panel.RefinePanel";
         QTest::newRow("chunks") << "tool.chunks"

@@ -9,6 +9,7 @@
 #include "ui/widgets/StepSlider.h"
 #include "ui/workspace/Workspace.h"
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -129,6 +130,13 @@ void ContourPanel::buildRule(QFormLayout& form)
     interval->addWidget(m_lower, 1);
     interval->addWidget(m_upper, 1);
     form.addRow(tr("Values"), interval);
+    m_ofBubble = new QCheckBox(tr("as around the bubble"), this);
+    m_ofBubble->setObjectName(QStringLiteral("contourOfBubble"));
+    m_ofBubble->setToolTip(
+        tr("A bubble sets the interval to the values where it is clicked, as a sketch does for "
+           "growth; one that you set yourself stays"));
+    form.addRow(QString(), m_ofBubble);
+    connect(m_ofBubble, &QCheckBox::clicked, this, &ContourPanel::takeSettings);
     m_softness = share(form, "contourSoftness", tr("Soft"),
         tr("How far from the ends of the interval a value counts in full, in per cent of half its "
            "width"));
@@ -188,7 +196,7 @@ void ContourPanel::buildRun()
         [this](int generation) { m_tool.run().goTo(generation); });
     connect(m_play, &QPushButton::clicked, this, &ContourPanel::playOrPause);
     connect(m_accept, &QPushButton::clicked, &m_tool, &ContourTool::accept);
-    connect(m_abort, &QPushButton::clicked, this, [this] { m_tool.run().drop(); });
+    connect(m_abort, &QPushButton::clicked, this, [this] { m_tool.drop(); });
 }
 
 void ContourPanel::showSettings()
@@ -207,6 +215,7 @@ void ContourPanel::showSettings()
         const QSignalBlocker blocker(box);
         box->setDecimals(decimals);
     }
+    m_ofBubble->setChecked(its.valuesOfBubble);
     m_upper->setSuffix(unit);
     m_gradient->setSuffix(unit + tr("/mm"));
     set(m_lower, growth.lower);
@@ -228,6 +237,10 @@ void ContourPanel::takeInterval(double lower, double upper)
     growth.lower = lower;
     growth.upper = upper;
     m_workspace.setGrowSettings(growth);
+    // The next bubble is to keep it.
+    ContourTool::Settings now = m_tool.settings();
+    now.valuesOfBubble = false;
+    m_tool.setSettings(now);
 }
 
 void ContourPanel::takeSettings()
@@ -235,6 +248,7 @@ void ContourPanel::takeSettings()
     if (m_showing)
         return;
     ContourTool::Settings now = m_tool.settings();
+    now.valuesOfBubble = m_ofBubble->isChecked();
     now.softness = m_softness->value();
     now.smoothness = m_smoothness->value();
     now.edge = m_edge->value();

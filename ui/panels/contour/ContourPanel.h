@@ -3,6 +3,7 @@
 
 #include "ui/frame/Panel.h"
 
+class QCheckBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QPushButton;
@@ -42,6 +43,7 @@ private:
     ContourTool& m_tool;
     QDoubleSpinBox* m_lower = nullptr;
     QDoubleSpinBox* m_upper = nullptr;
+    QCheckBox* m_ofBubble = nullptr;
     QSlider* m_softness = nullptr;
     QSlider* m_smoothness = nullptr;
     QSlider* m_edge = nullptr;

@@ -150,6 +150,8 @@ void ContourRun::begin(const core::EvolveContour& edit)
     const std::optional<core::EvolveContour> before = m_edit;
     // With the numbers that it will have when it is carried out.
     m_edit = core::quantised(edit).get<core::EvolveContour>();
+    if (before == m_edit)
+        return; // it is on its way, or there
     const bool readAlready = before && startsAlike(*before, *m_edit);
     if (!before) {
         session->closeGrowth();

@@ -4,6 +4,7 @@
 #include "core/session/SegmentWork.h"
 #include "ui/base/CountText.h"
 #include "ui/base/StudyTexts.h"
+#include "ui/settings/SeedValues.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/contour/ContourOptions.h"
 #include "ui/workspace/SegmentActions.h"
@@ -42,7 +43,9 @@ ContourTool::ContourTool(Workspace& workspace, QObject* parent)
     : Tool(parent)
     , m_workspace(workspace)
     , m_run(workspace)
+    , m_look(workspace)
 {
+    connect(&m_look, &SketchLook::found, this, &ContourTool::takeValues);
     connect(&m_run, &ContourRun::changed, this, &ContourTool::showRun);
     connect(&m_ghost, &ContourGhost::drawn, this, &Tool::overlayChanged);
     connect(&m_run, &ContourRun::failed, &workspace, &Workspace::fail);
@@ -53,8 +56,8 @@ ContourTool::ContourTool(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::brushSettingsChanged, this, &ContourTool::follow);
     connect(&workspace, &Workspace::editableChanged, this, &ContourTool::follow);
     connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
-        if (m_run.isOpen() && m_workspace.activeSegment() != m_segment)
-            m_run.drop();
+        if (m_workspace.activeSegment() != m_segment)
+            drop();
         Q_EMIT overlayChanged();
     });
 }
@@ -101,6 +104,7 @@ QJsonObject ContourTool::settingsJson() const
 {
     return {{QStringLiteral("fromSegment"), m_settings.fromSegment},
         {QStringLiteral("bubbleMm"), m_settings.bubbleMm},
+        {QStringLiteral("valuesOfBubble"), m_settings.valuesOfBubble},
         {QStringLiteral("softness"), m_settings.softness},
         {QStringLiteral("smoothness"), m_settings.smoothness},
         {QStringLiteral("edge"), m_settings.edge},
@@ -114,6 +118,7 @@ void ContourTool::applySettings(const QJsonObject& settings)
     Settings now = m_settings;
     now.fromSegment = settings[QLatin1String("fromSegment")].toBool(now.fromSegment);
     readNumber(settings, "bubbleMm", minimumBubbleMm, maximumBubbleMm, now.bubbleMm);
+    now.valuesOfBubble = settings[QLatin1String("valuesOfBubble")].toBool(now.valuesOfBubble);
     readWhole(settings, "softness", 0, whole, now.softness);
     readWhole(settings, "smoothness", 0, whole, now.smoothness);
     readWhole(settings, "edge", 0, whole, now.edge);
@@ -170,15 +175,15 @@ void ContourTool::start(const glm::dvec3& placeLps)
     if (!session)
         return;
     const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
-    if (!m_settings.fromSegment
-        && !geometry.contains(glm::ivec3(glm::floor(geometry.toIndex(placeLps) + 0.5))))
+    const glm::ivec3 voxel(glm::floor(geometry.toIndex(placeLps) + 0.5));
+    if (!m_settings.fromSegment && !geometry.contains(voxel))
         return m_workspace.say(tr("Click inside the volume"));
     if (m_settings.fromSegment && session->foreseenDocument().segments.empty())
         return m_workspace.say(tr("There is no segment to begin with: click a bubble instead"));
     // What it would begin with is about to change.
     if (session->segmentWork().percent())
         return m_workspace.say(tr("A segment is being worked out; Esc abandons it"));
-    m_run.drop();
+    drop();
     const core::Result<int> label = ensureActiveSegment(m_workspace);
     if (!label)
         return m_workspace.fail(label.error());
@@ -186,7 +191,34 @@ void ContourTool::start(const glm::dvec3& placeLps)
     m_bubbleLps.reset();
     if (!m_settings.fromSegment)
         m_bubbleLps = placeLps;
+    m_awaitsValues = m_bubbleLps && m_settings.valuesOfBubble;
+    if (m_awaitsValues)
+        m_look.ask({{.voxels = {voxel}}});
+    else
+        m_run.begin(edit());
+}
+
+/// As growth takes its interval from a sketch.
+void ContourTool::takeValues(const core::SketchedCodes& sketched)
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (!m_awaitsValues || !volume)
+        return;
+    m_awaitsValues = false;
+    if (const auto offered = offeredValues(*volume, sketched, usualTolerance)) {
+        GrowSettings growth = m_workspace.growSettings();
+        growth.lower = offered->first;
+        growth.upper = offered->second;
+        m_workspace.setGrowSettings(growth);
+    }
     m_run.begin(edit());
+}
+
+void ContourTool::drop()
+{
+    m_awaitsValues = false;
+    m_look.drop();
+    m_run.drop();
 }
 
 void ContourTool::follow()
@@ -201,9 +233,10 @@ void ContourTool::accept()
 {
     const std::optional<core::EvolveContour> shown = m_run.shownEdit();
     if (!shown)
-        return m_workspace.say(m_run.isOpen() ? tr("The contour has not moved yet")
-                                              : tr("There is no contour to accept"));
-    m_run.drop();
+        return m_workspace.say(!m_run.isOpen() ? tr("There is no contour to accept")
+                : m_run.isWorking()            ? tr("The contour is still being worked out")
+                                               : tr("The contour has not moved yet"));
+    drop();
     evolveContour(m_workspace, *shown);
 }
 
@@ -217,8 +250,8 @@ void ContourTool::press(const PointerSample& sample, const ViewContext& view)
 
 void ContourTool::cancel()
 {
-    if (m_run.isOpen())
-        m_run.drop();
+    if (m_run.isOpen() || m_awaitsValues)
+        drop();
     else if (core::EditSession* session = m_workspace.session())
         session->segmentWork().abort();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/input/Tool.h"
+#include "ui/tasks/SketchLook.h"
 #include "ui/tools/contour/ContourDrawing.h"
 #include "ui/tools/contour/ContourGhost.h"
 #include "ui/tools/contour/ContourRun.h"
@@ -15,8 +16,8 @@ class Workspace;
 /// A contour that evolves live, from a bubble that is clicked on a slice or from the active segment
 /// as it stands. It is watched (ContourRun), played forwards and backwards and changed by its
 /// settings, until it is accepted, as one step at the generation that is shown, or aborted, which
-/// leaves nothing. The interval is that of growth; which voxels may change is set as for painting.
-/// ContourPanel has its controls.
+/// leaves nothing. The interval is that of growth, which a bubble may set like a sketch does; which
+/// voxels may change is set as for painting. ContourPanel has its controls.
 class ContourTool : public Tool {
     Q_OBJECT
 
@@ -24,6 +25,7 @@ public:
     struct Settings {
         bool fromSegment = false; ///< from the active segment; else from a bubble
         double bubbleMm = 4.0;
+        bool valuesOfBubble = true; ///< the interval is what is offered around the click
         int softness = 25; ///< of half the interval's width, per cent
         int smoothness = 50; ///< 0 … 100, as the next
         int edge = 0;
@@ -59,10 +61,10 @@ public:
     /// Drops what is watched; else abandons one that was accepted and takes long.
     void cancel() override;
     /// What was accepted goes on when another tool is chosen.
-    void putAway() override { m_run.drop(); }
+    void putAway() override { drop(); }
     /// Undo drops what is watched.
     [[nodiscard]] bool canTakeStepBack() const override { return m_run.isOpen(); }
-    void takeStepBack() override { m_run.drop(); }
+    void takeStepBack() override { drop(); }
     [[nodiscard]] QString stepText() const override { return tr("the contour that is watched"); }
     void hover(const PointerSample& sample, const ViewContext& view) override;
     void leave() override;
@@ -76,6 +78,8 @@ public:
     void start(const glm::dvec3& placeLps);
     /// Makes a step of what is shown.
     void accept();
+    /// Leaves nothing of what is watched.
+    void drop();
     [[nodiscard]] const ContourRun& run() const { return m_run; }
     [[nodiscard]] ContourRun& run() { return m_run; }
 
@@ -94,11 +98,14 @@ private:
     [[nodiscard]] core::EvolveContour edit() const;
     [[nodiscard]] QString intervalText() const;
     void follow();
+    void takeValues(const core::SketchedCodes& sketched);
     void showRun();
 
     Workspace& m_workspace;
     Settings m_settings;
     ContourRun m_run;
+    SketchLook m_look;
+    bool m_awaitsValues = false; ///< it begins when they are known
     mutable ContourDrawing m_drawing; ///< in slices
     mutable ContourGhost m_ghost; ///< in the 3D view
     int m_segment = 0; ///< label, of what is watched

@@ -56,7 +56,7 @@ public:
         workspace.setGrowSettings(growth);
         workspace.setCrosshairLps(place({20.0, 20.0, 20.0}));
         workspace.setActiveTool(&tool);
-        tool.setSettings({.bubbleMm = 2.0, .generations = 30});
+        tool.setSettings({.bubbleMm = 2.0, .valuesOfBubble = false, .generations = 30});
         tool.run().setPace(1);
         // Answers come when they are asked for.
         QObject::connect(&m_poll, &QTimer::timeout, &tool, [this] { session().poll(); });
@@ -422,6 +422,43 @@ private Q_SLOTS:
         QVERIFY(!fixture.tool.run().isOpen());
     }
 
+    /// A bubble sets the interval as a sketch does, unless somebody has set one.
+    void aBubbleTellsTheValues()
+    {
+        Fixture fixture;
+        auto& ofBubble = fixture.in<QCheckBox>("contourOfBubble");
+        QVERIFY(!ofBubble.isChecked());
+        ofBubble.click();
+        QVERIFY(fixture.tool.settings().valuesOfBubble);
+        ui::GrowSettings growth = fixture.workspace.growSettings();
+        growth.lower = 500.0;
+        growth.upper = 600.0;
+        fixture.workspace.setGrowSettings(growth);
+        fixture.click({20.0, 20.0, 20.0});
+        QVERIFY(!fixture.tool.run().isOpen()); // it is looked at first
+        QTRY_VERIFY(fixture.hasPlayed());
+        growth = fixture.workspace.growSettings();
+        QVERIFY2(growth.lower > -500.0 && growth.lower <= test::smallHead::ventricleHu
+                && growth.upper >= test::smallHead::ventricleHu
+                && growth.upper < test::smallHead::brainHu,
+            qPrintable(QStringLiteral("%1 … %2").arg(growth.lower).arg(growth.upper)));
+        QCOMPARE(fixture.tool.run().track()->gained(),
+            test::smallHead::voxelsOf(test::smallHead::ventricleHu));
+        // Esc while it is looked at: nothing begins.
+        fixture.click({20.0, 20.0, 20.0});
+        QTest::keyClick(&fixture.view, Qt::Key_Escape);
+        QTest::qWait(30);
+        QVERIFY(!fixture.tool.run().isOpen());
+        // What is typed stays.
+        fixture.in<QDoubleSpinBox>("contourUpper").setValue(60.0);
+        QVERIFY(!ofBubble.isChecked());
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QCOMPARE(fixture.workspace.growSettings().upper, 60.0);
+        QVERIFY(fixture.tool.run().track()->gained()
+            > test::smallHead::voxelsOf(test::smallHead::ventricleHu));
+    }
+
     void whatCannotBeSaysWhy()
     {
         Fixture fixture;
@@ -467,6 +504,7 @@ private Q_SLOTS:
         QTRY_VERIFY(fixture.panel.isVisible());
         const ui::ContourTool::Settings settings{.fromSegment = true,
             .bubbleMm = 7.5,
+            .valuesOfBubble = false,
             .softness = 60,
             .smoothness = 70,
             .edge = 80,
