@@ -5,6 +5,7 @@
 #include "core/islands/RunParts.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -130,6 +131,21 @@ Result<IslandChange> islandChange(std::span<const std::uint8_t> labels, const gl
         appendRun(change.voxels, parts.run(at), box.minimum + glm::ivec3(0, y, z), size);
     });
     return change;
+}
+
+Result<std::vector<std::int64_t>> islandSizes(std::span<const std::uint8_t> labels,
+    const glm::ivec3& size, std::uint8_t label, const Progress& progress)
+{
+    const VoxelBox box = boxOfLabel(labels, size, label);
+    if (box.empty())
+        return std::vector<std::int64_t>();
+    RunParts parts = partsIn(box, labels, size, label, true);
+    if (!parts.join(progress))
+        return failure(ErrorCode::Cancelled);
+    std::vector<std::int64_t> sizes = sizesOf(parts);
+    std::erase(sizes, 0); // runs that begin no island
+    std::sort(sizes.begin(), sizes.end(), std::greater<>());
+    return sizes;
 }
 
 Result<FurtherIslands> furtherIslands(std::span<const std::uint8_t> labels, const glm::ivec3& size,

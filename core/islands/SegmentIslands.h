@@ -52,6 +52,12 @@ struct IslandChange {
     const glm::ivec3& size, std::uint8_t label, IslandRule rule, std::int64_t voxels,
     const Progress& progress, std::size_t clicked = 0);
 
+/// How many voxels each island of a segment has, from the largest down. Cost and memory as of
+/// islandChange(). Any thread. Errors: Cancelled.
+/// @param labels of the whole volume in the segment's plane, x fastest
+[[nodiscard]] Result<std::vector<std::int64_t>> islandSizes(std::span<const std::uint8_t> labels,
+    const glm::ivec3& size, std::uint8_t label, const Progress& progress);
+
 /// The islands of a segment beside its largest one.
 struct FurtherIslands {
     /// From the largest down; of equal ones the first in memory comes first.

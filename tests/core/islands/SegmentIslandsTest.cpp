@@ -191,6 +191,11 @@ private Q_SLOTS:
             auto parts = partsOf(labels, size, true, true); // in the order of memory
             std::stable_sort(parts.begin(), parts.end(),
                 [](const auto& one, const auto& other) { return one.size() > other.size(); });
+            std::vector<std::int64_t> counts;
+            for (const auto& part : parts)
+                counts.push_back(std::int64_t(part.size()));
+            const auto found = core::islandSizes(labels, size, 1, core::Progress());
+            QVERIFY(found && *found == counts);
             if (!parts.empty())
                 parts.erase(parts.begin());
             for (const std::int64_t least : {1, 2, 4}) {
@@ -212,6 +217,9 @@ private Q_SLOTS:
         progress.cancel();
         const auto cancelled = core::furtherIslands(Labels(24, 1), {4, 3, 2}, 1, 1, 9, progress);
         QVERIFY(!cancelled && cancelled.error().code == core::ErrorCode::Cancelled);
+        QVERIFY(!core::islandSizes(Labels(24, 1), {4, 3, 2}, 1, progress));
+        const auto none = core::islandSizes(Labels(24, 2), {4, 3, 2}, 1, core::Progress());
+        QVERIFY(none && none->empty());
     }
 
     /// A click beside the segment means no island, whichever rule it is for.

@@ -16,23 +16,6 @@ namespace core {
 
 using namespace rowWords;
 
-namespace {
-
-/// The fewest voxels of an island that becomes a segment.
-std::int64_t leastVoxels(const SplitIslands& edit, const VolumeGeometry& geometry)
-{
-    if (!edit.mm3)
-        return 1;
-    constexpr double most = 1e15; // more than any volume has, and fits an integer
-    const glm::dvec3 spacing = geometry.spacingMm();
-    const double voxels = std::min(most, *edit.mm3 / (spacing.x * spacing.y * spacing.z));
-    // A hair's breadth of rounding must not decide about an island that is just as large.
-    constexpr double slack = 1e-6;
-    return std::int64_t(std::ceil(voxels - slack));
-}
-
-} // namespace
-
 Result<void> check(const SplitIslands& edit, const Document& document)
 {
     if (const auto segment = unlockedSegment("splitIslands.segment", edit.segment, document);
@@ -80,6 +63,18 @@ RowTitle rowTitle(const SplitIslands& edit, const RowFacts& row)
 EditDependencies dependencies(const SplitIslands& edit, const DependencyFacts& row)
 {
     return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+}
+
+std::int64_t leastVoxels(const SplitIslands& edit, const VolumeGeometry& geometry)
+{
+    if (!edit.mm3)
+        return 1;
+    constexpr double most = 1e15; // more than any volume has, and fits an integer
+    const glm::dvec3 spacing = geometry.spacingMm();
+    const double voxels = std::min(most, *edit.mm3 / (spacing.x * spacing.y * spacing.z));
+    // A hair's breadth of rounding must not decide about an island that is just as large.
+    constexpr double slack = 1e-6;
+    return std::int64_t(std::ceil(voxels - slack));
 }
 
 Result<LabelListed> labelListed(SplitIslands& edit, const Document& document,

@@ -13,6 +13,7 @@
 namespace core {
 
 struct LabelListed;
+struct VolumeGeometry;
 
 /// Make new segments of a segment's islands (core/islands/SegmentIslands.h), one of each, from the
 /// second largest down; the largest stays the segment's, and so does what is too small. Like
@@ -30,6 +31,9 @@ Result<bool> apply(const SplitIslands& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SplitIslands& edit);
 [[nodiscard]] RowTitle rowTitle(const SplitIslands& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const SplitIslands& edit, const DependencyFacts& row);
+
+/// The fewest voxels of an island that becomes a segment.
+[[nodiscard]] std::int64_t leastVoxels(const SplitIslands& edit, const VolumeGeometry& geometry);
 
 /// The edit for an engine; no bricks: there is nothing to be done.
 /// @param edit is completed: it names the segments that it makes, if it makes any
