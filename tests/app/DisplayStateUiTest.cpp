@@ -16,6 +16,7 @@
 #include "ui/tools/growth/FillOutlineTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/growth/SegmentScissorsTool.h"
+#include "ui/tools/nudge/NudgeTool.h"
 #include "ui/tools/sculpt/PeelTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/tools/view/MeasureTool.h"
@@ -164,6 +165,8 @@ private:
         application.window().findChild<ui::MeasureTool*>()->setKind(ui::MeasureTool::Kind::Angle);
         application.window().findChild<ui::FloodFillTool*>()->setSettings(
             {.in3D = true, .corners = true, .tolerance = 72.0});
+        application.window().findChild<ui::NudgeTool*>()->setSettings(
+            {.radiusMm = 5.5, .fits = false});
         application.window().findChild<ui::ContourTool*>()->setSettings(
             {.bubbleMm = 6.5, .smoothness = 71, .generations = 33});
         application.window().findChild<ui::ScissorsTool*>()->setSettings(
@@ -275,6 +278,8 @@ private Q_SLOTS:
             == ui::FillOutlineTool::Shape::Ellipse);
         QVERIFY((application->window().findChild<ui::FloodFillTool*>()->settings()
             == ui::FloodFillTool::Settings{.in3D = true, .corners = true, .tolerance = 72.0}));
+        QVERIFY((application->window().findChild<ui::NudgeTool*>()->settings()
+            == ui::NudgeTool::Settings{.radiusMm = 5.5, .fits = false}));
         QVERIFY((application->window().findChild<ui::ContourTool*>()->settings()
             == ui::ContourTool::Settings{.bubbleMm = 6.5, .smoothness = 71, .generations = 33}));
         const auto& scissors = application->window().findChild<ui::ScissorsTool*>()->settings();

@@ -158,7 +158,10 @@ vec3 seenAlong(Ray ray)
         } while (n < end);
         last = greatest < saturated ? last : 0.0;
     } while (n < last);
-    const vec3 picture = shownGrey(clamp(greatest * window.x + window.y, 0.0, 1.0));
+    // Beside the volume there is no value whose colour could be shown.
+    const vec3 picture = samples.last > 1.0
+        ? shownGrey(clamp(greatest * window.x + window.y, 0.0, 1.0))
+        : vec3(0.0);
 #if CONTEXT == 1
     return picture * contextOpacity.x;
 #endif

@@ -865,6 +865,11 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
             addTarget({.segment = {}, .name = segment.name, .rgb = segment.rgb}, document);
             document.segments.back().code = segment.code;
         }
+    } else if (const auto* islands = edit.as<SplitIslands>()) {
+        for (const SplitPart& part : islands->into.value())
+            addTarget({.segment = {}, .name = part.name, .rgb = part.rgb}, document);
+    } else if (const auto* split = edit.as<SplitSegment>()) {
+        addTarget({.segment = {}, .name = split->into.name, .rgb = split->into.rgb}, document);
     } else if (const auto* view = edit.as<AddBookmark>()) {
         int id = document.greatestRemovedBookmark;
         for (const CameraBookmark& bookmark : document.bookmarks)
