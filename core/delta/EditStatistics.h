@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace core {
 
@@ -22,6 +23,14 @@ struct EditStatistics {
     /// The edit changed voxels of the segment that is refined as a surface. Engines leave it false,
     /// and sessions before 2026-11-25 do not have it.
     bool surfaceMaskChanged = false;
+    /// Of a ThresholdSegment: all that its segment has then is what the interval gave it, so that
+    /// the segment follows the interval until something else changes its voxels
+    /// (Segment::followsRow). Engines leave it false, and sessions before 2026-11-27 do not have
+    /// it: their segments follow none.
+    bool followsInterval = false;
+    /// Labels of segments that followed an interval until this edit changed their voxels. Engines
+    /// leave it empty.
+    std::vector<int> intervalsLeft{};
 };
 
 } // namespace core

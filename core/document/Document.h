@@ -38,6 +38,10 @@ struct Segment {
     bool uncarvable = false; ///< protected from sculpting: no tool carves where it is
     bool visible = true; ///< display only: neither a step of undo nor part of the hash
     std::int64_t voxels = 0; ///< kept up to date by the session; derived, not part of the hash
+    /// The row of the ThresholdSegment whose interval it follows: nothing else has changed its
+    /// voxels since; 0: it follows none. It is derived from rows (EditStatistics::followsInterval),
+    /// and not part of the hash.
+    std::int64_t followsRow = 0;
 };
 
 /// A sculpt layer: hides part of the volume in the 3D view. It changes no segment and no statistic.

@@ -2,6 +2,7 @@
 #include "ui/dialogs/ThresholdDialog.h"
 
 #include "core/session/EditSession.h"
+#include "core/session/past/FollowedInterval.h"
 #include "ui/base/CountText.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/IntervalSuggestions.h"
@@ -20,6 +21,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace ui {
 
@@ -44,6 +47,7 @@ ThresholdDialog::ThresholdDialog(Workspace& workspace, QWidget* parent)
     build();
     connect(m_range, &HistogramRange::rangeEdited, this, &ThresholdDialog::follow);
     connect(m_range, &HistogramRange::rangeCancelled, this, &ThresholdDialog::follow);
+    connect(m_boxed, &QCheckBox::toggled, this, [this] { m_itsBox.reset(); });
     for (const QCheckBox* each : {m_overwrite, m_onlyVisible, m_boxed, m_preview})
         connect(each, &QCheckBox::toggled, this, &ThresholdDialog::follow);
     connect(m_mode, &QComboBox::currentIndexChanged, this, &ThresholdDialog::follow);
@@ -73,6 +77,11 @@ void ThresholdDialog::build()
     m_whose = new FittingLabel(Qt::AlignLeft, this);
     m_whose->setObjectName(QStringLiteral("thresholdWhose"));
     m_whose->setFont(theme::headingFont());
+    m_follows =
+        new QLabel(tr("This segment follows its interval: moving it works it out anew"), this);
+    m_follows->setObjectName(QStringLiteral("thresholdFollows"));
+    m_follows->setFont(theme::smallFont());
+    m_follows->setProperty("role", QStringLiteral("secondary"));
     m_range = new HistogramRange(this);
     m_range->setObjectName(QStringLiteral("thresholdInterval"));
     m_range->setMinimumWidth(380);
@@ -128,6 +137,7 @@ void ThresholdDialog::build()
     layout->setSpacing(theme::smallPadding);
     layout->setSizeConstraint(QLayout::SetFixedSize);
     layout->addWidget(m_whose);
+    layout->addWidget(m_follows);
     layout->addWidget(m_range);
     layout->addWidget(m_suggestions);
     layout->addLayout(mode);
@@ -147,11 +157,37 @@ void ThresholdDialog::ask(int label)
         m_range->setRange(lower, upper);
         m_isFresh = false;
     }
+    takeFollowed();
     showState();
     show();
     raise();
     activateWindow();
     follow();
+}
+
+std::optional<core::ThresholdSegment> ThresholdDialog::followed() const
+{
+    const core::EditSession* session = m_workspace.session();
+    const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
+    return segment ? core::followedInterval(*segment, session->history()) : std::nullopt;
+}
+
+void ThresholdDialog::takeFollowed()
+{
+    if (m_itsBox)
+        m_boxed->setChecked(false); // it was another segment's
+    const std::optional<core::ThresholdSegment> interval = followed();
+    if (!interval)
+        return;
+    const core::Volume& volume = *m_workspace.volume();
+    const double lower = interval->lower.value_or(volume.minimum);
+    m_range->setRange(lower, std::max(lower, interval->upper.value_or(volume.maximum)));
+    m_range->showRange();
+    m_mode->setCurrentIndex(int(interval->mode));
+    m_overwrite->setChecked(interval->overwriteUnlocked);
+    m_onlyVisible->setChecked(interval->onlyVisible);
+    m_boxed->setChecked(interval->box.has_value());
+    m_itsBox = interval->box; // switching the box off and on takes the clip box
 }
 
 void ThresholdDialog::setVisible(bool visible)
@@ -176,6 +212,7 @@ void ThresholdDialog::showState()
     } else {
         m_now->clear();
     }
+    m_follows->setVisible(followed().has_value());
     const QString why = whyUnchangeable(segment);
     m_apply->setEnabled(why.isEmpty());
     m_apply->setToolTip(why);
@@ -191,7 +228,9 @@ core::ThresholdSegment ThresholdDialog::chosen() const
         .onlyVisible = m_onlyVisible->isChecked(),
         .overwriteUnlocked = m_overwrite->isChecked()};
     const core::ClipRegion::Box& clip = m_workspace.clip().box;
-    if (m_boxed->isChecked() && clip.on)
+    if (m_boxed->isChecked() && m_itsBox)
+        edit.box = m_itsBox;
+    else if (m_boxed->isChecked() && clip.on)
         edit.box = growBoxFrom(clip, m_workspace.volume()->geometry);
     edit.editable = m_workspace.editableRange();
     return edit;

@@ -5,6 +5,8 @@
 
 #include <QDialog>
 
+#include <optional>
+
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -27,7 +29,8 @@ class ThresholdDialog : public QDialog {
 public:
     explicit ThresholdDialog(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Shows it about a segment. The interval stays that of the last time in this study.
+    /// Shows it about a segment: with the interval that the segment follows and its limits, else
+    /// with the interval of the last time in this study.
     void ask(int label);
 
     void setVisible(bool visible) override;
@@ -35,16 +38,21 @@ public:
 private:
     void build();
     void showState();
+    void takeFollowed(); ///< what the segment follows, if it does
     void follow(); ///< the trial shows what is chosen
     void carryOut();
     void limitEditing(); ///< to the values of the interval
+    [[nodiscard]] std::optional<core::ThresholdSegment> followed() const;
     [[nodiscard]] core::ThresholdSegment chosen() const;
 
     Workspace& m_workspace;
     ThresholdTrial* m_trial;
     int m_label = 0;
     bool m_isFresh = true; ///< no interval was chosen in this study
+    /// That of the interval which is followed; none: the clip box.
+    std::optional<core::GrowBox> m_itsBox;
     FittingLabel* m_whose = nullptr;
+    QLabel* m_follows = nullptr; ///< says that it does
     HistogramRange* m_range = nullptr;
     IntervalSuggestions* m_suggestions = nullptr;
     QComboBox* m_mode = nullptr;

@@ -2,7 +2,9 @@
 #include "ui/models/SegmentListModel.h"
 
 #include "core/edits/kinds/segments/ChangeSegment.h"
+#include "core/session/past/FollowedInterval.h"
 #include "ui/base/CountText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/workspace/ViewSteps.h"
 #include "ui/workspace/Workspace.h"
 
@@ -89,6 +91,18 @@ const core::Segment* SegmentListModel::segmentAt(const QModelIndex& index) const
     return session->document().segment(m_labels[std::size_t(index.row())]);
 }
 
+QString SegmentListModel::followsText(const core::Segment& segment) const
+{
+    const auto interval = core::followedInterval(segment, m_workspace.session()->history());
+    if (!interval)
+        return {};
+    const core::Volume& volume = *m_workspace.volume();
+    const double span = volume.maximum - volume.minimum;
+    return tr("follows %1 … %2")
+        .arg(valueText(interval->lower.value_or(volume.minimum), {}, span),
+            valueText(interval->upper.value_or(volume.maximum), volume.unit, span));
+}
+
 QVariant SegmentListModel::data(const QModelIndex& index, int role) const
 {
     const core::Segment* segment = segmentAt(index);
@@ -98,16 +112,22 @@ QVariant SegmentListModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
     case Qt::EditRole:
         return segment->name;
-    case Qt::AccessibleTextRole:
-        return tr("%1, %2, %3")
-            .arg(segment->name, data(index, VolumeRole).toString(),
-                segment->visible ? tr("shown") : tr("hidden"));
-    case Qt::ToolTipRole:
-        return data(index, UnwrittenRole).toBool()
-            ? tr("%1\n%2\nIt differs from its surface. Write the surface back, or have the "
-                 "surface follow it.")
-                  .arg(segment->name, data(index, CodeTextRole).toString())
-            : tr("%1\n%2").arg(segment->name, data(index, CodeTextRole).toString());
+    case Qt::AccessibleTextRole: {
+        const QString text = tr("%1, %2, %3")
+                                 .arg(segment->name, data(index, VolumeRole).toString(),
+                                     segment->visible ? tr("shown") : tr("hidden"));
+        const QString follows = followsText(*segment);
+        return follows.isEmpty() ? text : tr("%1, %2").arg(text, follows);
+    }
+    case Qt::ToolTipRole: {
+        QStringList lines{segment->name, data(index, CodeTextRole).toString()};
+        if (const QString follows = followsText(*segment); !follows.isEmpty())
+            lines += follows;
+        if (data(index, UnwrittenRole).toBool())
+            lines += tr("It differs from its surface. Write the surface back, or have the surface "
+                        "follow it.");
+        return lines.join(QLatin1Char('\n'));
+    }
     case LabelRole:
         return int(segment->label);
     case ColourRole:
@@ -128,6 +148,8 @@ QVariant SegmentListModel::data(const QModelIndex& index, int role) const
             : QStringList();
     case CodeTextRole:
         return segment->code.isSet() ? segment->code.meaning : tr("not coded yet");
+    case FollowsRole:
+        return followsText(*segment);
     case UnwrittenRole: {
         const auto& surface = m_workspace.session()->document().surface;
         return surface && surface->isApart() && surface->segment == segment->label;

@@ -26,6 +26,7 @@ public:
         VolumeRole, ///< QString: "9.8 mL", "—" while empty
         CodeRole, ///< QStringList {scheme, value, meaning}, empty if not coded; can be set
         CodeTextRole, ///< QString: the meaning, or "not coded yet"
+        FollowsRole, ///< QString: "follows 300 … 3071 HU"; empty: it follows no interval
         UnwrittenRole, ///< bool: its surface was changed and not written back
         ActiveRole, ///< bool
     };
@@ -42,6 +43,7 @@ public:
 private:
     void refresh();
     [[nodiscard]] const core::Segment* segmentAt(const QModelIndex& index) const;
+    [[nodiscard]] QString followsText(const core::Segment& segment) const;
     bool change(const core::Segment& segment, const QVariant& value, int role);
 
     Workspace& m_workspace;

@@ -5,6 +5,7 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/engine/EngineCommands.h"
 #include "core/session/names/TitleOfRow.h"
+#include "core/session/past/FollowedInterval.h"
 
 #include <QJsonDocument>
 
@@ -23,12 +24,13 @@ bool changesSegment(const ChangeFacts& facts, const Segment& segment)
 }
 
 /// What a row made of a document.
-void applyRow(const Edit& edit, const EditStatistics& statistics, Document& document)
+void applyRow(RowId row, const Edit& edit, const EditStatistics& statistics, Document& document)
 {
     // An edit that is in the history was carried out once, so it cannot fail on the way.
     static_cast<void>(applyToDocument(edit, document));
     if (document.surface && statistics.surfaceMaskChanged)
         document.surface->maskChanged = true;
+    followIntervals(row, edit, statistics, document);
 }
 
 } // namespace
@@ -60,10 +62,15 @@ RowId SessionState::append(const Edit& edit, const ChangeFacts& facts,
     if (const Segment* refined = surfaceBefore ? document.segment(surfaceBefore->segment) : nullptr)
         row.statistics.surfaceMaskChanged =
             !edit.is<WriteBack>() && changesSegment(facts, *refined);
-    applyRow(edit, row.statistics, document);
+    noteIntervals(edit, facts, row.statistics);
+    applyRow(RowId(history.rows().size()) + 1, edit, row.statistics, document);
+    std::erase_if(row.statistics.intervalsLeft, // of what is deleted nobody wants to know
+        [this](int label) { return !document.segment(label); });
     placeSegments();
     muteLayers();
     showSurface();
+    if (row.statistics.followsInterval) // also where no label changed, and its interval did
+        notify(DocumentChange::What::Segments);
     row.edit = edit;
     row.origin = origin();
     row.growthGeneration = document.growths.front().generation;
@@ -74,6 +81,26 @@ RowId SessionState::append(const Edit& edit, const ChangeFacts& facts,
     if (document.surface != surfaceBefore && changedPart(edit) != DocumentChange::What::Surface)
         notify(DocumentChange::What::Surface);
     return id;
+}
+
+/// Which segments follow an interval from this edit on, or no more.
+/// @pre voxels are counted as they are after it, and the document is as it was before it
+void SessionState::noteIntervals(
+    const Edit& edit, const ChangeFacts& facts, EditStatistics& statistics) const
+{
+    const auto* threshold = edit.as<ThresholdSegment>();
+    const Segment* given = threshold ? document.segment(threshold->segment) : nullptr;
+    if (given) {
+        const LabelFlow flow = facts.flow(given->plane, given->label);
+        const std::int64_t before = m_voxels[given->label] - flow.gained + flow.lost;
+        statistics.followsInterval =
+            givesAllOf(*threshold, before == 0, followedInterval(*given, history));
+    }
+    for (const Segment& segment : document.segments) {
+        const bool followsAnew = statistics.followsInterval && &segment == given;
+        if (segment.followsRow != 0 && !followsAnew && changesSegment(facts, segment))
+            statistics.intervalsLeft.push_back(segment.label);
+    }
 }
 
 void SessionState::notifyCommitted(const Edit& edit)
@@ -207,7 +234,7 @@ Document SessionState::documentAt(RowId at) const
     Document placed = initialDocument({});
     for (const RowId id : history.pathTo(at)) {
         const HistoryRow& row = history.row(id);
-        applyRow(row.edit, row.statistics, placed);
+        applyRow(id, row.edit, row.statistics, placed);
         placed.growths.front().generation = row.growthGeneration;
     }
     return placed;

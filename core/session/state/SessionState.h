@@ -119,6 +119,8 @@ public:
 private:
     RowId append(const Edit& edit, const ChangeFacts& facts, const EditStatistics& statistics,
         std::optional<std::uint32_t> generation, const std::optional<RowTitle>& remark = {});
+    void noteIntervals(
+        const Edit& edit, const ChangeFacts& facts, EditStatistics& statistics) const;
     void notifyCommitted(const Edit& edit);
     void takeIn(const ChangeFacts& facts);
     void placeDocument();

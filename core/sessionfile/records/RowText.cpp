@@ -7,6 +7,7 @@
 #include "core/titles/TitleJson.h"
 
 #include <QCryptographicHash>
+#include <QJsonArray>
 #include <QJsonDocument>
 
 #include <utility>
@@ -38,6 +39,14 @@ QString toText(const EditStatistics& statistics)
         json[QStringLiteral("searchedTo")] = *statistics.searchedTo;
     if (statistics.surfaceMaskChanged)
         json[QStringLiteral("surfaceMaskChanged")] = true;
+    if (statistics.followsInterval)
+        json[QStringLiteral("followsInterval")] = true;
+    if (!statistics.intervalsLeft.empty()) {
+        QJsonArray labels;
+        for (const int label : statistics.intervalsLeft)
+            labels.append(label);
+        json[QStringLiteral("intervalsLeft")] = labels;
+    }
     return compact(json);
 }
 
@@ -50,7 +59,11 @@ EditStatistics statisticsFrom(const QString& text)
         .bricks = json.value(QStringLiteral("bricks")).toInt(),
         .generations = json.value(QStringLiteral("generations")).toInt(),
         .milliseconds = json.value(QStringLiteral("milliseconds")).toDouble(),
-        .surfaceMaskChanged = json.value(QStringLiteral("surfaceMaskChanged")).toBool()};
+        .surfaceMaskChanged = json.value(QStringLiteral("surfaceMaskChanged")).toBool(),
+        .followsInterval = json.value(QStringLiteral("followsInterval")).toBool()};
+    const QJsonArray left = json.value(QStringLiteral("intervalsLeft")).toArray();
+    for (const QJsonValue& label : left)
+        statistics.intervalsLeft.push_back(label.toInt());
     if (const QJsonValue depth = json.value(QStringLiteral("searchedTo")); depth.isDouble())
         statistics.searchedTo = std::int32_t(depth.toInteger());
     return statistics;

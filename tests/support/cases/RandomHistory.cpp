@@ -121,8 +121,9 @@ public:
             const RowId row = m_session->history().position();
             const QByteArray hash = m_session->stateHash();
             m_result.hashes.push_back(hash);
-            const QString difference =
-                m_truth.difference(row, m_engine, m_session->document(), hash);
+            QString difference = m_truth.difference(row, m_engine, m_session->document(), hash);
+            if (difference.isEmpty())
+                difference = followedAmiss(row);
             if (!difference.isEmpty())
                 m_result.failure = QStringLiteral("step %1 (%2), row %3, %4: %5")
                                        .arg(step)
@@ -142,6 +143,24 @@ private:
             return QStringLiteral("the beginning");
         return QString::fromUtf8(QJsonDocument(editToJson(m_session->history().row(row).edit))
                                      .toJson(QJsonDocument::Compact));
+    }
+
+    /// A segment that follows an interval has the voxels that the interval gave it.
+    [[nodiscard]] QString followedAmiss(RowId row) const
+    {
+        for (const Segment& segment : m_session->document().segments) {
+            if (segment.followsRow == 0)
+                continue;
+            const std::vector<std::uint8_t> given = m_truth.labelsAt(segment.followsRow);
+            const std::vector<std::uint8_t> now = m_truth.labelsAt(row);
+            for (std::size_t voxel = 0; voxel < now.size(); ++voxel) {
+                if ((given[voxel] == segment.label) != (now[voxel] == segment.label))
+                    return QStringLiteral("segment %1 follows row %2 and differs from it")
+                        .arg(segment.label)
+                        .arg(segment.followsRow);
+            }
+        }
+        return {};
     }
 
     /// How the name of a row ends that only has criteria for later growths.

@@ -377,6 +377,99 @@ private Q_SLOTS:
         QCOMPARE(applyOf(dialog).toolTip(), QStringLiteral("there is no segment"));
     }
 
+    /// A segment that follows its interval comes with it; another one is a step in place of the
+    /// first, until the segment is changed by hand.
+    void aFollowedIntervalIsMoved()
+    {
+        Fixture fixture;
+        fixture.addSegments();
+        ui::ThresholdDialog& dialog = fixture.opened();
+        const auto& follows = *dialog.findChild<QLabel*>(QStringLiteral("thresholdFollows"));
+        QCOMPARE(follows.text(),
+            QStringLiteral("This segment follows its interval: moving it works it out anew"));
+        QVERIFY(!follows.isVisible());
+        press(applyOf(dialog));
+        QVERIFY(fixture.session().settle());
+        QTRY_VERIFY(follows.isVisible());
+        dialog.reject();
+
+        // Another segment follows none, and is asked about with the same interval.
+        fixture.workspace.setActiveSegment(2);
+        QVERIFY(&fixture.opened() == &dialog);
+        QVERIFY(!follows.isVisible());
+        QCOMPARE(rangeOf(dialog).lower(), 226.0);
+        fieldOf(dialog, "rangeLower").setValue(-400.0);
+        modeOf(dialog).setCurrentIndex(1);
+        checkOf(dialog, "thresholdOverwrite").setChecked(true);
+        dialog.reject();
+
+        fixture.workspace.setActiveSegment(1);
+        QVERIFY(&fixture.opened() == &dialog);
+        QVERIFY(follows.isVisible());
+        QCOMPARE(rangeOf(dialog).lower(), 226.0);
+        QCOMPARE(rangeOf(dialog).upper(), 1000.0);
+        QCOMPARE(modeOf(dialog).currentIndex(), 0);
+        QVERIFY(!checkOf(dialog, "thresholdOverwrite").isChecked());
+        const std::size_t rows = fixture.rows();
+        // No bone is of 900 HU and less: all of it goes, which is only shown yet.
+        fieldOf(dialog, "rangeUpper").setValue(900.0);
+        QTRY_COMPARE(fixture.labelInBone(), 0);
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.voxels(1), voxelsOfValue(1000));
+        QVERIFY(follows.isVisible());
+        press(applyOf(dialog));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.voxels(1), std::int64_t(0));
+        QVERIFY(follows.isVisible());
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), voxelsOfValue(1000));
+        QVERIFY(&fixture.opened() == &dialog);
+        QCOMPARE(rangeOf(dialog).upper(), 1000.0); // that which is in force now
+
+        fixture.apply(test::eraseAt(1, test::pointsInBone(), 1.5));
+        QTRY_VERIFY(!follows.isVisible());
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QTRY_VERIFY(follows.isVisible());
+    }
+
+    /// What was limited to a box is worked out anew in that box, wherever the clip box is now.
+    void aFollowedIntervalKeepsItsBox()
+    {
+        Fixture fixture;
+        fixture.addSegments();
+        core::ClipRegion clip = fixture.workspace.clip();
+        clip.box.on = true;
+        clip.box.minimum = {4.5, 4.5, 4.5};
+        clip.box.maximum = {20.5, 20.5, 20.5};
+        fixture.workspace.setClip(clip);
+        ui::ThresholdDialog& dialog = fixture.opened();
+        checkOf(dialog, "thresholdBoxed").setChecked(true);
+        press(applyOf(dialog));
+        QVERIFY(fixture.session().settle());
+        const auto first = fixture.lastRow().edit.get<core::ThresholdSegment>();
+        QVERIFY(first.box && fixture.voxels(1) > 0 && fixture.voxels(1) < voxelsOfValue(1000));
+        dialog.reject();
+        checkOf(dialog, "thresholdBoxed").setChecked(false);
+        clip.box.on = false;
+        fixture.workspace.setClip(clip);
+
+        QVERIFY(&fixture.opened() == &dialog);
+        QVERIFY(checkOf(dialog, "thresholdBoxed").isChecked());
+        fieldOf(dialog, "rangeLower").setValue(-1000.0);
+        press(applyOf(dialog));
+        QVERIFY(fixture.session().settle());
+        const auto& moved = fixture.lastRow().edit.get<core::ThresholdSegment>();
+        QVERIFY(moved.lower == -1000.0 && moved.box == first.box);
+        QVERIFY(fixture.lastRow().statistics.followsInterval);
+        // Switched off and on it is the clip box of now again: none.
+        checkOf(dialog, "thresholdBoxed").setChecked(false);
+        checkOf(dialog, "thresholdBoxed").setChecked(true);
+        press(applyOf(dialog));
+        QVERIFY(fixture.session().settle());
+        QVERIFY(!fixture.lastRow().edit.get<core::ThresholdSegment>().box);
+    }
+
     /// The interval may become that of all tools; the dialog gives way, and nothing is a step.
     void asTheEditableRange()
     {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/SegmentListModel.h"
 
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -129,6 +131,31 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().document().segments[0].voxels, voxels);
         QCOMPARE(model.index(0).data(SegmentListModel::VolumeRole).toString(),
             ui::millilitreText(voxels, 1.5));
+    }
+
+    /// The interval that a segment follows, until its voxels are changed by anything else.
+    void tellsWhatItFollows()
+    {
+        WorkspaceFixture fixture;
+        SegmentListModel model(fixture.workspace);
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.settle();
+        const QModelIndex row = model.index(0);
+        const QString tip = row.data(Qt::ToolTipRole).toString();
+        QCOMPARE(tip, QStringLiteral("Segment 1\nnot coded yet"));
+        QCOMPARE(row.data(SegmentListModel::FollowsRole).toString(), QString());
+        fixture.apply(core::ThresholdSegment{.segment = 1, .lower = 0.0, .upper = 20.0});
+        const QString follows = QStringLiteral("follows 0 … 20 HU");
+        QCOMPARE(row.data(SegmentListModel::FollowsRole).toString(), follows);
+        QCOMPARE(row.data(Qt::ToolTipRole).toString(), tip + u'\n' + follows);
+        QVERIFY(
+            row.data(Qt::AccessibleTextRole).toString().endsWith(QStringLiteral(", ") + follows));
+        fixture.apply(core::InvertSegment{.segment = 1});
+        QCOMPARE(row.data(SegmentListModel::FollowsRole).toString(), QString());
+        QCOMPARE(row.data(Qt::ToolTipRole).toString(), tip);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(row.data(SegmentListModel::FollowsRole).toString(), follows);
     }
 };
 

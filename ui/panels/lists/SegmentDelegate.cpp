@@ -16,11 +16,17 @@ namespace {
 constexpr int segmentNameLeft = 66;
 constexpr int lockWidth = 22;
 constexpr int volumeWidth = 74;
+constexpr int intervalWidth = 16;
 
 QRect nameRect(const QRect& row)
 {
     return {row.left() + segmentNameLeft, row.top() + 3,
         row.width() - segmentNameLeft - volumeWidth - lockWidth, 18};
+}
+
+bool followsInterval(const QModelIndex& index)
+{
+    return !index.data(SegmentListModel::FollowsRole).toString().isEmpty();
 }
 
 } // namespace
@@ -39,6 +45,12 @@ QRect SegmentDelegate::codeRect(const QRect& row)
 {
     return {row.left() + segmentNameLeft, row.top() + 21,
         row.width() - segmentNameLeft - lockWidth - 8, 16};
+}
+
+QRect SegmentDelegate::intervalRect(const QRect& row)
+{
+    const QRect code = codeRect(row);
+    return {code.right() - intervalWidth + 1, code.top(), intervalWidth, code.height()};
 }
 
 QRect SegmentDelegate::lockRect(const QRect& row)
@@ -81,10 +93,15 @@ void SegmentDelegate::paint(
     const bool coded = !index.data(SegmentListModel::CodeRole).toStringList().isEmpty();
     painter->setFont(theme::smallFont());
     painter->setPen(coded ? theme::secondary : theme::caution);
+    const bool follows = followsInterval(index);
+    const int codeWidth = codeRect(row).width() - (follows ? intervalWidth + 4 : 0);
     painter->drawText(codeRect(row), Qt::AlignLeft | Qt::AlignVCenter,
         QFontMetrics(theme::smallFont())
-            .elidedText(index.data(SegmentListModel::CodeTextRole).toString(), Qt::ElideRight,
-                codeRect(row).width()));
+            .elidedText(
+                index.data(SegmentListModel::CodeTextRole).toString(), Qt::ElideRight, codeWidth));
+    if (follows)
+        painter->drawPixmap(intervalRect(row),
+            tintedIcon(QStringLiteral("interval"), theme::accent, intervalWidth, ratio));
     const bool unwritten = index.data(SegmentListModel::UnwrittenRole).toBool();
     painter->setPen(unwritten ? theme::caution : theme::secondary);
     const QRect volume(row.right() - lockWidth - volumeWidth, row.top() + 3, volumeWidth - 4, 18);
@@ -121,10 +138,12 @@ bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
         const QPoint at = mouse->position().toPoint();
         const bool eye = eyeRect(option.rect).adjusted(-6, -10, 4, 10).contains(at);
         const bool colour = colourRect(option.rect).adjusted(-5, -13, 5, 13).contains(at);
-        const bool code = codeRect(option.rect).contains(at);
+        const bool interval = followsInterval(index) && intervalRect(option.rect).contains(at);
+        const bool code = !interval && codeRect(option.rect).contains(at);
         const bool lock = lockRect(option.rect).adjusted(-3, -4, 4, 0).contains(at);
         const bool shield = shieldRect(option.rect).adjusted(-3, 0, 4, 3).contains(at);
-        if (mouse->button() == Qt::LeftButton && (eye || colour || code || lock || shield)) {
+        if (mouse->button() == Qt::LeftButton
+            && (eye || colour || code || lock || shield || interval)) {
             // On release, so that a click begun elsewhere does nothing; a double click is two
             // clicks.
             // Alt as for layers, where the window manager leaves it to programs.
@@ -143,8 +162,10 @@ bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
                 Q_EMIT colourRequested(index);
             } else if (release && code) {
                 Q_EMIT codeRequested(index);
+            } else if (release && interval) {
+                Q_EMIT intervalRequested(index);
             }
-            return eye || colour || lock || shield || twice;
+            return eye || colour || lock || shield || interval || twice;
         }
     }
     return QStyledItemDelegate::editorEvent(event, model, option, index);

@@ -6,9 +6,9 @@
 namespace ui {
 
 /// Draws a row of the segment list: eye, colour, name with its code below, volume, lock, and a
-/// shield if sculpting tools spare the segment. A click on the eye, the lock or the shield switches
-/// it; Ctrl and the eye shows the segment alone, or the others again; a click on the colour or the
-/// code asks for a new one.
+/// shield if sculpting tools spare the segment, and a mark if it follows an interval of values. A
+/// click on the eye, the lock or the shield switches it; Ctrl and the eye shows the segment alone,
+/// or the others again; a click on the colour, the code or the interval's mark asks for a new one.
 class SegmentDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -32,10 +32,12 @@ public:
     [[nodiscard]] static QRect lockRect(const QRect& row);
     [[nodiscard]] static QRect shieldRect(const QRect& row);
     [[nodiscard]] static QRect codeRect(const QRect& row);
+    [[nodiscard]] static QRect intervalRect(const QRect& row); ///< at the end of the code's
 
 Q_SIGNALS:
     void colourRequested(const QPersistentModelIndex& index);
     void codeRequested(const QPersistentModelIndex& index);
+    void intervalRequested(const QPersistentModelIndex& index);
 };
 
 } // namespace ui

@@ -9,6 +9,7 @@
 #include "ui/menus/SegmentMenus.h"
 #include "ui/menus/SegmentViews.h"
 #include "ui/models/SegmentListModel.h"
+#include "ui/panels/lists/IntervalNotice.h"
 #include "ui/panels/lists/SegmentDelegate.h"
 #include "ui/tasks/UndoOnly.h"
 #include "ui/workspace/LayerActions.h"
@@ -82,6 +83,11 @@ SegmentsPanel::SegmentsPanel(Workspace& workspace, QWidget* parent)
     connect(m_view, &QListView::customContextMenuRequested, this, &SegmentsPanel::showMenu);
     connect(delegate, &SegmentDelegate::colourRequested, this, &SegmentsPanel::chooseColour);
     connect(delegate, &SegmentDelegate::codeRequested, this, &SegmentsPanel::chooseCode);
+    connect(delegate, &SegmentDelegate::intervalRequested, this,
+        [this](const QPersistentModelIndex& index) {
+            m_workspace.askForThreshold(index.data(SegmentListModel::LabelRole).toInt());
+        });
+    new IntervalNotice(m_workspace, this);
     connect(m_model, &QAbstractItemModel::dataChanged, this, &SegmentsPanel::refresh);
     connect(m_model, &QAbstractItemModel::rowsRemoved, this, &SegmentsPanel::refresh);
     connect(m_model, &QAbstractItemModel::modelReset, this, &SegmentsPanel::refresh);
@@ -178,8 +184,8 @@ void SegmentsPanel::showMenu(const QPoint& position)
     QAction* alone = menu.addAction(showAloneText(m_workspace, *document.segment(label)), this,
         [this, label] { m_workspace.viewSteps().showAlone(label); });
     alone->setEnabled(document.segments.size() > 1);
-    menu.addAction(tr("Centre views on it"), this,
-        [this, label] { centreOnSegment(m_workspace, label); });
+    menu.addAction(
+        tr("Centre views on it"), this, [this, label] { centreOnSegment(m_workspace, label); });
     menu.addAction(tr("Paste as a piece"), this, [this, index] {
         m_workspace.pieces().paste(index.data(SegmentListModel::LabelRole).toInt());
     });

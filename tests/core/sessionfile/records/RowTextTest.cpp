@@ -62,6 +62,22 @@ private Q_SLOTS:
         QCOMPARE(RowText::of(*back).chain(QString()), RowText::of(row).chain(QString()));
     }
 
+    /// Who follows an interval is said by rows where there is something to say: others are the
+    /// bytes that they always were.
+    void intervalsComeBack()
+    {
+        HistoryRow row = grownRow(growth(true));
+        const QString plain = RowText::of(row).statistics;
+        QVERIFY(!plain.contains(QStringLiteral("nterval")));
+        QVERIFY(!RowText::of(row).row()->statistics.followsInterval);
+        row.statistics.followsInterval = true;
+        row.statistics.intervalsLeft = {3, 200};
+        const Result<HistoryRow> back = RowText::of(row).row();
+        QVERIFY(back && back->statistics.followsInterval);
+        QCOMPARE(back->statistics.intervalsLeft, (std::vector<int>{3, 200}));
+        QCOMPARE(RowText::of(*back).statistics, RowText::of(row).statistics);
+    }
+
     /// Up to schema 3 growth did not tell voxels that a segment held before from those that it grew
     /// over; such a row does not say so, and is carried out again as it was then.
     void aRowFromBeforeGrowsByItsOwnRule()

@@ -261,6 +261,10 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"a threshold for an empty segment", volume, {first}, tissue});
     cases.push_back({"a threshold in place of what has grown", volume,
         {first, seeds, second, others, some, drill}, tissue});
+    ThresholdSegment moved = more; // what tissue has beyond goes, noise comes
+    moved.mode = ThresholdSegment::Mode::Replace;
+    cases.push_back(
+        {"an interval that is moved", volume, {first, seeds, second, others, some, tissue}, moved});
     cases.push_back({"add a threshold over another segment", volume,
         {first, seeds, second, others, some}, more});
     cases.push_back({"subtract a threshold", volume, {first, paint}, fewer});

@@ -4,6 +4,7 @@
 #include "ui/workspace/LayerActions.h"
 
 #include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
@@ -11,6 +12,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "ui/models/SegmentListModel.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>
@@ -345,6 +347,58 @@ private Q_SLOTS:
             ui::carvingTarget(fixture.workspace, true), QStringLiteral("restores layer Sculpt 1"));
         click();
         QVERIFY(!fixture.session().document().segment(2)->uncarvable);
+    }
+
+    /// A segment that follows an interval has a mark, which asks for another one. The first change
+    /// by hand takes it away and is told once; undo brings it back.
+    void aMarkWhereAnIntervalIsFollowed()
+    {
+        Fixture fixture;
+        QObject::disconnect(
+            &fixture.workspace, &ui::Workspace::thresholdAsked, &fixture.window, nullptr);
+        QSignalSpy asked(&fixture.workspace, &ui::Workspace::thresholdAsked);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const QModelIndex bone = fixture.list->model()->index(1, 0);
+        const auto clickMark = [&] {
+            const QRect row = fixture.list->visualRect(bone);
+            const QPoint at = ui::SegmentDelegate::intervalRect(row).center();
+            QTest::mouseClick(fixture.list->viewport(), Qt::LeftButton, {}, at);
+        };
+        const auto mark = [&] { return bone.data(ui::SegmentListModel::FollowsRole).toString(); };
+        QCOMPARE(mark(), QString());
+        fixture.apply(core::ThresholdSegment{.segment = 2, .lower = 226.0, .upper = 1000.0});
+        QCOMPARE(mark(), QStringLiteral("follows 226 … 1000 HU"));
+        clickMark();
+        QCOMPARE(asked.size(), 1);
+        QCOMPARE(asked.front().front().toInt(), 2);
+        test::look(fixture.list->grab(), "segment-follows.png");
+
+        fixture.apply(test::paintAt(1, test::pointsInBrain()));
+        QCoreApplication::processEvents();
+        QCOMPARE(said.size(), 0); // it is still as its interval gave it
+        fixture.apply(test::eraseAt(2, test::pointsInBone(), 1.5));
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(),
+            QStringLiteral("'Bone' no longer follows its interval: it was changed by hand; Ctrl+Z "
+                           "takes it back"));
+        QCOMPARE(mark(), QString());
+        fixture.apply(test::eraseAt(2, test::pointsInBone(), 2.5));
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QCOMPARE(mark(), QStringLiteral("follows 226 … 1000 HU"));
+        QVERIFY(fixture.session().redo() && fixture.session().settle());
+        QCOMPARE(mark(), QString());
+        QCoreApplication::processEvents();
+        QCOMPARE(said.size(), 1);
+
+        // Another threshold that leaves something of the first is told as what it is.
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        fixture.apply(core::ThresholdSegment{
+            .segment = 2, .upper = -500.0, .mode = core::ThresholdSegment::Mode::Add});
+        QTRY_COMPARE(said.size(), 2);
+        QCOMPARE(said.back().front().toString(),
+            QStringLiteral("'Bone' no longer follows its interval: the new one changed only a part "
+                           "of it; Ctrl+Z takes it back"));
     }
 };
 
