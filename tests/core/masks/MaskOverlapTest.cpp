@@ -8,10 +8,12 @@
 #include "core/export/common/ExportMask.h"
 #include "core/masks/MaskParts.h"
 #include "core/masks/ReadImport.h"
+#include "core/recipe/Recipe.h"
 #include "tests/reference/LayerWrites.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/LabelledSeries.h"
 
+#include <QFile>
 #include <QTest>
 
 #include <algorithm>
@@ -226,6 +228,36 @@ private Q_SLOTS:
         QCOMPARE(on.carriedOut(read->edit), on.byColumn({1, 1, 2, 2, 2, 2, 2, 0, 0, 0, 0}));
         read->edit.ahead = std::vector<int>{3};
         QVERIFY(on.carriedOut(read->edit).empty());
+    }
+
+    /// `burin run` says it of the files that a recipe names.
+    void recipesTellIt()
+    {
+        const Fixture on;
+        QVERIFY(on.exported());
+        const QString path = on.folder.filePath(QStringLiteral("recipe.json"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly)
+            && file.write(R"({"edits": [{"edit": "importMask", "file": "seg.dcm", "ahead": [2]},
+                             {"edit": "importMask", "file": "seg.dcm", "as": "All"}]})")
+                > 0);
+        file.close();
+        Result<Recipe> recipe = readRecipe(path);
+        QVERIFY(recipe);
+        const auto notes = readMasks(*recipe, on.volume);
+        QVERIFY(notes);
+        std::vector<QStringList> pairs;
+        for (const RecipeMaskNote& each : *notes) {
+            if (each.note.code == MaskNote::Code::GoesBefore) {
+                pairs.push_back(each.note.names);
+                QCOMPARE(each.file, QStringLiteral("seg.dcm"));
+                QCOMPARE(each.note.some, Fixture::shared);
+            }
+        }
+        QCOMPARE(
+            pairs, (std::vector<QStringList>{{QStringLiteral("Vein"), QStringLiteral("Liver")}}));
+        QCOMPARE(
+            *std::get<Edit>(recipe->steps.front()).get<ImportMask>().ahead, std::vector<int>{2});
     }
 
     /// Where all of a file becomes one segment, nobody goes before anybody.
