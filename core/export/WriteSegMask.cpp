@@ -101,6 +101,9 @@ void addFractional(SegContent& content, const ExportRequest& request,
 Result<void> addLabelMap(SegContent& content, const ExportRequest& request,
     const MaskSelection& selection, std::size_t count)
 {
+    if (const QString why = whyNoLabelMap(request, selection.segments, QStringLiteral("DICOM SEG"));
+        !why.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, request.file, why);
     std::vector<std::uint8_t> frame(count);
     for (std::size_t k = 0; k < content.sources.size(); ++k) {
         std::fill(frame.begin(), frame.end(), std::uint8_t(0));
@@ -111,11 +114,6 @@ Result<void> addLabelMap(SegContent& content, const ExportRequest& request,
             for (std::size_t i = 0; i < count; ++i) {
                 if (labels[i] != segment.label)
                     continue;
-                if (frame[i] != 0)
-                    return failure(ErrorCode::UnsupportedFormat, request.file,
-                        QStringLiteral("a label map holds one segment a voxel, and '%1' shares "
-                                       "some; a binary DICOM SEG holds them")
-                            .arg(segment.name));
                 frame[i] = std::uint8_t(s + 1);
                 any = true;
             }

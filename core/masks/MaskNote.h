@@ -16,7 +16,9 @@ struct MaskNote {
         OutsideStudy, ///< `some` of `all` voxels are left out
         AnotherPatient, ///< than the study's; no name is told
         AnotherFrameOfReference, ///< its millimetres are taken for the study's
-        SegmentsOverlap, ///< in `some` voxels; each goes to the first of its segments
+        SegmentsOverlap, ///< in `some` voxels
+        /// the first segment of `names` before the second, in `some` voxels, hereMl, of both
+        GoesBefore,
         SegmentsWithoutVoxel, ///< `some` of the file's `all` segments, left out
         NothingSurrounded, ///< by the segments of `names`, left out
         Fractional, ///< voxels with one half or more are taken

@@ -17,20 +17,6 @@ namespace {
 
 constexpr const char* rtStructClass = "1.2.840.10008.5.1.4.1.1.481.3";
 
-/// A label plane has room for one segment a voxel.
-std::optional<MaskNote> noteOnOverlap(const std::vector<MaskSegment>& segments)
-{
-    VoxelRuns all;
-    std::uint64_t shared = 0;
-    for (const MaskSegment& segment : segments) {
-        shared += sharedVoxels(all, segment.voxels);
-        all = united(all, segment.voxels);
-    }
-    if (shared == 0)
-        return std::nullopt;
-    return MaskNote{.code = MaskNote::Code::SegmentsOverlap, .some = shared};
-}
-
 } // namespace
 
 QString maskNameOf(const QString& path)
@@ -98,8 +84,10 @@ Result<MaskOnVolume> readMask(const QString& path, const Volume& volume, const P
     if (mask->segments.empty())
         return failure(
             ErrorCode::UnsupportedFormat, path, QStringLiteral("it lies wholly outside the study"));
-    if (const std::optional<MaskNote> overlap = noteOnOverlap(mask->segments))
-        mask->notes.push_back(*overlap);
+    mask->overlaps = overlapsOf(mask->segments);
+    if (!mask->overlaps.empty())
+        mask->notes.push_back(
+            {.code = MaskNote::Code::SegmentsOverlap, .some = voxelsOf(mask->overlaps)});
     return mask;
 }
 

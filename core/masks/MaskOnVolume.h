@@ -6,6 +6,7 @@
 #include "core/brick/VoxelRuns.h"
 #include "core/document/Document.h"
 #include "core/masks/MaskNote.h"
+#include "core/masks/MaskOverlap.h"
 
 #include <QStringList>
 
@@ -26,6 +27,7 @@ struct MaskSegment {
 struct MaskOnVolume {
     std::vector<MaskSegment> segments; ///< in the file's order; at least one
     std::vector<MaskNote> notes; ///< what was resampled, left out or assumed
+    std::vector<MaskOverlap> overlaps{}; ///< of the segments; told in the notes as one number
 };
 
 /// Reads a mask in any known format. NIfTI, NRRD (also .seg.nrrd) and MetaImage labels and STL,

@@ -32,6 +32,8 @@ Result<ReadImport> readImport(const ImportMask& edit, const Volume& volume,
     if (!mask)
         return tl::unexpected(mask.error());
     ReadImport read{.edit = edit, .notes = std::move(mask->notes)};
+    if (!edit.as)
+        read.overlaps = std::move(mask->overlaps);
     read.edit.file = QFileInfo(edit.file).fileName();
     read.edit.size = volume.geometry.size;
     std::vector<ImportedSegment>& segments = read.edit.segments.emplace();

@@ -50,6 +50,8 @@ Result<std::vector<RecipeMaskNote>> readMasks(Recipe& recipe, const Volume& volu
         segments += mask->segments->size();
         for (const MaskNote& note : read->notes)
             notes.push_back({.file = mask->file, .note = note});
+        for (const MaskNote& note : notesOnOverlaps(read->overlaps, *mask, volume.geometry))
+            notes.push_back({.file = mask->file, .note = note});
     }
     return notes;
 }

@@ -16,9 +16,35 @@
 #include <QPointer>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace ui {
+
+namespace {
+
+/// What is said of an import: what its file brought, and which of its segments go before which.
+QStringList sentencesOn(const core::ReadImport& read, const core::VolumeGeometry& geometry)
+{
+    constexpr std::size_t mostPairs = 3;
+    QStringList sentences;
+    for (const core::MaskNote& note : read.notes)
+        sentences += maskNoteText(note);
+    const std::vector<core::MaskNote> pairs =
+        core::notesOnOverlaps(read.overlaps, read.edit, geometry);
+    for (std::size_t i = 0; i < std::min(pairs.size(), mostPairs); ++i)
+        sentences += maskNoteText(pairs[i]);
+    if (pairs.size() > mostPairs)
+        sentences += MaskImporter::tr("There are %1 such pairs in all.").arg(pairs.size());
+    return sentences;
+}
+
+} // namespace
+
+struct MaskImporter::Waiting {
+    core::ReadImport read;
+    QString path;
+};
 
 QString maskFilter()
 {
@@ -32,8 +58,14 @@ MaskImporter::MaskImporter(Workspace& workspace, QWidget* window)
     , m_window(window)
 {
     // What is read for one study is nothing to the next.
-    connect(&workspace, &Workspace::sessionChanged, this, [this] { m_background.cancel(); });
+    connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_background.cancel();
+        if (std::exchange(m_waiting, nullptr))
+            Q_EMIT noLongerAsked();
+    });
 }
+
+MaskImporter::~MaskImporter() = default;
 
 bool MaskImporter::looksLikeMask(const QString& path)
 {
@@ -75,34 +107,57 @@ void MaskImporter::import(const QString& path)
             const core::Progress& progress) {
             return core::readImport(core::ImportMask{.file = path}, volume, before, progress);
         },
-        [this, path](const core::Result<core::ReadImport>& read) { apply(read, path); });
+        [this, path](const core::Result<core::ReadImport>& read) { take(read, path); });
 }
 
-void MaskImporter::apply(const core::Result<core::ReadImport>& read, const QString& path)
+void MaskImporter::take(const core::Result<core::ReadImport>& read, const QString& path)
 {
-    core::EditSession* session = m_workspace.session();
+    const core::EditSession* session = m_workspace.session();
     if (!session)
         return;
     if (!read) {
         Q_EMIT failed(read.error());
         return;
     }
+    if (read->overlaps.empty())
+        return apply(*read, path);
+    m_waiting = std::make_unique<Waiting>(Waiting{.read = *read, .path = path});
+    Q_EMIT overlapping(*read, session->document().volumes.front().geometry);
+}
+
+void MaskImporter::import(const std::optional<std::vector<int>>& ahead)
+{
+    const std::unique_ptr<Waiting> waiting = std::exchange(m_waiting, nullptr);
+    if (!waiting)
+        return;
+    waiting->read.edit.ahead = ahead;
+    apply(waiting->read, waiting->path);
+}
+
+void MaskImporter::giveUp()
+{
+    m_waiting.reset();
+}
+
+void MaskImporter::apply(const core::ReadImport& read, const QString& path)
+{
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
     session->closeGrowth();
     const std::size_t rows = session->history().rows().size();
-    if (const core::Result<void> applied = session->apply(read->edit); !applied) {
+    if (const core::Result<void> applied = session->apply(read.edit); !applied) {
         Q_EMIT failed(applied.error());
         return;
     }
     // Answered behind the edit: only then is it known whether any voxel was free.
     session->questions().afterAll(
-        [guard = QPointer(this), session, rows, path, notes = read->notes] {
+        [guard = QPointer(this), session, rows, path,
+            sentences = sentencesOn(read, session->document().volumes.front().geometry)] {
             if (!guard)
                 return;
             if (session->history().rows().size() == rows)
                 return Q_EMIT guard->nothingTaken(path);
-            QStringList sentences;
-            for (const core::MaskNote& note : notes)
-                sentences += maskNoteText(note);
             Q_EMIT guard->imported(nameOf(session->history().rows().back()), sentences);
         });
 }

@@ -6,11 +6,16 @@
 #include <QObject>
 #include <QStringList>
 
+#include <memory>
+#include <optional>
+#include <vector>
+
 class QWidget;
 
 namespace core {
 struct ReadImport;
-}
+struct VolumeGeometry;
+} // namespace core
 
 namespace ui {
 
@@ -20,17 +25,24 @@ class Workspace;
 [[nodiscard]] QString maskFilter();
 
 /// Imports segments from a mask file. The file is read on another thread; its segments become one
-/// step of the history. One file at a time.
+/// step of the history. One file at a time. Where its segments overlap, it waits until it is told
+/// which go before which.
 class MaskImporter : public QObject {
     Q_OBJECT
 
 public:
     MaskImporter(Workspace& workspace, QWidget* window);
+    ~MaskImporter() override;
 
     /// Asks for a file and imports it.
     void ask();
     void import(const QString& path);
-    [[nodiscard]] bool busy() const { return m_background.busy(); }
+    /// Goes on after overlapping(). Nothing happens if nothing waits.
+    /// @param ahead ImportMask::ahead
+    void import(const std::optional<std::vector<int>>& ahead);
+    /// After overlapping(): the mask is not taken in.
+    void giveUp();
+    [[nodiscard]] bool busy() const { return m_background.busy() || m_waiting; }
 
     /// Whether a dropped file is a mask rather than a study, judged by its name or, for a DICOM
     /// file, by its SOP class. Reads no more than the beginning of the file.
@@ -38,6 +50,10 @@ public:
 
 Q_SIGNALS:
     void started(const QString& path);
+    /// Segments of the file overlap. It waits for import() or giveUp().
+    void overlapping(const core::ReadImport& read, const core::VolumeGeometry& geometry);
+    /// It waits no more, since the study was closed.
+    void noLongerAsked();
     /// The import is in the history.
     /// @param notes what was resampled, left out or assumed, one sentence each
     void imported(const QString& rowName, const QStringList& notes);
@@ -46,10 +62,14 @@ Q_SIGNALS:
     void failed(const core::Error& error);
 
 private:
-    void apply(const core::Result<core::ReadImport>& read, const QString& path);
+    struct Waiting;
+
+    void take(const core::Result<core::ReadImport>& read, const QString& path);
+    void apply(const core::ReadImport& read, const QString& path);
 
     Workspace& m_workspace;
     QWidget* m_window;
+    std::unique_ptr<Waiting> m_waiting; ///< for the order of its segments; null: nothing waits
     core::Background m_background; ///< last: it uses all of the above
 };
 

@@ -46,9 +46,10 @@ QString maskNoteText(const core::MaskNote& note)
         return MaskTexts::tr("The mask names another frame of reference than the study; its "
                              "millimetres are taken for the study's.");
     case Code::SegmentsOverlap:
-        return MaskTexts::tr("Segments of the file overlap in %1 voxels; each of these goes to the "
-                             "first of its segments.")
-            .arg(grouped(note.some));
+        return MaskTexts::tr("Segments of the file overlap in %1 voxels.").arg(grouped(note.some));
+    case Code::GoesBefore:
+        return MaskTexts::tr("'%1' goes before '%2' in %3 voxels (%4) that both have.")
+            .arg(note.names.value(0), note.names.value(1), grouped(note.some), inMl(note.hereMl));
     case Code::SegmentsWithoutVoxel:
         return MaskTexts::tr("%1 of the file's %2 segments have no voxel inside the study and are "
                              "left out.")

@@ -6,6 +6,7 @@
 #include "ui/base/RowTitleText.h"
 #include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/KeysDialog.h"
+#include "ui/dialogs/MaskOrderDialog.h"
 #include "ui/dialogs/PenTesterDialog.h"
 #include "ui/dialogs/SegmentDialogs.h"
 #include "ui/dialogs/session/HistoryMemoryDialog.h"
@@ -88,6 +89,7 @@ void addFileActions(MainWindow& window)
         .run = [audit] { audit->ask(); },
         .possible = [&workspace] { return workspace.session() != nullptr; }});
     MaskImporter& importer = window.importer();
+    askForOrderOf(importer, window);
     QObject::connect(&importer, &MaskImporter::failed, &workspace, &Workspace::fail);
     QObject::connect(&importer, &MaskImporter::imported, &window,
         [&window, &workspace](const QString& rowName, const QStringList& notes) {

@@ -117,4 +117,28 @@ QString ImportedSegmentList::check(const Value& value) const
     });
 }
 
+QJsonValue EntryOrder::write(const Value& value) const
+{
+    return writeEach(value, [](int place) { return QJsonValue(place); });
+}
+
+QString EntryOrder::read(const QJsonValue& json, Value& value) const
+{
+    return readEach(json, value, QStringLiteral("must be a list of places"),
+        [](const QJsonValue& entry, int& place) {
+            return WholeNumber{1, mostSegments}.read(entry, place);
+        });
+}
+
+QString EntryOrder::check(const Value& value) const
+{
+    if (value.empty() || value.size() > std::size_t(mostSegments))
+        return QStringLiteral("needs 1 to %1 entries").arg(mostSegments);
+    Value sorted = value;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+        return QStringLiteral("names a place twice");
+    return checkEach(value, [](int place) { return WholeNumber{1, mostSegments}.check(place); });
+}
+
 } // namespace core::editFields

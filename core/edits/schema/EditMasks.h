@@ -61,4 +61,16 @@ struct ImportedSegmentList {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
+/// [place, …]: places in another list, from 1, in any order, none twice; at least one.
+struct EntryOrder {
+    using Value = std::vector<int>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[place, …]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
 } // namespace core::editFields

@@ -300,6 +300,10 @@ template <class Visitor> void visitFields(Visitor& visit, ImportMask& edit)
         "what the file held, on the volume's grid: voxels are packed runs",
         "the file is read "
         "when the recipe is");
+    visit.maybe("ahead", edit.ahead, editFields::EntryOrder{},
+        "where segments overlap: which of them, by their places from 1 among those that are taken "
+        "in, go before all others, the first one foremost",
+        "the file's order");
 }
 
 } // namespace core::editSchema

@@ -63,16 +63,12 @@ Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,
         map.names += QStringLiteral("%1 %2").arg(segment.label).arg(segment.name);
         const auto labels = planeOf(request, segment)->labels;
         for (std::size_t i = 0; i < labels.size(); ++i) {
-            if (labels[i] != segment.label)
-                continue;
-            if (map.labels[i] != 0)
-                return unsupported(
-                    QStringLiteral("segments overlap, which one %1 label map cannot hold; export "
-                                   "them one by one, or as DICOM SEG")
-                        .arg(format));
-            map.labels[i] = segment.label;
+            if (labels[i] == segment.label)
+                map.labels[i] = segment.label;
         }
     }
+    if (const QString why = whyNoLabelMap(request, selection.segments, format); !why.isEmpty())
+        return unsupported(why);
     return map;
 }
 

@@ -36,6 +36,27 @@ const LabelPlaneView* planeOf(const ExportRequest& request, const Segment& segme
     return nullptr;
 }
 
+QString whyNoLabelMap(
+    const ExportRequest& request, const std::vector<Segment>& segments, const QString& format)
+{
+    for (std::size_t a = 0; a < segments.size(); ++a) {
+        const auto first = planeOf(request, segments[a])->labels;
+        for (std::size_t b = a + 1; b < segments.size(); ++b) {
+            if (segments[a].plane == segments[b].plane && segments[a].label != segments[b].label)
+                continue;
+            const auto second = planeOf(request, segments[b])->labels;
+            std::size_t shared = 0;
+            for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
+                shared += first[i] == segments[a].label && second[i] == segments[b].label ? 1U : 0U;
+            if (shared != 0)
+                return QStringLiteral("'%1' and '%2' overlap in %3 voxels, which one %4 label map "
+                                      "cannot hold; export them one by one, or as binary DICOM SEG")
+                    .arg(segments[a].name, segments[b].name, QString::number(shared), format);
+        }
+    }
+    return {};
+}
+
 const SegmentCoverage* coverageOf(
     std::span<const SegmentCoverage> coverages, const Segment& segment)
 {

@@ -27,6 +27,12 @@ Result<MaskSelection> selectMask(const Volume& volume, const ExportRequest& requ
 /// The plane of a segment; null if the request lacks it.
 const LabelPlaneView* planeOf(const ExportRequest& request, const Segment& segment);
 
+/// Why segments that overlap cannot be one map of numbers, in words: which two, and in how many
+/// voxels. Empty if none of them shares a voxel with another.
+/// @param format "NRRD", …
+QString whyNoLabelMap(
+    const ExportRequest& request, const std::vector<Segment>& segments, const QString& format);
+
 std::size_t voxelsPerSlice(const Volume& volume);
 
 /// The coverage from which a segment was made; null: none.

@@ -307,6 +307,12 @@ void ExportSegTypesTest::labelMapHoldsNoOverlap()
     const auto report = core::exportMask(on.volume, request, {});
     QVERIFY(!report);
     QCOMPARE(report.error().code, core::ErrorCode::UnsupportedFormat);
+    const auto shared = std::count(on.labels.begin(), on.labels.end(), std::uint8_t(1));
+    QVERIFY(shared > 0);
+    QVERIFY2(report.error().arguments.value(1).startsWith(
+                 QStringLiteral("'Niere' and 'Übrige' overlap in %1 voxels, which one DICOM SEG ")
+                     .arg(shared)),
+        qPrintable(report.error().arguments.value(1)));
     QVERIFY(!QFile::exists(on.file));
 }
 

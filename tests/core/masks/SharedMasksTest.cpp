@@ -68,6 +68,19 @@ private Q_SLOTS:
         QCOMPARE(seg.notes.size(), std::size_t(1));
         QVERIFY(seg.notes.front().code == core::MaskNote::Code::SegmentsOverlap);
         QVERIFY(seg.notes.front().some > 0);
+        QCOMPARE(voxelsOf(seg.overlaps), seg.notes.front().some);
+        for (const core::MaskOverlap& overlap : seg.overlaps)
+            QVERIFY(overlap.segments.size() > 1 && overlap.voxels > 0);
+        // What all segments have, less what is one voxel's second and third.
+        std::uint64_t all = 0;
+        core::VoxelRuns once;
+        for (const core::MaskSegment& segment : seg.segments) {
+            all += segment.voxels.voxelCount();
+            once = united(once, segment.voxels);
+        }
+        for (const core::MaskOverlap& overlap : seg.overlaps)
+            all -= (overlap.segments.size() - 1) * overlap.voxels;
+        QCOMPARE(all, once.voxelCount());
         // Each label map holds some of them.
         const std::map<QString, QPair<QString, QString>> where{
             {QStringLiteral("GREEN"), {QStringLiteral("1"), QStringLiteral("Label 1")}},

@@ -130,6 +130,33 @@ private Q_SLOTS:
         QCOMPARE(bench.session->stateHash(), after);
     }
 
+    /// Where segments of the file overlap, those that are named ahead have the voxels.
+    void theSecondGoesBeforeTheFirst()
+    {
+        Bench bench;
+        ImportMask mask = twoBoxes();
+        mask.ahead = std::vector<int>{2};
+        QCOMPARE(bench.tried(mask), QString());
+        QCOMPARE(bench.count(1), std::int64_t(8 * 6 * 4));
+        QCOMPARE(bench.count(2), std::int64_t(10 * 6 * 4));
+        QCOMPARE(bench.segments()[0].name, QStringLiteral("Liver")); // numbers are the file's
+        QCOMPARE(bench.session->history().rows().back().name,
+            QStringLiteral("Import 2 segments of organs.seg.nrrd, 0.648 mL"));
+        const QByteArray after = bench.session->stateHash();
+        Bench anew;
+        const Result<Edit> again =
+            editFromJson(editToJson(bench.session->history().rows().back().edit));
+        QVERIFY(again);
+        QCOMPARE(anew.tried(*again), QString());
+        QCOMPARE(anew.session->stateHash(), after);
+        Bench plain;
+        QCOMPARE(plain.tried(twoBoxes()), QString());
+        QVERIFY(plain.session->stateHash() != after);
+        mask.ahead = std::vector<int>{1, 3};
+        QVERIFY(plain.tried(mask).contains(QStringLiteral("importMask.ahead")));
+        QCOMPARE(plain.rows(), std::size_t(1));
+    }
+
     void intoASegment()
     {
         Bench bench;
@@ -202,6 +229,11 @@ private Q_SLOTS:
                 "{\"edit\":\"importMask\",\"file\":\"a\",\"as\":\"\"}",
                 "{\"edit\":\"importMask\",\"file\":\"a\",\"size\":[1,2]}",
                 "{\"edit\":\"importMask\",\"file\":\"a\",\"segments\":[]}",
+                "{\"edit\":\"importMask\",\"file\":\"a\",\"ahead\":[]}",
+                "{\"edit\":\"importMask\",\"file\":\"a\",\"ahead\":[0]}",
+                "{\"edit\":\"importMask\",\"file\":\"a\",\"ahead\":[256]}",
+                "{\"edit\":\"importMask\",\"file\":\"a\",\"ahead\":[2,1,2]}",
+                "{\"edit\":\"importMask\",\"file\":\"a\",\"ahead\":2}",
                 "{\"edit\":\"importMask\",\"file\":\"a\",\"segments\":[{\"name\":\"A\",\"color\":"
                 "\"#000000\",\"code\":[],\"voxels\":\"&\"}]}"})
             QVERIFY2(!editFromJson(QJsonDocument::fromJson(wrong).object()), wrong);

@@ -30,8 +30,12 @@ std::vector<std::pair<MaskNote, const char*>> notes()
             "The mask names another frame of reference than the study; its millimetres are taken "
             "for the study's."},
         {{.code = Code::SegmentsOverlap, .some = 18204},
-            "Segments of the file overlap in 18 204 voxels; each of these goes to the first of its "
-            "segments."},
+            "Segments of the file overlap in 18 204 voxels."},
+        {{.code = Code::GoesBefore,
+             .names = {QStringLiteral("A %2"), QStringLiteral("B")},
+             .some = 1204,
+             .hereMl = 0.0301},
+            "'A %2' goes before 'B' in 1 204 voxels (0.030 mL) that both have."},
         {{.code = Code::SegmentsWithoutVoxel, .some = 2, .all = 5},
             "2 of the file's 5 segments have no voxel inside the study and are left out."},
         {{.code = Code::NothingSurrounded, .names = {QStringLiteral("A"), QStringLiteral("B %1")}},

@@ -124,6 +124,11 @@ Result<ImportTargets> importTargets(const ImportMask& edit, const Document& docu
     ImportTargets result{.targets = {}, .isNew = !*meant};
     const int room = highestLabel - document.lastLabelGiven();
     const auto wanted = std::ssize(*edit.segments);
+    for (const int place : edit.ahead.value_or(std::vector<int>())) {
+        if (place < 1 || place > wanted)
+            return wrong("importMask.ahead",
+                QStringLiteral("there is no segment %1 in its list of %2").arg(place).arg(wanted));
+    }
     if (result.isNew && (edit.as ? 1 : wanted) > room)
         return wrong("importMask.segments",
             QStringLiteral("there is room for %1 segments more, it brings %2")
@@ -139,6 +144,26 @@ Result<ImportTargets> importTargets(const ImportMask& edit, const Document& docu
             ++target->label;
     }
     return result;
+}
+
+std::vector<std::size_t> segmentsByPrecedence(
+    const std::optional<std::vector<int>>& ahead, std::size_t count)
+{
+    std::vector<std::size_t> order;
+    std::vector<bool> taken(count, false);
+    const auto take = [&](std::size_t segment) {
+        if (segment < count && !taken[segment])
+            order.push_back(segment);
+        if (segment < count)
+            taken[segment] = true;
+    };
+    for (const int place : ahead.value_or(std::vector<int>())) {
+        if (place >= 1)
+            take(std::size_t(place) - 1);
+    }
+    for (std::size_t segment = 0; segment < count; ++segment)
+        take(segment);
+    return order;
 }
 
 Result<void> check(const ImportMask& edit, const Document& document)
@@ -192,7 +217,7 @@ Result<LabelListed> labelListed(const ImportMask& edit, const Document& document
     if (const Result<void> same = isOfVolume(edit, document); !same)
         return tl::unexpected(same.error());
     BrickList bricks(geometry.size);
-    for (std::size_t i = 0; i < edit.segments->size(); ++i) {
+    for (const std::size_t i : segmentsByPrecedence(edit.ahead, edit.segments->size())) {
         const std::optional<VoxelRuns> voxels =
             unpackedRuns((*edit.segments)[i].voxels, geometry.voxelCount());
         if (!voxels)

@@ -33,13 +33,16 @@ struct SegmentWord {
 
 /// Make the segments of a mask file segments of the session. An edit that was carried out contains
 /// their voxels and no longer needs the file; core/masks completes one without voxels first. Where
-/// segments overlap, the first one gets the voxel.
+/// segments overlap, the first one gets the voxel (segmentsByPrecedence()).
 struct ImportMask {
     QString file{};
     std::optional<SegmentWord> as{}; ///< the segment that receives everything; none: new ones
     bool overwriteUnlocked = false;
     std::optional<glm::ivec3> size{}; ///< of the volume
     std::optional<std::vector<ImportedSegment>> segments{};
+    /// Places in the list of segments, from 1, of those that go before all others, the first one
+    /// foremost; none: the order of the list.
+    std::optional<std::vector<int>> ahead{};
 };
 
 [[nodiscard]] Result<void> check(const ImportMask& edit, const Document& document);

@@ -6,6 +6,8 @@
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/sculpt/labels/LayerWrites.h"
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace core {
@@ -15,9 +17,14 @@ struct ImportTargets {
     std::vector<LabelTarget> targets; ///< one per segment
     bool isNew = true; ///< they are new segments: one for each, or a single one with "as"
 };
-/// Errors: InvalidField (no voxels read, no room for so many segments), UnknownSegment,
-/// SegmentLocked.
+/// Errors: InvalidField (no voxels read, no room for so many segments, a place that there is not in
+/// its list), UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<ImportTargets> importTargets(const ImportMask& edit, const Document& document);
+
+/// The segments of a mask, by their places in its list from 0, in the order in which they get
+/// voxels that several of them have: those of ImportMask::ahead, then the others.
+[[nodiscard]] std::vector<std::size_t> segmentsByPrecedence(
+    const std::optional<std::vector<int>>& ahead, std::size_t count);
 
 /// An import that was carried out.
 struct DoneImport {

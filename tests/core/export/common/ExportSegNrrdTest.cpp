@@ -327,6 +327,9 @@ void ExportSegNrrdTest::planesInOneLayer()
     const auto overlapping = on.exported({segmentOf(1, 0), segmentOf(2, 1)});
     QVERIFY(!overlapping);
     QCOMPARE(overlapping.error().code, core::ErrorCode::UnsupportedFormat);
+    QVERIFY2(overlapping.error().arguments.value(1).startsWith(
+                 QStringLiteral("'Part 1' and 'Part 2' overlap in 1 voxels, which one NRRD ")),
+        qPrintable(overlapping.error().arguments.value(1)));
     QVERIFY(!QFile::exists(on.file));
 }
 

@@ -144,6 +144,9 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     joined.as = core::SegmentWord{.number = 2, .name = {}};
     joined.overwriteUnlocked = true;
     cases.push_back({"import a mask", volume, {}, mask});
+    core::ImportMask turned = mask;
+    turned.ahead = std::vector<int>{2, 1};
+    cases.push_back({"import a mask, its second segment before its first", volume, {}, turned});
     cases.push_back({"import a mask around what has grown", volume, {first, seeds, some}, mask});
     cases.push_back({"import a mask into a segment", volume, {first, seeds, all, second}, joined});
     cases.push_back({"growth after a mask", volume, {first, seeds, some, joinedFirst(mask)}, all});

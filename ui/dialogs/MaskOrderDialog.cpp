@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/MaskOrderDialog.h"
+
+#include "ui/base/TabOrder.h"
+#include "ui/base/Theme.h"
+#include "ui/tasks/MaskImporter.h"
+#include "ui/texts/MaskTexts.h"
+#include "ui/widgets/FittingLabel.h"
+
+#include <QHBoxLayout>
+#include <QIcon>
+#include <QLabel>
+#include <QListWidget>
+#include <QPixmap>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <set>
+
+namespace ui {
+
+namespace {
+
+constexpr int placeRole = Qt::UserRole; ///< in the list of the mask's segments, from 0
+
+QListWidgetItem* itemOf(const core::ImportedSegment& segment, std::size_t place)
+{
+    constexpr int swatchSide = 12;
+    QPixmap swatch(swatchSide, swatchSide);
+    swatch.fill(QColor(segment.rgb));
+    auto* item = new QListWidgetItem(QIcon(swatch), segment.name);
+    item->setData(placeRole, int(place));
+    return item;
+}
+
+} // namespace
+
+MaskOrderDialog::MaskOrderDialog(
+    const core::ReadImport& read, const core::VolumeGeometry& geometry, QWidget* parent)
+    : QDialog(parent)
+    , m_read(read)
+    , m_geometry(geometry)
+    , m_order(new QListWidget(this))
+    , m_given(new QListWidget(this))
+    , m_up(new QPushButton(tr("Further up"), this))
+    , m_down(new QPushButton(tr("Further down"), this))
+{
+    setWindowTitle(tr("Segments overlap"));
+    constexpr QSize least(480, 360);
+    setMinimumSize(least);
+    auto* heading = new FittingLabel(Qt::AlignLeft, this);
+    heading->setFont(theme::headingFont());
+    heading->setText(tr("Segments of '%1' overlap").arg(m_read.edit.file));
+    auto* hint = new QLabel(
+        tr("A voxel has one segment. Where several of these have it, it goes to the one furthest "
+           "up."),
+        this);
+    hint->setWordWrap(true);
+    m_order->setObjectName(QStringLiteral("maskOrder"));
+    m_order->setAccessibleName(tr("Segments that overlap, the first one before the others"));
+    m_up->setObjectName(QStringLiteral("maskOrderUp"));
+    m_down->setObjectName(QStringLiteral("maskOrderDown"));
+    m_given->setObjectName(QStringLiteral("maskOrderGiven"));
+    m_given->setAccessibleName(tr("How much goes to which segment"));
+    m_given->setSelectionMode(QAbstractItemView::NoSelection);
+    m_given->setWordWrap(true);
+    m_given->setFont(theme::smallFont());
+    auto* take = new QPushButton(tr("Import"), this);
+    take->setObjectName(QStringLiteral("maskOrderImport"));
+    take->setDefault(true);
+    auto* cancel = new QPushButton(tr("Cancel"), this);
+    cancel->setObjectName(QStringLiteral("maskOrderCancel"));
+    for (QPushButton* button : {m_up, m_down, cancel})
+        button->setAutoDefault(false);
+
+    auto* moves = new QVBoxLayout;
+    moves->addWidget(m_up);
+    moves->addWidget(m_down);
+    moves->addStretch(1);
+    auto* order = new QHBoxLayout;
+    order->setSpacing(theme::smallPadding);
+    order->addWidget(m_order, 1);
+    order->addLayout(moves);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(theme::smallPadding);
+    buttons->addStretch(1);
+    buttons->addWidget(take);
+    buttons->addWidget(cancel);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(24, 20, 24, 16);
+    layout->setSpacing(theme::smallPadding);
+    layout->addWidget(heading);
+    layout->addWidget(hint);
+    layout->addLayout(order, 1);
+    layout->addWidget(m_given, 1);
+    layout->addLayout(buttons);
+    tabAsLaidOut(*this);
+
+    std::set<std::size_t> places;
+    for (const core::MaskOverlap& overlap : m_read.overlaps)
+        places.insert(overlap.segments.begin(), overlap.segments.end());
+    for (const std::size_t place : places)
+        m_order->addItem(itemOf((*m_read.edit.segments)[place], place));
+    m_order->setCurrentRow(0);
+    connect(m_up, &QPushButton::clicked, this, [this] { move(-1); });
+    connect(m_down, &QPushButton::clicked, this, [this] { move(1); });
+    connect(m_order, &QListWidget::currentRowChanged, this, &MaskOrderDialog::showState);
+    connect(take, &QPushButton::clicked, this, &QDialog::accept);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    showState();
+    m_order->setFocus();
+}
+
+std::optional<std::vector<int>> MaskOrderDialog::ahead() const
+{
+    std::vector<int> places;
+    for (int row = 0; row < m_order->count(); ++row)
+        places.push_back(m_order->item(row)->data(placeRole).toInt() + 1);
+    if (std::is_sorted(places.begin(), places.end()))
+        return std::nullopt;
+    return places;
+}
+
+void MaskOrderDialog::move(int by)
+{
+    const int row = m_order->currentRow();
+    if (row < 0 || row + by < 0 || row + by >= m_order->count())
+        return;
+    QListWidgetItem* item = m_order->takeItem(row);
+    m_order->insertItem(row + by, item);
+    m_order->setCurrentItem(item);
+    showState();
+}
+
+void MaskOrderDialog::showState()
+{
+    const int row = m_order->currentRow();
+    m_up->setEnabled(row > 0);
+    m_down->setEnabled(row >= 0 && row + 1 < m_order->count());
+    m_read.edit.ahead = ahead();
+    m_given->clear();
+    for (const core::MaskNote& note :
+        core::notesOnOverlaps(m_read.overlaps, m_read.edit, m_geometry))
+        m_given->addItem(maskNoteText(note));
+}
+
+void askForOrderOf(MaskImporter& importer, QWidget& window)
+{
+    QObject::connect(&importer, &MaskImporter::overlapping, &window,
+        [&importer, &window](const core::ReadImport& read, const core::VolumeGeometry& geometry) {
+            auto* dialog = new MaskOrderDialog(read, geometry, &window);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            // The study may be closed while it stands open.
+            QObject::connect(&importer, &MaskImporter::noLongerAsked, dialog, &QDialog::reject);
+            QObject::connect(dialog, &QDialog::accepted, &importer,
+                [&importer, dialog] { importer.import(dialog->ahead()); });
+            QObject::connect(dialog, &QDialog::rejected, &importer, &MaskImporter::giveUp);
+            dialog->open();
+        });
+}
+
+} // namespace ui
