@@ -160,9 +160,11 @@ void RecipeElsewhere::followRecorded()
     struct State {
         Document document;
         Makers makers;
+        /// Nobody knows how many segments became of islands, nor which numbers later ones had.
+        bool areSegmentsUnknown = false;
     };
-    std::vector<State> states{
-        {initialDocument({}), {{{Kind::Layer, firstLayer}, fromTheStart}}}}; // by row
+    std::vector<State> states{{.document = initialDocument({}),
+        .makers = {{{Kind::Layer, firstLayer}, fromTheStart}}}}; // by row
     History history;
     for (std::size_t i = 0; i < m_recipe.steps.size(); ++i) {
         const State& before = states[std::size_t(history.position())];
@@ -182,7 +184,10 @@ void RecipeElsewhere::followRecorded()
         const Result<bool> changed = applyToDocument(edit, after.document);
         if (!changed || (!*changed && changesDocumentOnly(edit)))
             continue; // no row came of it
-        if (const std::optional<Kind> kind = mayMake(edit)) {
+        const auto* islands = edit.as<SplitIslands>();
+        after.areSegmentsUnknown = before.areSegmentsUnknown || (islands && !islands->into);
+        const std::optional<Kind> kind = mayMake(edit);
+        if (kind && !(kind == Kind::Segment && after.areSegmentsUnknown)) {
             for (int made = lastGiven(*kind, before.document) + 1;
                  made <= lastGiven(*kind, after.document); ++made)
                 after.makers[{*kind, made}] = i;

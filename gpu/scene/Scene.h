@@ -225,7 +225,7 @@ struct VolumeScene {
     double surfaceThreshold = 300.0; ///< modality units
     TransferFunction transferFunction;
     core::WindowLevel mipWindow;
-    ColourMap mipColours = ColourMap::Grey;
+    ColourMap mipColours = ColourMap::Grey; ///< what is black stays black
     core::WindowLevel xrayWindow;
     core::ClipRegion clip; ///< what it hides is not drawn, in any mode
     Context context = Context::Opaque;

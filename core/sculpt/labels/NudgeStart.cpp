@@ -45,6 +45,7 @@ void lookFrom(const glm::ivec3& centre, const CapsuleFrame& frame, const BrickGr
     const glm::ivec3 perK = strokeStep(frame.perK);
     const std::int64_t reach = frame.radius + roundingMargin(frame);
     const glm::ivec3 size = box.maximum - box.minimum;
+    const std::uint8_t* labels = image.bytes.empty() ? nullptr : image.bytes.read().data();
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {
             for (int x = 0; x < size.x; ++x) {
@@ -61,7 +62,7 @@ void lookFrom(const glm::ivec3& centre, const CapsuleFrame& frame, const BrickGr
                     continue;
                 const auto offset =
                     std::size_t(BrickGrid::offsetInBrick(box.minimum + glm::ivec3(x, y, z)));
-                const bool isSegments = !image.bytes.empty() && image.bytes.read()[offset] == label;
+                const bool isSegments = labels && labels[offset] == label;
                 std::int64_t& least = isSegments ? nearest.ofSegment : nearest.ofOthers;
                 least = std::min(least, squared);
             }

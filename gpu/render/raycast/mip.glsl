@@ -10,6 +10,14 @@ uniform float levels[6]; // code / 65535, ascending
 
 layout(binding = 8) uniform usampler3D maximumCells; // greatest code, distances by level
 
+/// What is black in grey is black in all colours, since what lies beside the volume cannot always be
+/// told from values that are too low to be looked at.
+vec3 shownGreatest(float greatest)
+{
+    const float grey = clamp(greatest * window.x + window.y, 0.0, 1.0);
+    return grey * 255.0 < 0.5 ? vec3(grey) : shownGrey(grey);
+}
+
 #if SCULPTED
 float greatestOf(ivec3 cell)
 {
@@ -97,8 +105,7 @@ vec3 seenAlong(Ray ray)
         }
         t = t == start ? gridAfter(ray, t, stretch.end) : t;
     }
-    vec3 result = greatest < 0.0 ? vec3(0.0)
-                                 : shownGrey(clamp(greatest * window.x + window.y, 0.0, 1.0));
+    vec3 result = greatest < 0.0 ? vec3(0.0) : shownGreatest(greatest);
     float over = 0.7;
 #if CONTEXT == 1
     const float grey = segmentAt == nowhere ? contextOpacity.x : contextOpacity.y;
@@ -158,10 +165,7 @@ vec3 seenAlong(Ray ray)
         } while (n < end);
         last = greatest < saturated ? last : 0.0;
     } while (n < last);
-    // Beside the volume there is no value whose colour could be shown.
-    const vec3 picture = samples.last > 1.0
-        ? shownGrey(clamp(greatest * window.x + window.y, 0.0, 1.0))
-        : vec3(0.0);
+    const vec3 picture = shownGreatest(greatest);
 #if CONTEXT == 1
     return picture * contextOpacity.x;
 #endif

@@ -10,6 +10,7 @@
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/views/Measurements.h"
 #include "tests/support/program/TestProgram.h"
@@ -169,6 +170,26 @@ private Q_SLOTS:
         QCOMPARE(carryOut(recipe, document),
             QStringList{QStringLiteral("1: no edit before it makes a segment 1")});
         QCOMPARE(segments(document), QStringList{QStringLiteral("Yours")});
+    }
+
+    /// How many segments become of islands is known only when they are counted: a number from there
+    /// on may be one of them, or that of a segment that was made later.
+    void segmentsAfterIslandsWereSplitAreUnknown()
+    {
+        RecipeElsewhere recipe(recipeOf({test::addSegment("Organ"), SplitIslands{.segment = 1},
+            test::addSegment("Bone"), rename(2, "Part"), rename(1, "Organ, done")}));
+        Document document = initialDocument({});
+        QCOMPARE(carryOut(recipe, document),
+            QStringList{QStringLiteral("4: no edit before it makes a segment 2")});
+        QCOMPARE(segments(document),
+            (QStringList{QStringLiteral("Organ, done"), QStringLiteral("Bone")}));
+
+        RecipeElsewhere undone(recipeOf({test::addSegment("Organ"), SplitIslands{.segment = 1},
+            undo(), test::addSegment("Bone"), rename(2, "Bone, done")}));
+        Document other = initialDocument({});
+        QCOMPARE(carryOut(undone, other), QStringList{QStringLiteral("3 bound")});
+        QCOMPARE(
+            segments(other), (QStringList{QStringLiteral("Organ"), QStringLiteral("Bone, done")}));
     }
 
     void whatIsForeseenIsChecked()

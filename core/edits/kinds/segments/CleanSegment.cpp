@@ -7,11 +7,10 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/IslandSizes.h"
 #include "core/edits/engine/ListedRuns.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace core {
@@ -82,13 +81,8 @@ std::int64_t voxelsOf(const CleanSegment& edit, const VolumeGeometry& geometry)
 {
     if (!edit.mm3)
         return std::numeric_limits<std::int64_t>::max();
-    const glm::dvec3 spacing = geometry.spacingMm();
-    constexpr double most = 1e15; // more than any volume has, and fits an integer
-    const double voxels = std::min(most, *edit.mm3 / (spacing.x * spacing.y * spacing.z));
-    // A hair's breadth of rounding must not decide about a part that is just as large.
-    constexpr double slack = 1e-6;
-    return std::int64_t(edit.rule == IslandRule::FillHoles ? std::floor(voxels + slack)
-                                                           : std::ceil(voxels - slack));
+    return edit.rule == IslandRule::FillHoles ? mostVoxels(*edit.mm3, geometry)
+                                              : fewestVoxels(*edit.mm3, geometry);
 }
 
 } // namespace

@@ -5,12 +5,12 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/IslandSizes.h"
 #include "core/edits/engine/ListedRuns.h"
 #include "core/islands/SegmentIslands.h"
 
 #include <algorithm>
 #include <bitset>
-#include <cmath>
 
 namespace core {
 
@@ -67,14 +67,7 @@ EditDependencies dependencies(const SplitIslands& edit, const DependencyFacts& r
 
 std::int64_t leastVoxels(const SplitIslands& edit, const VolumeGeometry& geometry)
 {
-    if (!edit.mm3)
-        return 1;
-    constexpr double most = 1e15; // more than any volume has, and fits an integer
-    const glm::dvec3 spacing = geometry.spacingMm();
-    const double voxels = std::min(most, *edit.mm3 / (spacing.x * spacing.y * spacing.z));
-    // A hair's breadth of rounding must not decide about an island that is just as large.
-    constexpr double slack = 1e-6;
-    return std::int64_t(std::ceil(voxels - slack));
+    return edit.mm3 ? fewestVoxels(*edit.mm3, geometry) : 1;
 }
 
 Result<LabelListed> labelListed(SplitIslands& edit, const Document& document,

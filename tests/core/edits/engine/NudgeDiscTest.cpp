@@ -208,8 +208,8 @@ private Q_SLOTS:
                 const glm::dvec3 normal = turn % 4 < 3
                     ? axes[turn % 4]
                     : axes[0] * 0.4 - axes[1] * test::randomUnit(random) + axes[2];
-                const glm::dvec3 index(3.0 + 33.0 * test::randomUnit(random),
-                    3.0 + 29.0 * test::randomUnit(random), 2.0 + 15.0 * test::randomUnit(random));
+                const glm::dvec3 index{3.0 + 33.0 * test::randomUnit(random),
+                    3.0 + 29.0 * test::randomUnit(random), 2.0 + 15.0 * test::randomUnit(random)};
                 PaintStroke nudge = bench.nudge(index, normal, 3.0 + turn % 3);
                 nudge.segment = test::randomInt(random, 1, 4);
                 const int here = labels.at(glm::ivec3(glm::floor(index + 0.5)));

@@ -168,6 +168,26 @@ private Q_SLOTS:
         QVERIFY(*drawn(scene).rgba == coloured);
     }
 
+    /// Beside the volume, and where its values are black, whatever a map makes of black: the parts
+    /// of a picture are drawn by several programs.
+    void mipStaysBlackWhereNothingIsSeen()
+    {
+        m_fixture->open(test::centredGeometry({16, 16, 16}), [](const glm::dvec3&) { return 0.0; });
+        VolumeScene scene;
+        scene.mode = RenderMode::Mip;
+        scene.heightMm = 24.0;
+        scene.mipWindow = everyValue;
+        scene.mipColours = ColourMap::EvenLightness;
+        for (const bool sculpted : {false, true}) {
+            if (sculpted)
+                m_fixture->carveBox({{0, 0, 0}, {3, 3, 3}});
+            const Frame frame = drawn(scene);
+            for (int y = 0; y < frame.sizePixels.y; ++y)
+                for (int x = 0; x < frame.sizePixels.x; ++x)
+                    QCOMPARE(test::pixel(frame, x, y), glm::ivec3(0));
+        }
+    }
+
     void theCuttingPlaneShowsTheTable()
     {
         constexpr int value = 77;

@@ -175,8 +175,8 @@ private Q_SLOTS:
             const auto part = [&random](int least, int most) {
                 return least + double(random() % 1000) / 1000.0 * (most - least);
             };
-            const glm::dvec3 place(part(12, 26), part(10, 24), part(10, 22));
-            const glm::dvec3 normal(part(-4, 4), part(-4, 4), part(-4, 4) + 0.01);
+            const glm::dvec3 place{part(12, 26), part(10, 24), part(10, 22)};
+            const glm::dvec3 normal{part(-4, 4), part(-4, 4), part(-4, 4) + 0.01};
             const Labels before = bench.labels();
             const int label = bench.document().lastLabelGiven() + 1;
             const std::size_t rows = bench.rows().size();
