@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace ui {
 
@@ -66,16 +67,13 @@ void ViewSteps::hideOnly(const std::vector<int>& hidden)
     if (!session)
         return;
     const QScopedValueRollback own(m_own, true);
-    // Each change may rebuild the document's list.
-    std::vector<int> labels;
-    for (const core::Segment& each : session->document().segments)
-        labels.push_back(each.label);
-    for (const int label : labels) {
-        const bool wanted = std::find(hidden.begin(), hidden.end(), label) == hidden.end();
-        const core::Segment* segment = session->document().segment(label);
-        if (segment && segment->visible != wanted)
-            session->display().setSegmentVisible(label, wanted);
+    std::vector<std::pair<int, bool>> changed;
+    for (const core::Segment& each : session->document().segments) {
+        const bool wanted = std::find(hidden.begin(), hidden.end(), each.label) == hidden.end();
+        if (each.visible != wanted)
+            changed.emplace_back(each.label, wanted);
     }
+    session->display().setSegmentsVisible(changed);
 }
 
 /// The next change belongs to a step, the last one or a new one.

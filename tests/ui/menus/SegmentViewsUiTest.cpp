@@ -324,6 +324,24 @@ private Q_SLOTS:
         QCOMPARE(fixture.shown(), (QList<int>{1, 2, 3, 4}));
     }
 
+    /// However many eyes open or close, whoever follows the list is told once.
+    void manyEyesAreOneChange()
+    {
+        Fixture fixture;
+        int told = 0;
+        QObject listener;
+        QObject::connect(&fixture.workspace, &ui::Workspace::documentChanged, &listener,
+            [&told](const core::DocumentChange& change) {
+                told += change.what == core::DocumentChange::What::Segments ? 1 : 0;
+            });
+        fixture.action("segments.alone").trigger();
+        QCOMPARE(fixture.shown(), (QList<int>{1}));
+        QCOMPARE(told, 1);
+        fixture.action("edit.undo").trigger();
+        QCOMPARE(fixture.shown().size(), 9);
+        QCOMPARE(told, 2);
+    }
+
     /// The menu of a row is about that segment, whichever is active.
     void aRowsMenuGoesThereAndShowsItAlone()
     {
