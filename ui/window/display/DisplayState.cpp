@@ -277,6 +277,12 @@ void DisplayState::apply(const QJsonObject& state)
 void DisplayState::applyLook(const QJsonObject& state)
 {
     applyShown(state);
+    // What the state does not name is as at first, and not as the session had it.
+    m_views.planes().reset();
+    for (const NamedView& each : namedViews(m_views)) {
+        if (auto* slice = qobject_cast<SliceView*>(each.view))
+            slice->resetView();
+    }
     applyViews(state[QLatin1String("views")].toObject());
 }
 
