@@ -12,7 +12,12 @@ SessionDisplay::SessionDisplay(OperationQueue& queue)
 
 void SessionDisplay::setSegmentVisible(int label, bool visible)
 {
-    m_queue.state().setVisible(label, visible);
+    setSegmentsVisible({{label, visible}});
+}
+
+void SessionDisplay::setSegmentsVisible(const std::vector<std::pair<int, bool>>& segments)
+{
+    m_queue.state().setVisible(segments);
     m_queue.notifyListeners();
 }
 

@@ -3,6 +3,9 @@
 
 #include <QJsonObject>
 
+#include <utility>
+#include <vector>
+
 namespace core {
 
 class OperationQueue;
@@ -14,6 +17,8 @@ public:
     explicit SessionDisplay(OperationQueue& queue);
 
     void setSegmentVisible(int label, bool visible);
+    /// The same of several, by label: listeners are told once.
+    void setSegmentsVisible(const std::vector<std::pair<int, bool>>& segments);
 
     /// The state of the window when the session was last displayed: an object that core does not
     /// interpret (ui/window/display/DisplayState). Empty: none was kept.

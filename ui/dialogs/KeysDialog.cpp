@@ -44,7 +44,7 @@ const Binding bindings[] = {
     {"Pen's upper button + drag", "zoom; grey scale with a tool", "zoom"},
     {"Pen's upper button, pressed", "menu of the place", "menu of the place"},
     {"Double click", "this view alone, or all four", "this view alone, or all four"},
-    {"Z, held", "lens: what is under the pointer, three times as large", ""},
+    {"Z held", "lens: what is under the pointer, three times as large", ""},
     {"Up, Down, Page Up, Page Down", "one slice; ten slices", ""},
     {"Home, End", "first, last slice", ""},
     {"Esc", "takes back the stroke under the pen", "the same, and what is not kept yet"},

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace ui {
 
@@ -27,10 +28,14 @@ ViewSteps::ViewSteps(Workspace& workspace)
         if (!m_own)
             forget();
     });
-    // What was undone is gone once something else is done.
+    // What was undone is gone once something else is done, and eyes that follow are another step,
+    // even if that is taken back.
     connect(&workspace, &Workspace::documentChanged, this, [this] {
-        if (m_position != position())
-            m_after.clear();
+        if (m_position == position())
+            return;
+        m_after.clear();
+        if (m_open == What::Segments)
+            closeStep();
     });
 }
 
@@ -66,16 +71,13 @@ void ViewSteps::hideOnly(const std::vector<int>& hidden)
     if (!session)
         return;
     const QScopedValueRollback own(m_own, true);
-    // Each change may rebuild the document's list.
-    std::vector<int> labels;
-    for (const core::Segment& each : session->document().segments)
-        labels.push_back(each.label);
-    for (const int label : labels) {
-        const bool wanted = std::find(hidden.begin(), hidden.end(), label) == hidden.end();
-        const core::Segment* segment = session->document().segment(label);
-        if (segment && segment->visible != wanted)
-            session->display().setSegmentVisible(label, wanted);
+    std::vector<std::pair<int, bool>> changed;
+    for (const core::Segment& each : session->document().segments) {
+        const bool wanted = std::find(hidden.begin(), hidden.end(), each.label) == hidden.end();
+        if (each.visible != wanted)
+            changed.emplace_back(each.label, wanted);
     }
+    session->display().setSegmentsVisible(changed);
 }
 
 /// The next change belongs to a step, the last one or a new one.
@@ -159,16 +161,20 @@ void ViewSteps::showAlone(int label)
     core::EditSession* session = m_workspace.session();
     if (!session || !session->document().segment(label))
         return;
-    if (isShownAlone(session->document(), label)) {
+    const core::Document& document = session->document();
+    if (isShownAlone(document, label)) {
         const std::vector<int> before = m_hiddenBeforeAlone.value_or(std::vector<int>{});
         m_hiddenBeforeAlone.reset();
         return changeHidden(before);
     }
-    // From one alone to another one: what comes back is what was shown before the first.
-    if (!m_hiddenBeforeAlone)
+    // From one alone to another one: what comes back is what was shown before the first. But undo,
+    // or a new segment, may have ended that.
+    const auto seen = std::count_if(document.segments.begin(), document.segments.end(),
+        [](const core::Segment& each) { return each.visible; });
+    if (!m_hiddenBeforeAlone || seen != 1)
         m_hiddenBeforeAlone = shown().hidden;
     std::vector<int> hidden;
-    for (const core::Segment& each : session->document().segments) {
+    for (const core::Segment& each : document.segments) {
         if (each.label != label)
             hidden.push_back(each.label);
     }

@@ -341,9 +341,13 @@ void SessionState::placeSegments()
     }
 }
 
-void SessionState::setVisible(int label, bool visible)
+void SessionState::setVisible(const std::vector<std::pair<int, bool>>& segments)
 {
-    const bool changed = visible ? m_hidden.erase(label) > 0 : m_hidden.insert(label).second;
+    bool changed = false;
+    for (const auto& [label, visible] : segments) {
+        if (visible ? m_hidden.erase(label) > 0 : m_hidden.insert(label).second)
+            changed = true;
+    }
     if (!changed)
         return;
     placeSegments();

@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace core {
@@ -60,7 +61,8 @@ public:
     /// Takes the bricks of an opened session.
     void begin(std::vector<BrickImage> bricks);
 
-    void setVisible(int label, bool visible);
+    /// By label.
+    void setVisible(const std::vector<std::pair<int, bool>>& segments);
     void hide(const std::vector<int>& labels);
     void setDisplay(const QJsonObject& shown);
 

@@ -3,15 +3,18 @@
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "ui/base/Actions.h"
+#include "ui/frame/ToolColumn.h"
 #include "ui/input/Tool.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QAction>
 #include <QTest>
+#include <QToolButton>
 
 namespace toolPanelsUiTest {
 
-/// The panel of a tool opens when the user takes the tool, and only then.
+/// The panel of a tool opens when the user takes the tool, and only then; tools and panels go into
+/// a small window.
 class ToolPanelsUiTest : public QObject {
     Q_OBJECT
 
@@ -57,6 +60,33 @@ private Q_SLOTS:
         fixture.workspace().setActiveTool(taken);
         QVERIFY(!actions[panel].isChecked());
         fixture.workspace().setActiveTool(nullptr);
+    }
+
+    /// With all tools there are, each is within reach in a small window.
+    void allToolsFitASmallWindow()
+    {
+        test::ApplicationFixture fixture;
+        fixture.open(fixture.path("case/ct"));
+        ui::MainWindow& window = fixture.window();
+        window.resize(1280, 720);
+        QTRY_COMPARE(window.size(), QSize(1280, 720));
+        const auto* column = window.findChild<ui::ToolColumn*>();
+        QVERIFY(column);
+        const QList<QToolButton*> buttons = column->findChildren<QToolButton*>();
+        QVERIFY(buttons.size() > 20);
+        for (const QToolButton* button : buttons) {
+            QTRY_VERIFY2(
+                column->rect().contains(button->geometry()), qPrintable(button->toolTip()));
+            QVERIFY2(
+                button->height() >= button->iconSize().height(), qPrintable(button->toolTip()));
+        }
+        for (const char* tool : {"tool.nudge", "tool.contour"}) {
+            window.actionTable()[QLatin1String(tool)].trigger();
+            QVERIFY2(fixture.workspace().activeTool(), tool);
+            QTRY_COMPARE(window.size(), QSize(1280, 720));
+            QVERIFY2(window.minimumSizeHint().width() <= 1280, tool);
+            QVERIFY2(window.minimumSizeHint().height() <= 720, tool);
+        }
     }
 };
 

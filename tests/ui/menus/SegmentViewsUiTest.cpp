@@ -324,6 +324,61 @@ private Q_SLOTS:
         QCOMPARE(fixture.shown(), (QList<int>{1, 2, 3, 4}));
     }
 
+    /// Eyes before and after a step of the history that was taken back are two steps.
+    void aStepBetweenEyesPartsThem()
+    {
+        Fixture fixture(test::smallStudy(), 4);
+        const QAction& undo = fixture.action("edit.undo");
+        fixture.clickEye(0);
+        fixture.apply(test::newSegment(QStringLiteral("Later")));
+        fixture.action("edit.undo").trigger();
+        fixture.settle();
+        QTRY_COMPARE(undo.text(), QStringLiteral("Undo: Show and hide segments"));
+        fixture.clickEye(1);
+        QCOMPARE(fixture.shown(), (QList<int>{3, 4}));
+        fixture.action("edit.undo").trigger();
+        QCOMPARE(fixture.shown(), (QList<int>{2, 3, 4}));
+        fixture.action("edit.undo").trigger();
+        QCOMPARE(fixture.shown(), (QList<int>{1, 2, 3, 4}));
+    }
+
+    /// What comes back is what was shown just before, not before something that was undone.
+    void undoEndsWhatWasAlone()
+    {
+        Fixture fixture(test::smallStudy(), 4);
+        core::ClipRegion clip = fixture.workspace.clip();
+        clip.box.on = true;
+        fixture.clickEye(2);
+        fixture.workspace.viewSteps().change(clip);
+        fixture.action("segments.alone").trigger();
+        QCOMPARE(fixture.shown(), (QList<int>{1}));
+        for (int step = 0; step < 3; ++step)
+            fixture.action("edit.undo").trigger();
+        QCOMPARE(fixture.shown(), (QList<int>{1, 2, 3, 4}));
+        fixture.action("segments.alone").trigger();
+        QCOMPARE(fixture.shown(), (QList<int>{1}));
+        fixture.action("segments.alone").trigger();
+        QCOMPARE(fixture.shown(), (QList<int>{1, 2, 3, 4}));
+    }
+
+    /// However many eyes open or close, whoever follows the list is told once.
+    void manyEyesAreOneChange()
+    {
+        Fixture fixture;
+        int told = 0;
+        QObject listener;
+        QObject::connect(&fixture.workspace, &ui::Workspace::documentChanged, &listener,
+            [&told](const core::DocumentChange& change) {
+                told += change.what == core::DocumentChange::What::Segments ? 1 : 0;
+            });
+        fixture.action("segments.alone").trigger();
+        QCOMPARE(fixture.shown(), (QList<int>{1}));
+        QCOMPARE(told, 1);
+        fixture.action("edit.undo").trigger();
+        QCOMPARE(fixture.shown().size(), 9);
+        QCOMPARE(told, 2);
+    }
+
     /// The menu of a row is about that segment, whichever is active.
     void aRowsMenuGoesThereAndShowsItAlone()
     {

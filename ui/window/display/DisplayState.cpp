@@ -7,6 +7,7 @@
 #include "ui/views/ViewGrid.h"
 #include "ui/window/display/LookJson.h"
 #include "ui/window/display/ToolSettings.h"
+#include "ui/window/display/ViewJson.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/LayerLooks.h"
 #include "ui/workspace/Pieces.h"
@@ -24,118 +25,12 @@ namespace ui {
 namespace {
 
 using displayJson::apply;
-using displayJson::atRightAngles;
+using displayJson::coloursNamed;
 using displayJson::contextNamed;
 using displayJson::nameOf;
 using displayJson::read;
+using displayJson::slabNamed;
 using displayJson::toJson;
-
-constexpr std::array<const char*, 4> slabNames{"off", "mip", "minip", "mean"}; ///< gpu::SlabMode
-
-gpu::SlabMode slabNamed(const QString& name)
-{
-    for (std::size_t i = 0; i < slabNames.size(); ++i) {
-        if (name == QLatin1String(slabNames[i]))
-            return gpu::SlabMode(i);
-    }
-    return gpu::SlabMode::Off;
-}
-
-constexpr std::array<const char*, gpu::colourMaps> colourNames{
-    "grey", "hotIron", "hotMetalBlue", "pet20Step", "evenLightness"}; ///< gpu::ColourMap
-
-gpu::ColourMap coloursNamed(const QString& name)
-{
-    for (std::size_t i = 0; i < colourNames.size(); ++i) {
-        if (name == QLatin1String(colourNames[i]))
-            return gpu::ColourMap(i);
-    }
-    return gpu::ColourMap::Grey;
-}
-
-QJsonObject toJson(const SliceView::Place& place)
-{
-    return {{QStringLiteral("centreLps"), toJson(place.centreLps)},
-        {QStringLiteral("mmPerPixel"), place.mmPerPixel}};
-}
-
-void apply(const QJsonValue& json, SliceView& view)
-{
-    SliceView::Place place{.mmPerPixel = 0.0};
-    read(json[QLatin1String("centreLps")], place.centreLps);
-    read(json[QLatin1String("mmPerPixel")], place.mmPerPixel);
-    if (place.mmPerPixel > 0.0)
-        view.setPlace(place);
-}
-
-constexpr std::array<const char*, 3> planeNames{
-    "axial", "sagittal", "coronal"}; ///< in the order of MprPlanes::all
-
-QJsonObject toJson(const MprPlanes& planes)
-{
-    QJsonObject object;
-    for (std::size_t i = 0; i < planeNames.size(); ++i) {
-        const SliceAxes& axes = planes.axes(MprPlanes::all[i]);
-        object[QLatin1String(planeNames[i])] =
-            QJsonObject{{QStringLiteral("rightLps"), toJson(axes.rightLps)},
-                {QStringLiteral("downLps"), toJson(axes.downLps)}};
-    }
-    return object;
-}
-
-void apply(const QJsonValue& json, MprPlanes& planes)
-{
-    for (std::size_t i = 0; i < planeNames.size(); ++i) {
-        SliceAxes axes = planes.axes(MprPlanes::all[i]);
-        const QJsonValue plane = json[QLatin1String(planeNames[i])];
-        read(plane[QLatin1String("rightLps")], axes.rightLps);
-        read(plane[QLatin1String("downLps")], axes.downLps);
-        if (plane.isObject() && atRightAngles(axes.rightLps, axes.downLps))
-            planes.set(MprPlanes::all[i], axes.rightLps, axes.downLps);
-    }
-}
-
-QJsonObject toJson(const SliceTurn& turn)
-{
-    return {
-        {QStringLiteral("mirrored"), turn.mirrored}, {QStringLiteral("quarters"), turn.quarters}};
-}
-
-void read(const QJsonValue& json, SliceTurn& turn)
-{
-    const int quarters = json[QLatin1String("quarters")].toInt(-1);
-    if (quarters >= 0 && quarters < 4)
-        turn = {json[QLatin1String("mirrored")].toBool(), quarters};
-}
-
-QJsonObject toJson(const VolumeView& view)
-{
-    const Camera& camera = view.camera();
-    QJsonObject object{{QStringLiteral("towardsViewer"), toJson(camera.towardsViewer)},
-        {QStringLiteral("up"), toJson(camera.up)}};
-    // A view that shows everything does so in a window of another size as well.
-    if (!view.fitted()) {
-        object[QStringLiteral("targetLps")] = toJson(camera.targetLps);
-        object[QStringLiteral("heightMm")] = camera.heightMm;
-    }
-    return object;
-}
-
-void apply(const QJsonValue& json, VolumeView& view)
-{
-    if (!json.isObject())
-        return;
-    Camera camera = view.camera();
-    read(json[QLatin1String("towardsViewer")], camera.towardsViewer);
-    read(json[QLatin1String("up")], camera.up);
-    if (!atRightAngles(camera.up, camera.towardsViewer))
-        return;
-    if (json[QLatin1String("heightMm")].toDouble() <= 0.0)
-        return view.fitCamera(camera);
-    read(json[QLatin1String("targetLps")], camera.targetLps);
-    read(json[QLatin1String("heightMm")], camera.heightMm);
-    view.setCamera(camera);
-}
 
 ContextSwitch& contextSwitch(const ViewGrid& views)
 {
@@ -231,12 +126,11 @@ QJsonObject DisplayState::composedViews() const
     // Only where there is one, so that states without are as they always were.
     const Workspace::ViewOptions& options = m_workspace.viewOptions();
     if (options.slabMode != gpu::SlabMode::Off)
-        object[QStringLiteral("slab")] = QJsonObject{
-            {QStringLiteral("mode"), QLatin1String(slabNames[std::size_t(options.slabMode)])},
-            {QStringLiteral("mm"), options.slabMm}};
+        object[QStringLiteral("slab")] =
+            QJsonObject{{QStringLiteral("mode"), nameOf(options.slabMode)},
+                {QStringLiteral("mm"), options.slabMm}};
     if (options.colours != gpu::ColourMap::Grey)
-        object[QStringLiteral("colours")] =
-            QLatin1String(colourNames[std::size_t(options.colours)]);
+        object[QStringLiteral("colours")] = nameOf(options.colours);
     if (options.referenceLines)
         object[QStringLiteral("referenceLines")] = true;
     if (options.linkedPlaces)
@@ -277,6 +171,12 @@ void DisplayState::apply(const QJsonObject& state)
 void DisplayState::applyLook(const QJsonObject& state)
 {
     applyShown(state);
+    // What the state does not name is as at first, and not as the session had it.
+    m_views.planes().reset();
+    for (const NamedView& each : namedViews(m_views)) {
+        if (auto* slice = qobject_cast<SliceView*>(each.view))
+            slice->resetView();
+    }
     applyViews(state[QLatin1String("views")].toObject());
 }
 

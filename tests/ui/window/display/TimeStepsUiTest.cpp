@@ -115,6 +115,30 @@ private Q_SLOTS:
         QVERIFY(session().document().segments.empty());
     }
 
+    /// Where slices were zoomed, turned or oblique at a point, and are not at the next: nothing of
+    /// that comes back.
+    void theSamePlaceIsSeenWhereSlicesLayOtherwise()
+    {
+        window().opener().open(
+            path("times"), test::SyntheticSeries().seriesUid + QStringLiteral("@2"));
+        waitFor(1);
+        ui::SliceView& axial = window().views().axial();
+        ui::MprPlanes& planes = window().views().planes();
+        axial.setPlace({.centreLps = workspace().crosshairLps(), .mmPerPixel = 0.125});
+        axial.setTurn({true, 1});
+        planes.turnOthers(ui::SliceOrientation::Axial, 0.6);
+        step("file.nextTime", 2);
+        QVERIFY(axial.place().has_value());
+        QVERIFY(axial.turn() == (ui::SliceTurn{true, 1}));
+        QVERIFY(!planes.alongPatient());
+        axial.resetView();
+        planes.reset();
+        step("file.previousTime", 1);
+        QVERIFY(!axial.place());
+        QVERIFY(axial.turn().isUpright());
+        QVERIFY(planes.alongPatient());
+    }
+
     /// What is opened otherwise begins with its own look.
     void anotherOpeningTakesNothingAlong()
     {
