@@ -7,6 +7,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
@@ -17,7 +19,8 @@ struct Sizes {
     int spacing;
 };
 constexpr Sizes namedSizes{.height = 48, .spacing = 3};
-constexpr Sizes iconSizes{.height = 26, .spacing = 2}; // all tools go into 700 pixels
+constexpr Sizes iconSizes{.height = 25, .spacing = 2}; // at least: all tools go into 700 pixels
+constexpr int greatestIconHeight = 40; // where there is room, as large as a pen hits well
 
 } // namespace
 
@@ -80,7 +83,11 @@ void ToolColumn::resizeEvent(QResizeEvent* event)
 {
     QFrame::resizeEvent(event);
     const bool named = height() >= heightWith(namedSizes.height, namedSizes.spacing);
-    const Sizes& sizes = named ? namedSizes : iconSizes;
+    Sizes sizes = named ? namedSizes : iconSizes;
+    if (!named && !m_buttons.empty()) {
+        const int room = (height() - heightWith(0, sizes.spacing)) / int(m_buttons.size());
+        sizes.height = std::clamp(room, iconSizes.height, greatestIconHeight);
+    }
     m_layout->setSpacing(sizes.spacing);
     for (QToolButton* button : m_buttons) {
         button->setToolButtonStyle(named ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
