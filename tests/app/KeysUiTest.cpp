@@ -31,6 +31,10 @@ private Q_SLOTS:
             }
         }
         QVERIFY2(keys > 50, qPrintable(QString::number(keys)));
+        // Views and their tools have these: slices, lens, what is drawn or watched.
+        for (const char* key : {"Z", "Space", "Esc", "Return", "Enter", "Backspace", "Left",
+                 "Right", "Up", "Down", "PgUp", "PgDown", "Home", "End"})
+            QVERIFY2(!owners.contains(QLatin1String(key)), key);
     }
 
     /// Each press lifts another cut: a key that is held down lifts one.

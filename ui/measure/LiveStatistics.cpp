@@ -150,7 +150,9 @@ void LiveStatistics::follow(const core::DocumentChange& change)
         return;
     }
     later();
-    Q_EMIT changed();
+    // Who begins to watch is told then.
+    if (m_watched)
+        Q_EMIT changed();
 }
 
 /// A segment that has changed elsewhere than where it was has more voxels than it had, or none.

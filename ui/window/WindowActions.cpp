@@ -2,26 +2,22 @@
 #include "ui/window/WindowActions.h"
 
 #include "core/edits/kinds/layers/ChangeLayer.h"
-#include "ui/base/MenuText.h"
-#include "ui/base/RowTitleText.h"
-#include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/KeysDialog.h"
 #include "ui/dialogs/MaskOrderDialog.h"
 #include "ui/dialogs/PenTesterDialog.h"
 #include "ui/dialogs/SegmentDialogs.h"
-#include "ui/dialogs/session/HistoryMemoryDialog.h"
 #include "ui/dialogs/study/OpenDialogs.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/input/Tool.h"
 #include "ui/menus/SegmentViews.h"
 #include "ui/report/AuditSaver.h"
 #include "ui/tasks/MaskImporter.h"
+#include "ui/window/EditActions.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/PacsActions.h"
 #include "ui/window/ViewActions.h"
 #include "ui/workspace/LayerActions.h"
 #include "ui/workspace/SegmentActions.h"
-#include "ui/workspace/ViewSteps.h"
 
 #include <QApplication>
 #include <QDesktopServices>
@@ -30,35 +26,6 @@
 namespace ui {
 
 namespace {
-
-/// What is drawn corner by corner is undone so, too.
-bool drawsStepwise(const Workspace& workspace)
-{
-    return workspace.activeTool() && workspace.activeTool()->canTakeStepBack();
-}
-
-QString nameOfStep(ViewSteps::What what)
-{
-    switch (what) {
-    case ViewSteps::What::Clip:
-        return QObject::tr("Clip");
-    case ViewSteps::What::Segments:
-        break;
-    }
-    return QObject::tr("Show and hide segments");
-}
-
-void carryOut(Workspace& workspace, core::Result<void> (core::EditSession::*step)())
-{
-    core::EditSession* session = workspace.session();
-    if (!session)
-        return;
-    // A stroke under the pen would be what an impatient undo means.
-    if (workspace.activeTool())
-        workspace.activeTool()->putAway();
-    if (const auto done = (session->*step)(); !done)
-        workspace.fail(done.error());
-}
 
 void addFileActions(MainWindow& window)
 {
@@ -150,75 +117,6 @@ void addFileActions(MainWindow& window)
     actions.add({.id = QStringLiteral("help.about"),
         .text = QStringLiteral("About Burin"),
         .run = [&window] { window.showAbout(); }});
-}
-
-void addEditActions(MainWindow& window)
-{
-    Actions& actions = window.actionTable();
-    Workspace& workspace = window.workspace();
-    actions.add({.id = QStringLiteral("edit.undo"),
-        .text = QStringLiteral("Undo"),
-        .keys = {QKeySequence(QStringLiteral("Ctrl+Z"))},
-        .icon = QStringLiteral("undo"),
-        .run =
-            [&workspace] {
-                if (drawsStepwise(workspace))
-                    workspace.activeTool()->takeStepBack();
-                else if (workspace.viewSteps().undoable())
-                    workspace.viewSteps().undo();
-                else
-                    carryOut(workspace, &core::EditSession::undo);
-            },
-        .possible =
-            [&workspace] {
-                return drawsStepwise(workspace) || workspace.viewSteps().undoable()
-                    || (workspace.session() && workspace.session()->history().canUndo());
-            },
-        .currentText =
-            [&workspace] {
-                if (drawsStepwise(workspace))
-                    return QStringLiteral("Undo: %1").arg(workspace.activeTool()->stepText());
-                if (const auto shown = workspace.viewSteps().undoable())
-                    return QStringLiteral("Undo: %1").arg(nameOfStep(*shown));
-                if (!workspace.session() || !workspace.session()->history().canUndo())
-                    return QStringLiteral("Undo");
-                const core::History& history = workspace.session()->history();
-                return QStringLiteral("Undo: %1")
-                    .arg(menuText(nameOf(history.row(history.position()))));
-            }});
-    actions.add({.id = QStringLiteral("edit.redo"),
-        .text = QStringLiteral("Redo"),
-        .keys = {QKeySequence(QStringLiteral("Ctrl+Y")),
-            QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
-        .icon = QStringLiteral("redo"),
-        .run =
-            [&workspace] {
-                if (workspace.viewSteps().redoable())
-                    workspace.viewSteps().redo();
-                else
-                    carryOut(workspace, &core::EditSession::redo);
-            },
-        .possible =
-            [&workspace] {
-                return workspace.viewSteps().redoable()
-                    || (workspace.session() && workspace.session()->history().canRedo());
-            },
-        .currentText =
-            [&workspace] {
-                if (const auto shown = workspace.viewSteps().redoable())
-                    return QStringLiteral("Redo: %1").arg(nameOfStep(*shown));
-                if (!workspace.session() || !workspace.session()->history().canRedo())
-                    return QStringLiteral("Redo");
-                const core::History& history = workspace.session()->history();
-                return QStringLiteral("Redo: %1")
-                    .arg(menuText(nameOf(history.row(history.redoTarget()))));
-            }});
-    actions.add({.id = QStringLiteral("edit.author"),
-        .text = QStringLiteral("Name in the audit trail …"),
-        .run = [&window] { AuthorDialog(&window).exec(); }});
-    actions.add({.id = QStringLiteral("edit.historyMemory"),
-        .text = QStringLiteral("Memory for history …"),
-        .run = [&window] { HistoryMemoryDialog(window.workspace(), &window).exec(); }});
 }
 
 void addToolActions(MainWindow& window)
