@@ -12,10 +12,11 @@ namespace {
 
 constexpr std::size_t perBrick = core::BrickGrid::voxelsPerBrick;
 
-/// No bytes mean that no voxel has a label.
-std::uint8_t labelIn(const core::BrickBytes& labels, std::size_t voxel)
+/// The labels of a brick; no bytes mean that no voxel has one.
+const std::vector<std::uint8_t>& labelsOf(const core::BrickBytes& image)
 {
-    return labels.empty() ? std::uint8_t(0) : labels.read()[voxel];
+    static const std::vector<std::uint8_t> none(perBrick, 0);
+    return image.empty() ? none : image.read();
 }
 
 bool isMemberIn(const std::vector<std::uint8_t>& words, std::size_t voxel)
@@ -44,9 +45,11 @@ ComparedGrowth compareGrowth(VoxelFields& fields, BeforeImages& before, std::uin
     ComparedGrowth compared;
     compared.bricks.reserve(changes.size());
     for (std::size_t i = 0; i < changes.size(); ++i) {
+        const std::vector<std::uint8_t>& former = labelsOf(changes[i].before);
+        const std::vector<std::uint8_t>& now = labelsOf(changes[i].after);
         std::vector<std::uint8_t> marks(perBrick, PreviewMarks::None);
         for (std::size_t voxel = 0; voxel < perBrick; ++voxel) {
-            if (labelIn(changes[i].before, voxel) == labelIn(changes[i].after, voxel))
+            if (former[voxel] == now[voxel])
                 continue;
             const bool isReached = isMemberIn(words[i], voxel);
             marks[voxel] = isReached ? PreviewMarks::Reached : PreviewMarks::Suspended;
