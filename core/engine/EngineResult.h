@@ -41,6 +41,7 @@ struct EngineResult {
                                                 ///< last that has any
     std::optional<ToleranceCurve> tolerance{}; ///< TraceTolerance, once it is done
     std::optional<CutPreview> cutPreview{}; ///< PreviewCut, once it is done
+    std::optional<GrowthComparison> growthComparison{}; ///< CompareGrowth
 };
 
 } // namespace core

@@ -52,4 +52,10 @@ struct PreviewCut {
 /// Discards what PreviewCut computed. The result is empty.
 struct DropCutPreview { };
 
+/// Compares the plane of the open growth with what it was when that began: what another interval
+/// suspends, and what it reaches (seed A §5.3). It changes nothing. The result contains the counts
+/// (`growthComparison`). From then on it can be shown, until EndEdit is carried out, another
+/// CompareGrowth is answered, or a volume is opened.
+struct CompareGrowth { };
+
 } // namespace core

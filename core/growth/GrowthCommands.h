@@ -252,6 +252,13 @@ struct CutPreview {
     bool operator==(const CutPreview&) const = default;
 };
 
+/// In how many voxels the plane differs from what it was when an open growth began.
+struct GrowthComparison {
+    std::int64_t suspended = 0; ///< voxels that have left the growth; a wider interval recovers them
+    std::int64_t reached = 0; ///< voxels that a label has claimed
+    bool operator==(const GrowthComparison&) const = default;
+};
+
 /// Set barriers along a path, or remove them. It changes the voxels inside (CapsuleSweep.h, rule
 /// 4).
 ///

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/WordBricks.h"
 
+#include <bit>
+#include <cstring>
+
 namespace core {
 
 WordBricks::WordBricks(const BrickGrid& grid, std::size_t bricks)
@@ -19,8 +22,12 @@ void WordBricks::add(std::uint32_t brick, std::span<const std::uint8_t> bytes)
     m_words.resize(first + BrickGrid::voxelsPerBrick);
     const std::uint8_t* byte = bytes.data();
     std::uint32_t* const words = m_words.data() + first;
-    for (std::size_t i = 0; i < BrickGrid::voxelsPerBrick; ++i, byte += 4)
-        words[i] = seedWord::wordAt(byte);
+    if constexpr (std::endian::native == std::endian::little) {
+        std::memcpy(words, byte, BrickGrid::voxelsPerBrick * sizeof(std::uint32_t));
+    } else {
+        for (std::size_t i = 0; i < BrickGrid::voxelsPerBrick; ++i, byte += 4)
+            words[i] = seedWord::wordAt(byte);
+    }
 }
 
 void WordBricks::link()

@@ -66,6 +66,40 @@ public:
         }
     }
 
+    /// The lowest of the directions below @p last (an even number) that leads to the voxel from a
+    /// neighbour in a brick that was added and for whose word @p holds is true; otherwise
+    /// seedWord::directions. It looks no further than to the first.
+    template <class Holds>
+    [[nodiscard]] std::uint32_t lowestDirectionTo(
+        Voxel voxel, std::uint32_t last, const Holds& holds) const
+    {
+        const int x = int(voxel & 15u);
+        const int y = int(voxel >> 4 & 15u);
+        const int z = int(voxel >> 8 & 15u);
+        if (std::uint32_t(x - 1) < 14 && std::uint32_t(y - 1) < 14 && std::uint32_t(z - 1) < 14) {
+            for (std::uint32_t direction = 0; direction < last; ++direction) {
+                if (holds(m_words[voxel + std::uint32_t(strides[direction ^ 1u])]))
+                    return direction;
+            }
+            return seedWord::directions;
+        }
+        const std::array<std::uint32_t, 27>& around = m_around[voxel >> 12];
+        for (std::uint32_t direction = 0; direction < last; ++direction) {
+            const std::array<int, 3>& offset = seedWord::offsets[direction ^ 1u];
+            const int a = x + offset[0] + 16;
+            const int b = y + offset[1] + 16;
+            const int c = z + offset[2] + 16;
+            const std::uint32_t place = around[std::size_t((a >> 4) + 3 * (b >> 4) + 9 * (c >> 4))];
+            if (place == none)
+                continue;
+            const Voxel neighbour =
+                place << 12 | std::uint32_t((a & 15) | (b & 15) << 4 | (c & 15) << 8);
+            if (holds(m_words[neighbour]))
+                return direction;
+        }
+        return seedWord::directions;
+    }
+
 private:
     /// From a voxel to its neighbour in the same brick.
     static constexpr std::array<int, seedWord::directions> strides = [] {

@@ -93,6 +93,17 @@ core::GrowthProgress EditTransaction::progress() const
     return m_work ? m_work->progress() : core::GrowthProgress();
 }
 
+std::optional<std::uint8_t> EditTransaction::growingPlane() const
+{
+    return m_work ? m_work->growingPlane() : std::nullopt;
+}
+
+ComparedGrowth EditTransaction::compareGrowth()
+{
+    return gpu::compareGrowth(
+        m_fields, m_before, m_work->growingPlane().value(), m_work->touchedKeys());
+}
+
 tl::unexpected<core::Error> refusal(const char* field, const char* reason)
 {
     return core::failure(

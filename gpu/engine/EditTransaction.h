@@ -6,6 +6,7 @@
 #include "core/engine/EngineResult.h"
 #include "gpu/engine/BeginWork.h"
 #include "gpu/fields/BeforeImages.h"
+#include "gpu/kernels/growth/ComparedGrowth.h"
 
 #include <memory>
 #include <optional>
@@ -48,6 +49,10 @@ public:
     void abandon(const core::Error& why);
     [[nodiscard]] const std::optional<core::Error>& abandoned() const { return m_abandoned; }
     [[nodiscard]] core::GrowthProgress progress() const;
+    /// In which plane a growth is open; none if another edit is.
+    [[nodiscard]] std::optional<std::uint8_t> growingPlane() const;
+    /// Compares that plane with what it was when the growth began. Call it only while one is open.
+    [[nodiscard]] ComparedGrowth compareGrowth();
 
 private:
     EditTransaction(EditPrograms& programs, VoxelFields& fields)

@@ -170,4 +170,21 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::DropCutPreview&)
     return core::EngineResult{};
 }
 
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::CompareGrowth&)
+{
+    const auto why = m_transaction ? m_transaction->abandoned() : std::optional<core::Error>();
+    if (why)
+        return tl::unexpected(*why);
+    const auto plane =
+        m_transaction ? m_transaction->growingPlane() : std::optional<std::uint8_t>();
+    if (!plane)
+        return refusal("transaction", "no growth is open");
+    ComparedGrowth compared = m_transaction->compareGrowth();
+    if (*plane == 0)
+        m_growthMarks.show(*m_fields, std::move(compared.bricks));
+    core::EngineResult result;
+    result.growthComparison = compared.counts;
+    return result;
+}
+
 } // namespace gpu

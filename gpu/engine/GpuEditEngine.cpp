@@ -21,6 +21,7 @@ GpuEditEngine::GpuEditEngine(const EditContext& context)
     , m_idleWork(m_programs, m_fieldPrograms)
     , m_picks(context.shaders)
     , m_cutPreviewer(context.textures)
+    , m_growthMarks(context.textures)
 {
 }
 
@@ -73,6 +74,7 @@ void GpuEditEngine::close()
     m_transaction.reset();
     m_trace.reset();
     m_cutPreviewer.forget();
+    m_growthMarks.hide();
     m_fields.reset();
 }
 
@@ -121,7 +123,7 @@ void GpuEditEngine::warmUp()
 
 std::size_t GpuEditEngine::brickBytes() const
 {
-    return m_fields ? m_fields->bytes() + m_cutPreviewer.bytes() : 0;
+    return m_fields ? m_fields->bytes() + m_cutPreviewer.bytes() + m_growthMarks.bytes() : 0;
 }
 
 /// What is thrown in spite of all that is caught below: of nothing is it known how far it came.
@@ -294,6 +296,12 @@ void GpuEditEngine::clearAfter(const core::PreviewCut&, const core::Error&)
         m_cutPreviewer.forget();
 }
 
+void GpuEditEngine::clearAfter(const core::CompareGrowth&, const core::Error&)
+{
+    if (!m_lost)
+        m_growthMarks.hide();
+}
+
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
 {
     if (m_transaction)
@@ -325,6 +333,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::EndEdit& command)
 {
     if (!m_transaction)
         return refusal("transaction", "no edit is open");
+    m_growthMarks.hide();
     if (const std::optional<core::Error> why = m_transaction->abandoned()) {
         m_transaction.reset();
         return tl::unexpected(*why);

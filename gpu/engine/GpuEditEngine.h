@@ -74,6 +74,7 @@ private:
     void clearAfter(const core::EndEdit& command, const core::Error& why);
     void clearAfter(const core::TraceTolerance& command, const core::Error& why);
     void clearAfter(const core::PreviewCut& command, const core::Error& why);
+    void clearAfter(const core::CompareGrowth& command, const core::Error& why);
     Outcome carryOut(const core::BeginEdit& command);
     Outcome carryOut(const core::ExtendEdit& command);
     Outcome carryOut(const core::EndEdit& command);
@@ -91,6 +92,7 @@ private:
     Outcome carryOut(const core::DropTolerance& command);
     Outcome carryOut(const core::PreviewCut& command);
     Outcome carryOut(const core::DropCutPreview& command);
+    Outcome carryOut(const core::CompareGrowth& command);
     [[nodiscard]] core::Result<void> checkImages(
         const std::vector<core::BrickImage>& images, bool mayBeEmpty) const;
     Outcome put(const core::LabelGuard& guard, const std::vector<core::BrickImage>& now,
@@ -108,6 +110,7 @@ private:
     PickKernel m_picks;
     std::unique_ptr<VoxelFields> m_fields;
     CutPreviewer m_cutPreviewer;
+    PreviewMarks m_growthMarks; ///< what the open growth has changed
     std::unique_ptr<EditTransaction> m_transaction;
     std::optional<core::Error> m_lost; ///< why every command is refused until a volume is opened
     std::bitset<256> m_shownLabels;

@@ -90,6 +90,7 @@ public:
             .frontSizes = m_kernel->frontSizes(),
             .alarm = m_kernel->alarm()};
     }
+    std::optional<std::uint8_t> growingPlane() const override { return m_plane; }
 
 private:
     void open(const core::GrowBurst& burst)

@@ -246,14 +246,22 @@ void main()
     result = mix(result, chunkRim.rgb, chunkEnds ? chunkRim.a : 0.0);
 #endif
 #if CUT_PREVIEW
-    const bool goes = isInCutPreview(voxel);
+    const uint mark = previewMarkAt(voxel);
     bool border = false;
     for (int i = 0; i < 8; i += 2) {
         const vec3 there = indexAt(pixel + around(i) * cutPreviewWidth);
-        border = border || isInCutPreview(nearestVoxel(there)) != goes;
+        border = border || previewMarkAt(nearestVoxel(there)) != mark;
     }
-    result = mix(result, border ? cutPreviewColour : cutPreviewAt(pixel),
-        goes ? (border ? 1.0 : 0.6) : 0.0);
+#if LABELED
+    const vec3 marksOwn = entry.rgb;
+    const float markShown = mark == growthReached ? entry.a : 1.0;
+#else
+    const vec3 marksOwn = vec3(1.0);
+    const float markShown = 1.0;
+#endif
+    result = mix(result,
+        border ? previewMarkLine(mark, marksOwn) : previewMarkColour(mark, pixel, marksOwn),
+        mark != 0u ? (border ? 1.0 : 0.6) * markShown : 0.0);
 #endif
 #if CARVED
     float least = 1.0;

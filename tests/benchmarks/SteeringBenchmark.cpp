@@ -165,7 +165,10 @@ QString measureSlider(PeerReport& report, Ball& ball)
             .opening = core::GrowOpening::Narrow,
             .generation = ball.grown().generation};
     };
-    edits.submit(core::BeginEdit{at(radius)});
+    report.add({"steer.opening", "Ms", milliseconds([&] {
+                    edits.submit(core::BeginEdit{at(radius)});
+                    edits.finish();
+                })});
     std::vector<double> times;
     for (int round = 0; round < rounds; ++round) {
         const int voxels = radius + (round % 2 == 0 ? 2 : -2);

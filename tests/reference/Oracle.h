@@ -78,6 +78,7 @@ private:
     [[nodiscard]] Outcome carryOut(core::DropTolerance& command);
     [[nodiscard]] Outcome carryOut(core::PreviewCut& command);
     [[nodiscard]] Outcome carryOut(core::DropCutPreview& command);
+    [[nodiscard]] Outcome carryOut(core::CompareGrowth& command);
     [[nodiscard]] core::Result<void> checkCut(const core::CutGrowth& edit) const;
     [[nodiscard]] core::Result<void> cutFurther(CutBack& cut, const core::CutFurther& further);
     [[nodiscard]] core::Result<void> check(const core::GrowBurst& edit) const;

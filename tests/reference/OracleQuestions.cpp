@@ -136,4 +136,25 @@ Oracle::Outcome Oracle::carryOut(core::DropCutPreview&)
     return core::EngineResult{};
 }
 
+Oracle::Outcome Oracle::carryOut(core::CompareGrowth&)
+{
+    const Growth* growth = m_open ? std::get_if<Growth>(&m_open->work) : nullptr;
+    if (!growth)
+        return refuse("transaction", "no growth is open");
+    const std::uint8_t plane = growth->plane();
+    const std::vector<std::uint8_t>& before = m_open->before.labels(plane).values;
+    const std::vector<std::uint8_t>& now = m_fields.labels(plane).values;
+    const std::vector<std::uint32_t>& words = m_fields.seedWords(plane).values;
+    core::GrowthComparison comparison;
+    for (std::size_t voxel = 0; voxel < now.size(); ++voxel) {
+        if (before[voxel] == now[voxel])
+            continue;
+        const bool isMember = core::seedWord::isMember(words[voxel]);
+        ++(isMember ? comparison.reached : comparison.suspended);
+    }
+    core::EngineResult result;
+    result.growthComparison = comparison;
+    return result;
+}
+
 } // namespace reference

@@ -4,9 +4,13 @@
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/session/past/RecentGrowth.h"
+#include "core/session/questions/VoxelQuestions.h"
+#include "ui/models/SegmentListModel.h"
 #include "ui/settings/GrowSettings.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
+
+#include <QPointer>
 
 namespace ui {
 
@@ -96,6 +100,8 @@ void LiveInterval::send(bool atOnce)
     m_wanted.reset();
     m_sinceSent.start();
     session->extendGrowth({});
+    ++m_sent;
+    m_isWhole = false;
 }
 
 void LiveInterval::poll()
@@ -105,7 +111,56 @@ void LiveInterval::poll()
         return close();
     if (m_wanted)
         send(false);
+    if (m_open)
+        compare();
     Q_EMIT progressed();
+}
+
+/// The answer waits its turn behind the bounds. So the progress is that of these bounds only after
+/// one answer about them: the first shows what they take out, another one all that they come to.
+void LiveInterval::compare()
+{
+    core::EditSession* session = m_workspace.session();
+    const bool isAnswered = m_answered == m_sent;
+    const bool arrived = isAnswered && !session->growthProgress().running;
+    const bool isEarly = m_sinceAsked.isValid() && m_sinceAsked.elapsed() < patienceMilliseconds;
+    if (m_asking || m_isWhole || (isAnswered && !arrived && isEarly))
+        return;
+    m_asking = true;
+    m_sinceAsked.start();
+    session->questions().compareGrowth(
+        [live = QPointer<LiveInterval>(this), drag = m_drag, asked = m_sent, arrived](
+            const core::Result<std::optional<core::GrowthComparison>>& comparison) {
+            if (live && live->m_drag == drag)
+                live->take(comparison, asked, arrived);
+        });
+}
+
+void LiveInterval::take(
+    const core::Result<std::optional<core::GrowthComparison>>& comparison, int asked, bool arrived)
+{
+    m_asking = false;
+    if (!comparison)
+        return; // the growth has not begun yet; then it is asked again
+    m_comparison = *comparison;
+    m_answered = asked;
+    m_isWhole = arrived && asked == m_sent;
+    Q_EMIT progressed();
+}
+
+QString LiveInterval::words() const
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (!m_open || !m_comparison || !volume)
+        return {};
+    const double voxelMm3 = volume->geometry.voxelVolumeMm3();
+    QStringList parts;
+    if (m_comparison->suspended > 0)
+        parts << tr("− %1 suspended").arg(millilitreText(m_comparison->suspended, voxelMm3));
+    if (m_comparison->reached > 0)
+        parts << tr("+ %1").arg(millilitreText(m_comparison->reached, voxelMm3));
+    const QString words = parts.isEmpty() ? tr("nothing changes") : parts.join(tr(", "));
+    return m_isWhole ? words : words + QStringLiteral(" …");
 }
 
 void LiveInterval::close()
@@ -113,6 +168,10 @@ void LiveInterval::close()
     m_watch.stop();
     m_open = false;
     m_wanted.reset();
+    m_comparison.reset();
+    m_asking = false;
+    m_isWhole = false;
+    ++m_drag;
     Q_EMIT progressed();
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/interval/GrowthBricks.h"
 
+#include "core/base/ParallelFor.h"
+
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
@@ -77,6 +78,28 @@ void GrowthBricks::add(std::span<const std::uint32_t> bricks, const ReadGrowthBr
     }
 }
 
+/// Over which of its sides (x + 3 y + 9 z of −1, 0, 1, each + 1) members or seeds of a brick touch
+/// others; one bit each.
+std::uint32_t GrowthBricks::sidesTouched(std::size_t place) const
+{
+    std::uint32_t sides = 0;
+    for (std::size_t offset = 0; offset < perBrick; ++offset) {
+        const glm::ivec3 at = placeInBrick(offset);
+        const glm::ivec3 reach(sideReached(at.x), sideReached(at.y), sideReached(at.z));
+        if (reach == glm::ivec3(0))
+            continue;
+        const std::uint32_t word = m_words[Voxel(place << 12 | offset)];
+        if (!seedWord::isMember(word) && !seedWord::isPendingSeed(word))
+            continue;
+        // Over a side, and with it over each edge and corner of which it is a part.
+        for (int part = 1; part < 8; ++part) {
+            const glm::ivec3 over = reach * glm::ivec3(part & 1, part >> 1 & 1, part >> 2);
+            sides |= 1u << (over.x + 1 + 3 * (over.y + 1) + 9 * (over.z + 1));
+        }
+    }
+    return sides;
+}
+
 std::vector<std::uint32_t> GrowthBricks::touchedBricks() const
 {
     const BrickGrid& grid = m_words.grid();
@@ -84,27 +107,15 @@ std::vector<std::uint32_t> GrowthBricks::touchedBricks() const
     std::set<std::uint32_t> added;
     for (std::size_t place = 0; place < brickCount(); ++place)
         added.insert(m_words.brickOf(Voxel(place << 12)));
+    std::vector<std::uint32_t> sides(brickCount());
+    parallelFor(int(sides.size()),
+        [&](int place) { sides[std::size_t(place)] = sidesTouched(std::size_t(place)); });
     std::set<std::uint32_t> touched;
     for (std::size_t place = 0; place < brickCount(); ++place) {
-        std::array<bool, 27> sides{};
-        for (std::size_t offset = 0; offset < perBrick; ++offset) {
-            const glm::ivec3 at = placeInBrick(offset);
-            const glm::ivec3 reach(sideReached(at.x), sideReached(at.y), sideReached(at.z));
-            if (reach == glm::ivec3(0))
-                continue;
-            const std::uint32_t word = m_words[Voxel(place << 12 | offset)];
-            if (!seedWord::isMember(word) && !seedWord::isPendingSeed(word))
-                continue;
-            // Over a side, and with it over each edge and corner of which it is a part.
-            for (int part = 1; part < 8; ++part) {
-                const glm::ivec3 over = reach * glm::ivec3(part & 1, part >> 1 & 1, part >> 2);
-                sides[std::size_t(over.x + 1 + 3 * (over.y + 1) + 9 * (over.z + 1))] = true;
-            }
-        }
         const glm::ivec3 own = grid.brickPosition(int(m_words.brickOf(Voxel(place << 12))));
         for (int side = 0; side < 27; ++side) {
             const glm::ivec3 at = own + glm::ivec3(side % 3, side / 3 % 3, side / 9) - 1;
-            if (!sides[std::size_t(side)] || glm::any(glm::lessThan(at, glm::ivec3(0)))
+            if ((sides[place] >> side & 1u) == 0 || glm::any(glm::lessThan(at, glm::ivec3(0)))
                 || glm::any(glm::greaterThanEqual(at, bricks)))
                 continue;
             const auto brick = std::uint32_t(at.x + bricks.x * (at.y + bricks.y * at.z));

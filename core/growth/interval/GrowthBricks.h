@@ -81,6 +81,7 @@ private:
     void add(std::span<const std::uint32_t> bricks, const ReadGrowthBricks& read);
     /// Bricks that were not added and that members or seeds touch.
     [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const;
+    [[nodiscard]] std::uint32_t sidesTouched(std::size_t place) const;
     void put(Voxel voxel, const State& state);
 
     WordBricks m_words;

@@ -1,10 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/interval/IntervalOpener.h"
 
+#include "core/base/ParallelFor.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace core {
+
+namespace {
+
+/// So many that no core waits long for another, and so few that what each part counts by generation
+/// is little.
+constexpr std::size_t partCount = 32;
+
+/// Calls work(part, first, last) for parts of consecutive bricks, on all cores.
+template <class Work> void inParts(std::size_t bricks, const Work& work)
+{
+    parallelFor(int(partCount), [&](int number) {
+        const auto part = std::size_t(number);
+        work(part, bricks * part / partCount, bricks * (part + 1) / partCount);
+    });
+}
+
+} // namespace
 
 bool IntervalOpener::suits(const GrowBurst& burst)
 {
@@ -23,7 +42,6 @@ std::unique_ptr<IntervalOpener> IntervalOpener::prepare(const GrowBurst& burst,
         return nullptr;
     opener->dropUnsupported();
     opener->listSuspended();
-    opener->measureBricks();
     opener->m_bricks.keep();
     return opener;
 }
@@ -48,81 +66,137 @@ bool IntervalOpener::serves(const GrowBurst& burst) const
 /// @return whether exactly one label grows
 bool IntervalOpener::findLabel()
 {
+    struct Found {
+        std::vector<std::uint32_t> perGeneration; // members
+        std::uint32_t label = 0;
+        bool isOne = true;
+    };
     const WordBricks& words = m_bricks.words();
-    for (std::size_t i = 0; i < words.count(); ++i) {
-        const std::uint32_t word = words[Voxel(i)];
-        const bool isMember = seedWord::isMember(word);
-        if (isMember)
-            countMember(word, 1);
-        if (!isMember && !seedWord::isPendingSeed(word))
-            continue;
-        const std::uint32_t label = seedWord::label(word);
-        if (m_burst.lockedLabels.test(label))
-            continue;
-        if (m_label != 0 && label != m_label)
+    std::vector<Found> parts(partCount);
+    inParts(m_bricks.brickCount(), [&](std::size_t part, std::size_t first, std::size_t last) {
+        Found& found = parts[part];
+        for (std::size_t i = first << 12; i < last << 12; ++i) {
+            const std::uint32_t word = words[Voxel(i)];
+            const bool isMember = seedWord::isMember(word);
+            if (isMember) {
+                const std::size_t generation = seedWord::generation(word);
+                if (generation >= found.perGeneration.size())
+                    found.perGeneration.resize(generation + 1, 0);
+                ++found.perGeneration[generation];
+            }
+            if (!isMember && !seedWord::isPendingSeed(word))
+                continue;
+            const std::uint32_t label = seedWord::label(word);
+            if (label == found.label || m_burst.lockedLabels.test(label))
+                continue;
+            found.isOne = found.label == 0;
+            found.label = label;
+            if (!found.isOne)
+                return;
+        }
+    });
+    for (const Found& found : parts) {
+        if (!found.isOne || (m_label != 0 && found.label != 0 && found.label != m_label))
             return false;
-        m_label = label;
+        m_label = std::max(m_label, found.label);
+        countMembers(found.perGeneration);
     }
     return m_label != 0;
 }
 
+void IntervalOpener::countMembers(const std::vector<std::uint32_t>& perGeneration)
+{
+    if (perGeneration.size() > m_perGeneration.size())
+        m_perGeneration.resize(perGeneration.size(), 0);
+    for (std::size_t generation = 0; generation < perGeneration.size(); ++generation)
+        m_perGeneration[generation] += perGeneration[generation];
+}
+
 /// What does not qualify whatever the interval is does not qualify under any. So it leaves once,
-/// and then others are asked only where something changes.
+/// and then others are asked only where something changes. Which neighbours a member may follow
+/// does not depend on the directions that are corrected here.
 void IntervalOpener::dropUnsupported()
 {
+    struct Found {
+        std::vector<Voxel> leaving;
+        std::vector<std::pair<Voxel, std::uint32_t>> corrected; // its direction
+    };
     const WordBricks& words = m_bricks.words();
-    std::vector<Voxel> leaving;
-    for (std::size_t i = 0; i < words.count(); ++i) {
-        const auto voxel = Voxel(i);
-        const std::uint32_t word = words[voxel];
-        if (!mayLeave(word))
-            continue;
-        const bool isSeed = seedWord::isSeed(word);
-        const std::uint32_t direction = isSeed ? noParent : parentDirection(voxel);
-        if (!qualifies(voxel) || (!isSeed && direction == noParent)) {
-            leaving.push_back(voxel);
-            continue;
+    std::vector<Found> parts(partCount);
+    inParts(m_bricks.brickCount(), [&](std::size_t part, std::size_t first, std::size_t last) {
+        Found& found = parts[part];
+        for (std::size_t i = first << 12; i < last << 12; ++i) {
+            const auto voxel = Voxel(i);
+            const std::uint32_t word = words[voxel];
+            if (!mayLeave(word))
+                continue;
+            const bool isSeed = seedWord::isSeed(word);
+            const std::uint32_t direction = isSeed ? noParent : parentDirection(voxel);
+            if (!qualifies(voxel) || (!isSeed && direction == noParent))
+                found.leaving.push_back(voxel);
+            else if (!seedWord::wasHeld(word) && !isSeed && seedWord::direction(word) != direction)
+                found.corrected.emplace_back(voxel, direction);
         }
-        if (seedWord::wasHeld(word) || isSeed || seedWord::direction(word) == direction)
-            continue;
-        GrowthBricks::State state = m_bricks.at(voxel);
-        state.word = seedWord::member(seedWord::generation(word), m_label, direction);
-        write(voxel, state);
+    });
+    std::vector<Voxel> leaving;
+    for (const Found& found : parts) {
+        leaving.insert(leaving.end(), found.leaving.begin(), found.leaving.end());
+        for (const auto& [voxel, direction] : found.corrected) {
+            GrowthBricks::State state = m_bricks.at(voxel);
+            state.word = seedWord::member(seedWord::generation(state.word), m_label, direction);
+            write(voxel, state);
+        }
     }
     withdraw(std::move(leaving));
 }
 
+/// Suspended voxels, seeds that wait, and the range of codes in each brick.
 void IntervalOpener::listSuspended()
 {
+    struct Found {
+        std::vector<Voxel> suspended;
+        std::vector<std::uint16_t> codes;
+        std::vector<Voxel> pending;
+    };
     const WordBricks& words = m_bricks.words();
-    std::vector<bool> listed(words.count(), false);
+    m_ranges.resize(m_bricks.brickCount());
+    std::vector<Found> parts(partCount);
+    inParts(m_bricks.brickCount(), [&](std::size_t part, std::size_t first, std::size_t last) {
+        Found& found = parts[part];
+        for (std::size_t place = first; place < last; ++place)
+            measureBrick(place);
+        for (std::size_t i = first << 12; i < last << 12; ++i) {
+            const auto voxel = Voxel(i);
+            const std::uint32_t word = words[voxel];
+            if (seedWord::isMember(word) || word == seedWord::barrier)
+                continue;
+            if (seedWord::isPendingSeed(word) && seedWord::label(word) == m_label)
+                found.pending.push_back(voxel);
+            const std::uint32_t direction = words.lowestDirectionTo(
+                voxel, m_neighbours, [this](std::uint32_t neighbour) { return grows(neighbour); });
+            if (direction == noParent || !isOpen(voxel))
+                continue;
+            found.suspended.push_back(voxel);
+            found.codes.push_back(std::uint16_t(m_bricks.code(voxel)));
+        }
+    });
     std::vector<Voxel> voxels;
     std::vector<std::uint16_t> codes;
-    for (std::size_t i = 0; i < words.count(); ++i) {
-        if (seedWord::isPendingSeed(words[Voxel(i)]) && seedWord::label(words[Voxel(i)]) == m_label)
-            m_pending.push_back(Voxel(i));
-        if (!grows(words[Voxel(i)]))
-            continue;
-        words.forNeighbours(
-            Voxel(i), 0, m_neighbours, [&](Voxel neighbour, std::uint32_t word, std::uint32_t) {
-                if (seedWord::isMember(word) || listed[neighbour] || !isOpen(neighbour))
-                    return;
-                listed[neighbour] = true;
-                voxels.push_back(neighbour);
-                codes.push_back(std::uint16_t(m_bricks.code(neighbour)));
-            });
+    for (const Found& found : parts) {
+        voxels.insert(voxels.end(), found.suspended.begin(), found.suspended.end());
+        codes.insert(codes.end(), found.codes.begin(), found.codes.end());
+        m_pending.insert(m_pending.end(), found.pending.begin(), found.pending.end());
     }
     m_suspended = SuspendedSeeds(voxels, codes);
 }
 
-void IntervalOpener::measureBricks()
+void IntervalOpener::measureBrick(std::size_t place)
 {
     const WordBricks& words = m_bricks.words();
-    m_ranges.resize(m_bricks.brickCount());
-    for (std::size_t i = 0; i < words.count(); ++i) {
+    CodeRange& range = m_ranges[place];
+    for (std::size_t i = place << 12; i < (place + 1) << 12; ++i) {
         if (!mayLeave(words[Voxel(i)]))
             continue;
-        CodeRange& range = m_ranges[i >> 12];
         range.least = std::min(range.least, m_bricks.code(Voxel(i)));
         range.greatest = std::max(range.greatest, m_bricks.code(Voxel(i)));
     }
@@ -186,13 +260,8 @@ bool IntervalOpener::qualifies(Voxel member) const
 std::uint32_t IntervalOpener::parentDirection(Voxel voxel) const
 {
     const std::uint32_t generation = seedWord::generation(m_bricks.words()[voxel]);
-    std::uint32_t lowest = noParent;
-    m_bricks.words().forNeighbours(
-        voxel, 0, m_neighbours, [&](Voxel, std::uint32_t word, std::uint32_t direction) {
-            if (grows(word) && seedWord::generation(word) < generation)
-                lowest = std::min(lowest, direction ^ 1u);
-        });
-    return lowest;
+    return m_bricks.words().lowestDirectionTo(voxel, m_neighbours,
+        [&](std::uint32_t word) { return grows(word) && seedWord::generation(word) < generation; });
 }
 
 } // namespace core

@@ -40,7 +40,7 @@ public:
     /// decide. Whether a single label grows, prepare() finds out.
     [[nodiscard]] static bool suits(const GrowBurst& burst);
     /// Reads the growth and drops, whatever the interval, what no longer qualifies: the only work
-    /// that grows with all that has grown.
+    /// that grows with all that has grown. All cores take part.
     /// @param held all bricks of the plane with seed words
     /// @return null where more than one label grows, or none
     [[nodiscard]] static std::unique_ptr<IntervalOpener> prepare(const GrowBurst& burst,
@@ -62,7 +62,7 @@ private:
     [[nodiscard]] bool findLabel();
     void dropUnsupported();
     void listSuspended();
-    void measureBricks();
+    void measureBrick(std::size_t place);
 
     /// Takes members out, and all that depends on them.
     void withdraw(std::vector<Voxel> leaving);
@@ -72,6 +72,7 @@ private:
     [[nodiscard]] std::vector<Voxel> frontFrom(std::span<const Voxel> admitted) const;
     void write(Voxel voxel, const GrowthBricks::State& state);
     void countMember(std::uint32_t word, int change);
+    void countMembers(const std::vector<std::uint32_t>& perGeneration);
     void revert();
 
     [[nodiscard]] bool isInside(int code) const { return m_low <= code && code <= m_high; }

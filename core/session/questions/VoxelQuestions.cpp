@@ -126,6 +126,11 @@ void VoxelQuestions::dropCutPreview()
     m_line.ask(DropCutPreview{}, ignore);
 }
 
+void VoxelQuestions::compareGrowth(Answer<std::optional<GrowthComparison>> answer)
+{
+    m_line.ask(CompareGrowth{}, answerWith(&EngineResult::growthComparison, std::move(answer)));
+}
+
 void VoxelQuestions::lastTouching(const Touch& touch, std::function<void(RowId)> answer)
 {
     m_line.closeGrowth();

@@ -80,6 +80,10 @@ public:
     [[nodiscard]] Result<void> previewCut(
         const ShrinkAt& shrink, Answer<std::optional<CutPreview>> answer);
     void dropCutPreview();
+    /// In how many voxels a growth that is open (a moving interval, for example) differs from what
+    /// was there when it began. Once delivered, it can be shown until the growth ends. Errors of
+    /// the answer also: InvalidField ("transaction") if no growth is open.
+    void compareGrowth(Answer<std::optional<GrowthComparison>> answer);
 
     /// The last step in effect that touched something; 0: none. A running growth is committed
     /// first.

@@ -9,7 +9,8 @@
 #include <atomic>
 #include <chrono>
 #include <iterator>
-#include <map>
+#include <utility>
+#include <vector>
 
 namespace gpu {
 
@@ -57,7 +58,7 @@ struct CutPreviewer::Work {
 };
 
 CutPreviewer::CutPreviewer(VolumeTextures& textures)
-    : m_textures(textures)
+    : m_marks(textures)
 {
 }
 
@@ -154,52 +155,19 @@ void CutPreviewer::post()
         });
 }
 
-/// Only what differs from what is shown already is written.
 void CutPreviewer::show(VoxelFields& fields)
 {
-    const core::BrickGrid& grid = fields.grid();
-    if (!m_marks.created())
-        m_marks =
-            BrickField({.label = "foreseen cut", .format = GL_R8UI, .emptyVoxel = 0, .grid = grid});
-    std::map<std::uint32_t, const core::CutPreview::Brick*> before;
-    for (const core::CutPreview::Brick& brick : m_shown)
-        before[brick.brick] = &brick;
-    core::VoxelBox dirty;
-    std::vector<std::uint32_t> bricks;
-    std::vector<std::vector<std::uint8_t>> images;
+    std::vector<PreviewMarks::Brick> bricks;
+    bricks.reserve(m_answer->bricks.size());
     for (const core::CutPreview::Brick& brick : m_answer->bricks) {
-        const auto known = before.find(brick.brick);
-        const bool same = known != before.end() && known->second->taken == brick.taken;
-        if (known != before.end())
-            before.erase(known);
-        if (same)
-            continue;
-        dirty = dirty.united(grid.boxOf(int(brick.brick)));
-        bricks.push_back(brick.brick);
-        std::vector<std::uint8_t>& image = images.emplace_back(brick.taken.size());
-        for (std::size_t voxel = 0; voxel < image.size(); ++voxel)
-            image[voxel] = brick.taken[voxel] ? 1 : 0;
+        std::vector<std::uint8_t> marks(brick.taken.size(), PreviewMarks::None);
+        for (std::size_t voxel = 0; voxel < marks.size(); ++voxel) {
+            if (brick.taken[voxel])
+                marks[voxel] = PreviewMarks::Goes;
+        }
+        bricks.push_back({.brick = brick.brick, .marks = std::move(marks)});
     }
-    std::vector<std::uint32_t> gone;
-    for (const auto& [brick, marks] : before) {
-        dirty = dirty.united(grid.boxOf(int(brick)));
-        gone.push_back(brick);
-    }
-    m_marks.release(gone);
-    if (!bricks.empty()) {
-        m_marks.ensure(bricks, BrickField::NewPages::AnyContent);
-        std::vector<const std::vector<std::uint8_t>*> contents;
-        for (const auto& image : images)
-            contents.push_back(&image);
-        fields.copier().write({.voxels = &m_marks.atlas(),
-                                  .pageTable = &m_marks.pageTable(),
-                                  .field = core::Field::Coverage},
-            bricks, contents);
-    }
-    m_shown = m_answer->bricks;
-    m_textures.setCutPreview(m_shown.empty() ? nullptr : &m_marks);
-    if (!dirty.empty())
-        m_textures.markDirty(VolumeField::CutPreview, dirty);
+    m_marks.show(fields, std::move(bricks));
 }
 
 void CutPreviewer::forget()
@@ -210,20 +178,12 @@ void CutPreviewer::forget()
     m_answer.reset();
     m_refused.reset();
     m_ground.reset();
-    m_textures.setCutPreview(nullptr);
-    if (!m_shown.empty()) {
-        core::VoxelBox dirty;
-        for (const core::CutPreview::Brick& brick : m_shown)
-            dirty = dirty.united(m_textures.grid().boxOf(int(brick.brick)));
-        m_textures.markDirty(VolumeField::CutPreview, dirty);
-    }
-    m_shown.clear();
-    m_marks = {};
+    m_marks.hide();
 }
 
 std::size_t CutPreviewer::bytes() const
 {
-    return m_marks.created() ? m_marks.bytes() : 0;
+    return m_marks.bytes();
 }
 
 } // namespace gpu

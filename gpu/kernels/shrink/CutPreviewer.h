@@ -4,11 +4,10 @@
 #include "core/base/Result.h"
 #include "core/base/TaskThread.h"
 #include "core/engine/GrowthForesight.h"
-#include "gpu/fields/bricks/BrickField.h"
+#include "gpu/kernels/shrink/PreviewMarks.h"
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace gpu {
 
@@ -45,13 +44,11 @@ private:
     void post();
     void show(VoxelFields& fields);
 
-    VolumeTextures& m_textures;
     std::shared_ptr<Ground> m_ground;
     std::shared_ptr<Work> m_work; ///< the latest question
     std::optional<core::CutPreview> m_answer; ///< its answer; none if the cut is refused
     std::optional<core::Error> m_refused; ///< the reason
-    std::vector<core::CutPreview::Brick> m_shown; ///< what m_marks holds
-    BrickField m_marks; ///< R8UI, 1: the voxel would be removed
+    PreviewMarks m_marks;
     std::optional<core::TaskThread> m_worker; ///< started with the first question
 };
 

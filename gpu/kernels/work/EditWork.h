@@ -6,6 +6,7 @@
 #include "core/growth/GrowthProgress.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace core {
@@ -48,6 +49,8 @@ public:
     /// Something failed, and it is given up: it puts nothing back, but memory that it shares.
     virtual void abandon() { }
     [[nodiscard]] virtual core::GrowthProgress progress() const { return {}; }
+    /// The plane in which it grows; none if it is no GrowBurst.
+    [[nodiscard]] virtual std::optional<std::uint8_t> growingPlane() const { return {}; }
 };
 
 /// These bricks of one field and plane.

@@ -281,6 +281,7 @@ vec3 segmentColour(vec3 at)
     vec4 sum = vec4(0.0);
 #if CUT_PREVIEW
     float going = 0.0;
+    float reached = 0.0;
 #endif
     for (int corner = 0; corner < 8; ++corner) {
         const ivec3 offset = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
@@ -292,7 +293,9 @@ vec3 segmentColour(vec3 at)
         const float weight = entry.a * (share.x * share.y * share.z + 1e-4);
         sum += vec4(entry.rgb, 1.0) * weight;
 #if CUT_PREVIEW
-        going += isInCutPreview(there) ? weight : 0.0;
+        const uint mark = previewMarkAt(there);
+        going += mark == cutGoes ? weight : 0.0;
+        reached += mark == growthReached ? weight : 0.0;
 #endif
     }
     vec3 own = sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.8);
@@ -301,7 +304,8 @@ vec3 segmentColour(vec3 at)
     own = warns(nearestVoxel) ? texelFetch(palette, ivec2(0), 0).rgb : own;
 #endif
 #if CUT_PREVIEW
-    own = going > 0.5 * sum.a ? cutPreviewAt(gl_FragCoord.xy * pixelScale) : own;
+    const uint mark = going > 0.5 * sum.a ? cutGoes : reached > 0.5 * sum.a ? growthReached : 0u;
+    own = mark != 0u ? previewMarkColour(mark, gl_FragCoord.xy * pixelScale, own) : own;
 #endif
     return own;
 }

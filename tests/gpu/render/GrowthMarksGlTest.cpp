@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/SeedWord.h"
+#include "gpu/kernels/growth/ComparedGrowth.h"
 #include "gpu/kernels/shrink/CutPreviewer.h"
 #include "tests/support/fixtures/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>
+
+#include <numeric>
 
 namespace growthMarksGlTest {
 
@@ -68,6 +71,36 @@ core::PreviewCut rightHalfGoes()
     return question;
 }
 
+/// The same with another interval: the middle has left, and it has grown on to the right.
+reference::DenseFields movedBox()
+{
+    reference::DenseFields state = grownBox();
+    for (int z = 12; z < 36; ++z) {
+        for (int y = 12; y < 36; ++y) {
+            for (int x = 24; x < 30; ++x) {
+                state.labels(0).at({x, y, z}) = 0;
+                state.seedWords(0).at({x, y, z}) = core::seedWord::unvisited;
+            }
+            for (int x = 36; x < 44; ++x) {
+                state.labels(0).at({x, y, z}) = std::uint8_t(label);
+                state.seedWords(0).at({x, y, z}) = core::seedWord::member(late + 1, label, 0);
+            }
+        }
+    }
+    return state;
+}
+
+bool isRed(const glm::ivec3& colour)
+{
+    return colour.r > 40 && colour.r > 2 * colour.g && colour.r > 2 * colour.b;
+}
+
+/// The segment's green, lightened.
+bool isPale(const glm::ivec3& colour)
+{
+    return colour.g > 60 && 4 * colour.r > colour.g && colour.g > colour.r;
+}
+
 bool isMagenta(const glm::ivec3& colour)
 {
     return colour.r > 40 && colour.r > 2 * colour.g && colour.b > 2 * colour.g;
@@ -91,6 +124,23 @@ private:
             test::centredGeometry(glm::ivec3(side)), [](const glm::dvec3&) { return 0.0; });
         m_fixture->put(grownBox());
         m_fixture->settle();
+    }
+    /// Puts movedBox() there. @return what that has changed
+    ComparedGrowth move()
+    {
+        VoxelFields& fields = *m_fixture->edits.fields;
+        std::vector<std::uint32_t> bricks(std::size_t(fields.grid().brickCount()));
+        std::iota(bricks.begin(), bricks.end(), 0u);
+        std::vector<core::BrickKey> touched;
+        for (const core::Field field : {core::Field::Labels, core::Field::SeedWords}) {
+            for (const std::uint32_t brick : bricks)
+                touched.push_back({.field = field, .plane = 0, .brick = brick});
+        }
+        BeforeImages before(fields);
+        before.capture(core::Field::Labels, 0, bricks);
+        m_fixture->put(movedBox());
+        m_fixture->settle();
+        return compareGrowth(fields, before, 0, touched);
     }
 
 private Q_SLOTS:
@@ -185,6 +235,91 @@ private Q_SLOTS:
         segments.visible[label] = true;
         previewer.forget();
         QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *plain.rgba);
+    }
+
+    void whatAnIntervalChangesIsStripedInSlices()
+    {
+        open();
+        ComparedGrowth compared = move();
+        QCOMPARE(compared.counts.suspended, std::int64_t(6 * 24 * 24));
+        QCOMPARE(compared.counts.reached, std::int64_t(8 * 24 * 24));
+        SegmentDisplay segments = greenSegment();
+        const Frame plain = m_fixture->draw(axial(), {96, 96}, segments);
+        PreviewMarks marks(m_fixture->volume);
+        marks.show(*m_fixture->edits.fields, compared.bricks);
+        const Frame frame = m_fixture->draw(axial(), {96, 96}, segments);
+        int bright = 0;
+        int dark = 0;
+        int pale = 0;
+        int green = 0;
+        for (int y = 30; y < 66; ++y) {
+            for (int x = 50; x < 58; ++x) { // suspended
+                const glm::ivec3 colour = test::pixel(frame, x, y);
+                QVERIFY(isRed(colour));
+                bright += colour.r > 110 ? 1 : 0;
+                dark += colour.r < 90 ? 1 : 0;
+            }
+            for (int x = 75; x < 85; ++x) { // reached
+                const glm::ivec3 colour = test::pixel(frame, x, y);
+                QVERIFY(isPale(colour) || isGreen(colour));
+                ++(isGreen(colour) ? green : pale);
+            }
+            for (int x = 28; x < 46; ++x)
+                QVERIFY(isGreen(test::pixel(frame, x, y)));
+        }
+        QVERIFY(bright > 60 && dark > 40);
+        QVERIFY(pale > 60 && green > 60);
+        // A segment that is hidden shows nothing new, but what it loses.
+        segments.visible[label] = false;
+        const Frame hidden = m_fixture->draw(axial(), {96, 96}, segments);
+        QVERIFY(isRed(test::pixel(hidden, 53, 48)));
+        QCOMPARE(test::pixel(hidden, 80, 48), glm::ivec3(0));
+        segments.visible[label] = true;
+        // Only what differs is written anew; the rest stays.
+        marks.show(*m_fixture->edits.fields, {});
+        QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *plain.rgba);
+        marks.show(*m_fixture->edits.fields, compared.bricks);
+        QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *frame.rgba);
+        marks.hide();
+        QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *plain.rgba);
+        // Whoever hides his own marks leaves those of others.
+        CutPreviewer previewer(m_fixture->volume);
+        marks.show(*m_fixture->edits.fields, compared.bricks);
+        previewer.forget();
+        QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *frame.rgba);
+        marks.hide();
+    }
+
+    void whatAnIntervalReachesIsStripedIn3D()
+    {
+        open();
+        const ComparedGrowth compared = move();
+        m_fixture->fill(VolumeField::Segmentation, {{12, 12, 12}, {44, 36, 36}}, 255);
+        VolumeScene scene;
+        scene.mode = RenderMode::Surface;
+        scene.eyeLps = {0, -300, 0};
+        scene.heightMm = side;
+        scene.surfaceThreshold = 1000.0;
+        SegmentDisplay segments = greenSegment();
+        segments.showBarriers = false;
+        const Frame plain = m_fixture->draw(scene, {96, 96}, segments);
+        PreviewMarks marks(m_fixture->volume);
+        marks.show(*m_fixture->edits.fields, compared.bricks);
+        const Frame frame = m_fixture->draw(scene, {96, 96}, segments);
+        int pale = 0;
+        int green = 0;
+        for (int y = 32; y < 64; ++y) {
+            for (int x = 76; x < 85; ++x) {
+                const glm::ivec3 colour = test::pixel(frame, x, y);
+                QVERIFY(isPale(colour) || isGreen(colour));
+                ++(isGreen(colour) ? green : pale);
+            }
+            for (int x = 28; x < 44; ++x)
+                QVERIFY(isGreen(test::pixel(frame, x, y)));
+        }
+        QVERIFY(pale > 50 && green > 50);
+        marks.hide();
+        QCOMPARE(*m_fixture->draw(scene, {96, 96}, segments).rgba, *plain.rgba);
     }
 
     void whatACutWouldTakeIsHatchedIn3D_data() { whatCameLateWarnsIn3D_data(); }

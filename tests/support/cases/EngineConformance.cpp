@@ -433,6 +433,8 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
         return QStringLiteral("another curve of tolerances");
     if (a.cutPreview != b.cutPreview)
         return QStringLiteral("another cut is foreseen");
+    if (a.growthComparison != b.growthComparison)
+        return QStringLiteral("a growth differs otherwise from its beginning");
     for (std::size_t i = 0; i < a.probes.size(); ++i) {
         if (a.probes[i].code != b.probes[i].code || a.probes[i].label != b.probes[i].label)
             return QStringLiteral("probe %1 reads %2, %3 instead of %4, %5")

@@ -8,6 +8,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/models/SegmentListModel.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/widgets/HistogramRange.h"
 #include "ui/widgets/HistogramRangePlot.h"
@@ -15,6 +16,7 @@
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QtTest>
 
 #include <cmath>
@@ -138,6 +140,56 @@ private Q_SLOTS:
         QCOMPARE(fixture.lastChange()->criteria.lower, 0.0);
         QCOMPARE(fixture.session().document().segments[0].voxels,
             head::voxelsOf(head::ventricleHu) + head::voxelsOf(head::brainHu));
+    }
+
+    /// In words beside the slider, while it moves, against what was there before it was pressed.
+    void whatItSuspendsAndReachesIsTold()
+    {
+        LivePanel fixture;
+        fixture.grow();
+        const auto& line = *fixture.panel.findChild<QLabel*>(QStringLiteral("growIntervalChange"));
+        const auto& live = *fixture.panel.findChild<ui::LiveInterval*>();
+        const auto tells = [&](const QString& words) {
+            return QTest::qWaitFor([&] {
+                fixture.session().poll();
+                return line.text() == words;
+            });
+        };
+        const double voxelMm3 = fixture.workspace.volume()->geometry.voxelVolumeMm3();
+        const QString brain = ui::millilitreText(head::voxelsOf(head::brainHu), voxelMm3);
+        const QString ventricle = ui::millilitreText(head::voxelsOf(head::ventricleHu), voxelMm3);
+        QVERIFY(line.isVisible() && line.text().isEmpty());
+
+        fixture.press(20.0);
+        fixture.moveTo(60.0);
+        QVERIFY2(tells(QStringLiteral("+ ") + brain), qPrintable(line.text()));
+        QCOMPARE(live.comparison()->reached, head::voxelsOf(head::brainHu));
+        // Past the seed: then nothing is left.
+        fixture.moveTo(2.0);
+        QVERIFY2(tells(QStringLiteral("− %1 suspended").arg(ventricle)), qPrintable(line.text()));
+        QCOMPARE(live.comparison()->suspended, head::voxelsOf(head::ventricleHu));
+        QCOMPARE(live.comparison()->reached, std::int64_t(0));
+        // It comes back.
+        fixture.moveTo(21.0);
+        QVERIFY2(tells(QStringLiteral("nothing changes")), qPrintable(line.text()));
+        fixture.moveTo(60.0);
+        QVERIFY2(tells(QStringLiteral("+ ") + brain), qPrintable(line.text()));
+        fixture.release(60.0);
+        QVERIFY(line.text().isEmpty() && !live.comparison());
+        QVERIFY(line.isVisible()); // what is below stays where it is
+        QCOMPARE(fixture.session().history().rows().back().statistics.voxelsChanged,
+            head::voxelsOf(head::brainHu));
+
+        // The next drag counts from here, and Escape ends it.
+        fixture.press(fixture.range.upper());
+        fixture.moveTo(20.0);
+        QVERIFY2(tells(QStringLiteral("− %1 suspended").arg(brain)), qPrintable(line.text()));
+        QTest::keyClick(&fixture.plot, Qt::Key_Escape);
+        QVERIFY(line.text().isEmpty());
+        fixture.release(20.0);
+        QVERIFY(line.text().isEmpty());
+        fixture.panel.findChild<QCheckBox*>(QStringLiteral("growLive"))->click();
+        QVERIFY(!line.isVisible());
     }
 
     void aReleaseIsOneStepAndEqualsGrowingFromScratch()

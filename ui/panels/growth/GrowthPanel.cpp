@@ -57,6 +57,7 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     connect(m_range, &HistogramRange::rangeEdited, this, &GrowthPanel::followInterval);
     connect(m_range, &HistogramRange::rangeSettled, this, &GrowthPanel::settleInterval);
     connect(m_range, &HistogramRange::rangeCancelled, m_liveInterval, &LiveInterval::cancel);
+    connect(m_live, &QCheckBox::toggled, this, &GrowthPanel::showState);
     connect(m_pace, &QComboBox::activated, this, &GrowthPanel::takeSettings);
     connect(m_overwrite, &QCheckBox::toggled, this, &GrowthPanel::takeSettings);
     connect(m_step, &QPushButton::clicked, this, &GrowthPanel::step);
@@ -92,6 +93,10 @@ void GrowthPanel::build()
     m_criteria = new GrowCriteriaSection(m_workspace, *m_band, this);
     m_range = new HistogramRange(this);
     m_range->setObjectName(QStringLiteral("growthInterval"));
+    m_intervalChange = new FittingLabel(Qt::AlignLeft, this);
+    m_intervalChange->setObjectName(QStringLiteral("growIntervalChange"));
+    m_intervalChange->setFont(theme::smallFont());
+    m_intervalChange->setMinimumHeight(m_intervalChange->fontMetrics().height());
     m_fromSeeds = new SeedInterval(m_workspace, this);
     connect(m_fromSeeds, &SeedInterval::valuesChanged, this, [this] {
         m_range->setMarkers(m_fromSeeds->values());
@@ -123,7 +128,8 @@ void GrowthPanel::build()
     m_live->setObjectName(QStringLiteral("growLive"));
     m_live->setToolTip(
         tr("What has grown follows the interval while you move it: wider bounds recover voxels, "
-           "narrower ones take them back with what hung on them"));
+           "narrower ones take them back with what hung on them. What is suspended is striped red, "
+           "what is reached in the segment's colour"));
     m_live->setChecked(true);
     m_connectivity = new QComboBox(this);
     m_connectivity->setObjectName(QStringLiteral("growConnectivity"));
@@ -189,6 +195,7 @@ void GrowthPanel::build()
     layout->addWidget(m_advice);
     layout->addWidget(m_fromSeeds);
     layout->addWidget(m_range);
+    layout->addWidget(m_intervalChange);
     layout->addLayout(transport);
     layout->addWidget(m_turnsText);
     layout->addWidget(m_fromSeeds->note());
@@ -368,6 +375,9 @@ void GrowthPanel::showState()
     const bool hasGrown = known.criteria.has_value();
     m_resume->setEnabled(canGrow && !running() && hasGrown);
     m_live->setEnabled(hasGrown);
+    // It keeps its room while it has nothing to say, so that the buttons stay where they are.
+    m_intervalChange->setVisible(hasGrown && m_live->isChecked());
+    m_intervalChange->setText(m_liveInterval->words());
     m_shrink->setEnabled(canShrink);
     m_toSeeds->setEnabled(canShrink);
     // Dark on the accent, as its text is.

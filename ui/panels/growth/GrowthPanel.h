@@ -74,6 +74,7 @@ private:
     QPushButton* m_resume = nullptr;
     QCheckBox* m_live = nullptr;
     LiveInterval* m_liveInterval = nullptr;
+    QLabel* m_intervalChange = nullptr;
     QComboBox* m_connectivity = nullptr;
     QComboBox* m_pace = nullptr;
     QCheckBox* m_overwrite = nullptr;

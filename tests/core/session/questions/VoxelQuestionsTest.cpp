@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/questions/VoxelQuestions.h"
 
+#include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ToleranceEdits.h"
@@ -207,6 +208,28 @@ private Q_SLOTS:
         QVERIFY(!foreseen && foreseen.error().code == ErrorCode::NothingGrown);
         bench.questions().dropCutPreview();
         QVERIFY(bench.session->settle());
+    }
+
+    void anOpenGrowthIsComparedWithItsBeginning()
+    {
+        const Bench bench({test::addSegment("Brain"), test::seedInBrain(1), test::growBrain()});
+        const auto compare = [&](auto take) { bench.questions().compareGrowth(take); };
+        const auto none = bench.answerTo<std::optional<GrowthComparison>>(compare);
+        QVERIFY(!none && none.error().code == ErrorCode::InvalidField);
+        const std::int64_t grown = bench.session->document().segment(1)->voxels;
+        QVERIFY(grown > 0);
+
+        ChangeInterval change; // to values that nothing has
+        change.criteria.lower = 500.0;
+        change.criteria.upper = 600.0;
+        QVERIFY(bench.session->begin(change));
+        bench.session->extendGrowth({});
+        const auto compared = bench.answerTo<std::optional<GrowthComparison>>(compare);
+        QVERIFY(compared && *compared);
+        QCOMPARE((*compared)->suspended, grown);
+        QCOMPARE((*compared)->reached, std::int64_t(0));
+        QCOMPARE(bench.session->document().segment(1)->voxels, std::int64_t(0));
+        QVERIFY(!bench.answerTo<std::optional<GrowthComparison>>(compare)); // it has ended
     }
 
     void answersComeBehindWhatWasAskedBefore()

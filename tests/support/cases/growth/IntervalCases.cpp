@@ -120,6 +120,10 @@ EngineCase randomDrags(int number)
         for (int event = randomInt(random, 0, 8); event >= 0; --event) {
             made.steps.push_back(command(core::ExtendEdit{
                 GrowAdvance{random() % 4 ? GrowAdvance::toClosure : randomInt(random, 0, 5)}}));
+            if ((drag + event) % 2 == 0) {
+                made.steps.push_back(Settle{});
+                made.steps.push_back(command(core::CompareGrowth{}));
+            }
             move();
             if (event > 0)
                 made.steps.push_back(command(core::ExtendEdit{GrowAnew{burst}}));
@@ -168,6 +172,7 @@ std::vector<EngineCase> intervalCases(int randomCount)
     odd.connectivity = 7;
     GrowBurst elsewhere = all;
     elsewhere.plane = 1;
+    refused.steps.push_back(command(core::CompareGrowth{})); // with nothing
     refused.steps.push_back(BeginGrowth{all});
     refused.steps.push_back(command(core::ExtendEdit{GrowAdvance{2}}));
     refused.steps.push_back(command(core::ExtendEdit{GrowAnew{odd}}));
