@@ -247,7 +247,7 @@ private Q_SLOTS:
         QCOMPARE(depth->text(), QStringLiteral("through all"));
         depth->setValue(6.0);
         QCOMPARE(fixture.tool.settings().depthMm, 6.0);
-        fixture.tool.changeDepth(2); // Alt + wheel
+        fixture.tool.changeDepth(2); // Ctrl + Shift + wheel
         QCOMPARE(depth->value(), 8.0);
         fixture.tool.changeDepth(-2);
         const Voxels bone = fixture.voxels(1);
