@@ -89,20 +89,14 @@ Result<bool> apply(const EvolveContour&, Document&)
 
 EditEffects effects(const EvolveContour& edit)
 {
-    return {.task = EditTask::Islands,
-        .standsOpen = false,
-        .writesTo = edit.segment,
-        .fills = {.label = edit.segment},
-        .boundToStudy = edit.bubbleLps.has_value() || namesPlaces(edit.editable)};
+    return workedOutEffects(edit.segment, edit.bubbleLps.has_value() || namesPlaces(edit.editable));
 }
 
 RowTitle rowTitle(const EvolveContour& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    return {.code = edit.bubbleLps ? RowTitleCode::ContourFromBubble : RowTitleCode::ContourEvolved,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    return segmentChanged(
+        edit.bubbleLps ? RowTitleCode::ContourFromBubble : RowTitleCode::ContourEvolved,
+        edit.segment, row);
 }
 
 /// Nobody knows how far it would have come, had labels been others.

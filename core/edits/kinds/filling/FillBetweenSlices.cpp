@@ -30,20 +30,12 @@ Result<bool> apply(const FillBetweenSlices&, Document&)
 
 EditEffects effects(const FillBetweenSlices& edit)
 {
-    return {.task = EditTask::Islands,
-        .standsOpen = false,
-        .writesTo = edit.segment,
-        .fills = {.label = edit.segment},
-        .boundToStudy = namesPlaces(edit.editable)};
+    return workedOutEffects(edit.segment, namesPlaces(edit.editable));
 }
 
 RowTitle rowTitle(const FillBetweenSlices& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    return {.code = RowTitleCode::FillBetweenSlices,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    return segmentChanged(RowTitleCode::FillBetweenSlices, edit.segment, row);
 }
 
 /// Every voxel of the plane may decide which slices are drawn.

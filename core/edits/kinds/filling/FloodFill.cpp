@@ -54,15 +54,11 @@ EditEffects effects(const FloodFill& edit)
 
 RowTitle rowTitle(const FloodFill& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
     const bool slice = edit.within.has_value();
     RowTitleCode code = slice ? RowTitleCode::FloodSlice : RowTitleCode::FloodVolume;
     if (edit.erase)
         code = slice ? RowTitleCode::FloodEraseSlice : RowTitleCode::FloodEraseVolume;
-    return {.code = code,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    return segmentChanged(code, edit.segment, row);
 }
 
 /// In a slice its bricks. In all directions nobody knows how far it would reach, had labels been

@@ -64,20 +64,12 @@ Result<bool> apply(const MirrorSegment&, Document&)
 
 EditEffects effects(const MirrorSegment& edit)
 {
-    return {.task = EditTask::Islands,
-        .standsOpen = false,
-        .writesTo = edit.segment,
-        .fills = {.label = edit.segment},
-        .boundToStudy = edit.placeLps.has_value() || namesPlaces(edit.editable)};
+    return workedOutEffects(edit.segment, edit.placeLps.has_value() || namesPlaces(edit.editable));
 }
 
 RowTitle rowTitle(const MirrorSegment& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    return {.code = RowTitleCode::MirrorSegment,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    return segmentChanged(RowTitleCode::MirrorSegment, edit.segment, row);
 }
 
 /// Every voxel of the plane may be the mirror image of one that decides.

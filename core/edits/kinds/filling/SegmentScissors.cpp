@@ -147,13 +147,7 @@ RowTitle rowTitle(const SegmentScissors& edit, const RowFacts& row)
     if (edit.depthMm)
         title.then.push_back(
             {.code = RowTitleCode::MillimetresDeep, .arguments = {inMm(*edit.depthMm)}});
-    // What only takes seeds away changes no label.
-    const std::int64_t voxels = row.statistics.voxelsChanged;
-    if (voxels == 0)
-        title.then.push_back(figure(RowTitleCode::SeedVoxelsLost, row.facts.seedWordsChanged));
-    else
-        title.then.push_back(
-            figure(edit.erase ? RowTitleCode::VoxelsLost : RowTitleCode::VoxelsGained, voxels));
+    title.then.push_back(voxelsOrSeedsLost(edit.erase, row));
     return title;
 }
 

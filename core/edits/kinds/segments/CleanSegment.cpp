@@ -114,11 +114,7 @@ EditEffects effects(const CleanSegment& edit)
 
 RowTitle rowTitle(const CleanSegment& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    RowTitle title{.code = RowTitleCode::FillHoles,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    RowTitle title = segmentChanged(RowTitleCode::FillHoles, edit.segment, row);
     switch (edit.rule) {
     case IslandRule::FillHoles:
         break;

@@ -67,8 +67,7 @@ Result<EngineEdit> engineEdit(const CombineSegments& edit, const Document& docum
 
 RowTitle rowTitle(const CombineSegments& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    const LabelFlow flow = row.flowOf(edit.segment);
     const QString own = segmentName(edit.segment, row.document);
     const QString other = segmentName(edit.with, row.document);
     RowTitle title{.code = RowTitleCode::MergeSegments,

@@ -160,15 +160,9 @@ Result<EngineEdit> engineEdit(const FillOutline& edit, const Document& document)
 
 RowTitle rowTitle(const FillOutline& edit, const RowFacts& row)
 {
-    // What only takes seeds away changes no label.
-    const std::int64_t voxels = row.statistics.voxelsChanged;
-    RowTitle title{.code = edit.erase ? RowTitleCode::EraseOutline : RowTitleCode::FillOutline,
+    return {.code = edit.erase ? RowTitleCode::EraseOutline : RowTitleCode::FillOutline,
         .arguments = {segmentName(edit.segment, row.document)},
-        .then = {
-            figure(edit.erase ? RowTitleCode::VoxelsLost : RowTitleCode::VoxelsGained, voxels)}};
-    if (voxels == 0)
-        title.then = {figure(RowTitleCode::SeedVoxelsLost, row.facts.seedWordsChanged)};
-    return title;
+        .then = {voxelsOrSeedsLost(edit.erase, row)}};
 }
 
 /// The labels and seed words of the bricks in which the outline lies, whatever became of the

@@ -56,11 +56,7 @@ Result<EngineEdit> engineEdit(const InvertSegment& edit, const Document& documen
 
 RowTitle rowTitle(const InvertSegment& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    return {.code = RowTitleCode::InvertSegment,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    return segmentChanged(RowTitleCode::InvertSegment, edit.segment, row);
 }
 
 /// What other segments hold decides, too, and whose seeds lie where.

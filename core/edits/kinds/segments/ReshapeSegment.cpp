@@ -204,21 +204,14 @@ Result<bool> apply(const ReshapeSegment&, Document&)
 
 EditEffects effects(const ReshapeSegment& edit)
 {
-    return {.task = EditTask::Islands,
-        .standsOpen = false,
-        .writesTo = edit.segment,
-        .fills = {.label = edit.segment},
-        .boundToStudy = namesPlaces(edit.editable)};
+    return workedOutEffects(edit.segment, namesPlaces(edit.editable));
 }
 
 RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    return {.code = titleOf(edit),
-        .arguments = {segmentName(edit.segment, row.document),
-            TitleDigits{hasSides(edit) ? widestMm(edit) : edit.mm, 3}},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    RowTitle title = segmentChanged(titleOf(edit), edit.segment, row);
+    title.arguments.push_back(TitleDigits{hasSides(edit) ? widestMm(edit) : edit.mm, 3});
+    return title;
 }
 
 /// Every voxel of the plane may decide what is near another.
