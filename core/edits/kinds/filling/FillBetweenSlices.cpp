@@ -8,7 +8,6 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
-#include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/morphology/BetweenSlices.h"
 
 namespace core {
@@ -17,10 +16,7 @@ using namespace rowWords;
 
 Result<void> check(const FillBetweenSlices& edit, const Document& document)
 {
-    if (const auto editable = editableVoxels(edit.editable, document, "fillBetweenSlices");
-        !editable)
-        return tl::unexpected(editable.error());
-    return discardValue(labelTarget({.segment = edit.segment, .name = {}}, false, document));
+    return checkEditable(edit.segment, edit.editable, document, "fillBetweenSlices");
 }
 
 Result<bool> apply(const FillBetweenSlices&, Document&)
@@ -47,8 +43,7 @@ EditDependencies dependencies(const FillBetweenSlices& edit, const DependencyFac
 Result<RelabelListed> relabelListed(const FillBetweenSlices& edit, const Document& document,
     std::span<const std::uint8_t> labels, const Progress& progress)
 {
-    Result<LabelTarget> target =
-        labelTarget({.segment = edit.segment, .name = {}}, false, document);
+    Result<LabelTarget> target = segmentTarget(edit.segment, false, document);
     if (!target)
         return tl::unexpected(target.error());
     const VolumeGeometry& geometry = document.volumes.front().geometry;
@@ -61,13 +56,8 @@ Result<RelabelListed> relabelListed(const FillBetweenSlices& edit, const Documen
             return tl::unexpected(between.error());
         listed.add(*between, RelabelListed::give);
     }
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "fillBetweenSlices");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    RelabelListed relabel = listed.relabel(*std::move(target));
-    relabel.editable = *std::move(editable);
-    return relabel;
+    return keepingTo(
+        edit.editable, document, "fillBetweenSlices", listed.relabel(*std::move(target)));
 }
 
 } // namespace core

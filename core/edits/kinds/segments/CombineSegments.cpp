@@ -52,12 +52,7 @@ Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& documen
     map.becomes[(*other)->label] = (*segment)->label;
     if (edit.how == CombineSegments::How::Swap)
         map.becomes[(*segment)->label] = (*other)->label;
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "combineSegments");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    map.editable = *std::move(editable);
-    return map;
+    return keepingTo(edit.editable, document, "combineSegments", std::move(map));
 }
 
 Result<EngineEdit> engineEdit(const CombineSegments& edit, const Document& document)

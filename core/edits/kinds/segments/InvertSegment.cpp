@@ -41,12 +41,7 @@ Result<MapLabels> mapLabels(const InvertSegment& edit, const Document& document)
     MapLabels map{.plane = segment->plane};
     map.becomes[0] = segment->label;
     map.becomes[segment->label] = 0;
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "invertSegment");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    map.editable = *std::move(editable);
-    return map;
+    return keepingTo(edit.editable, document, "invertSegment", std::move(map));
 }
 
 Result<EngineEdit> engineEdit(const InvertSegment& edit, const Document& document)

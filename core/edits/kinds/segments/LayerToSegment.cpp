@@ -47,12 +47,8 @@ Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& docu
     Result<LabelTarget> target = labelTarget(edit.target, edit.overwriteUnlocked, document);
     if (!target)
         return tl::unexpected(target.error());
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "layerToSegment");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    return LabelCarved{
-        .target = *target, .layer = std::uint8_t(edit.layer), .editable = *std::move(editable)};
+    return keepingTo(edit.editable, document, "layerToSegment",
+        LabelCarved{.target = *target, .layer = std::uint8_t(edit.layer)});
 }
 
 Result<EngineEdit> engineEdit(const LayerToSegment& edit, const Document& document)

@@ -7,6 +7,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/ValueBounds.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 
 #include <algorithm>
@@ -72,25 +73,18 @@ EditEffects effects(const SegmentSeen& edit)
 
 Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document)
 {
-    if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
-        return failure(ErrorCode::InvalidField, QStringLiteral("segmentSeen.upper"),
-            QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
+    const Volume& volume = document.volumes.front();
+    const Result<CodeInterval> codes =
+        codesBetween(QStringLiteral("segmentSeen"), edit.lower, edit.upper, volume.encoding);
+    if (!codes)
+        return tl::unexpected(codes.error());
     Result<LabelTarget> target = labelTarget(edit.target, edit.overwriteUnlocked, document);
     if (!target)
         return tl::unexpected(target.error());
-    const Volume& volume = document.volumes.front();
-    LabelSeen seen{.target = *target};
-    seen.lowCode = edit.lower ? volume.encoding.lowestCodeAtLeast(*edit.lower) : 0;
-    seen.highCode =
-        edit.upper ? volume.encoding.highestCodeAtMost(*edit.upper) : VoxelEncoding::codeCount - 1;
+    LabelSeen seen{.target = *target, .lowCode = codes->low, .highCode = codes->high};
     for (const ClipHalfSpace& side : edit.hidden.value_or(std::vector<ClipHalfSpace>()))
         seen.bounds.push_back(voxelBound(side, volume.geometry));
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "segmentSeen");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    seen.editable = *std::move(editable);
-    return seen;
+    return keepingTo(edit.editable, document, "segmentSeen", std::move(seen));
 }
 
 Result<EngineEdit> engineEdit(const SegmentSeen& edit, const Document& document)

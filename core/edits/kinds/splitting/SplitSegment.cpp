@@ -135,13 +135,8 @@ Result<RelabelListed> relabelListed(const SplitSegment& edit, const Document& do
     ListedRuns listed(geometry.size);
     if (sides->staysAny)
         listed.add(sides->beyond, RelabelListed::give);
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "splitSegment");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    RelabelListed relabel = listed.relabel(newTarget(segment, document));
-    relabel.editable = *std::move(editable);
-    return relabel;
+    return keepingTo(
+        edit.editable, document, "splitSegment", listed.relabel(newTarget(segment, document)));
 }
 
 } // namespace core
