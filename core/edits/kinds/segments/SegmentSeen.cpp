@@ -47,10 +47,8 @@ VoxelBound voxelBound(const ClipHalfSpace& side, const VolumeGeometry& geometry)
 
 Result<void> check(const SegmentSeen& edit, const Document& document)
 {
-    if (effects(edit).changes) {
-        if (const Result<void> applied = checkApplied(edit, document); !applied)
-            return applied;
-    }
+    if (const Result<void> isRoom = checkNewSegment(edit.target, document); !isRoom)
+        return isRoom;
     return discardValue(labelSeen(edit, document));
 }
 
@@ -61,14 +59,8 @@ Result<bool> apply(const SegmentSeen& edit, Document& document)
 
 EditEffects effects(const SegmentSeen& edit)
 {
-    return {.task = engineTask<SegmentSeen>(),
-        .standsOpen = false,
-        .changes =
-            edit.target.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
-        .takesVoxelsOrNothing = true,
-        .writesTo = edit.target.segment,
-        .fills = {.label = edit.target.segment, .added = true},
-        .boundToStudy = edit.hidden.has_value() || namesPlaces(edit.editable)};
+    return effectsOn(edit.target, engineTask<SegmentSeen>(),
+        edit.hidden.has_value() || namesPlaces(edit.editable));
 }
 
 Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document)
