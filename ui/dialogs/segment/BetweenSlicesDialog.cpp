@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/dialogs/BetweenSlicesDialog.h"
+#include "ui/dialogs/segment/BetweenSlicesDialog.h"
 
 #include "core/session/EditSession.h"
 #include "ui/base/CountText.h"
