@@ -9,7 +9,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
-#include "core/morphology/SidedMargin.h"
+#include "core/morphology/SidedBall.h"
 
 #include <cmath>
 
