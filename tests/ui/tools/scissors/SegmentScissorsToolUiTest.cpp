@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/SegmentScissorsTool.h"
+#include "ui/tools/scissors/SegmentScissorsTool.h"
 
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
